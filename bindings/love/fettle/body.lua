@@ -2,10 +2,10 @@
 
 local fettle = require "fettle"
 local units = require "fettle.units"
+local object = require "fettle.object"
 local ffi, lib, check = fettle.ffi, fettle.lib, fettle.check
 
-local Body = {}
-Body.__index = Body
+local Body = object.class "Body"
 
 local types = { static = 0, kinematic = 1, dynamic = 2 }
 local names = { [0] = "static", "kinematic", "dynamic" }
@@ -32,6 +32,19 @@ function Body:destroy()
 end
 function Body:getWorld() return self.world end
 function Body:getFixtures() return { unpack(self.fixtures) } end
+Body.getFixtureList = Body.getFixtures
+function Body:getJoints()
+    local found = {}
+    for _, id in ipairs(fettle.ids(lib.fettle_body_joints, self.world.pointer, self.id)) do
+        found[#found + 1] = self.world:joint_of(id)
+    end
+    return found
+end
+Body.getJointList = Body.getJoints
+function Body:getContacts()
+    return self.world:contacts_in(function(...) return lib.fettle_body_contacts(self.world.pointer, self.id, ...) end)
+end
+Body.getContactList = Body.getContacts
 function Body:getUserData() return self.data end
 function Body:setUserData(data) self.data = data end
 
@@ -93,18 +106,39 @@ property("Awake", "awake", "bool")
 property("SleepingAllowed", "can_sleep", "bool")
 property("Bullet", "bullet", "bool")
 property("FixedRotation", "locked_rotation", "bool")
+property("Active", "enabled", "bool")
 
 function Body:getMass() return fettle.get("float", lib.fettle_body_mass, self.world.pointer, self.id) end
 function Body:setMass(mass) check(lib.fettle_body_set_mass(self.world.pointer, self.id, ffi.new("float[1]", mass)), 2) end
 function Body:resetMassData()
     check(lib.fettle_body_set_mass(self.world.pointer, self.id, nil), 2)
     check(lib.fettle_body_set_inertia(self.world.pointer, self.id, nil), 2)
+    check(lib.fettle_body_set_center(self.world.pointer, self.id, nil), 2)
+end
+
+-- The inertia of LÖVE is about the origin of the body, that of Fettle about its center of mass.
+local function center_part(self)
+    local center = fettle.get("fettle_vec2", lib.fettle_body_center, self.world.pointer, self.id)
+    return (center.x ^ 2 + center.y ^ 2) * self:getMass()
 end
 function Body:getInertia()
-    return fettle.get("float", lib.fettle_body_inertia, self.world.pointer, self.id) * units.meter ^ 2
+    local about_center = fettle.get("float", lib.fettle_body_inertia, self.world.pointer, self.id)
+    return (about_center + center_part(self)) * units.meter ^ 2
 end
 function Body:setInertia(inertia)
-    check(lib.fettle_body_set_inertia(self.world.pointer, self.id, ffi.new("float[1]", inertia / units.meter ^ 2)), 2)
+    local about_center = inertia / units.meter ^ 2 - center_part(self)
+    check(lib.fettle_body_set_inertia(self.world.pointer, self.id, ffi.new("float[1]", about_center)), 2)
+end
+--- Center x, center y, mass and inertia.
+function Body:getMassData()
+    local x, y = self:getLocalCenter()
+    return x, y, self:getMass(), self:getInertia()
+end
+function Body:setMassData(x, y, mass, inertia)
+    local center = ffi.new("fettle_vec2[1]", { { x / units.meter, y / units.meter } })
+    check(lib.fettle_body_set_center(self.world.pointer, self.id, center), 2)
+    self:setMass(mass)
+    self:setInertia(inertia)
 end
 
 -- Forces and impulses are in pixels, too: a force of LÖVE accelerates 1 kg by so many pixels a second in a second.
@@ -139,10 +173,15 @@ mapped("getWorldVector", "world_vector")
 mapped("getLocalVector", "local_vector")
 mapped("getLinearVelocityFromWorldPoint", "velocity_at")
 
-function Body:getWorldPoints(...)
-    local points = { ... }
-    for i = 1, #points - 1, 2 do points[i], points[i + 1] = self:getWorldPoint(points[i], points[i + 1]) end
-    return unpack(points)
+function Body:getLinearVelocityFromLocalPoint(x, y)
+    return self:getLinearVelocityFromWorldPoint(self:getWorldPoint(x, y))
+end
+for _, place in ipairs { "World", "Local" } do
+    Body["get" .. place .. "Points"] = function(self, ...)
+        local points, one = { ... }, self["get" .. place .. "Point"]
+        for i = 1, #points - 1, 2 do points[i], points[i + 1] = one(self, points[i], points[i + 1]) end
+        return unpack(points)
+    end
 end
 
 function Body:getWorldCenter()
@@ -154,9 +193,9 @@ function Body:getLocalCenter()
     return center.x * units.meter, center.y * units.meter
 end
 function Body:isTouching(other)
-    for _, contact in ipairs(self.world:getContacts()) do
+    for _, contact in ipairs(self:getContacts()) do
         local a, b = contact:getFixtures()
-        if a and b and (a.body == self and b.body == other or a.body == other and b.body == self) then return true end
+        if a.body == other or b.body == other then return true end
     end
     return false
 end

@@ -1,71 +1,28 @@
--- Joints as love.physics has them. Anchors are points of the world in pixels.
+-- The joints of love.physics. Anchors are points of the world in pixels.
 
 local fettle = require "fettle"
 local units = require "fettle.units"
+local joint = require "fettle.joint"
 local ffi, lib, check = fettle.ffi, fettle.lib, fettle.check
+local property, getter, make, length, squared = joint.property, joint.getter, joint.make, joint.length, joint.squared
 
 local joints = {}
 
-local function class(type) return setmetatable({ type = type }, { __index = joints.Joint }) end
-
-local Joint = {}
-joints.Joint = Joint
-function Joint:getType() return self.type end
-function Joint:isDestroyed() return not lib.fettle_joint_is_valid(self.world.pointer, self.id) end
-function Joint:destroy() check(lib.fettle_joint_destroy(self.world.pointer, self.id), 2) end
-function Joint:getBodies() return self.a, self.b end
-function Joint:getUserData() return self.data end
-function Joint:setUserData(data) self.data = data end
-function Joint:getAnchors()
-    local m, world = units.meter, self.world.pointer
-    local a = fettle.get("fettle_vec2", lib.fettle_joint_world_anchor_a, world, self.id)
-    local ax, ay = a.x * m, a.y * m
-    local b = fettle.get("fettle_vec2", lib.fettle_joint_world_anchor_b, world, self.id)
-    return ax, ay, b.x * m, b.y * m
-end
-function Joint:getReactionForce()
-    local f = fettle.get("fettle_vec2", lib.fettle_joint_force, self.world.pointer, self.id)
-    return f.x * units.meter, f.y * units.meter
+--- Where a joint may have one point of the world or two: both points, and what follows them. `after`: how many arguments make it two.
+local function points(after, x, y, ...)
+    if select("#", ...) + 2 >= after then return x, y, ... end
+    return x, y, x, y, ...
 end
 
---- Adds a property to a class. `scale(meter)` is what a value in SI is multiplied with for LÖVE.
-local function property(to, name, in_c, scale, bool)
-    local read, write = "fettle_" .. in_c, "fettle_" .. in_c:gsub("_joint_", "_joint_set_", 1)
-    local ctype = bool and "bool" or "float"
-    scale = scale or function() return 1 end
-    to[(bool and "is" or "get") .. name] = function(self)
-        local value = fettle.get(ctype, lib[read], self.world.pointer, self.id)
-        return bool and value or value * scale(units.meter)
-    end
-    to["set" .. name] = function(self, value)
-        if not bool then value = value / scale(units.meter) end
-        check(lib[write](self.world.pointer, self.id, value), 2)
-    end
-end
-local function length(m) return m end
-local function squared(m) return m * m end
-
-local function make(of, kind, a, b, ax, ay, bx, by, collide)
-    local def = fettle.define("fettle_joint_def")
-    def.body_a, def.body_b, def.collide = a.id, b.id, collide or false
-    local x, y = a:getLocalPoint(ax, ay)
-    def.anchor_a.x, def.anchor_a.y = x / units.meter, y / units.meter
-    x, y = b:getLocalPoint(bx, by)
-    def.anchor_b.x, def.anchor_b.y = x / units.meter, y / units.meter
-    local id = ffi.new("fettle_id[1]")
-    check(lib["fettle_world_create_" .. kind .. "_joint"](a.world.pointer, def, id), 3)
-    return setmetatable({ world = a.world, id = id[0], a = a, b = b }, { __index = of })
-end
-
-local Distance = class("distance")
+local Distance = joint.class "distance"
 property(Distance, "Length", "distance_joint_length", length)
-property(Distance, "Frequency", "distance_joint_hertz")
+joint.stiffness(Distance, "Frequency", "distance_joint_hertz")
 property(Distance, "DampingRatio", "distance_joint_damping_ratio")
 function joints.newDistanceJoint(a, b, ax, ay, bx, by, collide)
     return make(Distance, "distance", a, b, ax, ay, bx, by, collide)
 end
 
-local Rope = class("rope")
+local Rope = joint.class "rope"
 property(Rope, "MaxLength", "distance_joint_max_length", length)
 function joints.newRopeJoint(a, b, ax, ay, bx, by, longest, collide)
     local rope = make(Rope, "distance", a, b, ax, ay, bx, by, collide)
@@ -74,90 +31,85 @@ function joints.newRopeJoint(a, b, ax, ay, bx, by, longest, collide)
     return rope
 end
 
---- "MotorEnabled" and "LimitsEnabled" of LÖVE: without them the motor has no strength, and the limits are infinite.
-local function motor(to, prefix, strength, strength_name, scale)
-    local write = "fettle_" .. prefix .. "_set_" .. strength
-    local function update(self)
-        local most = self.motor_enabled and (self.strength or 0) or 0
-        check(lib[write](self.world.pointer, self.id, most), 3)
-    end
-    to["setMax" .. strength_name] = function(self, value)
-        self.strength = value / scale(units.meter)
-        update(self)
-    end
-    to["getMax" .. strength_name] = function(self) return (self.strength or 0) * scale(units.meter) end
-    function to:setMotorEnabled(enabled)
-        self.motor_enabled = enabled
-        update(self)
-    end
-    function to:isMotorEnabled() return self.motor_enabled or false end
+--- The angle of b relative to a at which the angle of the joint is 0: now, unless it is given.
+local function refer(made, kind, angle)
+    if angle then check(lib["fettle_" .. kind .. "_joint_set_reference_angle"](made.world.pointer, made.id, angle), 3) end
+    return made
 end
 
-local function limits(to, prefix, coordinate, scale)
-    local function update(self)
-        local m, on = scale(units.meter), self.limits_enabled
-        local low, high = on and (self.low or 0) / m or -math.huge, on and (self.high or 0) / m or math.huge
-        check(lib["fettle_" .. prefix .. "_set_lower_" .. coordinate](self.world.pointer, self.id, low), 3)
-        check(lib["fettle_" .. prefix .. "_set_upper_" .. coordinate](self.world.pointer, self.id, high), 3)
-    end
-    function to:setLimits(low, high)
-        self.low, self.high = low, high
-        update(self)
-    end
-    function to:getLimits() return self.low or 0, self.high or 0 end
-    function to:setLimitsEnabled(enabled)
-        self.limits_enabled = enabled
-        update(self)
-    end
-    function to:areLimitsEnabled() return self.limits_enabled or false end
-end
-
-local function one() return 1 end
-
-local Revolute = class("revolute")
+local Revolute = joint.class "revolute"
 property(Revolute, "MotorSpeed", "revolute_joint_motor_speed")
-motor(Revolute, "revolute_joint", "max_motor_torque", "MotorTorque", squared)
-limits(Revolute, "revolute_joint", "angle", one)
-function Revolute:getJointAngle() return fettle.get("float", lib.fettle_revolute_joint_angle, self.world.pointer, self.id) end
-function joints.newRevoluteJoint(a, b, x, y, collide) return make(Revolute, "revolute", a, b, x, y, x, y, collide) end
-
-local function set_axis(joint, f, x, y)
-    local ax, ay = joint.a:getLocalVector(x, y)
-    check(f(joint.world.pointer, joint.id, ax, ay), 3)
+joint.motor(Revolute, "revolute_joint", "motor_torque", "MotorTorque", squared)
+joint.limits(Revolute, "revolute_joint", "angle", joint.one)
+getter(Revolute, "JointAngle", "revolute_joint_angle")
+getter(Revolute, "ReferenceAngle", "revolute_joint_reference_angle")
+function Revolute:getJointSpeed() return self.b:getAngularVelocity() - self.a:getAngularVelocity() end
+function joints.newRevoluteJoint(a, b, ...)
+    local ax, ay, bx, by, collide, reference = points(4, ...)
+    return refer(make(Revolute, "revolute", a, b, ax, ay, bx, by, collide), "revolute", reference)
 end
 
-local Prismatic = class("prismatic")
+-- Joints with an axis, which turns with body a.
+local function set_axis(made, kind, x, y)
+    local long = math.sqrt(x * x + y * y)
+    local ax, ay = made.a:getLocalVector(x / long, y / long)
+    check(lib["fettle_" .. kind .. "_joint_set_axis"](made.world.pointer, made.id, ax, ay), 3)
+    return made
+end
+local function with_axis(class, kind)
+    getter(class, "JointTranslation", kind .. "_joint_translation", length)
+    function class:getAxis()
+        local axis = fettle.get("fettle_vec2", lib["fettle_" .. kind .. "_joint_axis"], self.world.pointer, self.id)
+        return self.a:getWorldVector(axis.x, axis.y)
+    end
+end
+
+local Prismatic = joint.class "prismatic"
+with_axis(Prismatic, "prismatic")
 property(Prismatic, "MotorSpeed", "prismatic_joint_motor_speed", length)
-motor(Prismatic, "prismatic_joint", "max_motor_force", "MotorForce", length)
-limits(Prismatic, "prismatic_joint", "translation", length)
-function Prismatic:getJointTranslation()
-    return fettle.get("float", lib.fettle_prismatic_joint_translation, self.world.pointer, self.id) * units.meter
+joint.motor(Prismatic, "prismatic_joint", "motor_force", "MotorForce", length)
+joint.limits(Prismatic, "prismatic_joint", "translation", length)
+getter(Prismatic, "ReferenceAngle", "prismatic_joint_reference_angle")
+function Prismatic:getJointSpeed()
+    local x, y = self:getAxis()
+    local ax, ay, bx, by = self:getAnchors()
+    local vax, vay = self.a:getLinearVelocityFromWorldPoint(ax, ay)
+    local vbx, vby = self.b:getLinearVelocityFromWorldPoint(bx, by)
+    local turning = self.a:getAngularVelocity()
+    return (vbx - vax) * x + (vby - vay) * y + turning * ((by - ay) * x - (bx - ax) * y)
 end
 --- LÖVE's limits are enabled at first, and both are 0.
-function joints.newPrismaticJoint(a, b, x, y, axis_x, axis_y, collide)
-    local joint = make(Prismatic, "prismatic", a, b, x, y, x, y, collide)
-    set_axis(joint, lib.fettle_prismatic_joint_set_axis, axis_x, axis_y)
-    joint:setLimitsEnabled(true)
-    return joint
+function joints.newPrismaticJoint(a, b, ...)
+    local ax, ay, bx, by, axis_x, axis_y, collide, reference = points(6, ...)
+    local made = refer(make(Prismatic, "prismatic", a, b, ax, ay, bx, by, collide), "prismatic", reference)
+    made:setLimitsEnabled(true)
+    return set_axis(made, "prismatic", axis_x, axis_y)
 end
 
-local Wheel = class("wheel")
+local Wheel = joint.class "wheel"
+with_axis(Wheel, "wheel")
 property(Wheel, "MotorSpeed", "wheel_joint_motor_speed")
 property(Wheel, "SpringFrequency", "wheel_joint_hertz")
 property(Wheel, "SpringDampingRatio", "wheel_joint_damping_ratio")
-motor(Wheel, "wheel_joint", "max_motor_torque", "MotorTorque", squared)
-function joints.newWheelJoint(a, b, x, y, axis_x, axis_y, collide)
-    local joint = make(Wheel, "wheel", a, b, x, y, x, y, collide)
-    set_axis(joint, lib.fettle_wheel_joint_set_axis, axis_x, axis_y)
-    return joint
+joint.motor(Wheel, "wheel_joint", "motor_torque", "MotorTorque", squared)
+function Wheel:getJointSpeed() return self.b:getAngularVelocity() - self.a:getAngularVelocity() end
+function joints.newWheelJoint(a, b, ...)
+    local ax, ay, bx, by, axis_x, axis_y, collide = points(6, ...)
+    local made = make(Wheel, "wheel", a, b, ax, ay, bx, by, collide)
+    made:setSpringFrequency(2)  -- LÖVE's default
+    return set_axis(made, "wheel", axis_x, axis_y)
 end
 
-local Weld = class("weld")
-property(Weld, "Frequency", "weld_joint_angular_hertz")
+local Weld = joint.class "weld"
+joint.stiffness(Weld, "Frequency", "weld_joint_angular_hertz")
 property(Weld, "DampingRatio", "weld_joint_angular_damping_ratio")
-function joints.newWeldJoint(a, b, x, y, collide) return make(Weld, "weld", a, b, x, y, x, y, collide) end
+getter(Weld, "ReferenceAngle", "weld_joint_reference_angle")
+function joints.newWeldJoint(a, b, ...)
+    local ax, ay, bx, by, collide, reference = points(4, ...)
+    return refer(make(Weld, "weld", a, b, ax, ay, bx, by, collide), "weld", reference)
+end
 
-local Mouse = class("mouse")
+local Mouse = joint.class "mouse"
 property(Mouse, "MaxForce", "mouse_joint_max_force", length)
 property(Mouse, "Frequency", "mouse_joint_hertz")
 property(Mouse, "DampingRatio", "mouse_joint_damping_ratio")
@@ -168,13 +120,107 @@ function Mouse:getTarget()
     local target = fettle.get("fettle_vec2", lib.fettle_mouse_joint_target, self.world.pointer, self.id)
     return target.x * units.meter, target.y * units.meter
 end
-function joints.newMouseJoint(body, x, y)
-    local def = fettle.define("fettle_mouse_joint_def")
-    def.body, def.target.x, def.target.y = body.id, x / units.meter, y / units.meter
-    def.max_force = 1000 * body:getMass()
-    local id = ffi.new("fettle_id[1]")
-    check(lib.fettle_world_create_mouse_joint(body.world.pointer, def, id), 2)
-    return setmetatable({ world = body.world, id = id[0], a = body }, { __index = Mouse })
+function Mouse:translate(x, y)
+    local target_x, target_y = self:getTarget()
+    self:setTarget(target_x - x, target_y - y)
+end
+function joints.newMouseJoint(body, x, y) return joint.make_mouse(Mouse, body, x, y) end
+
+-- A motor joint of Fettle without a motion is friction, and with a stiffness it holds offsets.
+
+local Friction = joint.class "friction"
+property(Friction, "MaxForce", "motor_joint_max_force", length)
+property(Friction, "MaxTorque", "motor_joint_max_torque", squared)
+function joints.newFrictionJoint(a, b, ...)
+    local ax, ay, bx, by, collide = points(4, ...)
+    return make(Friction, "motor", a, b, ax, ay, bx, by, collide)
+end
+
+local Motor = joint.class "motor"
+property(Motor, "MaxForce", "motor_joint_max_force", length)
+property(Motor, "MaxTorque", "motor_joint_max_torque", squared)
+property(Motor, "AngularOffset", "motor_joint_angular_offset")
+function Motor:getLinearOffset()
+    local offset = fettle.get("fettle_vec2", lib.fettle_motor_joint_linear_offset, self.world.pointer, self.id)
+    return offset.x * units.meter, offset.y * units.meter
+end
+function Motor:setLinearOffset(x, y)
+    check(lib.fettle_motor_joint_set_linear_offset(self.world.pointer, self.id, x / units.meter, y / units.meter), 2)
+end
+function Motor:getCorrectionFactor() return self.correction end
+--- The part of an error that is corrected in a step of 1/60 s. Fettle has a damped spring, which is as fast.
+function Motor:setCorrectionFactor(correction)
+    if not (correction >= 0 and correction <= 1) then
+        error(("correction factor %s: expected a number from 0 to 1"):format(tostring(correction)), 2)
+    end
+    check(lib.fettle_motor_joint_set_hertz(self.world.pointer, self.id, correction * 60 / (2 * math.pi)), 2)
+    self.correction = correction
+end
+function joints.newMotorJoint(a, b, correction, collide)
+    local ax, ay = a:getPosition()
+    local made = make(Motor, "motor", a, b, ax, ay, b:getX(), b:getY(), collide)
+    made:setLinearOffset(a:getLocalPoint(b:getPosition()))
+    made:setAngularOffset(b:getAngle() - a:getAngle())
+    made:setCorrectionFactor(correction or 0.3)
+    made:setMaxForce(units.meter)        -- 1 N
+    made:setMaxTorque(units.meter ^ 2)  -- 1 N m
+    return made
+end
+
+local Pulley = joint.class "pulley"
+getter(Pulley, "LengthA", "pulley_joint_length_a", length)
+getter(Pulley, "LengthB", "pulley_joint_length_b", length)
+getter(Pulley, "Ratio", "pulley_joint_ratio")
+function Pulley:getGroundAnchors()
+    local m, world = units.meter, self.world.pointer
+    local a = fettle.get("fettle_vec2", lib.fettle_pulley_joint_ground_a, world, self.id)
+    local ax, ay = a.x * m, a.y * m
+    local b = fettle.get("fettle_vec2", lib.fettle_pulley_joint_ground_b, world, self.id)
+    return ax, ay, b.x * m, b.y * m
+end
+local function set_grounds(self, ax, ay, bx, by)
+    local m, world = units.meter, self.world.pointer
+    check(lib.fettle_pulley_joint_set_ground_a(world, self.id, ax / m, ay / m), 3)
+    check(lib.fettle_pulley_joint_set_ground_b(world, self.id, bx / m, by / m), 3)
+end
+function Pulley:translate(x, y)
+    local ax, ay, bx, by = self:getGroundAnchors()
+    set_grounds(self, ax - x, ay - y, bx - x, by - y)
+end
+--- The bodies collide unless `collide` is false.
+function joints.newPulleyJoint(a, b, ground_ax, ground_ay, ground_bx, ground_by, ax, ay, bx, by, ratio, collide)
+    local world = a.world.pointer
+    local made = make(Pulley, "pulley", a, b, ax, ay, bx, by, collide ~= false)
+    set_grounds(made, ground_ax, ground_ay, ground_bx, ground_by)
+    check(lib.fettle_pulley_joint_set_ratio(world, made.id, ratio or 1), 2)
+    check(lib.fettle_pulley_joint_set_length(world, made.id, fettle.get("float", lib.fettle_pulley_joint_length_now, world, made.id)), 2)
+    return made
+end
+
+-- A gear of LÖVE keeps angle 1 + ratio * angle 2; one of Fettle keeps angle b - ratio * angle a of two bodies.
+local Gear = joint.class "gear"
+function Gear:getJoints() return self.first, self.second end
+function Gear:getRatio() return self.ratio end
+function Gear:setRatio(ratio)
+    if ratio == 0 then error("gear: expected a ratio that is not 0", 2) end
+    local world = self.world.pointer
+    check(lib.fettle_gear_joint_set_ratio(world, self.id, -1 / ratio), 2)
+    local phase = fettle.get("float", lib.fettle_gear_joint_phase_now, world, self.id)
+    check(lib.fettle_gear_joint_set_phase(world, self.id, phase), 2)
+    self.ratio = ratio
+end
+--- Two revolute joints whose first bodies do not rotate: Fettle's gears turn two bodies.
+function joints.newGearJoint(first, second, ratio, collide)
+    for _, one in ipairs { first, second } do
+        if one.kind ~= "revolute" or one.a:getType() == "dynamic" then
+            error("gear: expected two revolute joints whose first body is static or kinematic; Fettle has no others", 2)
+        end
+    end
+    local a, b = first.b, second.b
+    local made = make(Gear, "gear", a, b, a:getX(), a:getY(), b:getX(), b:getY(), collide)
+    made.first, made.second = first, second
+    made:setRatio(ratio or 1)
+    return made
 end
 
 return joints

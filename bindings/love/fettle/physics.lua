@@ -3,16 +3,18 @@
 --     love.physics = require "fettle.physics"
 --
 -- Differences that a game can notice: beginContact, endContact and postSolve are called when the step is done, so they may
--- destroy bodies; only preSolve is called inside it, and must not. A chain is solid on both sides, as in LÖVE.
+-- destroy bodies; only preSolve and the filter are called inside it, and must not. A chain is solid on both sides, as in LÖVE.
 
 local fettle = require "fettle"
 local units = require "fettle.units"
+local object = require "fettle.object"
 local shapes = require "fettle.shapes"
+local fixture = require "fettle.fixture"
 local joints = require "fettle.joints"
 local Contact = require "fettle.contact"
 local ffi, lib, check = fettle.ffi, fettle.lib, fettle.check
 
-local physics = { newBody = require "fettle.body" }
+local physics = { newBody = require "fettle.body", newFixture = fixture.newFixture, getDistance = fixture.getDistance }
 for _, module in ipairs { shapes, joints } do
     for name, f in pairs(module) do
         if name:find "^new" then physics[name] = f end
@@ -25,8 +27,7 @@ function physics.setMeter(pixels)
 end
 function physics.getMeter() return units.meter end
 
-local World = {}
-World.__index = World
+local World = object.class "World"
 
 function physics.newWorld(x, y, sleep)
     local def = fettle.define("fettle_world_def")
@@ -36,7 +37,7 @@ function physics.newWorld(x, y, sleep)
     check(lib.fettle_world_create(def, out), 2)
     local pointer = ffi.gc(out[0], lib.fettle_world_destroy)
     -- Objects by slot: a number is a key, an id of 64 bits is not.
-    return setmetatable({ pointer = pointer, bodies = {}, fixtures = {}, callbacks = {} }, World)
+    return setmetatable({ pointer = pointer, bodies = {}, fixtures = {}, joints = {}, callbacks = {}, dt = 1 / 60 }, World)
 end
 
 function World:isDestroyed() return self.destroyed or false end
@@ -52,6 +53,11 @@ function World:getGravity()
 end
 function World:setGravity(x, y) check(lib.fettle_world_set_gravity(self.pointer, x / units.meter, y / units.meter), 2) end
 function World:setSleepingAllowed(allowed) check(lib.fettle_world_set_sleeping(self.pointer, allowed), 2) end
+function World:isSleepingAllowed()
+    local out = ffi.new("bool[1]")
+    check(lib.fettle_world_sleeping(self.pointer, out), 2)
+    return out[0]
+end
 function World:isLocked() return self.calling or false end
 
 function World:fixture_of(id)
@@ -63,28 +69,52 @@ function World:body_of(id)
     return known and known.id == id and known or nil
 end
 
-function World:getBodies()
+function World:joint_of(id)
+    local known = self.joints[lib.fettle_slot(id)]
+    return known and known.id == id and known or nil
+end
+
+local function all(world, f, of)
     local found = {}
-    for _, id in ipairs(fettle.ids(lib.fettle_world_bodies, self.pointer)) do found[#found + 1] = self:body_of(id) end
+    for _, id in ipairs(fettle.ids(f, world.pointer)) do found[#found + 1] = of(world, id) end
     return found
 end
+function World:getBodies() return all(self, lib.fettle_world_bodies, self.body_of) end
+function World:getJoints() return all(self, lib.fettle_world_joints, self.joint_of) end
 function World:getBodyCount() return #self:getBodies() end
+function World:getJointCount() return #self:getJoints() end
 
-function World:getContacts()
+--- The contacts that a function of C writes to an array: f(array, room, count).
+function World:contacts_in(f)
     local count, room = ffi.new("uint32_t[1]"), 64
     local out
     repeat
         if count[0] > room then room = count[0] end
         out = ffi.new("fettle_contact[?]", room)
-        check(lib.fettle_world_contacts(self.pointer, out, room, count), 2)
+        check(f(out, room, count), 3)
     until count[0] <= room
     local found = {}
     for i = 0, count[0] - 1 do
         local c = out[i]
-        found[#found + 1] = Contact.new(self:fixture_of(c.shape_a), self:fixture_of(c.shape_b),
-            { normal = c.normal, point = c.points[0].point, friction = c.friction, restitution = c.restitution })
+        local a, b = self:fixture_of(c.shape_a), self:fixture_of(c.shape_b)
+        if a and b then found[#found + 1] = Contact.of(a, b, c) end
     end
     return found
+end
+function World:getContacts()
+    return self:contacts_in(function(...) return lib.fettle_world_contacts(self.pointer, ...) end)
+end
+function World:getContactCount() return #self:getContacts() end
+World.getBodyList, World.getJointList, World.getContactList = World.getBodies, World.getJoints, World.getContacts
+
+--- Moves the origin of the world to a point: all is at other coordinates then.
+function World:translateOrigin(x, y)
+    for _, body in ipairs(self:getBodies()) do
+        local awake, body_x, body_y = body:isAwake(), body:getPosition()
+        body:setPosition(body_x - x, body_y - y)
+        body:setAwake(awake)
+    end
+    for _, joint in ipairs(self:getJoints()) do joint:translate(x, y) end
 end
 
 -- A function that C calls must not raise: the error is kept and raised when the call is over.
@@ -116,12 +146,29 @@ function World:setCallbacks(begin, ended, pre, post)
     if pre then
         self.pre_callback = ffi.cast("fettle_contact_callback", function(_, _, edit)
             local a, b = self:fixture_of(edit.shape_a), self:fixture_of(edit.shape_b)
-            if a and b then guarded(self, pre, a, b, Contact.new(a, b, edit, edit)) end
+            if not a or not b then return end
+            local contact = Contact.new(a, b, edit, edit)
+            guarded(self, pre, a, b, contact)
+            contact.edit = nil  -- it is valid inside this call
         end)
         check(lib.fettle_world_set_before_solve(self.pointer, self.pre_callback, nil), 2)
     end
     check(lib.fettle_world_set_persist_events(self.pointer, post ~= nil), 2)
 end
+
+--- `f(fixture, fixture)` says whether two fixtures may collide whose categories, masks and groups allow it.
+World.setContactFilter = uncompiled(function(self, f)
+    local before = self.filter_callback
+    self.filter = f
+    self.filter_callback = f and ffi.cast("fettle_pair_filter", function(_, _, shape_a, shape_b)
+        local a, b = self:fixture_of(shape_a), self:fixture_of(shape_b)
+        if not a or not b or a.group ~= 0 and a.group == b.group then return true end
+        return guarded(self, f, a, b) and true or false
+    end)
+    check(lib.fettle_world_set_filter(self.pointer, self.filter_callback, nil), 2)
+    if before then before:free() end
+end)
+function World:getContactFilter() return self.filter end
 function World:getCallbacks()
     local c = self.callbacks
     return c.begin, c.ended, c.pre, c.post
@@ -165,6 +212,7 @@ end
 
 World.update = uncompiled(function(self, dt)
     self.calling = true
+    self.dt = dt > 0 and dt or self.dt
     local code = lib.fettle_world_step(self.pointer, dt)
     self.calling = false
     raise(self)
@@ -210,5 +258,4 @@ World.rayCast = uncompiled(function(self, x1, y1, x2, y2, f)
     end
 end)
 
-physics.newFixture = shapes.newFixture
 return physics

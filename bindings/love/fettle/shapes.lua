@@ -1,27 +1,30 @@
--- Shapes and fixtures as love.physics has them. A shape is a geometry in pixels; a fixture is the shape on a body.
+-- Shapes as love.physics has them: geometries in pixels. Those of a fixture are its own copies.
 
 local fettle = require "fettle"
 local units = require "fettle.units"
+local object = require "fettle.object"
 local ffi, lib, check = fettle.ffi, fettle.lib, fettle.check
 
 local shapes = {}
 
-local Shape = {}
-Shape.__index = Shape
+local Shape = object.class "Shape"
+local Circle, Polygon = object.class("CircleShape", Shape), object.class("PolygonShape", Shape)
+local Edge, Chain = object.class("EdgeShape", Shape), object.class("ChainShape", Shape)
 
-function Shape:getType() return self.type end
-function Shape:getRadius() return self.radius or 0 end
-function Shape:getPoints() return unpack(self.points or {}) end
-function Shape:getPoint() return self.x, self.y end
+function Shape:getType() return self.kind end
+function Shape:getChildCount() return 1 end
 
-local function shape(type, values)
-    values.type = type
-    return setmetatable(values, Shape)
+-- The skin that Box2D puts around what is not round; other radii are those of circles.
+function Shape:getRadius() return self.radius or 0.01 * units.meter end
+
+local function shape(class, kind, values)
+    values.kind = kind
+    return setmetatable(values, class)
 end
 
 function shapes.newCircleShape(x, y, radius)
     if not radius then x, y, radius = 0, 0, x end
-    return shape("circle", { x = x, y = y, radius = radius })
+    return shape(Circle, "circle", { x = x, y = y, radius = radius })
 end
 
 local function flat(...)
@@ -29,9 +32,9 @@ local function flat(...)
     return { ... }
 end
 
-function shapes.newPolygonShape(...) return shape("polygon", { points = flat(...) }) end
-function shapes.newEdgeShape(x1, y1, x2, y2) return shape("edge", { points = { x1, y1, x2, y2 } }) end
-function shapes.newChainShape(loop, ...) return shape("chain", { points = flat(...), loop = loop }) end
+function shapes.newPolygonShape(...) return shape(Polygon, "polygon", { points = flat(...) }) end
+function shapes.newEdgeShape(x1, y1, x2, y2) return shape(Edge, "edge", { points = { x1, y1, x2, y2 } }) end
+function shapes.newChainShape(loop, ...) return shape(Chain, "chain", { points = flat(...), loop = loop }) end
 
 function shapes.newRectangleShape(x, y, width, height, angle)
     if not width then x, y, width, height = 0, 0, x, y end
@@ -42,13 +45,21 @@ function shapes.newRectangleShape(x, y, width, height, angle)
         points[#points + 1] = x + c * px - s * py
         points[#points + 1] = y + s * px + c * py
     end
-    return shape("polygon", { points = points, box = { x, y, width, height, angle or 0 } })
+    return shape(Polygon, "polygon", { points = points, box = { x, y, width, height, angle or 0 } })
+end
+
+function shapes.copy(of, fixture)
+    local made = {}
+    for key, value in pairs(of) do made[key] = value end
+    made.points = of.points and { unpack(of.points) }
+    made.fixture = fixture
+    return setmetatable(made, getmetatable(of))
 end
 
 --- Geometries in meters. Chains and edges of LÖVE are solid on both sides, as segments are.
-local function geometries(of)
+function shapes.geometries(of)
     local m = units.meter
-    if of.type == "circle" then
+    if of.kind == "circle" then
         local g = fettle.define("fettle_geometry", lib.FETTLE_SHAPE_CIRCLE)
         g.radius, g.center.x, g.center.y = of.radius / m, of.x / m, of.y / m
         return { g }
@@ -62,7 +73,7 @@ local function geometries(of)
     for i = 0, count - 1 do
         points[i].x, points[i].y = of.points[2 * i + 1] / m, of.points[2 * i + 2] / m
     end
-    if of.type == "polygon" then
+    if of.kind == "polygon" then
         local g = fettle.define("fettle_geometry", lib.FETTLE_SHAPE_POLYGON)
         g.points, g.point_count = points, count
         return { g, points = points }  -- keeps the points alive
@@ -76,105 +87,115 @@ local function geometries(of)
     return segments
 end
 
-local Fixture = {}
-Fixture.__index = Fixture
-
-function shapes.newFixture(body, of, density)
-    local def = fettle.define("fettle_shape_def")
-    def.density, def.friction = density or 1, 0.2  -- LÖVE's default
-    local made = setmetatable({ body = body, shape = of, ids = {}, category = 1, mask = 65535, group = 0 }, Fixture)
-    for _, geometry in ipairs(geometries(of)) do
-        local id = ffi.new("fettle_id[1]")
-        check(lib.fettle_body_add(body.world.pointer, body.id, geometry, def, id), 2)
-        made.ids[#made.ids + 1] = id[0]
-        body.world.fixtures[lib.fettle_slot(id[0])] = { id = id[0], fixture = made }
-    end
-    body.fixtures[#body.fixtures + 1] = made
-    return made
+local function child(self, index)
+    local all = shapes.geometries(self)
+    local geometry = all[index or 1]
+    if not geometry then error(("child %s: expected a number from 1 to %d"):format(tostring(index), #all), 3) end
+    return geometry, all  -- which keeps the points alive
 end
 
-function Fixture:getBody() return self.body end
-function Fixture:getShape() return self.shape end
-function Fixture:getType() return self.shape.type end
-function Fixture:getUserData() return self.data end
-function Fixture:setUserData(data) self.data = data end
-function Fixture:isDestroyed() return not lib.fettle_shape_is_valid(self.body.world.pointer, self.ids[1]) end
-
-function Fixture:destroy()
-    for _, id in ipairs(self.ids) do check(lib.fettle_shape_destroy(self.body.world.pointer, id), 2) end
-    for i, other in ipairs(self.body.fixtures) do
-        if other == self then table.remove(self.body.fixtures, i) end
-    end
+local function pose(x, y, angle)
+    return ffi.new("fettle_pose[1]", { { { (x or 0) / units.meter, (y or 0) / units.meter }, angle or 0 } })
 end
 
-local function property(name, in_c, ctype)
-    local read, write = "fettle_shape_" .. in_c, "fettle_shape_set_" .. in_c
-    Fixture[(ctype == "bool" and "is" or "get") .. name] = function(self)
-        return fettle.get(ctype, lib[read], self.body.world.pointer, self.ids[1])
-    end
-    Fixture["set" .. name] = function(self, value)
-        for _, id in ipairs(self.ids) do check(lib[write](self.body.world.pointer, id, value), 2) end
-    end
-end
-property("Friction", "friction", "float")
-property("Restitution", "restitution", "float")
-property("Density", "density", "float")
-property("Sensor", "sensor", "bool")
-
-function Fixture:testPoint(x, y)
-    local inside = ffi.new("bool[1]")
-    for _, id in ipairs(self.ids) do
-        check(lib.fettle_shape_contains(self.body.world.pointer, id, x / units.meter, y / units.meter, inside), 2)
-        if inside[0] then return true end
+function Shape:testPoint(x, y, angle, point_x, point_y)
+    local at, inside, all = pose(x, y, angle), ffi.new("bool[1]"), shapes.geometries(self)
+    for _, geometry in ipairs(all) do
+        check(lib.fettle_geometry_contains(geometry, at, point_x / units.meter, point_y / units.meter, inside), 2)
+        if inside[0] and geometry.type ~= lib.FETTLE_SHAPE_SEGMENT then return true end
     end
     return false
 end
 
-function Fixture:getBoundingBox()
-    local left, top, right, bottom = math.huge, math.huge, -math.huge, -math.huge
-    for _, id in ipairs(self.ids) do
-        local box = fettle.get("fettle_aabb", lib.fettle_shape_aabb, self.body.world.pointer, id)
-        left, top = math.min(left, box.min.x), math.min(top, box.min.y)
-        right, bottom = math.max(right, box.max.x), math.max(bottom, box.max.y)
-    end
+--- Normal x, normal y and fraction of the point where a ray enters the shape; nothing where it does not.
+function Shape:rayCast(x1, y1, x2, y2, most, x, y, angle, index)
+    local m, geometry, all = units.meter, child(self, index)
+    local found, hit = ffi.new("bool[1]"), ffi.new("fettle_surface_hit[1]")
+    x2, y2 = x1 + most * (x2 - x1), y1 + most * (y2 - y1)
+    check(lib.fettle_geometry_cast_ray(geometry, pose(x, y, angle), x1 / m, y1 / m, x2 / m, y2 / m, found, hit), 2)
+    if found[0] and all then return hit[0].normal.x, hit[0].normal.y, hit[0].fraction * most end
+end
+
+function Shape:computeAABB(x, y, angle, index)
+    local m, geometry, all = units.meter, child(self, index)
+    local box = ffi.new("fettle_aabb[1]")
+    check(lib.fettle_geometry_bounding_box(geometry, pose(x, y, angle), box), 2)
+    local b = all and box[0]
+    return b.min.x * m, b.min.y * m, b.max.x * m, b.max.y * m
+end
+
+--- Center x, center y, mass, and inertia about the origin of the body.
+function Shape:computeMass(density)
     local m = units.meter
-    return left * m, top * m, right * m, bottom * m
+    if self.kind == "edge" or self.kind == "chain" then
+        local p = self.points
+        if self.kind == "chain" then return 0, 0, 0, 0 end
+        return (p[1] + p[3]) / 2, (p[2] + p[4]) / 2, 0, 0
+    end
+    local out, geometry, all = ffi.new("fettle_mass_properties[1]"), child(self, 1)
+    check(lib.fettle_geometry_mass_properties(geometry, density, out), 2)
+    local p = all and out[0]
+    local about_origin = p.inertia + p.mass * (p.centroid.x ^ 2 + p.centroid.y ^ 2)
+    return p.centroid.x * m, p.centroid.y * m, p.mass, about_origin * m * m
 end
 
--- LÖVE's mask is what is not collided with, in 16 categories.
-local function filter(self)
-    local world = self.body.world.pointer
-    for _, id in ipairs(self.ids) do
-        check(lib.fettle_shape_set_category(world, id, self.category), 3)
-        check(lib.fettle_shape_set_mask(world, id, self.mask), 3)
-        check(lib.fettle_shape_set_group(world, id, self.group), 3)
+--- Sets numbers of the shape of a fixture in Fettle; a shape of no fixture has none yet.
+local function set(self, name, ...)
+    if not self.fixture then return end
+    for _, id in ipairs(self.fixture.ids) do
+        check(lib["fettle_shape_set_" .. name](self.fixture.body.world.pointer, id, ...), 3)
     end
 end
 
-local function bits(...)
-    local sum = 0
-    for _, category in ipairs { ... } do sum = bit.bor(sum, bit.lshift(1, category - 1)) end
-    return sum
+function Circle:getPoint() return self.x, self.y end
+function Circle:setPoint(x, y)
+    set(self, "center", x / units.meter, y / units.meter)
+    self.x, self.y = x, y
+end
+function Circle:setRadius(radius)
+    set(self, "radius", radius / units.meter)
+    self.radius = radius
 end
 
-local function numbers(sum)
-    local found = {}
-    for i = 1, 16 do
-        if bit.band(sum, bit.lshift(1, i - 1)) ~= 0 then found[#found + 1] = i end
+function Polygon:getPoints() return unpack(self.points) end
+--- Whether it is convex: its corners turn one way.
+function Polygon:validate()
+    local p, n, turn = self.points, #self.points / 2, nil
+    local function at(i) return p[2 * (i % n) + 1], p[2 * (i % n) + 2] end
+    for i = 0, n - 1 do
+        local x0, y0 = at(i)
+        local x1, y1 = at(i + 1)
+        local x2, y2 = at(i + 2)
+        local cross = (x1 - x0) * (y2 - y1) - (y1 - y0) * (x2 - x1)
+        if cross == 0 or turn and cross * turn < 0 then return false end
+        turn = cross
     end
-    return unpack(found)
+    return n > 2
 end
 
-function Fixture:setFilterData(categories, mask, group)
-    self.category, self.mask, self.group = categories, mask, group
-    filter(self)
+-- The neighbors of an outline smooth its seams in Box2D. Fettle's segments need none, so they are only kept.
+local function neighbor(class, name)
+    class["set" .. name] = function(self, x, y) self[name] = x and { x, y } end
+    class["get" .. name] = function(self) if self[name] then return unpack(self[name]) end end
 end
-function Fixture:getFilterData() return self.category, self.mask, self.group end
-function Fixture:setCategory(...) self:setFilterData(bits(...), self.mask, self.group) end
-function Fixture:getCategory() return numbers(self.category) end
-function Fixture:setMask(...) self:setFilterData(self.category, 65535 - bits(...), self.group) end
-function Fixture:getMask() return numbers(65535 - self.mask) end
-function Fixture:setGroupIndex(group) self:setFilterData(self.category, self.mask, group) end
-function Fixture:getGroupIndex() return self.group end
+for _, class in ipairs { Edge, Chain } do
+    neighbor(class, "NextVertex")
+    neighbor(class, "PreviousVertex")
+    function class:getPoints() return unpack(self.points) end
+end
+
+function Chain:getVertexCount() return #self.points / 2 + (self.loop and 1 or 0) end
+function Chain:getChildCount() return self:getVertexCount() - 1 end
+function Chain:getPoint(index)
+    if not (index >= 1 and index <= self:getVertexCount()) then
+        error(("point %s: expected a number from 1 to %d"):format(tostring(index), self:getVertexCount()), 2)
+    end
+    local i = (index - 1) % (#self.points / 2)
+    return self.points[2 * i + 1], self.points[2 * i + 2]
+end
+function Chain:getChildEdge(index)
+    local x1, y1 = self:getPoint(index)
+    return shapes.newEdgeShape(x1, y1, self:getPoint(index + 1))
+end
 
 return shapes

@@ -208,12 +208,14 @@ end
 
 function love.load(arguments)
     own = arguments[1] == "--love"
+    local own_physics = love.physics
+    for name, test in pairs(require "coverage") do tests[name] = test end
     if not own then love.physics = require "fettle.physics" end
     local names, failed = {}, 0
     for name in pairs(tests) do names[#names + 1] = name end
     table.sort(names)
     for _, name in ipairs(names) do
-        local ok, message = xpcall(tests[name], debug.traceback)
+        local ok, message = xpcall(function() tests[name](own_physics) end, debug.traceback)
         if not ok then
             failed = failed + 1
             print(name .. ": " .. message)
