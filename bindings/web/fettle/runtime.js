@@ -155,10 +155,26 @@ export function struct(value, size, name, write, defaults) {
 export function typeOf(value, name) {
   return whole(value?.type, `${name}.type`, 0, 255);
 }
+/** How many letters must be put in, left out or replaced to make one word of another. */
+function edits(from, to) {
+  let row = Array.from({ length: to.length + 1 }, (_, i) => i);
+  for (let i = 1; i <= from.length; ++i) {
+    const next = [i];
+    for (let j = 1; j <= to.length; ++j) next[j] = Math.min(next[j - 1] + 1, row[j] + 1, row[j - 1] + (from[i - 1] === to[j - 1] ? 0 : 1));
+    row = next;
+  }
+  return row[to.length];
+}
+/** The nearest name, if it is near. Names in C are with the letters of camel case, too. */
+function meant(wrong, names) {
+  const plain = (name) => name.replaceAll("_", "").toLowerCase(), how = (name) => edits(plain(wrong), plain(name));
+  const nearest = names.reduce((a, b) => (how(b) < how(a) ? b : a));
+  return how(nearest) <= Math.max(1, wrong.length / 3) ? ` (did you mean "${nearest}"?)` : "";
+}
 export function members(p, value, name, known) {
   if (typeof value !== "object" || value === null) throw new Invalid(`${name} = ${shown(value)}: expected an object`);
   for (const key of Object.keys(value)) {
-    if (!Object.hasOwn(known, key)) throw new Invalid(`${name} has no member "${key}"; it has ${Object.keys(known).join(", ")}`);
+    if (!Object.hasOwn(known, key)) throw new Invalid(`${name} has no member "${key}"${meant(key, Object.keys(known))}; it has ${Object.keys(known).join(", ")}`);
     if (value[key] !== undefined) known[key](p, value[key], name);
   }
 }

@@ -77,5 +77,6 @@ export declare function segment(from: Vec2, to: Vec2, more?: Partial<Geometry>):
 export declare function polygon(points: readonly Vec2[], more?: Partial<Geometry>): Geometry;
 export declare function ellipse(radiusX?: number, radiusY?: number, more?: Partial<Geometry>): Geometry;
 export declare function concave(points: readonly Vec2[]): Geometry;
+/** A line of segments, solid for bodies on its left: points from left to right are ground. */
 export declare function chain(points: readonly Vec2[], closed?: boolean): Geometry;
 

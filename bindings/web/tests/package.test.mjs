@@ -45,7 +45,7 @@ test("what is wrong is refused, and says why", () => {
   assert.throws(() => (ball.angle = NaN), Invalid);
   assert.throws(() => (ball.angle = "1"), /angle = "1": expected a number/);
   assert.throws(() => (ball.position = { x: 1 }), Invalid);
-  assert.throws(() => world.createBody({ positon: { x: 0, y: 0 } }), /no member "positon"/);
+  assert.throws(() => world.createBody({ positon: { x: 0, y: 0 } }), /no member "positon" \(did you mean "position"\?\)/);
   assert.throws(() => ball.add({ radius: 1 }), /geometry.type/);
   assert.throws(() => ball.add(circle(-1)), Invalid);
   assert.equal(ball.shapes.length, 1);

@@ -99,7 +99,8 @@ typedef struct fettle_geometry {
     float rounding;            /* box, segment, polygon: 0; radius of the corners, at least 0 */
     fettle_vec2 from, to;      /* segment: (-0.5, 0), (0.5, 0) */
     const fettle_vec2* points; /* polygon: any points, it is their hull; concave: its outline;
-                                  chain: its points. They are copied. Null: none */
+                                  chain: its points, of which each segment is solid on its left
+                                  (from left to right: ground). They are copied. Null: none */
     uint32_t point_count;      /* 0; at most 2^20 */
     bool closed;               /* chain: false; true: a segment from the last point to the first */
 } fettle_geometry;
