@@ -24,7 +24,7 @@ export SDL_AUDIODRIVER=dummy SDL_RENDER_DRIVER=software
 cannot() { printf '%s\n' "$*"; exit 77; }
 needs() { command -v "$1" >/dev/null || cannot "$1 is not here"; }
 needs_python() { "$python" -c "import $1" 2>/dev/null || cannot "Debian's python3 has no $1"; }
-in_display() { timeout 120 xvfb-run -a -s "-screen 0 1024x768x24" "$@"; }
+in_display() { timeout 600 xvfb-run -a -s "-screen 0 1024x768x24" "$@"; }
 
 # shows PICTURE COLOR...: each of the colors is in the picture.
 shows() {
@@ -127,7 +127,7 @@ love_host_game() {
 
 case_love_host() {
     love_host_game host_tests
-    timeout 120 love "$folder/host_tests"
+    timeout 600 love "$folder/host_tests"
 }
 
 case_love_host_demo() {
@@ -141,8 +141,8 @@ case_love_host_demo() {
 
 case_love() {
     love_game tests
-    timeout 120 love "$folder/tests"
-    timeout 120 love "$folder/tests" --love  # love.physics itself passes the same tests
+    timeout 600 love "$folder/tests"
+    timeout 600 love "$folder/tests" --love  # love.physics itself passes the same tests
 }
 
 case_love_demo() {
@@ -192,7 +192,7 @@ page_picture() {
     # shellcheck disable=SC2064  # the number of this server
     trap "kill $server" EXIT
     until port=$(sed -n 's/.*http:\/\/127\.0\.0\.1:\([0-9]*\).*/\1/p' server.log) && [[ -n $port ]]; do sleep 0.1; done
-    timeout 120 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$folder/chromium" --window-size=1000,600 \
+    timeout 600 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$folder/chromium" --window-size=1000,600 \
         --virtual-time-budget=20000 --screenshot="$1" "http://127.0.0.1:$port/index.html?steps=$2"
 }
 
@@ -222,7 +222,7 @@ case_web_speed() {
     web_project
     npm install --no-audit --no-fund @dimforge/rapier2d-simd-compat planck matter-js || echo "npm could not install the other engines"
     cp -- "$project"/bindings/web/bench/* .
-    node main.mjs 100
+    node main.mjs 2
 }
 
 # The pages of the guide, with the blocks that need the packages of these hosts.

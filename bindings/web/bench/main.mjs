@@ -1,40 +1,58 @@
 // Prints a table: milliseconds of processor time a step of each engine that is installed, and what became of the scene in it.
 //
-//   node main.mjs [STEPS]    STEPS: at most so many in each scene
+//   node main.mjs [SECONDS] [SCENE ...]    SECONDS: at most so many for a scene in an engine, 10 without it
+//
+// An engine makes the steps that fit in its time. Its time is compared with that of Fettle for the same steps. Each engine makes some steps of a
+// scene before it is measured, since a program of JavaScript or WebAssembly is slow until it has run for a while.
 
 import { engines } from "./engines.mjs";
 import { scenes } from "./scenes.mjs";
 
-const most = Number(process.argv[2] ?? Infinity);
+const seconds = Number(process.argv[2] ?? 10), wanted = process.argv.slice(3);
+const chosen = scenes.filter(({ name }) => wanted.length === 0 || wanted.includes(name));
 
-/** How far the body that has moved most is from where it began, m; for a pyramid it should not move. */
-function farthest(scene, positions) {
-  return Math.max(...positions.map((p, i) => Math.hypot(p.x - scene.bodies[i].x, p.y - scene.bodies[i].y)));
+function processorTime() {
+  const { user, system } = process.cpuUsage();
+  return (user + system) / 1e3;
 }
-/** How many bodies have left the pit. */
-const outside = (scene, positions) => positions.filter((p) => !(Math.abs(p.x) < scene.walls && p.y > -0.5)).length;
 
-const rows = [];
+/** Steps a scene so often, but not longer than so many seconds. `time`: ms of the processor. */
+function run(make, scene, most, seconds) {
+  const world = make(scene), end = performance.now() + seconds * 1e3, began = processorTime();
+  let steps = 0;
+  do {
+    world.step();
+    ++steps;
+  } while (steps < most && performance.now() < end);
+  const time = processorTime() - began, motions = world.motions();
+  world.free();
+  return { steps, time, motions };
+}
+
+const opened = new Map();
 for (const [name, open] of Object.entries(engines)) {
-  let make;
   try {
-    make = await open();
+    opened.set(name, await open());
   } catch (error) {
     if (error.code !== "ERR_MODULE_NOT_FOUND") throw error;
     console.log(`${name} is not installed`);
-    continue;
-  }
-  for (const scene of scenes) {
-    const world = make(scene), steps = Math.min(scene.steps, most), began = process.cpuUsage();
-    for (let i = 0; i < steps; ++i) world.step();
-    const { user, system } = process.cpuUsage(began), time = (user + system) / 1e3 / steps, positions = world.positions();
-    rows.push({
-      scene: scene.name, engine: name, "ms a step": time.toFixed(3),
-      "moved, m": scene.stands ? farthest(scene, positions).toFixed(2) : "", "outside": outside(scene, positions),
-    });
-    world.free();
   }
 }
-rows.sort((a, b) => scenes.findIndex((s) => s.name === a.scene) - scenes.findIndex((s) => s.name === b.scene));
-console.table(rows);
-if (rows.length === 0) process.exit(1);
+
+console.log(`${"scene".padEnd(16)}${"engine".padEnd(11)}${"steps".padStart(5)}${"ms a step".padStart(11)}${"x Fettle".padStart(10)}  what became of it`);
+function print(scene, engine, steps, time, ratio, figure) {
+  console.log(`${scene.padEnd(16)}${engine.padEnd(11)}${String(steps).padStart(5)}${time.padStart(11)}${ratio.padStart(10)}  ${figure}`);
+}
+
+for (const scene of chosen)
+  for (const [name, make] of opened) {
+    if (scene.without[name]) {
+      print(scene.name, name, "", "", "", scene.without[name]);
+      continue;
+    }
+    run(make, scene, scene.steps, Math.min(2, seconds / 3));
+    const { steps, time, motions } = run(make, scene, scene.steps, seconds), [what, figure] = scene.figure(motions, scene);
+    const ours = name === "fettle" || !opened.has("fettle") ? time : run(opened.get("fettle"), scene, steps, Infinity).time;
+    print(scene.name, name, steps, (time / steps).toFixed(3), (time / ours).toFixed(2), `${what} ${Number.isInteger(figure) ? figure : figure.toFixed(3)}`);
+  }
+if (opened.size === 0 || chosen.length === 0) process.exit(1);
