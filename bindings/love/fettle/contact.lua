@@ -10,7 +10,7 @@ local Contact = object.class "Contact"
 --- `edit`: the contact in C while it is about to be solved; nil in other callbacks, where it cannot be changed.
 function Contact.new(a, b, values, edit)
     return setmetatable({ a = a, b = b, edit = edit, enabled = true, nx = values.normal.x, ny = values.normal.y,
-        points = { values.point.x, values.point.y }, friction = values.friction, restitution = values.restitution,
+        x = values.point.x, y = values.point.y, friction = values.friction, restitution = values.restitution,
         part_a = values.part_a, part_b = values.part_b, id_a = values.shape_a, id_b = values.shape_b }, Contact)
 end
 
@@ -43,6 +43,7 @@ function Contact:getPositions()
         self.id_a = nil
     end
     local m, p = units.meter, self.points
+    if not p then return self.x * m, self.y * m end
     if p[3] then return p[1] * m, p[2] * m, p[3] * m, p[4] * m end
     return p[1] * m, p[2] * m
 end

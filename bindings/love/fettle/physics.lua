@@ -174,22 +174,31 @@ function World:getCallbacks()
     return c.begin, c.ended, c.pre, c.post
 end
 
--- Calls `f` for each event of an array in which both fixtures are known.
-local function each(world, array, count, f, more)
+-- Calls `f` for each event of an array in which both fixtures are known. `impulse_of(event)`: what postSolve gets, too.
+local function each(world, array, count, f, contact_of, impulse_of)
     if not f then return end
-    local calls = {}  -- all first: a callback may change the world
+    local calls, n = {}, 0  -- all first: a callback may change the world
     for i = 0, count - 1 do
         local e = array[i]
         local a, b = world:fixture_of(e.shape_a), world:fixture_of(e.shape_b)
-        if a and b then calls[#calls + 1] = { a, b, more(a, b, e) } end
+        if a and b then
+            calls[n + 1], calls[n + 2], calls[n + 3], calls[n + 4] = a, b, contact_of(a, b, e), impulse_of and impulse_of(e)
+            n = n + 4
+        end
     end
-    for _, call in ipairs(calls) do f(unpack(call)) end
+    for i = 1, n, 4 do
+        if impulse_of then
+            f(calls[i], calls[i + 1], calls[i + 2], calls[i + 3], 0)
+        else
+            f(calls[i], calls[i + 1], calls[i + 2])
+        end
+    end
 end
 
 local flat = { normal = { x = 0, y = 0 }, point = { x = 0, y = 0 }, friction = 0, restitution = 0 }
 local function plain(a, b, e) return Contact.new(a, b, e) end
 local function without_values(a, b) return Contact.new(a, b, flat) end
-local function with_impulse(a, b, e) return Contact.new(a, b, e), e.impulse * units.meter, 0 end
+local function impulse_of(e) return e.impulse * units.meter end
 
 -- LÖVE reports what a sensor overlaps as contacts.
 local function each_sensor(world, array, count, f)
@@ -199,15 +208,16 @@ local function each_sensor(world, array, count, f)
 end
 
 local function report(world)
-    local told, c = ffi.new("fettle_events"), world.callbacks
+    local c = world.callbacks
     if not (c.begin or c.ended or c.post) then return end
+    local told = ffi.new("fettle_events")
     check(lib.fettle_world_events(world.pointer, told), 3)
     each(world, told.contact_begin, told.contact_begin_count, c.begin, plain)
     each_sensor(world, told.sensor_begin, told.sensor_begin_count, c.begin)
     each(world, told.contact_end, told.contact_end_count, c.ended, without_values)
     each_sensor(world, told.sensor_end, told.sensor_end_count, c.ended)
-    each(world, told.contact_begin, told.contact_begin_count, c.post, with_impulse)
-    each(world, told.contact_persist, told.contact_persist_count, c.post, with_impulse)
+    each(world, told.contact_begin, told.contact_begin_count, c.post, plain, impulse_of)
+    each(world, told.contact_persist, told.contact_persist_count, c.post, plain, impulse_of)
 end
 
 World.update = uncompiled(function(self, dt)
