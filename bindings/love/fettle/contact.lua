@@ -36,10 +36,14 @@ function Contact:getNormal() return self.nx, self.ny end
 
 --- One point, or the two ends of the line in which they touch.
 function Contact:getPositions()
-    if self.id_a then  -- an event has the middle: the points are in the world
+    if self.id_a then  -- an event has the middle: the line through it is in the world
         local out, count = ffi.new("fettle_contact[1]"), ffi.new("uint32_t[1]")
         check(lib.fettle_world_contacts_of(self.a.body.world.pointer, self.id_a, self.id_b, out, 1, count), 2)
-        if count[0] > 0 then self.points = points_of(out[0]) end
+        if count[0] > 0 and out[0].point_count == 2 then
+            local p = points_of(out[0])
+            local dx, dy = (p[3] - p[1]) / 2, (p[4] - p[2]) / 2
+            self.points = { self.x - dx, self.y - dy, self.x + dx, self.y + dy }
+        end
         self.id_a = nil
     end
     local m, p = units.meter, self.points

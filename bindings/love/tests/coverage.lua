@@ -289,6 +289,19 @@ function tests.contacts_have_two_points_and_both_fixtures()
     near(contact:getTangentSpeed(), 0)
 end
 
+function tests.a_ball_touches_where_it_hits()
+    local world = love.physics.newWorld(0, 900)
+    box(world, 0, 600, "static", 600, 20)
+    local ball = love.physics.newBody(world, 7, 0, "dynamic")
+    love.physics.newFixture(ball, love.physics.newCircleShape(20)):setRestitution(0.5)
+    local begun
+    world:setCallbacks(function(_, _, contact) begun = begun or { contact:getPositions() } end)
+    run(world, 90)
+    assert(#begun == 2)
+    near(begun[1], 7, 0.5)
+    near(begun[2], 590, 1.5)
+end
+
 function tests.belts_are_made_in_pre_solve(own_physics)
     local world = love.physics.newWorld(0, 300)
     local _, ground = box(world, 0, 100, "static", 3000, 20)
