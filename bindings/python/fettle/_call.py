@@ -1,5 +1,6 @@
 """Calls of the library in C, and its errors."""
 
+import difflib
 import os
 import pathlib
 import threading
@@ -37,6 +38,14 @@ class Locked(Error, RuntimeError):
 
 _errors = {lib.FETTLE_INVALID: Invalid, lib.FETTLE_STALE: Stale, lib.FETTLE_LOCKED: Locked,
            lib.FETTLE_NO_MEMORY: MemoryError}
+
+
+def unknown(what, names):
+    """The error for `what`, which ends with a name that does not exist. It tells the nearest one, and all."""
+    names = sorted(names)
+    near = difflib.get_close_matches(what.split()[-1], names, 1)
+    meant = f' (did you mean "{near[0]}"?)' if near else ""
+    return Invalid(f"{what}{meant}; there are {', '.join(names)}")
 
 
 _raised = threading.local()  # by a function of the host, inside a call

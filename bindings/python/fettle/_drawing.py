@@ -1,6 +1,6 @@
 """Drawing of a world by functions of Python."""
 
-from ._call import Invalid, definition, ffi, keep_exception
+from ._call import definition, ffi, keep_exception, unknown
 from ._properties import to_number
 from ._values import to_aabb, vec2
 
@@ -42,5 +42,5 @@ def drawing_of(target, options):
             if value is not None:
                 made.region = to_aabb(value, name)[0]
         else:
-            raise Invalid(f"draw has no {name}; there are {', '.join(_flags)}, region, fraction")
+            raise unknown(f"draw has no {name}", [*_flags, "region", "fraction"])
     return made, functions

@@ -1,8 +1,13 @@
 """What bodies, shapes, joints and fields have in common."""
 
-from ._call import Invalid
+from ._call import Invalid, unknown
 
 slot_mask = (1 << 28) - 1
+
+
+def settable(kind):
+    """Names of the properties of a class that can be set."""
+    return [name for name in dir(kind) if isinstance(known := getattr(kind, name), property) and known.fset]
 
 
 class Handle:
@@ -37,9 +42,7 @@ class Handle:
         for name, value in values.items():
             known = getattr(type(self), name, None)
             if not isinstance(known, property) or known.fset is None:
-                settable = sorted(n for n in dir(type(self))
-                                  if isinstance(p := getattr(type(self), n), property) and p.fset)
-                raise Invalid(f"{type(self).__name__} has no property {name} to set; there are {', '.join(settable)}")
+                raise unknown(f"{type(self).__name__} has no settable property {name}", settable(type(self)))
             setattr(self, name, value)
 
 

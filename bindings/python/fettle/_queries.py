@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from . import _callbacks, geometry as geometries
-from ._call import Invalid, check, definition, ffi, lib, list_of
+from ._call import check, definition, ffi, lib, list_of, unknown
 from ._properties import to_number
 from ._values import Vec2, pair, to_aabb, vec2
 from .shape import Shape
@@ -39,7 +39,7 @@ class Queries:
                 ctype = {"group": "int32_t", "sensors": "_Bool"}.get(name, "uint64_t")
                 setattr(made, name, to_number(ctype, value, name))
             else:
-                raise Invalid(f"a query has no {name}; there are accept, category, group, mask, sensors")
+                raise unknown(f"a query has no {name}", ["accept", "category", "group", "mask", "sensors"])
         return made, kept
 
     def _shapes(self, call):

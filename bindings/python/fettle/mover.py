@@ -2,7 +2,7 @@
 
 from typing import NamedTuple, Optional
 
-from ._call import Invalid, check, definition, ffi, lib, list_of
+from ._call import check, definition, ffi, lib, list_of, unknown
 from ._handle import id_of
 from ._properties import to_number
 from ._values import Vec2, pair, vec2
@@ -87,7 +87,7 @@ class Mover:
         made = ffi.new("fettle_mover_def*", self._definition[0])
         for name, value in settings.items():
             if name not in _settings:
-                raise Invalid(f"a mover has no setting {name}; there are {', '.join(sorted(_settings))}")
+                raise unknown(f"a mover has no setting {name}", _settings)
             if name == "body":
                 made.body = id_of(value, Body)
             elif name == "up":

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from . import geometry as geometries
-from ._call import Invalid, check, definition, ffi, lib, list_of
+from ._call import check, definition, ffi, lib, list_of, unknown
 from ._handle import Handle
 from ._properties import bind, to_number
 from ._values import Vec2, hull_statuses, pair, points, shape_types, vec2
@@ -70,7 +70,7 @@ class Shape(Handle):
         made = definition("fettle_shape_def")
         for name, value in properties.items():
             if name not in _members:
-                raise Invalid(f"a shape has no property {name}; there are {', '.join(sorted(_members))}")
+                raise unknown(f"a shape has no property {name}", _members)
             setattr(made, name, to_number(_members[name], value, name))
         return made
 

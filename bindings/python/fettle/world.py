@@ -3,11 +3,11 @@
 from collections import deque
 
 from . import _callbacks, fields, geometry as geometries, joints
-from ._call import Invalid, Locked, check, definition, ffi, lib, list_of
+from ._call import Invalid, Locked, check, definition, ffi, lib, list_of, unknown
 from ._columns import Columns
 from ._drawing import drawing_of
 from ._events import events_of
-from ._handle import id_of
+from ._handle import id_of, settable
 from ._properties import bind, to_number
 from ._queries import Queries
 from ._values import aabb, joint_types, mix_rules, number_of, pair, solvers, to_aabb
@@ -54,7 +54,7 @@ class World(Queries):
         for name, value in settings.items():
             known = getattr(World, name, None)
             if not isinstance(known, property) or known.fset is None:
-                raise Invalid(f"a world has no setting {name}")
+                raise unknown(f"a world has no setting {name}", settable(World))
             setattr(self, name, value)
 
     def _begin(self, pointer):

@@ -59,8 +59,14 @@ class Bodies(unittest.TestCase):
             body.position = (math.nan, 0)
         with self.assertRaisesRegex(ValueError, "linear_damping = -1"):
             body.linear_damping = -1
-        with self.assertRaisesRegex(fettle.Invalid, "has no property colour"):
-            world.body(colour=3)
+        with self.assertRaisesRegex(fettle.Invalid, r'no settable property positon \(did you mean "position"\?\); there are angle'):
+            world.body(positon=(0, 1))
+        with self.assertRaisesRegex(fettle.Invalid, 'did you mean "gravity"'):
+            fettle.World(gravty=(0, -10))
+        with self.assertRaisesRegex(fettle.Invalid, 'no property frction .did you mean "friction"'):
+            body.add(fettle.Circle(), frction=1)
+        with self.assertRaisesRegex(fettle.Invalid, "a mover has no setting zzz; there are"):
+            fettle.Mover(world, zzz=1)
         with self.assertRaisesRegex(fettle.Invalid, "expected two numbers"):
             body.velocity = 7
         with self.assertRaisesRegex(fettle.Invalid, "static, kinematic, dynamic"):
@@ -314,7 +320,7 @@ class Movers(unittest.TestCase):
         with self.assertRaisesRegex(fettle.Invalid, "radius"):
             hero.radius = -1
         self.assertAlmostEqual(hero.radius, 0.4)
-        with self.assertRaisesRegex(fettle.Invalid, "no setting hight; there are .*height"):
+        with self.assertRaisesRegex(fettle.Invalid, 'no setting hight .did you mean "height".*; there are body'):
             fettle.Mover(world, hight=2)
         with self.assertRaises(fettle.Invalid):
             fettle.Mover(world, up=(0, 0))
