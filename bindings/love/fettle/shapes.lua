@@ -22,8 +22,22 @@ local function shape(class, kind, values)
     return setmetatable(values, class)
 end
 
+--- Checks the numbers of a shape where the game gives them. `n` in the list: so many there must be.
+local function numbers(what, values, least)
+    for i = 1, values.n or #values do
+        if type(values[i]) ~= "number" then
+            error(("%s: number %d: expected a number, got %s"):format(what, i, type(values[i])), 3)
+        end
+    end
+    if least and (#values < 2 * least or #values % 2 == 1) then
+        error(("%s: expected x and y of at least %d points, got %d numbers"):format(what, least, #values), 3)
+    end
+    return values
+end
+
 function shapes.newCircleShape(x, y, radius)
     if not radius then x, y, radius = 0, 0, x end
+    numbers("newCircleShape", { n = 3, x, y, radius })
     return shape(Circle, "circle", { x = x, y = y, radius = radius })
 end
 
@@ -32,12 +46,17 @@ local function flat(...)
     return { ... }
 end
 
-function shapes.newPolygonShape(...) return shape(Polygon, "polygon", { points = flat(...) }) end
-function shapes.newEdgeShape(x1, y1, x2, y2) return shape(Edge, "edge", { points = { x1, y1, x2, y2 } }) end
-function shapes.newChainShape(loop, ...) return shape(Chain, "chain", { points = flat(...), loop = loop }) end
+function shapes.newPolygonShape(...)
+    return shape(Polygon, "polygon", { points = numbers("newPolygonShape", flat(...), 3) })
+end
+function shapes.newEdgeShape(...) return shape(Edge, "edge", { points = numbers("newEdgeShape", { ... }, 2) }) end
+function shapes.newChainShape(loop, ...)
+    return shape(Chain, "chain", { points = numbers("newChainShape", flat(...), loop and 3 or 2), loop = loop })
+end
 
 function shapes.newRectangleShape(x, y, width, height, angle)
     if not width then x, y, width, height = 0, 0, x, y end
+    numbers("newRectangleShape", { n = 5, x, y, width, height, angle or 0 })
     local c, s = math.cos(angle or 0), math.sin(angle or 0)
     local points = {}
     for _, corner in ipairs { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } } do
@@ -195,7 +214,8 @@ function Chain:getPoint(index)
 end
 function Chain:getChildEdge(index)
     local x1, y1 = self:getPoint(index)
-    return shapes.newEdgeShape(x1, y1, self:getPoint(index + 1))
+    local x2, y2 = self:getPoint(index + 1)
+    return shapes.newEdgeShape(x1, y1, x2, y2)
 end
 
 return shapes

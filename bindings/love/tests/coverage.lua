@@ -220,6 +220,16 @@ function tests.shapes_are_measured_alone()
     near(edge:getNextVertex(), 20)
 end
 
+function tests.a_shape_without_its_numbers_is_an_error_where_it_is_made()
+    local p = love.physics
+    for _, make in ipairs { function() p.newCircleShape() end, function() p.newCircleShape("wide") end, function() p.newRectangleShape(4) end,
+        function() p.newPolygonShape(0, 0, 1, 1) end, function() p.newPolygonShape { 0, 0, 1, 1, 2 } end, function() p.newEdgeShape(1) end,
+        function() p.newChainShape(true, 0, 0, 1, 1) end, function() p.newChainShape(false, 0, 0, 1) end } do
+        local ok, message = pcall(make)
+        assert(not ok and message:find "coverage.lua", message)
+    end
+end
+
 function tests.the_shape_of_a_fixture_is_its_own_and_can_change()
     local world = love.physics.newWorld(0, 0)
     local shape = love.physics.newCircleShape(10)
