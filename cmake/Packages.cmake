@@ -36,7 +36,7 @@ foreach(library IN LISTS libraries)
     string(APPEND shlibs "libfettle_${library} ${fettle_soversion} fettle (= ${PROJECT_VERSION})\n")
   endif()
 endforeach()
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libgl1-mesa-dri, fonts-dejavu-core, fonts-droid-fallback")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libgl1-mesa-dri, fonts-dejavu-core, fonts-droid-fallback, fonts-noto-color-emoji")
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
   "Runs games written in Lua. A console in the game reaches every value of
 every object by its path: to look, to edit, to bind by a formula, to

@@ -94,7 +94,7 @@ void ContextMenu::draw() {
     try {
         const property::Place place = property::resolve(tree_, path_);
         ImGui::PushStyleColor(ImGuiCol_Text, palette::path);
-        ImGui::TextUnformatted(path_.c_str());
+        text_line(path_);
         ImGui::PopStyleColor();
         ImGui::Separator();
         const FontScope font(fonts().sans);

@@ -30,25 +30,24 @@ void PropertyEditor::tooltip(const Target& target, ImFont* bold) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
     compat::push_font(bold);
-    ImGui::TextUnformatted(target.property->name.c_str());
+    text_line(target.property->name);
     ImGui::PopFont();
     ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
-    ImGui::TextUnformatted(describe(tree_, *target.property).c_str());
+    text_line(describe(tree_, *target.property));
     ImGui::PopStyleColor();
     if (!target.property->doc.empty()) {
         const FontScope font(fonts().sans);
-        ImGui::TextUnformatted(target.property->doc.c_str());
+        text_line(target.property->doc);
     }
     std::string sources;  // a mass has many
     for (const std::string& source : target.property->derives_from)
         sources += (sources.empty() ? "from " : ", ") + source;
-    if (!sources.empty())
-        ImGui::TextUnformatted(wrapped(sources, ImGui::GetFontSize() * 28).c_str());
+    if (!sources.empty()) text_line(wrapped(sources, ImGui::GetFontSize() * 28));
     if (const property::Provenance written = tree_.who(target.instance, *target.property);
         written.known)
-        ImGui::TextUnformatted(("written last by " + written.cause.text()).c_str());
+        text_line("written last by " + written.cause.text());
     ImGui::PushStyleColor(ImGuiCol_Text, palette::path);
-    ImGui::TextUnformatted(tree_.path(target.instance, *target.property).c_str());
+    text_line(tree_.path(target.instance, *target.property));
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();

@@ -54,7 +54,8 @@ std::optional<Handle> ReferencePicker::draw(const property::Property& property, 
     for (Handle instance : candidates_) {
         if (!tree_.alive(instance)) continue;
         ImGui::PushID(static_cast<int>(instance.index));
-        if (ImGui::Selectable(tree_.path(instance).c_str(), instance == current)) chosen = instance;
+        if (ImGui::Selectable(widget_text(tree_.path(instance)).c_str(), instance == current))
+            chosen = instance;
         ImGui::PopID();
     }
     if (candidates_.empty()) ImGui::TextDisabled("nothing fits");

@@ -6,7 +6,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 
+#include <look/imgui_compat.h>
 #include <model/utf8.h>
 
 namespace fettle::console {
@@ -14,20 +16,19 @@ namespace fettle::console {
 namespace {
 
 /// Debian's folders first, then folders of other systems with the same fonts.
-constexpr std::array<const char*, 9> font_folders = {"/usr/share/fonts/truetype/dejavu",
-                                                     "/usr/share/fonts/TTF",
-                                                     "/usr/share/fonts/dejavu",
-                                                     "/usr/share/fonts/dejavu-sans-mono-fonts",
-                                                     "/usr/share/fonts/truetype/droid",
-                                                     "/usr/share/fonts/truetype/wqy",
-                                                     "/usr/share/fonts/opentype/noto",
-                                                     "/usr/share/fonts/noto-cjk",
-                                                     "/usr/share/fonts/truetype/ancient-scripts"};
-
-/// Fonts that have what the others lack.
-constexpr std::array<const char*, 5> fallbacks = {"DejaVuSans.ttf", "DroidSansFallbackFull.ttf",
-                                                  "wqy-zenhei.ttc", "NotoSansCJK-Regular.ttc",
-                                                  "Symbola_hint.ttf"};
+constexpr std::array<const char*, 12> font_folders = {
+    "/usr/share/fonts/truetype/dejavu",
+    "/usr/share/fonts/TTF",
+    "/usr/share/fonts/dejavu",
+    "/usr/share/fonts/dejavu-sans-mono-fonts",
+    "/usr/share/fonts/truetype/droid",
+    "/usr/share/fonts/truetype/wqy",
+    "/usr/share/fonts/truetype/noto",
+    "/usr/share/fonts/noto",
+    "/usr/share/fonts/google-noto-color-emoji-fonts",
+    "/usr/share/fonts/opentype/noto",
+    "/usr/share/fonts/noto-cjk",
+    "/usr/share/fonts/truetype/ancient-scripts"};
 
 constexpr ImWchar glyphs[] = {0x0020, 0x024f, 0x0370, 0x04ff, 0x2000, 0x214f, 0x2190, 0x22ff,
                               0x2500, 0x25ff, 0x2600, 0x27bf, 0xfffd, 0xfffd, 0};
@@ -36,6 +37,22 @@ bool is_always_there(char32_t c) {
     for (const ImWchar* range = glyphs; range[0] != 0; range += 2)
         if (c >= range[0] && c <= range[1]) return true;
     return false;
+}
+
+constexpr char32_t first_stand_in = 0x3400, last_stand_in = 0x4dbf, replacement = 0xfffd;
+
+bool needs_stand_in(char32_t c) {
+    const bool is_one = c >= first_stand_in && c <= last_stand_in;
+    const bool private_use = c >= 0xe000 && c <= 0xf8ff;
+    return compat::pictures_of_glyphs && (c > 0xffff || is_one || private_use);
+}
+
+/// Whether a text may have characters that need stand-ins, by the first bytes of those.
+bool may_need_stand_in(std::string_view text) {
+    return std::any_of(text.begin(), text.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte >= 0xee || byte == 0xe3 || byte == 0xe4;
+    });
 }
 
 }  // namespace
@@ -55,21 +72,82 @@ const ImWchar* ExtraGlyphs::always() {
     return glyphs;
 }
 
+const std::vector<const char*>& ExtraGlyphs::fallbacks() {
+    static const std::vector<const char*> files = {"DejaVuSans.ttf", "DroidSansFallbackFull.ttf",
+                                                   "wqy-zenhei.ttc", "NotoSansCJK-Regular.ttc",
+                                                   "Symbola_hint.ttf"};
+    return files;
+}
+
 void ExtraGlyphs::look(std::string_view text) {
     for (std::size_t i = 0; i < text.size(); i = next_code_point(text, i)) {
         if (static_cast<unsigned char>(text[i]) < 0xc0) continue;
         const char32_t c = code_point_at(text, i);
-        if (c > IM_UNICODE_CODEPOINT_MAX || is_always_there(c)) continue;
+        if (is_always_there(c) && cells_of(c) > 0) continue;
         if (seen_.size() < most && seen_.insert(c).second) changed_ = true;
     }
+}
+
+char32_t ExtraGlyphs::shown(char32_t character) {
+    if (!needs_stand_in(character)) return character;
+    const std::size_t next = first_stand_in + stand_for_.size();
+    if (const auto known = stand_ins_.find(character); known != stand_ins_.end())
+        return known->second;
+    if (next > last_stand_in) return replacement;
+    stand_for_.push_back(character);
+    return stand_ins_[character] = static_cast<ImWchar>(next);
+}
+
+std::string_view ExtraGlyphs::shown(std::string_view text, std::string& storage) {
+    look(text);
+    if (!may_need_stand_in(text)) return text;
+    storage.clear();
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t next = next_code_point(text, i);
+        const char32_t c = code_point_at(text, i);
+        if (needs_stand_in(c))
+            append_code_point(storage, shown(c));
+        else
+            storage.append(text, i, next - i);
+        i = next;
+    }
+    return storage;
+}
+
+std::string ExtraGlyphs::shown(std::string_view text) {
+    std::string storage;
+    return std::string(shown(text, storage));
+}
+
+std::string ExtraGlyphs::meant(std::string_view shown) const {
+    if (stand_for_.empty() || !may_need_stand_in(shown)) return std::string(shown);
+    std::string text;
+    for (std::size_t i = 0; i < shown.size();) {
+        const std::size_t next = next_code_point(shown, i);
+        const char32_t c = code_point_at(shown, i);
+        if (c >= first_stand_in && c - first_stand_in < stand_for_.size())
+            append_code_point(text, stand_for_[c - first_stand_in]);
+        else
+            text.append(shown, i, next - i);
+        i = next;
+    }
+    return text;
 }
 
 void ExtraGlyphs::prepare() {
     changed_ = false;
     narrow_.clear();
     wide_.clear();
+    pictured_.clear();
+    placed_.clear();
     for (const char32_t c : seen_) {
-        std::vector<ImWchar>& ranges = is_wide(c) ? wide_ : narrow_;
+        if (compat::pictures_of_glyphs &&
+            (needs_stand_in(c) || cells_of(c) == 0 || pictures_.colored(c))) {
+            pictured_.push_back(c);
+            continue;
+        }
+        if (c > IM_UNICODE_CODEPOINT_MAX) continue;
+        std::vector<ImWchar>& ranges = cells_of(c) == 2 ? wide_ : narrow_;
         ranges.insert(ranges.end(), 2, static_cast<ImWchar>(c));
     }
     for (std::vector<ImWchar>* const ranges : {&narrow_, &wide_})
@@ -95,8 +173,29 @@ void ExtraGlyphs::add_to_last_font(ImFontAtlas& atlas, const char* own_file, flo
                                    float cell) {
     if (seen_.empty()) return;
     add_file(atlas, own_file, size, cell);
-    for (const char* const file : fallbacks)
+    for (const char* const file : fallbacks())
         if (std::string_view(file) != own_file) add_file(atlas, file, size, cell);
+    add_pictures(atlas, size, cell);
+}
+
+void ExtraGlyphs::add_pictures(ImFontAtlas& atlas, float size, float cell) {
+    ImFont* const font = atlas.Fonts.back();
+    for (const char32_t c : pictured_) {
+        auto picture = pictures_.draw(c, size, cell);
+        if (!picture) picture = pictures_.draw(replacement, size, cell);
+        if (!picture) continue;
+        const auto code = static_cast<ImWchar>(shown(c));
+        const int rect = compat::add_glyph(atlas, font, code, picture->width, picture->height,
+                                           picture->advance, ImVec2(picture->left, picture->top));
+        placed_.push_back({rect, font, code, std::move(*picture)});
+    }
+}
+
+void ExtraGlyphs::draw_pictures(ImFontAtlas& atlas) {
+    for (const Placed& placed : placed_)
+        compat::draw_glyph(atlas, placed.rect, *placed.font, placed.code,
+                           placed.picture.rgba.data(), placed.picture.colored);
+    placed_.clear();
 }
 
 }  // namespace fettle::console

@@ -1,13 +1,22 @@
 #pragma once
-// Characters that the fonts are not built with at first, such as Chinese ones: they are added when
-// a text with them is drawn. All of them at once would take a texture of many megabytes.
+// Characters that the fonts are not built with at first, such as Chinese ones and emoji: they are
+// added when a text with them is drawn. All of them at once would take a texture of many megabytes.
+//
+// A character of Debian's Dear ImGui has 16 bits. So each character beyond U+FFFF gets a stand-in
+// when it is seen first, from a range of rare Chinese characters (U+3400 to U+4DBF). Dear ImGui
+// gets the stand-in, in texts and from the keyboard; what it returns is translated back. Characters
+// of that range have stand-ins as well, so that each text comes back as it was; and so have those
+// for private use, because Dear ImGui drops them from what is typed and pasted.
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <imgui.h>
+
+#include <look/glyph_pictures.h>
 
 namespace fettle::console {
 
@@ -19,8 +28,18 @@ class ExtraGlyphs {
     /// punctuation, superscripts, currency, letterlike, arrows, mathematics, box drawing, geometric
     /// shapes, dingbats.
     static const ImWchar* always();
-    /// Notes the other characters of a text. They are there from a later frame on.
-    void look(std::string_view text);
+    /// Files of fonts that have what the others lack, the best first.
+    static const std::vector<const char*>& fallbacks();
+    /// Those of the current context.
+    static ExtraGlyphs& current() { return *static_cast<ExtraGlyphs*>(ImGui::GetIO().UserData); }
+
+    /// The text with stand-ins, for Dear ImGui: `text` itself if it needs none, otherwise
+    /// `storage`. Characters that the fonts do not have yet are there from a later frame on.
+    std::string_view shown(std::string_view text, std::string& storage);
+    std::string shown(std::string_view text);
+    char32_t shown(char32_t character);
+    /// The text with the characters that the stand-ins stand for.
+    std::string meant(std::string_view shown) const;
     /// Whether there are new ones since the last `prepare`.
     bool changed() const { return changed_; }
     /// Call before fonts are added.
@@ -28,13 +47,28 @@ class ExtraGlyphs {
     /// Adds them to the font that was added last, from its own file and from others. `cell`: the
     /// width of a character in pixels, of a wide one twice that; 0: as the fonts have it.
     void add_to_last_font(ImFontAtlas& atlas, const char* own_file, float size, float cell);
+    /// Call when the texture of the fonts has been made: copies the pictures into it.
+    void draw_pictures(ImFontAtlas& atlas);
 
   private:
+    struct Placed {
+        int rect = 0;  // its number in the atlas
+        ImFont* font = nullptr;
+        ImWchar code = 0;
+        GlyphPictures::Picture picture;
+    };
+    void look(std::string_view text);
     void add_file(ImFontAtlas& atlas, const char* file, float size, float cell);
+    void add_pictures(ImFontAtlas& atlas, float size, float cell);
 
     std::set<char32_t> seen_;
     bool changed_ = false;
     std::vector<ImWchar> narrow_, wide_;  // ranges, which the atlas keeps pointers to
+    std::vector<char32_t> pictured_;      // characters that are added as pictures
+    std::vector<Placed> placed_;
+    GlyphPictures pictures_;
+    std::map<char32_t, ImWchar> stand_ins_;
+    std::vector<char32_t> stand_for_;  // the character of each stand-in
 };
 
 /// The file of a font by its name, "" if it is not installed. A packaged game brings its fonts

@@ -8,6 +8,7 @@
 
 #include <fettle/property/exception_text.h>
 
+#include <look/extra_glyphs.h>
 #include <look/imgui_compat.h>
 #include <look/theme.h>
 
@@ -57,7 +58,7 @@ void draw_number_frame(ImVec2 low, ImVec2 high, double value, const NumberLook& 
     float room = high.x - style.FramePadding.x - at.x;
     const float unit = look.unit.empty() ? 0 : text_width(" ") + text_width(look.unit);
     std::string shown = look.integer ? digits : short_number(value);
-    for (int precision = 3; precision > 1 && text_width(shown) + unit > room; --precision)
+    for (int precision = 3; precision > 0 && text_width(shown) + unit > room; --precision)
         shown = short_number(value, precision);
     draw_text_fit(list, at, with_alpha(palette::text, alpha), shown, std::max(1.0f, room - unit));
     const float used = std::min(text_width(shown), room - unit) + text_width(" ");
@@ -82,6 +83,11 @@ std::string short_number(double value, int digits) {
     if (std::abs(value) < 1e-6) return "0";
     const double size = std::abs(value);
     char text[64];
+    if (digits == 1 && size < 1e-2) {  // "3e-4" is shorter than "0.0003"
+        std::snprintf(text, sizeof text, "%.0e", value);
+        std::string shown = text;
+        return shown.erase(shown.find("-0") + 1, 1);
+    }
     if (size >= 1e7 || size < 1e-3) {
         std::snprintf(text, sizeof text, "%.*g", digits, value);
         return text;
@@ -98,8 +104,15 @@ std::string short_number(double value, int digits) {
 }
 
 bool input_line(const char* id, const char* hint, std::string& text, int flags) {
-    return ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1,
-                                    flags | ImGuiInputTextFlags_CallbackResize, grow, &text);
+    ExtraGlyphs& extra = ExtraGlyphs::current();
+    std::string line = extra.shown(text);
+    // More different characters than there are stand-ins: it would not come back as it was.
+    if (line != text && extra.meant(line) != text) flags |= ImGuiInputTextFlags_ReadOnly;
+    const bool entered =
+        ImGui::InputTextWithHint(id, hint, line.data(), line.capacity() + 1,
+                                 flags | ImGuiInputTextFlags_CallbackResize, grow, &line);
+    if ((flags & ImGuiInputTextFlags_ReadOnly) == 0) text = extra.meant(line);
+    return entered;
 }
 
 void Fields::start_typing(ImGuiID field, std::string text) {

@@ -35,6 +35,8 @@ class Fields {
     void begin_text(const char* id, std::string text);
     bool types_into(const char* id) const { return typing_ == ImGui::GetID(id); }
 
+    bool typing() const { return typing_ != 0; }
+
     /// A field was clicked for typing and gets the keyboard within the next frames.
     bool about_to_type() const { return typing_ != 0 && !typing_active_; }
     /// Must be called once per frame, after all fields.

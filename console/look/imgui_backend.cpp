@@ -54,7 +54,7 @@ ImGuiBackend::ImGuiBackend(app::Clipboard* clipboard) : clipboard_(clipboard) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
-    io.UserData = &extra_;  // draw_text notes the characters that are drawn
+    io.UserData = &extra_;  // for ExtraGlyphs::current
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     io.MousePos = ImVec2(-1, -1);
@@ -63,13 +63,14 @@ ImGuiBackend::ImGuiBackend(app::Clipboard* clipboard) : clipboard_(clipboard) {
         this,
         [](void* user) -> const char* {
             auto& self = *static_cast<ImGuiBackend*>(user);
-            if (self.clipboard_ != nullptr) self.clipboard_text_ = self.clipboard_->read();
+            if (self.clipboard_ != nullptr)
+                self.clipboard_text_ = self.extra_.shown(self.clipboard_->read());
             return self.clipboard_text_.c_str();
         },
         [](void* user, const char* text) {
             auto& self = *static_cast<ImGuiBackend*>(user);
             self.clipboard_text_ = text;
-            if (self.clipboard_ != nullptr) self.clipboard_->write(text);
+            if (self.clipboard_ != nullptr) self.clipboard_->write(self.extra_.meant(text));
         });
     if (before != nullptr) ImGui::SetCurrentContext(before);
 }
@@ -95,7 +96,7 @@ void ImGuiBackend::feed(const app::InputEvent& event) {
             break;
         }
         case app::EventKind::text:
-            io.AddInputCharacter(event.character);
+            io.AddInputCharacter(static_cast<unsigned>(extra_.shown(event.character)));
             break;
         case app::EventKind::mouse_moved: {
             const ImVec2 at = position_of(event);
@@ -161,6 +162,7 @@ void ImGuiBackend::build_fonts(float font_size) {
     }
     if (bold_ == nullptr) bold_ = regular_;
     compat::prepare_textures(io);
+    extra_.draw_pictures(*io.Fonts);
     fonts_changed_ = true;
     apply_theme(font_size);
 }

@@ -1,12 +1,14 @@
 #pragma once
 // Differences between versions of Dear ImGui: passing keys (1.87), setting the clipboard (1.91.1),
-// ending windows after an exception (1.91.3), and making textures (1.92). Only this file depends on
-// the version.
+// ending windows after an exception (1.91.3), and making textures and glyphs (1.92). Only this file
+// depends on the version.
 
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 #include <utility>
 
@@ -221,6 +223,14 @@ inline void clipboard(void* user, ReadClipboard read, WriteClipboard write) {
 
 #if IMGUI_VERSION_NUM >= 19200
 
+/// Whether a glyph may be a picture. Since 1.92 glyphs are made when they are drawn, from the files
+/// of the fonts alone.
+inline constexpr bool pictures_of_glyphs = false;
+inline int add_glyph(ImFontAtlas&, ImFont*, ImWchar, int, int, float, ImVec2) {
+    return 0;
+}
+inline void draw_glyph(ImFontAtlas&, int, ImFont&, ImWchar, const std::uint8_t*, bool) {}
+
 inline void prepare_textures(ImGuiIO& io) {
     io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
 }
@@ -256,6 +266,27 @@ inline void update_textures(ImDrawData& data, app::Surface& surface, bool stale)
 }
 
 #else
+
+inline constexpr bool pictures_of_glyphs = true;
+/// Reserves a part of the texture for the picture of a character. Returns its number.
+inline int add_glyph(ImFontAtlas& atlas, ImFont* font, ImWchar code, int width, int height,
+                     float advance, ImVec2 corner) {
+    return atlas.AddCustomRectFontGlyph(font, code, width, height, advance, corner);
+}
+/// Copies the picture into the texture that was made. `colored`: it is drawn in its own colors.
+inline void draw_glyph(ImFontAtlas& atlas, int rect, ImFont& font, ImWchar code,
+                       const std::uint8_t* rgba, bool colored) {
+    const ImFontAtlasCustomRect& place = *atlas.GetCustomRectByIndex(rect);
+    if (atlas.TexPixelsRGBA32 == nullptr || !place.IsPacked()) return;
+    const std::size_t row = std::size_t{4} * place.Width;
+    for (unsigned y = 0; y < place.Height; ++y)
+        std::memcpy(atlas.TexPixelsRGBA32 +
+                        std::size_t(place.Y + y) * static_cast<std::size_t>(atlas.TexWidth) +
+                        place.X,
+                    rgba + y * row, row);
+    if (const ImFontGlyph* const glyph = font.FindGlyphNoFallback(code))
+        const_cast<ImFontGlyph*>(glyph)->Colored = colored ? 1 : 0;
+}
 
 inline void prepare_textures(ImGuiIO& io) {
     unsigned char* pixels = nullptr;

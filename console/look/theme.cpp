@@ -160,7 +160,18 @@ ImU32 series_color(std::size_t index) {
     return colors[index % colors.size()];
 }
 
-float text_width(std::string_view text) {
+std::string widget_text(std::string_view text) {
+    return ExtraGlyphs::current().shown(text);
+}
+
+void text_line(std::string_view text) {
+    const std::string line = widget_text(text);
+    ImGui::TextUnformatted(line.data(), line.data() + line.size());
+}
+
+float text_width(std::string_view whole) {
+    std::string storage;
+    const std::string_view text = ExtraGlyphs::current().shown(whole, storage);
     return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }
 
@@ -195,11 +206,12 @@ std::string wrapped(std::string_view text, float width) {
     return out;
 }
 
-float draw_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text) {
-    if (text.empty()) return 0;
-    if (auto* const extra = static_cast<ExtraGlyphs*>(ImGui::GetIO().UserData)) extra->look(text);
+float draw_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view whole) {
+    if (whole.empty()) return 0;
+    std::string storage;
+    const std::string_view text = ExtraGlyphs::current().shown(whole, storage);
     list.AddText(at, color, text.data(), text.data() + text.size());
-    return text_width(text);
+    return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }
 
 void draw_path_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view path, float width) {

@@ -5,6 +5,8 @@
 #include <imgui.h>
 
 #include <cstddef>
+#include <string>
+#include <string_view>
 
 #include <model/highlight.h>
 #include <model/log.h>
@@ -73,6 +75,10 @@ void draw_text_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view te
 /// The same for a path: its end matters most, so the ellipsis is in front.
 void draw_path_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view path, float width);
 float text_width(std::string_view text);
+/// A text for a widget of Dear ImGui, which otherwise lacks characters (ExtraGlyphs).
+std::string widget_text(std::string_view text);
+/// An item of that text, as ImGui::TextUnformatted makes one.
+void text_line(std::string_view text);
 /// The height of low buttons in pixels: that of a line, but enough to click on them.
 float button_height();
 /// A button that fits between lines of text.

@@ -21,8 +21,9 @@ std::size_t code_point_boundary(std::string_view text, std::size_t offset);
 std::size_t code_point_count(std::string_view text);
 /// The code point at that offset, U+FFFD for a sequence that is not complete.
 char32_t code_point_at(std::string_view text, std::size_t offset);
-/// Whether a character takes two cells of a font of fixed width, as Chinese ones do.
-bool is_wide(char32_t character);
+/// How many cells of a font of fixed width a character takes: two, as Chinese ones and emoji; none,
+/// if it only joins or changes its neighbors.
+int cells_of(char32_t character);
 /// How many cells a text takes.
 std::size_t cell_count(std::string_view text);
 /// Offset of the character in the cell number `index` (from 0), or the length of the text if it has

@@ -104,7 +104,7 @@ void TimeBar::draw_branch_menu() {
     if (!ImGui::BeginPopup(branch_menu)) return;
     const std::string name = lua_string(menu_of_);
     ImGui::PushStyleColor(ImGuiCol_Text, palette::note);
-    ImGui::TextUnformatted(("branch " + menu_of_).c_str());
+    text_line("branch " + menu_of_);
     ImGui::PopStyleColor();
     ImGui::Separator();
     draw_entries(name);

@@ -273,10 +273,10 @@ void PromptView::draw_description(float cell, ImFont* bold) {
     ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - cell);
     ImGui::Indent(cell);
     compat::push_font(bold);
-    ImGui::TextUnformatted(chosen.label.c_str());
+    text_line(chosen.label);
     ImGui::PopFont();
     ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
-    ImGui::TextUnformatted(chosen.doc.c_str());
+    text_line(chosen.doc);
     ImGui::PopStyleColor();
     ImGui::Unindent(cell);
     ImGui::PopTextWrapPos();

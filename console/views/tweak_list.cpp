@@ -23,7 +23,7 @@ std::string when(const property::Tweak& tweak) {
 
 void colored(ImU32 color, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
+    text_line(text);
     ImGui::PopStyleColor();
 }
 
@@ -34,8 +34,7 @@ void fitted(ImU32 color, const std::string& text, float width) {
     draw_text_fit(*ImGui::GetWindowDrawList(), at, color, text, width);
     ImGui::Dummy(ImVec2(std::max(1.0f, std::min(whole, width)), ImGui::GetTextLineHeight()));
     if (whole > width && ImGui::IsItemHovered())
-        ImGui::SetTooltip("%.*s", static_cast<int>(std::min<std::size_t>(text.size(), 4000)),
-                          text.c_str());
+        ImGui::SetTooltip("%s", widget_text(std::string_view(text).substr(0, 4000)).c_str());
 }
 
 }  // namespace

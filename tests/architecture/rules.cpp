@@ -69,7 +69,7 @@ const std::vector<Part>& parts() {
         {"console",
          {"console", "console/include/fettle/console"},
          {"app", "script", "property", "storage"},
-         {"ImGui", "POSIX"}},
+         {"ImGui", "FreeType", "POSIX"}},
         {"host",
          {"bindings/host", "bindings/host/include/fettle/host"},
          {"property", "storage", "physics_c", "physics_module", "script", "app", "console"},
