@@ -54,6 +54,20 @@ TEST_CASE("an assignment to gravity in the console is echoed with old and new va
     CHECK(rig.says("world.gravity: vec(0, -10) → vec(0, -2) m/s²"));
 }
 
+TEST_CASE("undo of a clone lists no values of the clone") {
+    LuaRig rig;
+    rig.run("world.ball.mass = 7");
+    rig.run("clear");
+    rig.run("world:add(world.ball:clone())");
+    rig.run("undo");
+    rig.run("redo");
+    INFO(rig.text());
+    CHECK(rig.says("undo: world:add"));
+    CHECK_FALSE(rig.says("detached"));
+    CHECK_FALSE(rig.says("more change"));
+    CHECK_FALSE(rig.says("mass:"));
+}
+
 TEST_CASE("an expression prints its value") {
     LuaRig rig;
     rig.run("1 + 2");

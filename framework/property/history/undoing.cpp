@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include <fettle/property/error.h>
@@ -59,13 +60,31 @@ UndoResult History::run(Transaction& transaction, bool back) {
     // A module may clear a reference when its target is deleted, so all references are collected
     // before.
     const References references(*this, transaction.steps.size() > 1);
+    // Values of instances that this step makes or deletes are not listed: there may be many of
+    // them, and they are in no path of the tree.
+    std::unordered_set<std::uint32_t> born;
+    for (const EditStep& step : transaction.steps)
+        if (const auto* made = std::get_if<ExistenceEdit>(&step); made != nullptr && made->birth)
+            born.insert(made->top.index);
+    const auto is_born = [&](const EditStep& step) {
+        const auto* cell = std::get_if<CellEdit>(&step);
+        if (born.empty() || cell == nullptr || !tree_.alive(cell->instance)) return false;
+        Handle above = cell->instance;
+        while (above && !born.contains(above.index)) above = tree_.parent(above);
+        return static_cast<bool>(above);
+    };
     const auto one = [&](EditStep& step) {
+        const bool silent = is_born(step);
+        const std::size_t listed = result.changes.size(), more = result.more_changes;
         try {
             std::visit([&](auto& what) { apply(what, back, result); }, step);
         } catch (...) {  // the rest is undone all the same
             instances_.keep_slots = false;
             result.notes.push_back(exception_text());
         }
+        if (!silent) return;
+        result.changes.resize(listed);
+        result.more_changes = more;
     };
     if (back)
         for (auto step = transaction.steps.rbegin(); step != transaction.steps.rend(); ++step)
