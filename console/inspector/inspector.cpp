@@ -62,12 +62,17 @@ void Inspector::draw(ImFont* bold) {
     const char* const hint = "search by name, class, or mass > 5";
     const bool fits =
         text_width(hint) + 2 * ImGui::GetStyle().FramePadding.x < ImGui::GetContentRegionAvail().x;
+    const bool searched = !search_.empty();
     input_line("##search", fits ? hint : "search", search_, 0);
     outline_.search(search_);
+    if (searched && search_.empty() && tree_.alive(selected())) {  // the whole tree again, where the selected instance is
+        outline_.reveal(selected());
+        scroll_to_selected_ = true;
+    }
     if (!outline_.problem().empty()) {
         ImGui::PushTextWrapPos(0);
         ImGui::PushStyleColor(ImGuiCol_Text, palette::error);
-        ImGui::TextUnformatted(outline_.problem().c_str());
+        text_line(outline_.problem());
         ImGui::PopStyleColor();
         ImGui::PopTextWrapPos();
     }
@@ -233,7 +238,7 @@ void Inspector::draw_several(ImFont* bold) {
     const std::string& kind = tree_.class_of(selected()).name();
     const bool alike = selection_.of_one_class();
     compat::push_font(bold);
-    ImGui::TextUnformatted((std::to_string(selection_.count()) + " selected").c_str());
+    text_line(std::to_string(selection_.count()) + " selected");
     ImGui::PopFont();
     const FontScope font(fonts().sans);
     ImGui::SameLine();
@@ -318,7 +323,7 @@ void Inspector::draw_methods() {
         if (ImGui::IsItemHovered() && !method->doc.empty()) {
             ImGui::BeginTooltip();
             ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
-            ImGui::TextUnformatted(method->doc.c_str());
+            text_line(method->doc);
             ImGui::PopTextWrapPos();
             ImGui::EndTooltip();
         }
@@ -334,7 +339,7 @@ void Inspector::draw_children() {
          child = tree_.next_sibling(child), ++shown) {
         ImGui::PushID(static_cast<int>(child.index));
         ImGui::PushStyleColor(ImGuiCol_Text, palette::path);
-        if (ImGui::Selectable(tree_.name(child).c_str())) chosen_child = child;
+        if (ImGui::Selectable(widget_text(tree_.name(child)).c_str())) chosen_child = child;
         ImGui::PopStyleColor();
         std::string kind = tree_.class_of(child).name();
         ImGui::SameLine(right - text_width(kind) - ImGui::GetStyle().ItemSpacing.x);

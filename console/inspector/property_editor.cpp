@@ -102,8 +102,8 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     // A value that the simulation writes differs from the default without being set, unless its
     // module can tell (`overridden`): a mass that was set.
     const bool computed = property.simulated && property.binding.overridden == nullptr;
-    bool resettable =
-        !property.read_only && !ad_hoc && !computed && tree_.overridden(instance, property);
+    const bool set = formula != nullptr || (!computed && tree_.overridden(instance, property));
+    const bool resettable = !property.read_only && !ad_hoc && set;
     bool gone = false;
     std::string mixed;
     gutter(target, ImVec2(corner.x + available, corner.y), whole - available);
@@ -140,7 +140,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         problems_.erase(&property);  // typing ended with the value that there was
     }
     if (!gone) {
-        remark(start + label_width, palette::dim, mixed);
+        mixed_line(start + label_width, mixed);
         if (formula_of_ != &property) {
             remark(start + label_width, palette::note, source.empty() ? source : "is " + source);
             if (!source.empty() && ImGui::IsItemClicked(0)) begin_formula(property);
@@ -157,9 +157,20 @@ void PropertyEditor::remark(float left, ImU32 color, const std::string& text) {
     ImGui::SetCursorPosX(left);
     ImGui::PushTextWrapPos(0);
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
+    text_line(wrapped(text, ImGui::GetContentRegionAvail().x));
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
+}
+
+/// Always one line: values that change all the time must not move the rows below.
+void PropertyEditor::mixed_line(float left, const std::string& text) {
+    if (text.empty()) return;
+    ImGui::SetCursorPosX(left);
+    const float room = ImGui::GetContentRegionAvail().x;
+    draw_text_fit(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), palette::dim, text,
+                  room);
+    ImGui::Dummy(ImVec2(std::max(1.0f, room), ImGui::GetTextLineHeight()));
+    if (ImGui::IsItemHovered() && text_width(text) > room) ImGui::SetTooltip("%s", text.c_str());
 }
 
 void PropertyEditor::label(const Target& target, float width, bool overridden, bool formula,
@@ -192,6 +203,7 @@ void PropertyEditor::label(const Target& target, float width, bool overridden, b
     // A double click on the name does the same: the sign is small.
     if (may_be && ((on_mark && ImGui::IsMouseClicked(0)) || ImGui::IsMouseDoubleClicked(0)))
         begin_formula(*target.property);
+    if (fields_.typing()) return;  // a tooltip could cover the field
     const FontScope mono(fonts().mono);
     tooltip(target, bold);
 }
@@ -293,10 +305,10 @@ void PropertyEditor::text(const Target& target, const Value& value, float width)
 
 void PropertyEditor::enumerator(const Target& target, const Value& value, float width) {
     ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo("##value", value.text().c_str())) return;
+    if (!ImGui::BeginCombo("##value", widget_text(value.text()).c_str())) return;
     for (const std::string& name : target.property->enumerators) {
         bool current = name == value.text();
-        if (ImGui::Selectable(name.c_str(), current)) write(target, Value(name));
+        if (ImGui::Selectable(widget_text(name).c_str(), current)) write(target, Value(name));
         if (current) ImGui::SetItemDefaultFocus();
     }
     ImGui::EndCombo();
@@ -440,7 +452,7 @@ void PropertyEditor::element(const Target& target, const List& elements, std::si
         } else if (old.is(Type::text)) {
             if (auto v = fields_.text("##value", old.text(), room)) changed = Value(*v);
         } else {
-            ImGui::TextUnformatted(tree_.text(old, target.property->precision()).c_str());
+            text_line(tree_.text(old, target.property->precision()));
         }
         ImGui::EndDisabled();
     }

@@ -77,6 +77,7 @@ class PropertyEditor {
     bool reset_button(const Target& target);
     /// Draws a line of text below the widget.
     void remark(float left, ImU32 color, const std::string& text);
+    void mixed_line(float left, const std::string& text);
     /// Width of the column with the last writer: a text, or a mark if there is no room for one.
     static float gutter_width(float available);
     static constexpr float wide_enough = 40;  // font heights

@@ -150,7 +150,7 @@ void TimeBar::tip(const std::string& text) const {
     const float half = text_width(text) / 2 + ImGui::GetStyle().WindowPadding.x;
     const float x = std::max(ImGui::GetIO().MousePos.x, rect_.low.x + half);
     ImGui::SetNextWindowPos(ImVec2(x, rect_.low.y - 4), ImGuiCond_Always, ImVec2(0.5f, 1));
-    ImGui::SetTooltip("%s", text.c_str());
+    ImGui::SetTooltip("%s", widget_text(text).c_str());
 }
 
 /// Of a branch: high enough to be hit.
@@ -363,7 +363,8 @@ void TimeBar::draw_text(const Times& now, ImFont* bold, bool narrow) {
         at.x += console::draw_text(list, at, palette::dim, step);
         if (branches_.empty()) return;
         const float room = rect_.high.x - at.x - ImGui::GetStyle().WindowPadding.x;
-        if (room > 0) draw_text_fit(list, at, palette::accent, "  " + value("branch").text(), room);
+        if (room > 0)
+            draw_text_fit(list, at, palette::accent, "  branch " + value("branch").text(), room);
         return;
     }
     at.x += 10;

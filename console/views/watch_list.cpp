@@ -78,6 +78,8 @@ void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float wid
         if (text_width(value) <= widest) break;
     }
     const float value_width = std::min(text_width(value), widest);
+    // The path stays as it is drawn while the number of digits changes.
+    const float path_room = std::min(room - value_width, room * 0.5f) - em;
 
     ImGui::InvisibleButton("text", ImVec2(std::max(1.0f, width - side), height));
     const bool hovered = ImGui::IsItemHovered();
@@ -85,14 +87,13 @@ void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float wid
     if (hovered) {
         list.AddRectFilled(at, ImVec2(at.x + width - side, at.y + height), palette::hover,
                            ImGui::GetStyle().FrameRounding);
-        ImGui::SetTooltip(
-            "%s\n%s", pin.what().text.c_str(),
-            pin.problem().empty() ? tree.text(pin.value()).c_str() : pin.problem().c_str());
+        const std::string now = pin.problem().empty() ? tree.text(pin.value()) : pin.problem();
+        ImGui::SetTooltip("%s", widget_text(pin.what().text + "\n" + now).c_str());
     }
     if (path && ImGui::IsItemClicked(0) && follow) follow(pin.what().path);
     if (path && ImGui::IsItemClicked(1) && menu) menu(pin.what().path);
     draw_path_fit(list, ImVec2(at.x + em * 0.3f, y), path ? palette::path : palette::text,
-                  pin.what().text, room - value_width - em);
+                  pin.what().text, path_room);
     draw_text_fit(list, ImVec2(at.x + room - value_width, y),
                   pin.problem().empty() ? palette::number : palette::error, value, value_width);
     draw_sparkline(

@@ -1,5 +1,6 @@
 // Formulas that are typed into the rows of the inspector, and the gutter with the last writers.
 
+#include <look/imgui_compat.h>
 #include "catch.h"
 #include "rig.h"
 
@@ -144,6 +145,29 @@ TEST_CASE("a formula is shown where it is edited and an error stays until it is 
     rig.show();
     CHECK(rig.source("awake") == "1 < 5");
     CHECK(rig.lua.is_open());
+}
+
+TEST_CASE("a button ends the formula of a value that the simulation writes") {
+    FormulaRig rig;
+    rig.define("speed", "1 + 1");
+    REQUIRE(rig.source("speed") == "1 + 1");
+    rig.scroll_to("speed");
+    const console::Rect widget = rig.editor().widget_rect(rig.property("speed"));
+    rig.click(ImVec2(widget.high.x + 16, widget.low.y + 8));
+    CHECK(rig.source("speed").empty());
+}
+
+TEST_CASE("no tooltip covers a field while one types into it") {
+    FormulaRig rig;
+    const auto tooltip = [&] {
+        const ImGuiWindow* const window = ImGui::FindWindowByName("##Tooltip_00");
+        return window != nullptr && window->Active;
+    };
+    rig.open("mass");  // the mouse stays on the name
+    CHECK_FALSE(tooltip());
+    rig.key("escape");
+    rig.show();
+    CHECK(tooltip());
 }
 
 TEST_CASE("a text that begins with is becomes a formula") {

@@ -1,6 +1,9 @@
 // The search of the inspector.
 
+#include <string>
+
 #include <inspector/instance_tree.h>
+#include <look/imgui_compat.h>
 #include "catch.h"
 #include "rig.h"
 
@@ -36,6 +39,33 @@ TEST_CASE("the outline is searched by a condition") {
     CHECK(found("world.cr") == "crate");
     CHECK(found("flr") == "floor");
     CHECK(outline.problem().empty());
+}
+
+TEST_CASE("when a search is cleared the tree shows the selected instance again") {
+    Rig rig;
+    const Handle world = rig.tree.child(rig.tree.root(), "world");
+    Handle last;
+    for (int i = 0; i < 300; ++i)
+        last = rig.tree.create(rig.tree.class_named("Body"), world, "b" + std::to_string(i));
+    rig.key("grave");
+    rig.draw(3);
+    const ImVec2 field(rig.state().inspector_rect.low.x + 60,
+                       rig.state().inspector_rect.low.y + 18);
+    rig.click(field.x, field.y);
+    rig.type("b299");
+    rig.draw(3);
+    rig.click(field.x, field.y + 25);  // the only row
+    rig.draw(3);
+    REQUIRE(rig.console.selected() == last);
+    rig.click(field.x, field.y);
+    rig.key("ctrl+a");
+    rig.key("delete");
+    rig.draw(5);
+    float scrolled = 0;
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+        if (std::string(window->Name).find("/outline") != std::string::npos)
+            scrolled = window->Scroll.y;
+    CHECK(scrolled > 1000);
 }
 
 TEST_CASE("a search in a large game takes several frames and follows its changes") {

@@ -156,6 +156,19 @@ TEST_CASE("different values are shown as mixed") {
     CHECK(mixed.look(tree, mass, tree.get(ball, mass)).empty());
 }
 
+TEST_CASE("rows stay where they are while mixed values become longer and shorter") {
+    SelectionRig rig;
+    rig.state().inspector.select({rig.ball, rig.crate});
+    const auto row_below = [&](double angle) {
+        rig.tree.set(rig.crate, "angle", Value(angle));
+        rig.draw(3);
+        return rig.widget("mass").y;
+    };
+    const float short_values = row_below(2);
+    CHECK(row_below(-0.00012345678) == short_values);
+    CHECK(row_below(-123456789.125) == short_values);
+}
+
 TEST_CASE("of many selected instances all are compared in a few frames") {
     property::Tree tree;
     console::test::make_game(tree);

@@ -118,6 +118,8 @@ TEST_CASE("numbers are shown with four significant digits") {
     CHECK(short_number(9.9e-7) == "0");
     CHECK(short_number(1.5e-6) == "1.5e-06");
     CHECK(short_number(0.05) == "0.05");
+    CHECK(short_number(-0.00031234, 1) == "-3e-4");  // in narrow fields
+    CHECK(short_number(-0.0512, 1) == "-0.05");
     CHECK(short_number(0.7853982) == "0.7854");
     CHECK(short_number(12.5) == "12.5");
     CHECK(short_number(-123.456) == "-123.5");
