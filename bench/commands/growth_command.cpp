@@ -1,6 +1,5 @@
 // `fettle-bench growth`: time and memory per body in worlds with a thousand to a hundred thousand
 // bodies.
-// and in memory.
 
 #include <fettle/physics/physics.h>
 
@@ -8,6 +7,9 @@
 #include <array>
 #include <iostream>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "commands/commands.h"
 #include "engines/fettle_engine.h"
@@ -22,12 +24,17 @@
 namespace fettle::bench {
 namespace {
 
-// Time per body in the last world divided by that in the first.
-const Bound growth_bound = at_most(1.5);
-const Bound body_bytes_bound = below(1024);             // for a sleeping body with one shape
-constexpr int steps_in_all = 40000;                     // divided by the number of pyramids
-constexpr int settling_steps = 30;                      // steps until the pyramids have settled
-constexpr std::array pyramid_counts = {18, 182, 1818};  // pyramids of 55 bodies
+const Bound body_bytes_bound = below(1024);   // for a sleeping body with one shape
+constexpr std::size_t steps_in_all = 220000;  // divided by the number of bodies
+constexpr std::size_t least_steps = 4;
+
+/// Worlds of one kind, from the smallest to the largest.
+struct Series {
+    std::string name;
+    std::vector<Scene> scenes;
+    int settling_steps = 0;  // until the bodies rest
+    Bound bound;             // time per body divided by that in the first world
+};
 
 struct TimeRow {
     std::size_t bodies = 0;
@@ -46,26 +53,41 @@ void add_stages(const physics::StepStatistics& step, TimeRow& row) {
     ++row.steps;
 }
 
+/// Pyramids of 55 bodies: many small islands.
+Series pyramids() {
+    Series series{"many_pyramids", {}, 30, at_most(1.5)};
+    for (const int count : {18, 182, 1818}) series.scenes.push_back(pyramids_of(count));
+    return series;
+}
+
+/// Boxes that lie in one bin: one island.
+Series piles() {
+    Series series{"pile", {}, 300, at_most(1.3)};
+    for (const auto& [columns, rows] : {std::pair{50, 20}, {160, 63}, {500, 200}})
+        series.scenes.push_back(pile_of(columns, rows));
+    return series;
+}
+
 /// Runs all worlds in turns, so that a disturbance affects all of them.
-std::vector<TimeRow> time_rows(const GrowthOptions& options, Progress& progress) {
-    std::vector<TimeRow> rows(pyramid_counts.size());
+std::vector<TimeRow> time_rows(const Series& series, int runs, Progress& progress) {
+    std::vector<TimeRow> rows(series.scenes.size());
     std::vector<std::unique_ptr<Engine>> worlds;
-    progress.begin("pyramids");
-    for (std::size_t k = 0; k < pyramid_counts.size(); ++k) {
-        worlds.push_back(make_fettle(pyramids_of(pyramid_counts[k])));
-        rows[k].bodies = static_cast<std::size_t>(pyramid_counts[k]) * 55;
-        measured_steps(*worlds[k], settling_steps);
+    progress.begin(series.name);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        worlds.push_back(make_fettle(series.scenes[k]));
+        measured_steps(*worlds[k], series.settling_steps);
+        rows[k].bodies = fettle_world(*worlds[k]).statistics().awake_bodies;
     }
-    for (int run = 0; run < options.runs; ++run) {
-        for (std::size_t k = 0; k < pyramid_counts.size(); ++k) {
+    for (int run = 0; run < runs; ++run) {
+        for (std::size_t k = 0; k < rows.size(); ++k) {
             TimeRow& row = rows[k];
-            const int steps = std::max(4, steps_in_all / 10 / pyramid_counts[k]);
+            const std::size_t steps = std::max(least_steps, steps_in_all / row.bodies);
             const ThreadClock clock;
-            for (int i = 0; i < steps; ++i) {
+            for (std::size_t i = 0; i < steps; ++i) {
                 worlds[k]->step();
                 add_stages(fettle_world(*worlds[k]).statistics(), row);
             }
-            row.us.push_back(1e3 * clock.elapsed_ms() / steps / static_cast<double>(row.bodies));
+            row.us.push_back(1e3 * clock.elapsed_ms() / static_cast<double>(steps * row.bodies));
         }
         progress.add(1);
     }
@@ -101,22 +123,23 @@ Scene row_of(int count) {
     return scene;
 }
 
-void print_times(const std::vector<TimeRow>& rows, const OutputOptions& output, Verdict& verdict) {
-    Table table({"bodies", "us a body and step", "of the first", "bound", "narrow", "solve",
+void print_times(const Series& series, const std::vector<TimeRow>& rows,
+                 const OutputOptions& output, Verdict& verdict) {
+    Table table({series.name, "us a body and step", "of the first", "bound", "narrow", "solve",
                  "finish", "other"});
     const double first = median(rows.front().us);
     for (const TimeRow& row : rows) {
         const double us = median(row.us), growth = us / first;
-        const Bound bound = &row == &rows.front() ? Bound{} : growth_bound;
+        const Bound bound = &row == &rows.front() ? Bound{} : series.bound;
         if (output.json)
-            std::cout << json_line({{"scene", "many_pyramids"},
+            std::cout << json_line({{"scene", series.name},
                                     {"bodies", static_cast<long long>(row.bodies)},
                                     {"us", us},
                                     {"growth", growth},
                                     {"at_most", bound ? JsonField(bound.value) : JsonField()}})
                       << "\n";
         table.add({std::to_string(row.bodies), figure(us),
-                   verdict.look(std::to_string(row.bodies) + " bodies", growth, bound,
+                   verdict.look(series.name + " of " + std::to_string(row.bodies), growth, bound,
                                 figure(growth), "of the time a body takes in the first world"),
                    bound.text(), figure(row.narrow), figure(row.solve), figure(row.finish),
                    figure(row.other)});
@@ -161,13 +184,15 @@ void print_memory(const Sleepers& row, const Sleepers& pyramids, const OutputOpt
 }  // namespace
 
 int run_growth(const GrowthOptions& options) {
-    std::vector<TimeRow> rows;
-    {
-        Progress progress(options.runs);
-        rows = time_rows(options, progress);
-    }
     Verdict verdict("growth");
-    print_times(rows, options.output, verdict);
+    for (const Series& series : {pyramids(), piles()}) {
+        std::vector<TimeRow> rows;
+        {
+            Progress progress(options.runs);
+            rows = time_rows(series, options.runs, progress);
+        }
+        print_times(series, rows, options.output, verdict);
+    }
     print_memory(sleepers_of(row_of(20000)), sleepers_of(pyramids_of(364)), options.output,
                  verdict);
     verdict.print(options.output.json ? std::cerr : std::cout);

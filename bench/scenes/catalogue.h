@@ -42,5 +42,7 @@ Scene rain();
 Scene crowd();
 /// The same with `columns` × `rows` bodies.
 Scene crowd_of(int columns, int rows);
+/// Boxes that lie in a bin, in rows that are shifted against each other; all stay awake.
+Scene pile_of(int columns, int rows);
 
 }  // namespace fettle::bench

@@ -87,14 +87,22 @@ Scene crowd() {
     return crowd_of(100, 100);
 }
 
+namespace {
+
+/// A bin whose floor is at height 0.
+void add_bin(Scene& scene, float half_width, float height) {
+    scene.bodies.push_back(fixed_box({0, -0.5f}, {half_width + 1, 0.5f}));
+    for (const float side : {-1.0f, 1.0f})
+        scene.bodies.push_back(fixed_box({side * (half_width + 0.5f), height}, {0.5f, height}));
+}
+
+}  // namespace
+
 Scene crowd_of(int columns, int rows) {
     Scene scene{.name = "crowd", .steps = 300, .sleeping = false};
     constexpr float pitch = 0.6f;
     const float half_width = 0.5f * pitch * static_cast<float>(columns) + 0.2f;
-    const float height = pitch * static_cast<float>(rows);
-    scene.bodies.push_back(fixed_box({0, -0.5f}, {half_width + 1, 0.5f}));
-    for (const float side : {-1.0f, 1.0f})
-        scene.bodies.push_back(fixed_box({side * (half_width + 0.5f), height}, {0.5f, height}));
+    add_bin(scene, half_width, pitch * static_cast<float>(rows));
     for (int j = 0; j < rows; ++j) {
         const float shift = j % 2 == 0 ? -0.05f : 0.05f;
         for (int i = 0; i < columns; ++i) {
@@ -104,6 +112,22 @@ Scene crowd_of(int columns, int rows) {
                                        ? dynamic_box(at, 0.25f)
                                        : body_of(Motion::dynamic, at, CircleShape{0.25f}));
         }
+    }
+    return scene;
+}
+
+Scene pile_of(int columns, int rows) {
+    Scene scene{.name = "pile", .steps = 300, .sleeping = false};
+    constexpr float pitch = 0.52f, half = 0.25f, shift = 0.13f;
+    const float half_width = 0.5f * pitch * static_cast<float>(columns) + shift;
+    add_bin(scene, half_width, pitch * static_cast<float>(rows));
+    for (int j = 0; j < rows; ++j) {
+        const float left =
+            (j % 2 == 0 ? -shift : shift) + 0.5f * pitch * static_cast<float>(1 - columns);
+        for (int i = 0; i < columns; ++i)
+            scene.bodies.push_back(dynamic_box({left + pitch * static_cast<float>(i),
+                                                half + (2 * half + 0.002f) * static_cast<float>(j)},
+                                               half));
     }
     return scene;
 }
