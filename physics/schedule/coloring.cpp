@@ -49,6 +49,11 @@ void order_by_node(std::span<ActingContact> contacts, uint32_t nodes, NodeRanges
 /// solved by one thread unless it is large.
 constexpr size_t least_shared_first = 1000, least_shared = 2 * SolverBlocks::enough_contacts;
 
+/// So many bodies of the solver fill half of the second-level cache of a core. Each color of a
+/// section reads and writes all bodies of the section. So in a larger heap each strip is a section
+/// of its own, also if one thread solves several of them.
+constexpr size_t cached_bodies = (size_t{1} << 19) / sizeof(SolverBody);
+
 struct Coloring {
     std::span<const uint32_t> awake_bodies;
     const BodyScratch& bodies;
@@ -144,10 +149,13 @@ struct Coloring {
         return uint32_t(section * color_count) + color;
     }
 
-    /// Decides which blocks several threads share, and numbers the sections of all blocks.
+    /// Decides which blocks several threads share or one solves strip by strip, and numbers the
+    /// sections of all blocks.
     void make_sections() {
         const auto hands = uint32_t(threads != nullptr ? threads->at_a_time() : 1);
-        const uint32_t parts = std::min(strips.count(), std::bit_floor(hands));
+        const bool strip_by_strip = blocks.size() == 1 && awake_bodies.size() > cached_bodies;
+        const uint32_t parts =
+            strip_by_strip ? strips.count() : std::min(strips.count(), std::bit_floor(hands));
         schedule.whole_sections = Sections(strips.count(), 1);
         schedule.cut_sections = Sections(strips.count(), parts);
         size_t one_by_one = joints;
