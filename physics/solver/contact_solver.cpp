@@ -283,13 +283,16 @@ struct Bounce {
     }
 };
 
+/// True if a point approaches fast enough to bounce.
+bool is_fast(const ContactExtra& extra, float restitution_threshold) {
+    return min(extra.approach[0], extra.approach[1]) < -restitution_threshold;
+}
+
 }  // namespace
 
 bool ContactSolver::may_bounce() const {
     for (const ContactExtra& extra : extras)
-        if (extra.restitution > 0.0f &&
-            min(extra.approach[0], extra.approach[1]) < -restitution_threshold)
-            return true;
+        if (extra.restitution > 0.0f && is_fast(extra, restitution_threshold)) return true;
     return false;
 }
 
@@ -302,19 +305,27 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, std::span<uint8_t> change
         if (pass > 1 && changed[c.a] + 1 < pass && changed[c.b] + 1 < pass) continue;
         if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
         ContactExtra& extra = extras[c.extra - 1];
-        SolvedPair pair(c, bodies[c.a], bodies[c.b]);
+        const SolverBody &a = bodies[c.a], &b = bodies[c.b];
+        const float approach = dot(c.normal, b.velocity - a.velocity);
+        for (int k = 0; k < c.count; ++k) {
+            const ConstraintPoint& p = c.points[k];
+            // After the impulses of other contacts.
+            extra.approach[k] = approach + (p.normal_lever_b * b.angular_velocity -
+                                            p.normal_lever_a * a.angular_velocity);
+        }
+        // Most contacts of a heap only pass small speeds on. Their forces are not read.
+        if (!is_fast(extra, restitution_threshold)) continue;
+        SolvedPair pair(c, a, b);
         const SolverForce &fa = forces[c.a], &fb = forces[c.b];
         float v[2] = {};
         bool meets[2] = {};
         for (int k = 0; k < c.count; ++k) {
             const ConstraintPoint& p = c.points[k];
-            const float velocity = dot(c.normal, pair.vb - pair.va) +
-                                   (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
+            const float velocity = extra.approach[k];
             // Forces change it by this much in a sub-step.
             const float change =
                 dot(c.normal, fb.change - fa.change) +
                 (p.normal_lever_b * fb.turn_change - p.normal_lever_a * fa.turn_change);
-            extra.approach[k] = velocity;  // after the impulses of other contacts
             const float mean = velocity + 0.5f * float(substeps + 1) * change;
             meets[k] = velocity < -restitution_threshold && p.separation + dt * mean < 0.0f &&
                        p.normal_mass > 0.0f;
