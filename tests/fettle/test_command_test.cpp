@@ -145,6 +145,8 @@ TEST_CASE("every kind of failure names the line of the test") {
          ":2: what the test waits for did not come true within 1 s"},
         {"world.ball.positon = 1", "did you mean \"position\""},
         {"test('inner', 1)", "test: the second argument is the function of the test"},
+        {"t:steps(9) world.b = Body {} local b = world.b t:steps(9) t:rewind(0.2) print(b.mass)",
+         ":2: the Body was deleted at step"},
         {"quit()  t:steps(1)", "the game called quit() before the test ended"},
     }));
     const Outcome run = run_tests(folder, "test('it', function(t)\n    " + body + "\nend)\n");

@@ -349,8 +349,24 @@ TEST_CASE("members that a class cannot have are reported and not ignored") {
     for (const char* name : {"delete", "move", "alive", "clone"}) {
         CAPTURE(name);
         CHECK_THAT(s.fails(std::string("function D:") + name + "() end"),
-                   contains("every instance has that"));
+                   contains("is a method of every instance"));
     }
+}
+
+TEST_CASE("who looks for the scene in the functions for files is told where it is") {
+    Stage s;
+    CHECK_THAT(s.fails("print(scene.enemy)"),
+               contains("scene.enemy: scene has load and save") && contains("is game.scene"));
+}
+
+TEST_CASE("a formula cannot hide a method of every instance") {
+    Stage s;
+    CHECK_THAT(s.fails("Body { props = { on = formula(function() return 1 end) } }"),
+               contains("Body.on: is a method and cannot be assigned"));
+    CHECK_THAT(s.fails("Object { on = formula(function() return 1 end) }"),
+               contains("Object.on: is a method and cannot be assigned"));
+    CHECK_THAT(s.fails("class('Lamp', Object) { on = false }"),
+               contains("Lamp.on: is a method of every instance; a property needs another name"));
 }
 
 TEST_CASE("a formula in error affects only its own line of a listing") {

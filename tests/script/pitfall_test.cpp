@@ -48,6 +48,22 @@ TEST_CASE(
     CHECK(s.printed[1] == "timer\tnil");
 }
 
+TEST_CASE("an error that only quotes one about what a restore took away is an error") {
+    Game s;
+    const auto taken = s.tree->snapshot();
+    s.run("world.ball = Body {} mine = world.ball");
+    s.step();
+    s.tree->restore(taken);
+    s.tree->barrier();
+    s.run(
+        "function step() local _, why = pcall(function() return mine.mass end) "
+        "error('expected 3, got \"' .. why .. '\"') end");
+    s.errors.clear();
+    s.step();
+    CHECK(s.errors.size() == 1);
+    CHECK(s.notes.empty());
+}
+
 TEST_CASE("a chunk that touches what a restore took away is an error") {
     Game s;
     const auto taken = s.tree->snapshot();

@@ -52,10 +52,11 @@ std::string Context::text(Machine& machine) const {
 namespace {
 
 /// A handler of a game may hold an instance that was made after the step to which the game went
-/// back. The game goes on then, and the log gets one note for each place.
+/// back. The game goes on then, and the log gets one note for each place. A command, the top level
+/// and a test fail by such an error as by any other.
 bool tell_gone(Machine& machine, const Context& context, const ScriptError& error) {
     if (machine.lua.gone.empty() || context.what == "chunk" || context.what == "load" ||
-        error.message.find(machine.lua.gone) == std::string::npos)
+        context.what == "fettle_test_turn" || !error.message.ends_with(machine.lua.gone))
         return false;
     const std::string place = error.file + ":" + std::to_string(error.line);
     constexpr std::size_t limit = 100;

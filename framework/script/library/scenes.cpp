@@ -17,6 +17,7 @@
 #include <lua/sources.h>
 #include <sandbox/sandbox.h>
 #include <values/declarations.h>
+#include <values/short_text.h>
 #include <values/values.h>
 #include <values/writes.h>
 
@@ -53,6 +54,13 @@ int save(lua_State* L) {
                                       property::scene_text(machine.tree, node, &warnings));
     for (const std::string& warning : warnings) print_line(machine, "warning: " + warning);
     return 0;
+}
+
+/// Who reads `scene.enemy` means the scene that go_to_scene has made.
+int unknown(lua_State* L) {
+    throw Error(ErrorKind::unknown_name,
+                "scene." + key_in_message(L, 2) +
+                    ": scene has load and save; what go_to_scene has made is game.scene");
 }
 
 }  // namespace
@@ -110,6 +118,10 @@ void open_scenes(lua_State* L) {
     lua_newtable(L);
     add_function<load>(L, "load");
     add_function<save>(L, "save");
+    lua_newtable(L);
+    add_pure<unknown>(L, "__index");
+    name_metatable(L, "scene");
+    lua_setmetatable(L, -2);
     lua_setfield(L, -2, "scene");
 }
 

@@ -85,7 +85,9 @@ void refuse_near_misses(const ScriptClasses& classes, const Class& base,
         throw Error(ErrorKind::bad_name,
                     class_name + "." + name + ": is a method of " + base.name());
     if (among(generic_names(), name))
-        throw Error(ErrorKind::bad_name, class_name + "." + name + ": every instance has that");
+        throw Error(ErrorKind::bad_name, class_name + "." + name +
+                                             ": is a method of every instance; a property needs " +
+                                             "another name");
     const auto refuse = [&](const std::string& known) {
         if (property::near_miss(name, known))
             throw Error(ErrorKind::near_miss, class_name + "." + name + ": " + base.name() +

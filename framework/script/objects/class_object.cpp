@@ -145,10 +145,7 @@ void set_props(lua_State* L, Machine& machine, Construction& now) {
         push_text(L, key);
         lua_rawget(L, 3);
         lua_replace(L, 3);
-        if (is_formula(L, 3))
-            define_formula(L, machine, 3, now.made, key);
-        else
-            write_member(L, machine, now.made, now.of, key);
+        write_member(L, machine, now.made, now.of, key);
         lua_replace(L, 3);
     }
 }
@@ -207,10 +204,7 @@ void fill(lua_State* L, Machine& machine, Construction& now) {
             continue;
         }
         refuse_unknown(machine, of, key);
-        if (is_formula(L, 3))
-            define_formula(L, machine, 3, now.made, key);
-        else
-            write_member(L, machine, now.made, of, key);
+        write_member(L, machine, now.made, of, key);
     }
 }
 

@@ -94,7 +94,7 @@ void ScriptClasses::set_function(lua_State* L, const Class& of, const std::strin
     };
     if (of.property(name)) refuse("is a property already");
     if (of.method(name)) refuse("is a method already");
-    if (among(generic_names(), name)) refuse("every instance has that");
+    if (among(generic_names(), name)) refuse("is a method of every instance already");
     if (among(class_fields(), name)) refuse("every class has that");
     const bool is_event = of.event(name) != nullptr || name == "deleted";
     if (is_callback(name) && !is_event && !scripted(of))
