@@ -137,7 +137,7 @@ local fettle_Snapshot = {}
 
 ---The description of a saved game that saves() returns.
 ---@class SavedGame
----@field picture boolean Whether there is a picture of it.
+---@field picture string? The image that shows it: Image { image = save.picture }; nil if there is none, because it was saved without a window.
 ---@field problem string? Why it cannot be loaded; nil when it can.
 ---@field slot string The name it was saved under.
 ---@field step integer The fixed step in which it was saved.

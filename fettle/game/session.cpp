@@ -49,6 +49,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     make_files();
     read_settings();
     modules_.attach(tree_);
+    visuals_.smooth_by_default(settings_.smooth);
     visuals_.attach(tree_);
     services_ = std::make_unique<app::Services>(tree_, &assets_);
     interface_.attach(tree_);
@@ -168,10 +169,13 @@ void Session::make_storage() {
         property::Saves(folder.empty() ? folder : folder / "saves",
                         settings_.id.empty() ? property::game_title(options_.game) : settings_.id,
                         FETTLE_VERSION),
-        property::GameSaves::Options{.writes = writes,
-                                     .pictures = !options_.headless,
-                                     .space = quota_of(options_).saves,
-                                     .warn = [this](const std::string& text) { note(text); }});
+        property::GameSaves::Options{
+            .writes = writes,
+            .pictures = !options_.headless,
+            .space = quota_of(options_).saves,
+            .changed = [this](const std::string& slot) { visuals_.renew("save:" + slot); },
+            .warn = [this](const std::string& text) { note(text); }});
+    visuals_.saved_pictures([this](const std::string& slot) { return saves_->picture(slot); });
     store_ = new_store(KeptFile::store, folder);
     preferences_ = new_store(KeptFile::preferences, folder);
 }

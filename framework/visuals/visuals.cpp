@@ -54,6 +54,7 @@ class GameMedia : public property::Media {
         return {width * static_cast<double>(index % columns),
                 height * static_cast<double>(index / columns), width, height};
     }
+    bool smooth() const override { return images_.smooth.value_or(true); }
     property::Vec2 text_size(std::string_view text, const property::TextStyle& style) override {
         const Layout layout = layout_of(text, style);
         return style.size * property::Vec2(layout.width, layout.height);
@@ -129,6 +130,14 @@ void Visuals::attach(property::Tree& tree) {
     state_->emitters.define(tree);
     tree.add_part(*this);
     state_->tree_life = tree.lifetime();
+}
+
+void Visuals::smooth_by_default(std::optional<bool> smooth) {
+    state_->images.smooth = smooth;
+}
+
+void Visuals::saved_pictures(std::function<property::Thumbnail(const std::string& slot)> of) {
+    state_->images.saved_pictures(std::move(of));
 }
 
 property::Media& Visuals::media() {

@@ -59,6 +59,17 @@ TEST_CASE("the seed of game.json is that of random unless the command line has o
     CHECK(run_with(folder, R"({"seed": 7})", chunk, {"--seed", "0"}).out == none.out);
 }
 
+TEST_CASE("game.json says whether images are smooth unless an instance says it") {
+    const Folder folder;
+    const std::string chunk =
+        "Coin = class('Coin', Sprite) {} print(Sprite {}.smooth, Coin {}.smooth, Emitter "
+        "{}.smooth, Tilemap {}.smooth, Sprite { smooth = true }.smooth)";
+    CHECK(run_with(folder, R"({"smooth": false})", chunk).out ==
+          "false\tfalse\tfalse\tfalse\ttrue\n");
+    CHECK(run_with(folder, R"({"smooth": true})", chunk).out == "true\ttrue\ttrue\ttrue\ttrue\n");
+    CHECK(run_with(folder, "{}", chunk).out == "true\ttrue\ttrue\tfalse\ttrue\n");
+}
+
 TEST_CASE("a mistake in game.json ends the program with its place") {
     const Folder folder;
     const Outcome run = run_with(folder, "{\n  \"consle\": \"off\"\n}", "print(1)");

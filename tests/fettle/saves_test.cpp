@@ -65,7 +65,7 @@ TEST_CASE("saved games are listed and deleted by their slots") {
          "6:print(pcall(load_game, 'bb'))", "--at", "7:print(pcall(save_game, '../b'))"});
     INFO(run.err);
     CHECK(run.status == 0);
-    CHECK(contains(run.out, "a\t1\tfalse\tnil\nb\t1\tfalse\tnil\n1\tb\n"));
+    CHECK(contains(run.out, "a\t1\tnil\tnil\nb\t1\tnil\tnil\n1\tb\n"));
     CHECK(contains(run.out, "there is no saved game \"bb\" (did you mean \"b\"?)"));
     CHECK(contains(run.out, "no name of a slot"));
 }

@@ -38,7 +38,7 @@ TEST_CASE("all settings of a game are read") {
     const GameSettings all = settings(R"({
         // a comment
         "name": "Marbles", "id": "org.example.marbles", "version": "1.0", "author": "A. Author",
-        "icon": "icon.png", "fettle": "1.4", "seed": 7, "console": "developer",
+        "icon": "icon.png", "fettle": "1.4", "seed": 7, "console": "developer", "smooth": false,
         "window": { "title": "Roll", "size": [640, 480], "fullscreen": true, "resizable": false,
                     "vsync": false }
     })");
@@ -49,6 +49,7 @@ TEST_CASE("all settings of a game are read") {
     CHECK(all.icon == "icon.png");
     CHECK(all.fettle == "1.4");
     CHECK(all.seed == 7u);
+    CHECK(all.smooth == false);
     CHECK(all.console == ConsoleUse::developer);
     CHECK(all.title() == "Roll");
     CHECK(all.window.size == Vec2(640, 480));
@@ -62,6 +63,7 @@ TEST_CASE("settings that a game does not have are empty") {
     CHECK(none.id.empty());
     CHECK(none.console == ConsoleUse::on);
     CHECK_FALSE(none.seed);
+    CHECK_FALSE(none.smooth);
     CHECK_FALSE(none.window.size);
     CHECK(settings(R"({"name": "Marbles"})").title() == "Marbles");
     const GameFolder folder;

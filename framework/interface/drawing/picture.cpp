@@ -232,7 +232,7 @@ void Picture::draw_image(const Widget& widget, const Box& box, Color tint) {
     if (size.smallest() <= 0) return;
     const Vec2 half = 0.5 * box.size().over(size).smallest() * size;
     painter_->picture(picture, {0, 0, size.x, size.y}, box.center() - half, box.center() + half,
-                      tint, true);
+                      tint, layout_.media().smooth());
 }
 
 }  // namespace fettle::interface

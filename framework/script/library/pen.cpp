@@ -372,8 +372,8 @@ int image(lua_State* L) {
     const double angle = number_or(L, 5, "pen.image", 0);
     check_finite(angle, "pen.image");
     const Color tint = color_or(L, 6, "pen.image", {1, 1, 1, 1});
-    const bool smooth = lua_isnil(L, 7) || lua_toboolean(L, 7);
     property::Media& from = media(L, "pen.image");
+    const bool smooth = lua_isnil(L, 7) ? from.smooth() : lua_toboolean(L, 7) != 0;
     const property::Picture& picture = from.picture("pen.image", asked.name);
     const property::PictureArea area = from.frame("pen.image", asked.name, asked.frame);
     const double pixel = on_screen(L) ? 1.0 : 1.0 / 32, w = area.width, h = area.height;

@@ -47,8 +47,8 @@ int delete_save(lua_State* L) {
     return 0;
 }
 
-// A list of tables with slot, step, time (as os.time), picture (whether there is one) and problem
-// (nil if the save can be loaded).
+// A list of tables with slot, step, time (as os.time), picture (an image; nil without one) and
+// problem (nil if the save can be loaded).
 int saves(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::vector<SaveInfo> all = saves_of(machine, "saves").list();
@@ -59,7 +59,7 @@ int saves(lua_State* L) {
         put(L, "slot", save.slot);
         put(L, "step", static_cast<lua_Integer>(save.step));
         put(L, "time", static_cast<lua_Integer>(save.time));
-        put(L, "picture", save.thumbnail);
+        if (save.thumbnail) put(L, "picture", "save:" + save.slot);
         if (!save.problem.empty()) put(L, "problem", save.problem);
         lua_rawseti(L, -2, ++place);
     }

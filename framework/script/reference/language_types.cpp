@@ -119,7 +119,9 @@ TypeDoc snapshot_type() {
 TypeDoc saved_game_type() {
     return {"SavedGame",
             "The description of a saved game that saves() returns.",
-            {{"picture", "boolean", "Whether there is a picture of it."},
+            {{"picture", "string?",
+              "The image that shows it: Image { image = save.picture }; nil if there is none, "
+              "because it was saved without a window."},
              {"problem", "string?", "Why it cannot be loaded; nil when it can."},
              {"slot", "string", "The name it was saved under."},
              {"step", "integer", "The fixed step in which it was saved."},

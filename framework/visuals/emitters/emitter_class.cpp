@@ -156,7 +156,7 @@ std::vector<Property> Emitters::look_properties() {
         visible_property(),
         {.name = "smooth",
          .type = Type::boolean,
-         .default_value = true,
+         .default_value = images_.smooth.value_or(true),
          .doc = "Whether pixels are mixed when the image is enlarged; otherwise each is a square."},
     };
 }

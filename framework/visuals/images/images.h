@@ -4,10 +4,13 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include <fettle/property/storage/assets.h>
+#include <fettle/property/storage/saves.h>
 
 #include <images/sheet.h>
 
@@ -20,6 +23,9 @@ class Images {
     /// The file of that name; the checkerboard if it is missing or cannot be read. `what` begins
     /// the message about that: "Sprite.image".
     std::shared_ptr<const Sheet> get(const std::string& what, const std::string& name);
+    /// What `get` shows for "save:SLOT": the picture of a saved game.
+    using SavedPicture = std::function<property::Thumbnail(const std::string& slot)>;
+    void saved_pictures(SavedPicture of) { saved_ = std::move(of); }
     /// Reads the file again, and the sheets that it belongs to. If that fails, they stay.
     void renew(const std::string& name);
     /// Tells a problem, once. Before `on_problem` it is kept.
@@ -27,7 +33,10 @@ class Images {
     void on_problem(std::function<void(const std::string&)> tell);
     property::Assets* assets() const { return assets_; }
 
+    std::optional<bool> smooth{};  // of enlarged images; empty: as their classes say
+
   private:
+    void read_saved(Sheet& into, const std::string& slot) const;
     void read(Sheet& into, const std::string& what, const std::string& name) const;
     std::shared_ptr<Sheet> load(const std::string& what, const std::string& name);
 
@@ -35,6 +44,7 @@ class Images {
     std::map<std::string, std::shared_ptr<Sheet>> sheets_;
     std::set<std::string> told_;
     std::function<void(const std::string&)> tell_;
+    SavedPicture saved_;
 };
 
 }  // namespace fettle::visuals

@@ -47,6 +47,7 @@ std::vector<Property> Tilemaps::map_properties() {
                   .doc = "Pixels of the map in a meter."}),
         {.name = "smooth",
          .type = Type::boolean,
+         .default_value = images_.smooth.value_or(false),
          .doc = "Whether pixels are mixed when tiles are enlarged; otherwise each is a square."},
         {.name = "animation_time",
          .type = Type::number,

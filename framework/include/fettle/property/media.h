@@ -34,6 +34,8 @@ class Media {
     /// The part of that picture that a frame is.
     virtual PictureArea frame(const std::string& what, const std::string& name,
                               const ImageFrame& frame) = 0;
+    /// Whether pictures that are enlarged are smooth, unless something else is asked for.
+    virtual bool smooth() const = 0;
     /// Width of the longest line, and height of all lines.
     virtual Vec2 text_size(std::string_view text, const TextStyle& style) = 0;
     /// `position`: in the middle of the height, at the beginning, middle or end of each line.

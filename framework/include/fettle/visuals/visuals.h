@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,7 @@ FETTLE_VISUALS_BEGIN
 
 namespace fettle::property {
 class Assets;
+struct Thumbnail;
 }
 
 namespace fettle::visuals {
@@ -34,6 +36,9 @@ class Visuals : public module::Module {
 
     std::string_view name() const override { return "visuals"; }
     void attach(property::Tree& tree) override;
+    /// Whether images that are enlarged are smooth, unless an instance says it: the default of
+    /// `smooth` in all classes, and of the pen. Before `attach`; empty: as each class says.
+    void smooth_by_default(std::optional<bool> smooth);
     /// Advances animations and particles.
     void step(double dt) override;
     void report(property::Tree& tree) override;
@@ -45,6 +50,9 @@ class Visuals : public module::Module {
     /// again if it is an image, a font, or a part of a map that is in use. If it cannot be read,
     /// the old one stays, and `on_problem` is told.
     void renew(const std::string& name);
+    /// What the image "save:SLOT" shows: the picture of a saved game. `renew("save:SLOT")` when it
+    /// is another one.
+    void saved_pictures(std::function<property::Thumbnail(const std::string& slot)> of);
     /// Images and text for `draw(pen)`.
     property::Media& media();
     /// The function gets one line for each file that is missing or cannot be read, once.

@@ -100,6 +100,7 @@ void GameSaves::finish(const Thumbnail& picture) {
                 throw Error(ErrorKind::rejected,
                             "this game has used the space on the disk that it may use");
             saves_.save(each.slot, each.step, *each.state, picture);
+            if (options_.changed) options_.changed(each.slot);
         } catch (const std::exception& error) {
             warn("the game was not saved: " + exception_text(error));
         }
@@ -148,6 +149,15 @@ void GameSaves::remove(const std::string& slot) {
     waited += std::erase_if(loaded_, [&](const auto& each) { return each.second == slot; });
     waited += std::erase_if(waiting_, [&](const Waiting& each) { return each.slot == slot; });
     if (waited == 0 || saves_.exists(slot)) saves_.remove(slot);
+    if (options_.changed) options_.changed(slot);
+}
+
+Thumbnail GameSaves::picture(const std::string& slot) const {
+    try {
+        return saves_.load(slot).thumbnail;
+    } catch (const std::exception&) {  // `list` tells why
+        return {};
+    }
 }
 
 std::vector<SaveInfo> GameSaves::list() const {

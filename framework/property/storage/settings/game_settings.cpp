@@ -170,32 +170,34 @@ GameSettings game_settings(std::string text, const std::string& file_name,
     const Document document(std::move(text), file_name);
     SettingsReader reader(document);
     GameSettings settings;
-    reader.members(
-        document.root(),
-        {"name", "id", "version", "author", "window", "icon", "console", "fettle", "seed"},
-        [&](const Document::Node& node, const std::string& key) {
-            if (key == "name")
-                settings.name = reader.text(node);
-            else if (key == "id")
-                settings.id = read_id(reader, node);
-            else if (key == "version")
-                settings.version = reader.text(node);
-            else if (key == "author")
-                settings.author = reader.text(node);
-            else if (key == "window")
-                settings.window = read_window(reader, node);
-            else if (key == "icon")
-                settings.icon = reader.text(node);
-            else if (key == "console")
-                settings.console = read_console(reader, node);
-            else if (key == "fettle")
-                settings.fettle = read_fettle(reader, node, program);
-            else if (key == "seed")
-                settings.seed = reader.natural(node);
-            else
-                return false;
-            return true;
-        });
+    reader.members(document.root(),
+                   {"name", "id", "version", "author", "window", "icon", "console", "fettle",
+                    "seed", "smooth"},
+                   [&](const Document::Node& node, const std::string& key) {
+                       if (key == "name")
+                           settings.name = reader.text(node);
+                       else if (key == "id")
+                           settings.id = read_id(reader, node);
+                       else if (key == "version")
+                           settings.version = reader.text(node);
+                       else if (key == "author")
+                           settings.author = reader.text(node);
+                       else if (key == "window")
+                           settings.window = read_window(reader, node);
+                       else if (key == "icon")
+                           settings.icon = reader.text(node);
+                       else if (key == "console")
+                           settings.console = read_console(reader, node);
+                       else if (key == "fettle")
+                           settings.fettle = read_fettle(reader, node, program);
+                       else if (key == "seed")
+                           settings.seed = reader.natural(node);
+                       else if (key == "smooth")
+                           settings.smooth = reader.boolean(node);
+                       else
+                           return false;
+                       return true;
+                   });
     return settings;
 }
 

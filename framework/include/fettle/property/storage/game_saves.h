@@ -30,6 +30,8 @@ class GameSaves {
         /// Bytes of all files of saved games together; a save beyond it is not written. 0: no
         /// limit.
         std::uintmax_t space = 0;
+        /// Receives the slot whose picture is another one now.
+        std::function<void(const std::string&)> changed{};
         /// Receives the errors of a save that could not be written, or of a snapshot that this game
         /// cannot restore: both happen at a barrier, where no caller can catch them. Also receives,
         /// once each, the formulas that a file cannot hold, and what a loaded game could not
@@ -59,6 +61,8 @@ class GameSaves {
     /// Like `Saves::list`; in addition, a save that this game cannot restore has a problem.
     std::vector<SaveInfo> list() const;
     const Saves& slots() const { return saves_; }
+    /// The picture of that slot; none if it has no picture or cannot be read.
+    Thumbnail picture(const std::string& slot) const;
 
     /// True if a save waits for a picture.
     bool waits() const { return !waiting_.empty(); }

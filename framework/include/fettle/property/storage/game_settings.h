@@ -38,6 +38,9 @@ struct GameSettings {
     std::string icon{};    // an image below the game's folder
     std::string fettle{};  // the version of Fettle that the game was written for
     ConsoleUse console = ConsoleUse::on;
+    /// Whether images that are enlarged are smooth, unless an instance says it; empty: as their
+    /// classes say.
+    std::optional<bool> smooth{};
     std::optional<std::uint64_t> seed{};  // of random()
     WindowSettings window{};
 
