@@ -123,6 +123,18 @@ async function planck() {
   };
 }
 
+/** The center of area of a convex polygon, as the sum of triangles at its first corner. */
+function centroid([first, ...rest]) {
+  let area = 0, x = 0, y = 0;
+  for (let i = 0; i + 1 < rest.length; ++i) {
+    const a = rest[i], b = rest[i + 1], twice = (a.x - first.x) * (b.y - first.y) - (a.y - first.y) * (b.x - first.x);
+    area += twice;
+    x += (twice * (first.x + a.x + b.x)) / 3;
+    y += (twice * (first.y + a.y + b.y)) / 3;
+  }
+  return { x: x / area, y: y / area };
+}
+
 async function matter() {
   const { default: M } = await import("matter-js");
   const scale = 40;  // its numbers are made for pixels
@@ -135,7 +147,7 @@ async function matter() {
     // It has no segments: a board below one.
     if (s.segment) corners = [[s.segment[0], s.segment[1] - 1], [s.segment[2], s.segment[3] - 1], s.segment.slice(2), s.segment.slice(0, 2)];
     const vertices = M.Vertices.clockwiseSort(corners.map(([x, y]) => ({ x: (b.x + x) * scale, y: (b.y + y) * scale })));
-    return M.Body.create({ position: M.Vertices.centre(vertices), vertices, ...more });
+    return M.Body.create({ position: centroid(vertices), vertices, ...more });
   };
   return (scene) => {
     const engine = M.Engine.create({ enableSleeping: scene.sleeping });
