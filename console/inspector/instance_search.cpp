@@ -23,6 +23,14 @@ bool contains(std::string_view text, std::string_view part) {
     return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
+/// Whether the class derives from one of that name. Not from Object, as all of them do.
+bool derives_from(const property::Class& of, std::string_view name) {
+    for (const property::Class* base = of.base(); base != nullptr && base->base() != nullptr;
+         base = base->base())
+        if (base->name().size() == name.size() && contains(base->name(), name)) return true;
+    return false;
+}
+
 /// The next one in the order of `each_below`; null behind the last.
 Handle next_of(const property::Tree& tree, Handle at) {
     if (const Handle child = tree.first_child(at)) return child;
@@ -87,7 +95,8 @@ void InstanceSearch::look_at(Handle instance) {
     }
     const std::string name = tree_.name(instance);
     const bool by_path = text_.find('.') != std::string::npos;
-    if (contains(name, text_) || contains(tree_.class_of(instance).name(), text_) ||
+    const property::Class& of = tree_.class_of(instance);
+    if (contains(name, text_) || contains(of.name(), text_) || derives_from(of, text_) ||
         (by_path && contains(tree_.path(instance), text_))) {
         matches_.push_back(instance);
     } else if (text_.size() >= shortest_similar && similar_.size() < 10 * most_similar) {

@@ -1,5 +1,6 @@
 // The search of the inspector.
 
+#include <algorithm>
 #include <string>
 
 #include <inspector/instance_tree.h>
@@ -39,6 +40,26 @@ TEST_CASE("the outline is searched by a condition") {
     CHECK(found("world.cr") == "crate");
     CHECK(found("flr") == "floor");
     CHECK(outline.problem().empty());
+}
+
+TEST_CASE("a search for a class finds instances of the classes that derive from it") {
+    Rig rig;
+    property::ClassDescriptor descriptor;
+    descriptor.name = "Coin";
+    descriptor.base = "Body";
+    const Handle world = rig.tree.child(rig.tree.root(), "world");
+    const Handle coin = rig.tree.create(rig.tree.define(descriptor), world, "penny");
+    console::InstanceTree outline(rig.tree);
+    const auto finds = [&](const char* text) {
+        outline.search(text);
+        const auto& rows = outline.rows(0);
+        return std::ranges::any_of(rows, [&](const auto& row) { return row.instance == coin; });
+    };
+    CHECK(finds("Body"));
+    CHECK(finds("body"));
+    CHECK(finds("oin"));
+    CHECK_FALSE(finds("bod"));
+    CHECK_FALSE(finds("Object"));
 }
 
 TEST_CASE("when a search is cleared the tree shows the selected instance again") {
