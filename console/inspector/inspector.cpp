@@ -29,7 +29,13 @@ void Inspector::select(Handle instance, const std::string& property) {
 void Inspector::toggle(Handle instance) {
     std::vector<Handle> all = selection();
     if (std::erase(all, instance) == 0) all.push_back(instance);
-    if (!all.empty()) select(all);
+    if (all.empty()) return deselect();
+    select(all);
+}
+
+void Inspector::deselect() {
+    selection_.clear();
+    last_path_.clear();
 }
 
 void Inspector::select(const std::vector<Handle>& instances) {
@@ -65,7 +71,8 @@ void Inspector::draw(ImFont* bold) {
     const bool searched = !search_.empty();
     input_line("##search", fits ? hint : "search", search_, 0);
     outline_.search(search_);
-    if (searched && search_.empty() && tree_.alive(selected())) {  // the whole tree again, where the selected instance is
+    if (searched && search_.empty() &&
+        tree_.alive(selected())) {  // the whole tree again, where the selected instance is
         outline_.reveal(selected());
         scroll_to_selected_ = true;
     }
@@ -157,6 +164,7 @@ void Inspector::draw_outline_row(const InstanceTree::Row& row) {
         if (!on_arrow && ImGui::GetIO().KeyCtrl) {
             toggle(row.instance);
             if (chosen && selection_.contains(row.instance)) chosen(row.instance);
+            if (chosen && !selected()) chosen({});
         } else if (!on_arrow) {
             choose(row.instance);
         }

@@ -19,7 +19,7 @@ class Inspector {
   public:
     explicit Inspector(property::Tree& tree);
 
-    /// Called when the user chooses another instance in the inspector.
+    /// Called when the user chooses another instance in the inspector; a null handle: none.
     std::function<void(property::Handle)> chosen;
     /// Called with the name of a clicked method, to be inserted into the command.
     std::function<void(const std::string&)> insert;
@@ -33,6 +33,7 @@ class Inspector {
     const Selection& selected_instances() const { return selection_; }
     /// Adds the instance to the selection, or takes it out of it.
     void toggle(property::Handle instance);
+    void deselect();
     /// Selects all of them; the last one is `selected`.
     void select(const std::vector<property::Handle>& instances);
     /// Called with commands for all selected instances.

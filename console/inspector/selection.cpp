@@ -50,6 +50,13 @@ void Selection::select_only(Handle instance) {
     last_ = instance;
 }
 
+void Selection::clear() {
+    others_.clear();
+    keys_.clear();
+    last_ = {};
+    ++revision_;
+}
+
 void Selection::select(Handle instance) {
     if (instance == last_) return;
     if (!contains(instance)) return select_only(instance);

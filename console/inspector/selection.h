@@ -30,6 +30,7 @@ class Selection {
     /// Makes it the last one. The others stay selected if it was one of them.
     void select(property::Handle instance);
     void select_only(property::Handle instance);
+    void clear();
     /// Selects these; the last one that is alive is `last`.
     void select(const std::vector<property::Handle>& instances);
     /// Call once a frame: the others that were deleted are dropped.

@@ -86,7 +86,7 @@ void Console::State::connect() {
     tweak_list.follow = [this](std::string_view path) {
         if (is_link(path)) follow_link(path, false);
     };
-    inspector.chosen = [this](Handle instance) { choose(instance); };
+    inspector.chosen = [this](Handle instance) { instance ? choose(instance) : choose_all({}); };
     inspector.insert = [this](const std::string& text) { prompt.edit().insert(text); };
     inspector.editor().fields().calculate =
         [this](const std::string& expression) -> std::optional<double> {
@@ -216,6 +216,12 @@ void Console::State::choose(Handle instance) {
 }
 
 void Console::State::choose_all(const std::vector<Handle>& instances) {
+    if (instances.empty()) {
+        inspector.deselect();
+        selected_path.clear();
+        if (interpreter.set_it) interpreter.set_it({});
+        return log.note("nothing is selected");
+    }
     inspector.select(instances);
     const std::vector<Handle> all = inspector.selection();
     if (all.empty()) return;

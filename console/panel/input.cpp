@@ -250,7 +250,7 @@ bool Console::State::click_game(float x, float y, bool menu) {
         keys_to_selection = true;
         if (!menu && control_held) {
             inspector.toggle(found);
-            if (inspector.selected()) choose_all(inspector.selection());
+            choose_all(inspector.selection());
             return true;
         }
         const std::vector<property::Handle> all = inspector.selection();

@@ -62,6 +62,22 @@ TEST_CASE("a click with control adds to the selection and takes away from it") {
     CHECK(rig.selection() == std::vector{rig.ball});
 }
 
+TEST_CASE("a click with control on the only selected instance leaves nothing selected") {
+    SelectionRig rig;
+    rig.click_at("world.ball");
+    REQUIRE(rig.console.selected() == rig.ball);
+    rig.with_key("left_control", [&] { rig.click_at("world.ball"); });
+    CHECK_FALSE(rig.console.selected());
+    CHECK(rig.logged("nothing is selected"));
+    rig.draw(3);
+    rig.click_at("world.crate");
+    CHECK(rig.selection() == std::vector{rig.crate});
+    rig.console.select(std::vector<Handle>{});
+    rig.draw(3);
+    CHECK_FALSE(rig.console.selected());
+    CHECK(rig.selection().empty());
+}
+
 TEST_CASE("a click on one of the selected instances selects it alone") {
     SelectionRig rig;
     rig.select_all();
