@@ -2,6 +2,8 @@
 
 #include <catch.h>
 
+#include <fettle/property/storage/saves.h>
+
 #include "gallery.h"
 
 namespace sprite_test {
@@ -27,6 +29,24 @@ std::string exported() {
 }
 
 }  // namespace
+
+TEST_CASE_METHOD(Gallery, "the picture of a saved game is an image") {
+    std::uint32_t wide = 2;
+    visuals.saved_pictures([&](const std::string& slot) {
+        if (slot != "quick") return Thumbnail{};
+        return Thumbnail{wide, 1, std::vector<std::uint8_t>(std::size_t{4} * wide, 255)};
+    });
+    const Handle s = make("Sprite", {{"image", "save:quick"}});
+    CHECK(tree.get(s, "image_width") == Value(2));
+    REQUIRE(draw().size() == 1);
+    CHECK(draw()[0].picture->rgba()[3] == 255);
+    wide = 3;  // it was saved again
+    visuals.renew("save:quick");
+    CHECK(tree.get(s, "image_width") == Value(3));
+    tree.set(s, "image", Value("save:none"));  // nothing is seen, and nothing is told
+    CHECK(draw()[0].picture->rgba()[3] == 0);
+    CHECK(problems.empty());
+}
 
 TEST_CASE_METHOD(Gallery, "a sprite is drawn around its origin") {
     const Handle s = make("Sprite", hero);
