@@ -1645,7 +1645,7 @@ Sprite = {}
 ---@field text_height number Height of all lines. · m · any finite number · read-only
 ---@field text_width number Width of the longest line. · m · any finite number · read-only
 ---@field visible boolean Whether it is drawn. · true or false · default true
----@field wrap number Longest line; words beyond it begin another line. 0: no limit. Pixels in a layer on the screen. · m · 0 to 1000000000 · default 0
+---@field wrap number Longest line; words beyond it begin another line, and a word that is longer has one of its own. 0: no limit. Pixels in a layer on the screen. · m · 0 to 1000000000 · default 0
 local fettle_Text = {}
 
 ---Written text in the world or, in a layer, on the screen. What it hangs below moves it, as a Sprite.

@@ -142,12 +142,18 @@ TEST_CASE_METHOD(Written, "align and anchor place the lines") {
     CHECK(box.bottom > -2.4);
 }
 
-TEST_CASE_METHOD(Written, "an outline is drawn below the letters") {
+TEST_CASE_METHOD(Written, "an outline is one line around each letter and below all letters") {
     tree.set(text, "outline", Value(Color{1, 0, 0, 1}));
+    tree.set(text, "outline_width", Value(0.1));
     const auto drawn = draw();
-    CHECK(drawn.size() == 13 * 7);
+    REQUIRE(drawn.size() == 2 * 7);
     CHECK(drawn.front().color == Color{1, 0, 0, 1});
     CHECK(drawn.back().color == Color{1, 1, 1, 1});
+    const Box letter({drawn[7]}), line({drawn[0]});
+    CHECK(line.left == Approx(letter.left - 0.1).margin(0.06));
+    CHECK(line.right == Approx(letter.right + 0.1).margin(0.06));
+    CHECK(line.top == Approx(letter.top + 0.1).margin(0.06));
+    CHECK(line.bottom == Approx(letter.bottom - 0.1).margin(0.06));
 }
 
 TEST_CASE_METHOD(Written, "fonts are files of the game or those of the system") {
@@ -236,7 +242,7 @@ TEST_CASE_METHOD(Written, "pairs of letters move together as either table of the
         CAPTURE(file);
         CHECK(of(file, "AV") < of(file, "A") + of(file, "V") - 0.03);
         CHECK(of(file, "nn") == Approx(2 * of(file, "n")));
-        CHECK(of(file, "fi") == Approx(of(file, "f") + of(file, "i")).margin(0.03));
+        CHECK(of(file, "fi") == Approx(of(file, "f") + of(file, "i")).margin(0.06));
     }
 }
 

@@ -12,7 +12,9 @@
 #include <hb.h>
 #include FT_FREETYPE_H
 #include FT_ADVANCES_H
+#include FT_GLYPH_H
 #include FT_OUTLINE_H
+#include FT_STROKER_H
 
 #include <letters/font.h>
 
@@ -49,6 +51,35 @@ Pixel pixel_of(const FT_Bitmap& from, unsigned x, unsigned y) {
         return static_cast<std::uint8_t>(opacity == 0 ? 0 : std::min(255u, value * 255u / opacity));
     };
     return {channel(p[2]), channel(p[1]), channel(p[0]), p[3]};
+}
+
+bool fits(const FT_BBox& box) {  // in 64ths of a pixel
+    return (box.xMax - box.xMin) / 64 <= most_pixels && (box.yMax - box.yMin) / 64 <= most_pixels;
+}
+
+/// `left`, `top`: of the bitmap from the pen position, y up.
+std::unique_ptr<Letter> letter_of(const FT_Bitmap& drawn, int left, int top, double size) {
+    if (drawn.buffer == nullptr || drawn.width == 0 || drawn.rows == 0 ||
+        drawn.width > most_pixels || drawn.rows > most_pixels)
+        return nullptr;
+    // A transparent pixel on each side, so that the rim of a turned letter is smooth.
+    const unsigned wide = drawn.width + 2, high = drawn.rows + 2;
+    std::vector<std::uint8_t> rgba;
+    rgba.reserve(std::size_t{wide} * high * 4);
+    for (unsigned y = 0; y < high; ++y)
+        for (unsigned x = 0; x < wide; ++x) {
+            const bool inside = x >= 1 && y >= 1 && x <= drawn.width && y <= drawn.rows;
+            const Pixel p = inside ? pixel_of(drawn, x - 1, y - 1) : Pixel{};
+            rgba.insert(rgba.end(), {p.red, p.green, p.blue, p.opacity});
+        }
+    auto made = std::make_unique<Letter>();
+    made->picture.replace(wide, high, std::move(rgba));
+    made->picture.keep_on_pixels();
+    made->size = size;
+    made->left = left - 1;
+    made->top = -top - 1;
+    made->colored = drawn.pixel_mode == FT_PIXEL_MODE_BGRA;
+    return made;
 }
 
 }  // namespace
@@ -186,43 +217,48 @@ std::unique_ptr<Letter> Font::draw(char32_t letter, double wanted) const {
     if (slot->format == FT_GLYPH_FORMAT_OUTLINE) {
         FT_BBox box;
         FT_Outline_Get_CBox(&slot->outline, &box);
-        if ((box.xMax - box.xMin) / 64 > most_pixels || (box.yMax - box.yMin) / 64 > most_pixels)
-            return nullptr;
+        if (!fits(box)) return nullptr;
     }
     if (slot->format != FT_GLYPH_FORMAT_BITMAP && FT_Render_Glyph(slot, FT_RENDER_MODE_NORMAL) != 0)
         return nullptr;
-    const FT_Bitmap& drawn = slot->bitmap;
-    if (drawn.buffer == nullptr || drawn.width == 0 || drawn.rows == 0 ||
-        drawn.width > most_pixels || drawn.rows > most_pixels)
-        return nullptr;
-    // A transparent pixel on each side, so that the rim of a turned letter is smooth.
-    const unsigned wide = drawn.width + 2, high = drawn.rows + 2;
-    std::vector<std::uint8_t> rgba;
-    rgba.reserve(std::size_t{wide} * high * 4);
-    for (unsigned y = 0; y < high; ++y)
-        for (unsigned x = 0; x < wide; ++x) {
-            const bool inside = x >= 1 && y >= 1 && x <= drawn.width && y <= drawn.rows;
-            const Pixel p = inside ? pixel_of(drawn, x - 1, y - 1) : Pixel{};
-            rgba.insert(rgba.end(), {p.red, p.green, p.blue, p.opacity});
+    return letter_of(slot->bitmap, slot->bitmap_left, slot->bitmap_top, size);
+}
+
+std::unique_ptr<Letter> Font::draw_outline(char32_t letter, double wanted, double outline) const {
+    const double size = set_size(wanted);
+    const FT_GlyphSlot slot = data_->face->glyph;
+    FT_Stroker stroker = nullptr;
+    FT_Glyph line = nullptr;
+    std::unique_ptr<Letter> made;
+    if (size > 0 && FT_Load_Glyph(data_->face, glyph(letter), FT_LOAD_NO_HINTING) == 0 &&
+        slot->format == FT_GLYPH_FORMAT_OUTLINE && FT_Get_Glyph(slot, &line) == 0 &&
+        FT_Stroker_New(data_->library, &stroker) == 0) {
+        FT_Stroker_Set(stroker, std::lround(64 * outline * size), FT_STROKER_LINECAP_ROUND,
+                       FT_STROKER_LINEJOIN_ROUND, 0);
+        FT_BBox box{};
+        if (FT_Glyph_Stroke(&line, stroker, 1) == 0)
+            FT_Glyph_Get_CBox(line, FT_GLYPH_BBOX_UNSCALED, &box);
+        if (fits(box) && FT_Glyph_To_Bitmap(&line, FT_RENDER_MODE_NORMAL, nullptr, 1) == 0) {
+            const auto* drawn = reinterpret_cast<const FT_BitmapGlyphRec*>(line);
+            made = letter_of(drawn->bitmap, drawn->left, drawn->top, size);
         }
-    auto made = std::make_unique<Letter>();
-    made->picture.replace(wide, high, std::move(rgba));
-    made->picture.keep_on_pixels();
-    made->size = size;
-    made->left = slot->bitmap_left - 1;
-    made->top = -slot->bitmap_top - 1;
-    made->colored = drawn.pixel_mode == FT_PIXEL_MODE_BGRA;
+    }
+    FT_Stroker_Done(stroker);
+    FT_Done_Glyph(line);
     return made;
 }
 
-const Letter* Font::letter(char32_t letter, double size) {
+const Letter* Font::letter(char32_t letter, double size, double outline) {
     const double kept = kept_size(size);
-    const std::uint64_t key =
-        std::uint64_t{letter} << 32 | static_cast<std::uint64_t>(std::lround(4 * kept));
+    // 21 bits of the letter, 11 of the outline.
+    const auto wide = static_cast<std::uint64_t>(std::lround(1024 * std::clamp(outline, 0.0, 1.0)));
+    const std::uint64_t key = std::uint64_t{letter} << 43 | wide << 32 |
+                              static_cast<std::uint64_t>(std::lround(4 * kept));
     if (const auto found = letters_.find(key); found != letters_.end()) return found->second.get();
     if (letters_.size() >= most_letters) letters_.clear();
     auto& made = letters_[key];
-    made = draw(letter, kept);
+    made = wide > 0 ? draw_outline(letter, kept, static_cast<double>(wide) / 1024)
+                    : draw(letter, kept);
     return made.get();
 }
 

@@ -36,8 +36,9 @@ class Font {
     double descent() const { return descent_; }  // below it, positive
 
     /// `size`: px. Null for a letter without pixels, such as a space. The letter lives at least
-    /// until the next call.
-    const Letter* letter(char32_t letter, double size);
+    /// until the next call. With an `outline`, a part of the size, it is the line around the letter
+    /// that is so wide to each side of its rim; null for a letter that is a picture.
+    const Letter* letter(char32_t letter, double size, double outline = 0);
 
   private:
     struct Data;
@@ -48,6 +49,7 @@ class Font {
     unsigned glyph(char32_t letter) const;
     double set_size(double size) const;
     std::unique_ptr<Letter> draw(char32_t letter, double wanted) const;
+    std::unique_ptr<Letter> draw_outline(char32_t letter, double wanted, double outline) const;
 
     std::string file_;
     std::unique_ptr<Data> data_;

@@ -1,7 +1,6 @@
 #include <texts/texts.h>
 
 #include <cmath>
-#include <numbers>
 
 #include <fettle/property/pose.h>
 #include <letters/writing.h>
@@ -66,8 +65,9 @@ std::vector<Property> Texts::properties() {
          .type = Type::number,
          .unit = "m",
          .range = {0, 1e9},
-         .doc = "Longest line; words beyond it begin another line. 0: no limit. Pixels in a layer "
-                "on the screen."},
+         .doc =
+             "Longest line; words beyond it begin another line, and a word that is longer has one "
+             "of its own. 0: no limit. Pixels in a layer on the screen."},
         {.name = "color",
          .type = Type::color,
          .default_value = Color{1, 1, 1, 1},
@@ -192,13 +192,8 @@ void Texts::draw(Row& row, Painter& painter, double alpha) {
     const Vec2 anchor = read.vec2(of_.anchor);
     const Vec2 corner = Vec2(-anchor.x * placed.width, -(1 - anchor.y) * placed.height) * size;
     const Color outline = read.color(of_.outline);
-    const double width = size * read.number(of_.outline_width);
-    constexpr int directions = 12;
-    for (int i = 0; outline.a > 0 && width > 0 && i < directions; ++i) {
-        const double angle = 2 * std::numbers::pi * i / directions;
-        const Vec2 aside = width * Vec2(std::cos(angle), std::sin(angle));
-        draw_letters(painter, placed, size, corner + aside, outline);
-    }
+    const double width = read.number(of_.outline_width);
+    if (outline.a > 0 && width > 0) draw_letters(painter, placed, size, corner, outline, width);
     draw_letters(painter, placed, size, corner, read.color(of_.color));
     painter.pop();
 }
