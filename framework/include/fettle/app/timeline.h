@@ -232,7 +232,6 @@ class Timeline {
     std::size_t logged_ = 0;         // bytes of `steps_`
     std::size_t logged_since_ = 0;   // bytes of these since the last keyframe
     std::size_t room_ = 0;           // bytes that the past and the history may use
-    std::size_t history_room_ = 0;   // bytes of these for the history
     std::int64_t no_room_at_ = -1;   // last step without room for one keyframe; -1: none
     std::size_t no_room_ = 0;        // the room at that step, bytes
     double share_ = 0.01;

@@ -6,10 +6,7 @@
 #ifdef FETTLE_MAPS_STATIC
 #define FETTLE_MAPS_BEGIN
 #define FETTLE_MAPS_END
-#define FETTLE_MAPS_PRIVATE
 #else
 #define FETTLE_MAPS_BEGIN _Pragma("GCC visibility push(default)")
 #define FETTLE_MAPS_END _Pragma("GCC visibility pop")
-// For structures that are only declared in public headers and defined inside the library.
-#define FETTLE_MAPS_PRIVATE __attribute__((visibility("hidden")))
 #endif

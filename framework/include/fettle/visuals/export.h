@@ -6,10 +6,7 @@
 #ifdef FETTLE_VISUALS_STATIC
 #define FETTLE_VISUALS_BEGIN
 #define FETTLE_VISUALS_END
-#define FETTLE_VISUALS_PRIVATE
 #else
 #define FETTLE_VISUALS_BEGIN _Pragma("GCC visibility push(default)")
 #define FETTLE_VISUALS_END _Pragma("GCC visibility pop")
-// For structures that public headers only declare and the library defines.
-#define FETTLE_VISUALS_PRIVATE __attribute__((visibility("hidden")))
 #endif
