@@ -138,6 +138,10 @@ TEST_CASE("what a tween cannot do is an error at once") {
     CHECK_THAT(s.fails("tween(ball, 'class', 2, 1)"), contains("is read-only"));
     CHECK_THAT(s.fails("tween(ball, 'awake', false, 1)"),
                contains("tween: world.ball.awake: there are no values between true and false"));
+    CHECK_THAT(
+        s.fails("local w = tween(ball, 'mass', 2, 1) local _, why = pcall(tween, w, 'from', 2, 1) "
+                "w:stop() error(why)"),
+        contains(".from is nil; assign the value at which the tween begins first"));
     CHECK_THAT(s.fails("tween(ball, 'mass', vec(1, 2), 1)"), contains("expected a number"));
     CHECK_THAT(s.fails("tween(ball, 'mass', 2, -1)"), contains("from 0 to 1e9 s, got -1"));
     CHECK_THAT(s.fails("tween(ball, 'mass', 2, 0/0)"), contains("from 0 to 1e9 s"));

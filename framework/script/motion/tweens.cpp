@@ -68,6 +68,8 @@ Handle Tweens::add(const Plan& plan) {
                " has a formula, which computes its value; assign a plain value first");
     const Value now = tree.get(plan.target, property);
     const Value to = tree.coerce(plan.target, property, plan.to);
+    if (now.is_nil())
+        refuse(ErrorKind::wrong_type, " is nil; assign the value at which the tween begins first");
     if (!mixable(now, to))
         refuse(ErrorKind::wrong_type,
                ": there are no values between " + tree.text(now) + " and " + tree.text(to));
