@@ -325,4 +325,81 @@ TEST_CASE(
     CHECK(third.refreshed.empty());
 }
 
+namespace {
+
+/// A class whose property is read from a row. Rows that are not made are counted when they are
+/// read.
+struct Gauges {
+    double level = 1;
+    std::set<Row> rows;
+    int read_without_row = 0;
+    Row last = 0;
+    const Class* is = nullptr;
+    Tree tree;
+
+    Gauges() {
+        Property property{.name = "level"};
+        property.simulated = true;
+        property.binding = accessor(*this, [](Gauges& g, Row row) {
+            if (!g.rows.contains(row)) {
+                ++g.read_without_row;
+                throw std::runtime_error("there is no such row");
+            }
+            return g.level;
+        });
+        ClassDescriptor d{.name = "Gauge"};
+        d.properties = {property};
+        d.lifecycle.context = this;
+        d.lifecycle.create = [](void* context, Tree&, Handle) -> Row {
+            Gauges& gauges = *static_cast<Gauges*>(context);
+            gauges.rows.insert(++gauges.last);
+            return gauges.last;
+        };
+        d.lifecycle.destroy = [](void* context, Tree&, Handle, Row row) {
+            static_cast<Gauges*>(context)->rows.erase(row);
+        };
+        is = &tree.define(std::move(d));
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a part that connects watchers in a restore does not read rows that are not made yet") {
+    Gauges gauges;
+    Tree& tree = gauges.tree;
+    const Handle gauge = tree.create(*gauges.is, tree.root(), "gauge");
+    const Handle stays = tree.create(*gauges.is, tree.root(), "stays");
+    Part part(tree, "connections");
+    const Snapshot before = tree.snapshot();
+    int heard = 0;
+    const auto hear = [&](const Change&) { ++heard; };
+    const int kind = GENERATE(0, 1, 2, 3);
+    CAPTURE(kind);
+    if (GENERATE(true, false)) tree.watch(stays, "level", hear);
+    tree.destroy(gauge);
+    std::vector<Connection> connected;
+    part.putting = [&] {
+        if (kind == 0) connected.push_back(tree.watch(gauge, "level", hear));
+        if (kind == 1) connected.push_back(tree.watch(gauge, hear));
+        if (kind == 2) connected.push_back(tree.watch(*gauges.is, nullptr, hear));
+        if (kind == 3) connected.push_back(tree.watch_pattern("*.level", hear));
+        Connection ended = tree.watch(gauge, hear);
+        ended.stop();
+    };
+    tree.restore(before);
+    CHECK(gauges.read_without_row == 0);
+    REQUIRE(connected.size() == 1);
+    tree.barrier();
+    heard = 0;
+    gauges.level = 2;
+    tree.stepped();
+    tree.barrier();
+    CHECK(heard > 0);
+    connected[0].stop();
+    tree.restore(before);
+    tree.destroy(gauge);
+    tree.barrier();
+    CHECK(gauges.read_without_row == 0);
+}
+
 }  // namespace restore_callbacks_test

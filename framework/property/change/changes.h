@@ -91,8 +91,10 @@ struct Changes {
     // shadowing.cpp: which cells are compared
     void watcher_added(const Watcher& watcher);
     void watcher_removed(const Watcher& watcher);
+    /// While a restore is under way, cells have no shadows: an instance may have no row yet, so its
+    /// module cannot be asked for values. All shadows are made again at the end.
     void refresh_shadows(std::uint32_t index) {
-        shadows.refresh(tree, watchers, nodes.handle(index));
+        if (!replaying) shadows.refresh(tree, watchers, nodes.handle(index));
     }
     void refresh_shadows_below(std::uint32_t top);
 

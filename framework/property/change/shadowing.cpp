@@ -73,6 +73,7 @@ void Changes::watcher_added(const Watcher& watcher) {
         refresh_shadows(watcher.index);
     } else if (watcher.broad()) {
         count_interest(watcher, 1);
+        if (replaying) return;
         each_cell_wanted(watcher, [this](Handle instance, const Property& property) {
             shadows.keep(tree, instance, property);
         });
@@ -88,6 +89,7 @@ void Changes::watcher_removed(const Watcher& watcher) {
         refresh_shadows(watcher.index);
     } else if (watcher.broad()) {
         count_interest(watcher, -1);
+        if (replaying) return;
         each_cell_wanted(watcher, [this](Handle instance, const Property& property) {
             const Cell cell{instance.index, property.symbol};
             if (!watchers.directly_watched(cell) && !watchers.broadly_watched(instance, property))

@@ -1,5 +1,7 @@
 #include "shadows.h"
 
+#include <utility>
+
 namespace fettle::property {
 namespace {
 
@@ -76,13 +78,14 @@ void Shadows::clear() {
 }
 
 void Shadows::add(const Tree& tree, Handle instance, const Property& property) {
+    Value now = tree.peek(instance, property);  // first, because a module may throw
     std::uint32_t group = 0;
     while (group < groups_.size() && groups_[group].property != property.symbol) ++group;
     if (group == groups_.size()) groups_.push_back({property.symbol, {}});
     if (is_derived(property)) ++derived_;
     std::vector<Row>& rows = groups_[group].rows;
     places_[{instance.index, property.symbol}] = {group, static_cast<std::uint32_t>(rows.size())};
-    rows.push_back({instance, &property, tree.peek(instance, property), 0});
+    rows.push_back({instance, &property, std::move(now), 0});
     log_.close(WritesLog::Reason::shadow, true);
 }
 

@@ -284,7 +284,10 @@ void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on)
     {
         struct Silence {
             Tree::State& state;
-            explicit Silence(Tree::State& s) : state(s) { state.changes.replaying = true; }
+            explicit Silence(Tree::State& s) : state(s) {
+                state.changes.shadows.clear();
+                state.changes.replaying = true;
+            }
             ~Silence() {
                 state.changes.report_plain_writes();  // clears the list; observers are off
                 state.changes.replaying = false;
