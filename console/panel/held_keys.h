@@ -9,7 +9,7 @@ namespace fettle::console {
 
 class HeldKeys {
   public:
-    enum class Owner { nobody, game, console };
+    enum class Owner { none, game, console };
 
     void press(const std::string& name, Owner owner) {
         (owner == Owner::game ? game_ : console_).insert(name);
@@ -19,7 +19,7 @@ class HeldKeys {
     Owner release(const std::string& name) {
         if (game_.erase(name) > 0) return Owner::game;
         if (console_.erase(name) > 0) return Owner::console;
-        return Owner::nobody;
+        return Owner::none;
     }
     bool any_of_game() const { return !game_.empty(); }
     bool any_of_console() const { return !console_.empty(); }

@@ -97,7 +97,7 @@ bool Console::State::release_key(const InputEvent& event) {
     if (event.name == settings.text("key")) swallow_text = false;
     HeldKeys::Owner owner = keys.release(event.name);
     if (was_open) feed(event);
-    if (owner == HeldKeys::Owner::nobody) return was_open;
+    if (owner == HeldKeys::Owner::none) return was_open;
     return owner == HeldKeys::Owner::console;
 }
 

@@ -35,7 +35,7 @@ std::vector<RunningGame> running_games();
 /// no such game, or more than one.
 RunningGame running_game(const std::string& wanted);
 
-/// A connected socket; -1 with errno if nobody listens there.
+/// A connected socket; -1 with errno if no program listens there.
 int connected_to(const std::filesystem::path& socket);
 
 }  // namespace fettle::program

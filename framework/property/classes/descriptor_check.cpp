@@ -206,12 +206,12 @@ class DescriptorCheck {
     /// A default must not refer to an instance, since a class has none. Other errors are found when
     /// the default is coerced.
     void check_default(const std::string& member, const Property& property) const {
-        if (names_somebody(property.default_value))
+        if (refers_to_instance(property.default_value))
             refuse(ErrorKind::wrong_type, member,
                    "its default names an instance: a reference must begin empty");
     }
-    static bool names_somebody(const Value& value) {
-        if (value.is(Type::list)) return std::ranges::any_of(value.list(), names_somebody);
+    static bool refers_to_instance(const Value& value) {
+        if (value.is(Type::list)) return std::ranges::any_of(value.list(), refers_to_instance);
         return value.is(Type::reference) && value.reference();
     }
 

@@ -58,9 +58,9 @@ void Question::answer(std::size_t field, const Value& value) {
                                                  std::to_string(field));
     const Field& of = event_.fields[field];
     const Value& now = values_[field];
-    const bool nobody = now.is(Type::reference) && !now.reference();
+    const bool is_empty = now.is(Type::reference) && !now.reference();
     // Scripts see an empty reference as nil.
-    if (value == now || (value.is_nil() && nobody)) return;
+    if (value == now || (value.is_nil() && is_empty)) return;
     struct Where {
         std::string event, field;
     } place{tree_.path(instance_) + " " + event_.name, of.name};

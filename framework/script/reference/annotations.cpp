@@ -142,7 +142,7 @@ class Annotations {
     // The fields that every event has besides its own.
     static std::vector<std::string> common_fields(const Event& event) {
         std::vector<std::string> fields = {"instance " + event.owner->name() +
-                                           " To whom it happened."};
+                                           " The instance with the event."};
         if (std::ranges::find(event.fields, "step", &Field::name) == event.fields.end())
             fields.emplace_back("step integer The fixed step in which it happened.");
         return fields;

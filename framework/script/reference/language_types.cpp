@@ -256,12 +256,12 @@ TypeDoc pen_type() {
          {"polygon",
           "polygon(vertices: vec[], fill?: color|string|false, border?: color|string|false, "
           "border_width?: number)",
-          "A polygon of three or more vertices, convex or not. Of an outline that crosses itself "
-          "all "
-          "is filled that it goes round, and the border follows every line."},
+          "A polygon of three or more vertices, convex or not. If its outline crosses itself, "
+          "every area that the outline encloses is filled, and the border follows every line."},
          {"pop", "pop()", "Ends what the last pen.push began."},
          {"push", "push(position?: vec, angle?: number, scale?: number)",
-          "What follows is scaled, turned and moved by this, until pen.pop() or the end of the "
+          "What is drawn next is scaled, turned and moved by this, until pen.pop() or the end of "
+          "the "
           "function. Widths of borders and lines stay as they are."},
          {"radial", "radial(center: vec, radius: number, colors: color[]|string[])",
           "The fill of the circles, boxes and polygons that follow changes its color from the "

@@ -91,9 +91,9 @@ void push_record(lua_State* L, const Record& record) {
         const std::string& name = (*record.fields)[i].name;
         push_text(L, name);
         const bool given = i < record.values.size();
-        const bool nobody =
+        const bool is_empty =
             given && record.values[i].is(Type::reference) && !record.values[i].reference();
-        if (!given || nobody || record.values[i].is_nil()) {
+        if (!given || is_empty || record.values[i].is_nil()) {
             // Fields in this table read as nil and do not raise an error.
             push_registry(L, machine.boxes.record);
             lua_getfield(L, -1, "nil_fields");
