@@ -1,13 +1,12 @@
 #include <recording/chunks.h>
 #include <saving/seal.h>
-#include <world/witness.h>
 
 namespace fettle::physics::detail {
 
 RecordingHeader recording_header() {
     constexpr uint32_t magic = 0x72546546;  // "FeTr"
-    constexpr uint32_t version = 1, byte_order = 0x01020304;
-    return {magic, version, byte_order, uint32_t(sizeof(Answer))};
+    constexpr uint32_t version = 2;
+    return {magic, version, sizeof(WorldCoordinate), 0};
 }
 
 uint64_t chunk_checksum(ChunkKind kind, uint64_t number, std::span<const std::byte> content) {
@@ -23,7 +22,7 @@ namespace {
 
 RecordingHeader header_of(std::span<const std::byte> recording) {
     RecordingHeader header = {};
-    if (recording.size() >= sizeof header) std::memcpy(&header, recording.data(), sizeof header);
+    if (recording.size() >= sizeof header) Decoder{recording.data()}(header);
     if (header.magic != recording_header().magic)
         throw std::invalid_argument("the data are not a recording of a world");
     return header;
@@ -47,15 +46,14 @@ bool may_follow(ChunkKind last, ChunkKind kind) {
 }  // namespace
 
 std::vector<Chunk> chunks_of(std::span<const std::byte> recording) {
-    const RecordingHeader header = header_of(recording), own = recording_header();
-    if (std::memcmp(&header, &own, sizeof header) != 0)
+    if (header_of(recording) != recording_header())
         throw std::invalid_argument("the recording was made by another version of this library");
     std::vector<Chunk> chunks;
-    for (auto left = recording.subspan(sizeof header); !left.empty();) {
+    for (auto left = recording.subspan(sizeof(RecordingHeader)); !left.empty();) {
         const size_t number = chunks.size();
-        ChunkHeader chunk;
+        ChunkHeader chunk = {};
         if (left.size() < sizeof chunk) refuse_damaged(number, " is cut off");
-        std::memcpy(&chunk, left.data(), sizeof chunk);
+        Decoder{left.data()}(chunk);
         left = left.subspan(sizeof chunk);
         if (chunk.size > left.size()) refuse_damaged(number, " is cut off");
         const auto content = left.first(size_t(chunk.size));

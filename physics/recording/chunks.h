@@ -1,12 +1,14 @@
 #pragma once
 
+#include <saving/fields.h>
+#include <saving/words.h>
+#include <world/witness.h>
+
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 // The format of a recording: a header, and then chunks, each with a checksum that also depends on
@@ -20,8 +22,11 @@ enum class ChunkKind : uint32_t { state = 1, edits = 2, step = 3, result = 4 };
 struct RecordingHeader {
     uint32_t magic;
     uint32_t version;
-    uint32_t byte_order;  ///< has a different value on a machine with another byte order
-    uint32_t answer_size;
+    uint32_t coordinate;  ///< bytes of a coordinate of a position: 4 or 8
+    uint32_t unused;      ///< 0
+
+    static void fields(auto& io, auto& s) { io(s.magic, s.version, s.coordinate, s.unused); }
+    bool operator==(const RecordingHeader&) const = default;
 };
 static_assert(sizeof(RecordingHeader) == 16);
 
@@ -32,8 +37,19 @@ struct ChunkHeader {
     uint32_t unused;  ///< 0
     uint64_t size;    ///< bytes after this header
     uint64_t checksum;
+
+    static void fields(auto& io, auto& s) { io(s.kind, s.unused, s.size, s.checksum); }
 };
 static_assert(sizeof(ChunkHeader) == 24);
+
+// What a step asked the functions of the user.
+void fields(auto& io, Some<Callbacks> auto& s) {
+    io(s.filter, s.mixing, s.before_solve);
+}
+void fields(auto& io, Some<Answer> auto& s) {
+    io(s.about_a, s.about_b, s.to, s.given, s.first, s.second, s.unused);
+    for (auto& value : s.values) io(value);
+}
 
 struct Chunk {
     ChunkKind kind;
@@ -46,7 +62,7 @@ uint64_t chunk_checksum(ChunkKind kind, uint64_t number, std::span<const std::by
 /// The chunks of a recording. Throws std::invalid_argument if it is damaged.
 std::vector<Chunk> chunks_of(std::span<const std::byte> recording);
 
-/// Appends values of plain types to bytes.
+/// Appends numbers and records to bytes, in the order of saving/words.h.
 class ByteWriter {
   public:
     explicit ByteWriter(std::vector<std::byte>& out) : out_(out) {}
@@ -56,8 +72,9 @@ class ByteWriter {
     }
     template <class T>
     void value(const T& value) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        bytes(&value, sizeof value);
+        const size_t size = encoded_size<T>();
+        out_.resize(out_.size() + size);
+        Encoder{out_.data() + (out_.size() - size)}(value);
     }
 
   private:
@@ -77,9 +94,14 @@ class ByteReader {
     }
     template <class T>
     T value() {
-        static_assert(std::is_trivially_copyable_v<T>);
-        T value;
-        std::memcpy(&value, bytes(sizeof value).data(), sizeof value);
+        T value{};
+        const auto encoded = bytes(encoded_size<T>());
+        try {
+            Decoder{encoded.data()}(value);
+        } catch (const std::invalid_argument& unreadable) {
+            throw std::invalid_argument(std::string("the recording is damaged: ") +
+                                        unreadable.what());
+        }
         return value;
     }
     /// The number of elements of a list that follows.

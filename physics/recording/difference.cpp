@@ -13,14 +13,17 @@ constexpr size_t least_gap = 24;
 
 struct BlockSink {
     StateBlocks& to;
-    void operator()(const void* from, size_t size) const {
-        ByteWriter(to.bytes).bytes(from, size);
+    std::byte* operator()(size_t size) const {
+        std::byte* const block = AppendBytes{to.bytes}(size);
         to.ends.push_back(to.bytes.size());
+        return block;
     }
 };
 
 struct Run {
     uint64_t begin, size;
+
+    static void fields(auto& io, auto& s) { io(s.begin, s.size); }
 };
 
 /// The runs of bytes of `now` that differ from `before`, or are beyond its end.

@@ -103,12 +103,12 @@ class Recorder : public Witness {
         ByteWriter(chunk_).value(ChunkHeader{kind, 0, 0, 0});
     }
     void end_chunk() {
-        ChunkHeader header;
-        std::memcpy(&header, &chunk_[header_at_], sizeof header);
+        ChunkHeader header = {};
+        Decoder{&chunk_[header_at_]}(header);
         const auto content = std::span(chunk_).subspan(header_at_ + sizeof header);
         header.size = content.size();
         header.checksum = chunk_checksum(header.kind, number_++, content);
-        std::memcpy(&chunk_[header_at_], &header, sizeof header);
+        Encoder{&chunk_[header_at_]}(header);
     }
 
     RecordingSink sink_;

@@ -62,25 +62,12 @@ void answer_contact(Answers& answers, Answer::To to, ContactEdit& edit) {
     edit.ignored = answer->second;
 }
 
-/// A flag of a recording; other bytes than 0 and 1 must not be read as a bool.
-bool flag_of(ByteReader& in) {
-    return in.value<uint8_t>() != 0;
-}
-
 std::vector<Answer> read_answers(ByteReader& in) {
-    std::vector<Answer> answers(in.count(sizeof(Answer)));
+    std::vector<Answer> answers(in.count(encoded_size<Answer>()));
     for (Answer& answer : answers) {
-        answer.about_a = in.value<uint64_t>();
-        answer.about_b = in.value<uint64_t>();
-        const auto to = in.value<uint8_t>();
-        if (to > uint8_t(Answer::To::position))
+        answer = in.value<Answer>();
+        if (answer.to > Answer::To::position)
             throw std::invalid_argument("the recording is damaged: an answer to no question");
-        answer.to = Answer::To(to);
-        answer.given = flag_of(in);
-        answer.first = flag_of(in);
-        answer.second = flag_of(in);
-        answer.unused = in.value<uint32_t>();
-        for (WorldCoordinate& value : answer.values) value = in.value<WorldCoordinate>();
     }
     return answers;
 }
@@ -99,7 +86,7 @@ struct Replay::Data {
 
     /// The callbacks that a step had, which give the recorded answers.
     void set_callbacks(WorldSelf& self, ByteReader& in) {
-        const bool filter = flag_of(in), mixing = flag_of(in), before_solve = flag_of(in);
+        const auto [filter, mixing, before_solve] = in.value<Callbacks>();
         self.filter = nullptr;
         self.mix = self.before_solve = nullptr;
         if (filter)
@@ -120,7 +107,7 @@ struct Replay::Data {
         for (uint32_t left = in.count(10); left > 0; --left) {
             const auto key = in.value<uint64_t>();
             const BodyId body = {uint32_t(key), uint32_t(key >> 32)};
-            const bool velocity = flag_of(in), position = flag_of(in);
+            const bool velocity = in.value<bool>(), position = in.value<bool>();
             self.functions.push_back({.body = body});
             if (velocity) self.functions.back().velocity = velocity_function(key);
             if (position) self.functions.back().position = position_function(key);

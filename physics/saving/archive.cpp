@@ -3,9 +3,8 @@
 #include <saving/seal.h>
 #include <world/world_data.h>
 
-#include <algorithm>
+#include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 // Saving a world and restoring it in place. The saved data are the members that `WorldState` lists.
@@ -19,30 +18,25 @@ namespace detail {
 namespace {
 
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
-constexpr uint32_t swapped_magic = 0x46655477;  // "wTeF"
-constexpr uint32_t archive_version = 20;
+constexpr uint32_t archive_version = 21;
+constexpr uint32_t coordinate_size = sizeof(WorldCoordinate);
 
-/// Hash of the layout of the types that are copied byte by byte. A different layout is a different
-/// format.
-constexpr uint32_t layout() {
+/// Hash of the sizes of the records as they are saved: a field that is added or removed makes
+/// another format, also if `archive_version` was forgotten.
+uint32_t records() {
     uint32_t mixed = 0x811c9dc5u;
     const auto add = [&](size_t size) { mixed = (mixed ^ uint32_t(size)) * 0x01000193u; };
     for (const size_t size :
-         {sizeof(BodyState), sizeof(Pose), sizeof(BodyRecord), sizeof(BodyTraits),
-          sizeof(IgnoredPair), sizeof(SegmentRecord), sizeof(ShapeRecord), sizeof(ShapeForm),
-          sizeof(ContactRecord), sizeof(ContactLinks), sizeof(ManifoldPose), sizeof(Island),
-          sizeof(JointRecord), sizeof(WorldDef), sizeof(StepStatistics), sizeof(ContactBeginEvent),
-          sizeof(ContactPersistEvent), sizeof(ContactHitEvent)})
+         {encoded_size<BodyState>(), encoded_size<Pose>(), encoded_size<BodyRecord>(),
+          encoded_size<BodyTraits>(), encoded_size<IgnoredPair>(), encoded_size<SegmentRecord>(),
+          encoded_size<ShapeRecord>(), encoded_size<ShapeForm>(), encoded_size<ContactRecord>(),
+          encoded_size<ContactLinks>(), encoded_size<ManifoldPose>(), encoded_size<Island>(),
+          encoded_size<JointRecord>(), encoded_size<FieldRecord>(), encoded_size<WorldDef>(),
+          encoded_size<StepStatistics>(), encoded_size<ContactBeginEvent>(),
+          encoded_size<SensorEvent>(), encoded_size<JointBreakEvent>()})
         add(size);
     return mixed;
 }
-
-/// The order of the bytes of such a word is the byte order of the machine. Their first digits are
-/// the precision of positions, on which the layout depends too.
-constexpr uint32_t single_precision = 0x01020304, double_precision = 0x11121314;
-constexpr uint32_t byte_order =
-    std::is_same_v<WorldCoordinate, double> ? double_precision : single_precision;
-constexpr uint32_t of_other_precision = single_precision ^ double_precision ^ byte_order;
 
 }  // namespace
 }  // namespace detail
@@ -52,7 +46,7 @@ using namespace detail;
 void World::save(std::vector<std::byte>& out) const {
     data_->self.may_copy("World::save");
     const size_t begin = out.size();
-    const SavedHeader header = {archive_magic, archive_version, layout(), byte_order, 0, 0};
+    const SavedHeader header = {archive_magic, archive_version, records(), coordinate_size, 0, 0};
     size_t needed = begin;
     ArchiveSize size(needed);
     size(header);
@@ -72,29 +66,27 @@ namespace {
 /// Checks the header, and returns a reader at the beginning of the world's members. Refuses bytes
 /// that `save` did not write.
 ArchiveReader unsealed(std::span<const std::byte> bytes) {
-    SavedHeader header;
+    SavedHeader header = {};
     ArchiveReader read(bytes);
     read(header);
-    if (header.magic == swapped_magic)
-        throw std::invalid_argument("the world was saved on a machine with the other byte order");
     if (header.magic != archive_magic)
         throw std::invalid_argument("the data are not a saved world");
-    if (header.version == archive_version && header.byte_order == of_other_precision)
-        throw std::invalid_argument(
-            byte_order == single_precision
-                ? "the world was saved with positions in double precision, and this library has "
-                  "single precision (FETTLE_PHYSICS_DOUBLE)"
-                : "the world was saved with positions in single precision, and this library has "
-                  "double precision (FETTLE_PHYSICS_DOUBLE)");
     if (header.version != archive_version)
         throw std::invalid_argument(
             "the world was saved by another version of this library, in format " +
             std::to_string(header.version) + ": expected format " +
             std::to_string(archive_version));
-    if (header.byte_order != byte_order || header.layout != layout())
+    if (header.coordinate + coordinate_size == sizeof(float) + sizeof(double))
         throw std::invalid_argument(
-            "the world was saved by a build of this library for another machine or compiler, "
-            "which lays its records out in another way");
+            header.coordinate == sizeof(double)
+                ? "the world was saved with positions in double precision, and this library has "
+                  "single precision (FETTLE_PHYSICS_DOUBLE)"
+                : "the world was saved with positions in single precision, and this library has "
+                  "double precision (FETTLE_PHYSICS_DOUBLE)");
+    if (header.coordinate != coordinate_size || header.records != records())
+        throw std::invalid_argument(
+            "the world was saved by another version of this library, whose records have other "
+            "fields");
     if (header.size != bytes.size())
         throw std::invalid_argument("the saved world is damaged: it has " +
                                     std::to_string(bytes.size()) + " bytes and was saved with " +
@@ -110,9 +102,14 @@ void World::restore(std::span<const std::byte> bytes) {
     WorldData& data = populate(__func__);
     ArchiveReader read = unsealed(bytes);
     WorldData fresh;
-    read(static_cast<WorldState&>(fresh));
-    if (!read.at_end()) throw std::invalid_argument("there is something behind the saved world");
-    auto problem = links_problem(fresh);
+    std::optional<std::string> problem;
+    try {
+        read(static_cast<WorldState&>(fresh));
+    } catch (const std::invalid_argument& unreadable) {
+        problem = unreadable.what();
+    }
+    if (!problem && !read.at_end()) problem = "there is something behind it";
+    if (!problem) problem = links_problem(fresh);
     if (!problem) problem = memberships_problem(fresh);
     if (!problem) problem = numbers_problem(fresh);
     if (problem) throw std::invalid_argument("the saved world is damaged: " + *problem);

@@ -1,28 +1,25 @@
 #pragma once
 
+#include <saving/fields.h>
+#include <saving/words.h>
 #include <state/member_list.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
 
-// Serialization of a world. Each type lists its members once, in `members(io, self)`. The writer
-// and the reader both use that list, so saving and restoring cannot differ. Types that own no
-// memory are copied byte by byte, including padding, so no data that the next step might use can be
-// missing.
+// Serialization of a world. Each type lists its members once: what owns memory in
+// `members(io, self)`, records in `fields` (saving/fields.h). The writer and the reader both use
+// these lists, so saving and restoring cannot differ.
 
 namespace fettle::physics::detail {
 
-/// True for types that may be copied byte by byte.
-template <class T>
-inline constexpr bool bytewise = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>;
-
-/// Writes the data, or only counts their bytes (`ArchiveSize`).
+/// Writes the data into blocks of bytes that `Sink` gives: one for each value, or for the elements
+/// of a list. A null block: they are only counted (`ArchiveSize`).
 template <class Sink>
 class ArchiveOutput {
   public:
@@ -32,20 +29,20 @@ class ArchiveOutput {
     void operator()(const T& value) {
         if constexpr (ListsMembers<const T, ArchiveOutput>) {
             T::members(*this, value);
+        } else if constexpr (std::is_same_v<T, std::size_t>) {
+            const uint64_t size = value;  // also where a size has four bytes
+            put(&size, 1);
         } else {
-            static_assert(bytewise<T>, "it owns memory: list its members");
-            sink_(&value, sizeof value);
+            put(&value, 1);
         }
     }
     template <class T>
     void operator()(const std::vector<T>& list) {
         (*this)(uint64_t{list.size()});
-        if constexpr (ListsMembers<const T, ArchiveOutput>) {
+        if constexpr (ListsMembers<const T, ArchiveOutput>)
             for (const T& element : list) (*this)(element);
-        } else {
-            static_assert(bytewise<T>, "it owns memory: list its members");
-            sink_(list.data(), list.size() * sizeof(T));
-        }
+        else
+            put(list.data(), list.size());
     }
     template <class T, std::size_t n>
     void operator()(const std::array<std::vector<T>, n>& lists) {
@@ -54,19 +51,29 @@ class ArchiveOutput {
     void operator()(const Events& events) { event_members(*this, events); }
 
   private:
+    template <class T>
+    void put(const T* values, std::size_t count) {
+        std::byte* const block = sink_(count * encoded_size<T>());
+        if (block == nullptr) return;
+        Encoder encode(block);
+        for (std::size_t i = 0; i < count; ++i) encode(values[i]);
+    }
     Sink sink_;
 };
 
 struct AppendBytes {
     std::vector<std::byte>& out;
-    void operator()(const void* from, std::size_t size) const {
-        const auto* bytes = static_cast<const std::byte*>(from);
-        out.insert(out.end(), bytes, bytes + size);
+    std::byte* operator()(std::size_t size) const {
+        out.resize(out.size() + size);
+        return out.data() + (out.size() - size);
     }
 };
 struct CountBytes {
     std::size_t& sum;
-    void operator()(const void*, std::size_t size) const { sum += size; }
+    std::byte* operator()(std::size_t size) const {
+        sum += size;
+        return nullptr;
+    }
 };
 
 class ArchiveWriter : public ArchiveOutput<AppendBytes> {
@@ -79,17 +86,22 @@ class ArchiveSize : public ArchiveOutput<CountBytes> {
     explicit ArchiveSize(std::size_t& sum) : ArchiveOutput(CountBytes{sum}) {}
 };
 
-/// Throws std::invalid_argument if the data end too early.
+/// Throws std::invalid_argument if the data end too early, or if a flag is neither 0 nor 1.
 class ArchiveReader {
   public:
     explicit ArchiveReader(std::span<const std::byte> in) : in_(in) {}
 
     template <class T>
     void operator()(T& value) {
-        if constexpr (ListsMembers<T, ArchiveReader>)
+        if constexpr (ListsMembers<T, ArchiveReader>) {
             T::members(*this, value);
-        else
-            raw(&value, 1, sizeof value);
+        } else if constexpr (std::is_same_v<T, std::size_t>) {
+            uint64_t size = 0;
+            take(&size, 1);
+            value = std::size_t(size);
+        } else {
+            take(&value, 1);
+        }
     }
     template <class T>
     void operator()(std::vector<T>& list) {
@@ -97,14 +109,15 @@ class ArchiveReader {
         (*this)(count);
         // Every element takes at least one byte, so a count cannot exceed the number of remaining
         // bytes.
-        const std::size_t least = ListsMembers<T, ArchiveReader> ? 1 : sizeof(T);
+        std::size_t least = 1;
+        if constexpr (!ListsMembers<T, ArchiveReader>) least = encoded_size<T>();
         if (count > in_.size() / least) throw std::invalid_argument("the bytes end too early");
         list.clear();
         list.resize(std::size_t(count));
         if constexpr (ListsMembers<T, ArchiveReader>)
             for (T& element : list) (*this)(element);
         else
-            raw(list.data(), list.size(), sizeof(T));
+            take(list.data(), list.size());
     }
     template <class T, std::size_t n>
     void operator()(std::array<std::vector<T>, n>& lists) {
@@ -114,9 +127,12 @@ class ArchiveReader {
     bool at_end() const { return in_.empty(); }
 
   private:
-    void raw(void* to, std::size_t count, std::size_t size) {
+    template <class T>
+    void take(T* values, std::size_t count) {
+        const std::size_t size = encoded_size<T>();
         if (in_.size() / size < count) throw std::invalid_argument("the bytes end too early");
-        if (count > 0) std::memcpy(to, in_.data(), count * size);
+        Decoder decode(in_.data());
+        for (std::size_t i = 0; i < count; ++i) decode(values[i]);
         in_ = in_.subspan(count * size);
     }
     std::span<const std::byte> in_;

@@ -3,10 +3,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
-#include <new>
 #include <optional>
-#include <type_traits>
 
 // Checks of indices and lists. Damaged data that pass these checks may still describe a strange
 // world, as edits may. They cannot cause access to foreign memory.
@@ -25,44 +22,6 @@ class Findings {
   private:
     std::optional<std::string> problem_;
 };
-
-/// A byte that is neither 0 nor 1 must not be read as a bool.
-template <class... Flags>
-bool are_bools(const Flags&... flags) {
-    static_assert((std::is_same_v<Flags, bool> && ...) && sizeof(bool) == 1);
-    const auto byte = [](const bool& flag) {
-        unsigned char value;
-        std::memcpy(&value, &flag, 1);
-        return value;
-    };
-    return ((byte(flags) <= 1) && ...);
-}
-
-/// Position of the byte in an optional that says whether it has a value: the byte that differs
-/// between an optional with a value and one without.
-template <class T>
-size_t flag_of_optional() {
-    using Optional = std::optional<T>;
-    alignas(Optional) unsigned char full[sizeof(Optional)] = {}, empty[sizeof(Optional)] = {};
-    new (full) Optional(T{});
-    new (empty) Optional();
-    size_t at = sizeof(T);
-    while (at < sizeof(Optional) && !(full[at] == 1 && empty[at] == 0)) ++at;
-    return at;
-}
-
-/// As `are_bools`, for the flags in optionals.
-template <class... T>
-bool are_optionals(const std::optional<T>&... values) {
-    const auto sound = []<class One>(const std::optional<One>& value) {
-        static_assert(std::is_trivially_destructible_v<One>);
-        static const size_t at = flag_of_optional<One>();
-        unsigned char bytes[sizeof value];
-        std::memcpy(bytes, &value, sizeof value);  // any byte may be examined
-        return at == sizeof value || bytes[at] <= 1;
-    };
-    return (sound(values) && ...);
-}
 
 bool optional_index(uint32_t index, size_t size) {
     return index == none || index < size;
@@ -112,9 +71,6 @@ void check_bodies(const WorldState& w, Findings& findings) {
         findings.require(body.mobility <= Mobility::dynamic &&
                              body.type <= BodyType::dynamic_body &&
                              body.solver_index <= w.awake_bodies.size() &&
-                             are_bools(body.locked_x, body.locked_y, body.locked_rotation,
-                                       body.can_sleep, body.bullet, body.never_awake,
-                                       body.mass_dirty, body.placement_dirty, body.disabled) &&
                              optional_index(body.traits, w.traits.size()) && body.listed <= 1 &&
                              optional_index(body.island, w.islands.size()),
                          "a body");
@@ -197,11 +153,7 @@ void check_shapes(const WorldState& w, Findings& findings) {
         const ShapeForm& form = w.forms[i];
         findings.require(optional_index(form.body, w.bodies.size()) &&
                              optional_index(shape.previous, n) && optional_index(shape.next, n) &&
-                             shape.type <= ShapeType::border && shape.tree <= Mobility::dynamic &&
-                             are_bools(shape.surface.sensor, shape.surface.hit_events,
-                                       shape.surface.contact_events, shape.surface.sensor_events,
-                                       shape.surface.before_solve, shape.geometry_dirty,
-                                       shape.moved, shape.listed, shape.closed, shape.crowded),
+                             shape.type <= ShapeType::border && shape.tree <= Mobility::dynamic,
                          "a shape");
         const bool border = shape.type == ShapeType::border;
         const uint64_t taken = std::max<uint64_t>(
@@ -252,10 +204,6 @@ void check_contacts(const WorldState& w, Findings& findings) {
     const size_t n = w.contacts.size();
     findings.require(w.contact_links.size() == n && w.manifold_poses.size() == n, "contacts");
     for (const ContactRecord& c : w.contacts) {
-        findings.require(are_bools(c.touching, c.sensor, c.special, c.hit_events, c.disabled,
-                                   c.curved, c.kept, c.begin_reported),
-                         "a contact");
-        if (findings.result()) return;
         const bool used = c.shape_a != none;
         findings.require(used || !c.touching,
                          "a contact");  // World::contacts checks only this
@@ -298,7 +246,6 @@ void check_links_of_joints(const WorldState& w, Findings& findings) {
                              joint.bodies[0] < w.bodies.size() &&
                              joint.bodies[1] < w.bodies.size() &&
                              (joint.bodies[0] != joint.bodies[1] || joint.dormant()) &&
-                             are_bools(joint.enabled, joint.collide, joint.broken) &&
                              edge_in_range(joint.edges[0], n) && edge_in_range(joint.edges[1], n),
                          "a joint");
     }
@@ -319,12 +266,6 @@ void check_links_of_joints(const WorldState& w, Findings& findings) {
 }
 
 void check_fields(const WorldState& w, Findings& findings) {
-    constexpr size_t kinds = std::variant_size_v<decltype(FieldDef::force)>;
-    for (const FieldRecord& field : w.fields)
-        findings.require(field.def.force.index() < kinds && are_bools(field.def.enabled) &&
-                             are_optionals(field.def.region),
-                         "a field");
-    if (findings.result()) return;  // only sound records may be copied
     findings.require(free_ones_end(w.field_slots, w.fields), "free fields");
 }
 
@@ -342,9 +283,7 @@ void check_lists(const WorldState& w, Findings& findings) {
     findings.require(free_ones_end(w.island_slots, w.islands), "free islands");
     const WorldDef& s = w.settings;
     findings.require(s.substeps >= 1 && s.substeps <= 64 && s.friction_mix <= MixRule::geometric &&
-                         s.restitution_mix <= MixRule::geometric && s.solver <= Solver::direct &&
-                         are_bools(s.sleeping, s.continuous, s.persist_events) &&
-                         are_optionals(s.bounds),
+                         s.restitution_mix <= MixRule::geometric && s.solver <= Solver::direct,
                      "the settings");
     if (findings.result()) return;
     // Checks that every sleeping body is in an island, and that the island lists it.

@@ -1,4 +1,5 @@
 #include <saving/seal.h>
+#include <saving/words.h>
 
 #include <cstring>
 
@@ -6,6 +7,11 @@ namespace fettle::physics::detail {
 namespace {
 
 constexpr size_t words = 8;  // per block; this number of sums is computed in parallel, in vectors
+
+/// The words of a block, of which the lowest byte is the first.
+void load_block(const std::byte* from, uint64_t (&block)[words]) {
+    for (size_t i = 0; i < words; ++i) block[i] = load_word<uint64_t>(from + i * sizeof(uint64_t));
+}
 
 /// The sums over the blocks. `mixed` is a one-to-one function of the word for a fixed previous
 /// value, and of the previous value for a fixed word. So a changed word always leaves a difference
@@ -36,12 +42,13 @@ uint64_t checksum(std::span<const std::byte> bytes) {
     const std::byte* at = bytes.data();
     size_t left = bytes.size();
     for (; left >= sizeof block; left -= sizeof block, at += sizeof block) {
-        std::memcpy(block, at, sizeof block);
+        load_block(at, block);
         sums.add(block);
     }
     if (left > 0) {
-        std::memset(block, 0, sizeof block);
-        std::memcpy(block, at, left);
+        std::byte last[sizeof block] = {};
+        std::memcpy(last, at, left);
+        load_block(last, block);
         sums.add(block);
     }
     uint64_t all = combine(0, bytes.size());
@@ -50,12 +57,12 @@ uint64_t checksum(std::span<const std::byte> bytes) {
 }
 
 void seal(std::span<std::byte> saved) {
-    SavedHeader header;
+    SavedHeader header = {};
     if (saved.size() < sizeof header) return;
-    std::memcpy(&header, saved.data(), sizeof header);
+    Decoder{saved.data()}(header);
     header.size = saved.size();
     header.checksum = checksum(saved.subspan(sizeof header));
-    std::memcpy(saved.data(), &header, sizeof header);
+    Encoder{saved.data()}(header);
 }
 
 }  // namespace fettle::physics::detail

@@ -11,10 +11,14 @@ namespace fettle::physics::detail {
 struct SavedHeader {
     uint32_t magic;
     uint32_t version;
-    uint32_t layout;      ///< of the records that are copied byte by byte
-    uint32_t byte_order;  ///< of the machine, and the precision of positions
+    uint32_t records;     ///< computed from the sizes of the records in the saved world
+    uint32_t coordinate;  ///< bytes of a coordinate of a position: 4 or 8
     uint64_t size;        ///< total number of bytes, this header included
     uint64_t checksum;    ///< of all bytes after it
+
+    static void fields(auto& io, auto& s) {
+        io(s.magic, s.version, s.records, s.coordinate, s.size, s.checksum);
+    }
 };
 static_assert(sizeof(SavedHeader) == 32);
 

@@ -157,7 +157,7 @@ void seal_worlds(const std::vector<std::byte>& before, std::vector<std::byte>& b
     SavedHeader header;
     for (std::size_t at = 0; at + sizeof header <= std::min(before.size(), bytes.size()); ++at) {
         std::memcpy(&header, &before[at], sizeof header);
-        if (header.byte_order != 0x01020304 || header.size > bytes.size() - at) continue;
+        if (header.magic != 0x77546546 || header.size > bytes.size() - at) continue;
         physics::detail::seal(std::span(bytes).subspan(at, header.size));
         at += header.size - 1;
     }

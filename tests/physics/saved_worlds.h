@@ -3,8 +3,11 @@
 #include "catch.h"
 #include "scenes.h"
 
+#include <saving/fields.h>
 #include <saving/seal.h>
+#include <saving/words.h>
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
@@ -18,11 +21,18 @@ inline std::vector<std::byte> saved(const World& world) {
     return bytes;
 }
 
-/// How far a member lies from the beginning of what it is part of.
-template <class Whole, class Member>
-size_t offset_in(const Whole& whole, const Member& member) {
-    return size_t(reinterpret_cast<const std::byte*>(&member) -
-                  reinterpret_cast<const std::byte*>(&whole));
+/// How far a field lies from the beginning of a saved record: where its bytes change when `change`
+/// changes it.
+template <class Record, class Change>
+size_t place_in(Change change) {
+    Record one{}, other{};
+    change(other);
+    std::vector<std::byte> bytes(detail::encoded_size<Record>()), changed(bytes.size());
+    detail::Encoder{bytes.data()}(one);
+    detail::Encoder{changed.data()}(other);
+    const auto at = std::mismatch(bytes.begin(), bytes.end(), changed.begin()).first;
+    REQUIRE((at != bytes.end()));
+    return size_t(at - bytes.begin());
 }
 
 /// Where the number is in the bytes, which hold it once.

@@ -295,21 +295,22 @@ TEST_CASE("a saved world in which one body holds what hangs on another is refuse
     const auto bytes = saved(world);
     World target;
     REQUIRE_NOTHROW(target.restore(bytes));
-    const detail::BodyRecord record;
     const size_t first = place_of(mark, bytes), second = place_of(mark + 1, bytes);
-    const size_t own = offset_in(record, record.user_data);
-    const auto refuses_shared = [&](const auto& member, const char* what) {
+    using detail::BodyRecord;
+    const size_t own = place_in<BodyRecord>([](BodyRecord& body) { body.user_data = 1; });
+    const auto refuses_shared = [&](uint32_t BodyRecord::*member, const char* what) {
         INFO(what);
         auto damaged = bytes;
-        const size_t at = offset_in(record, member) - own;  // wraps, and back again
-        std::memcpy(&damaged[second + at], &bytes[first + at], sizeof member);
+        const size_t at =
+            place_in<BodyRecord>([&](BodyRecord& body) { body.*member = 0; }) - own;  // may wrap
+        std::memcpy(&damaged[second + at], &bytes[first + at], sizeof(uint32_t));
         REQUIRE((damaged != bytes));
         detail::seal(damaged);
         REQUIRE_THROWS_WITH(target.restore(damaged), contains(what));
     };
-    refuses_shared(record.first_shape, "is listed in another body");
-    refuses_shared(record.first_contact, "has a broken list of contacts");
-    refuses_shared(record.first_joint, "has a broken list of joints");
+    refuses_shared(&BodyRecord::first_shape, "is listed in another body");
+    refuses_shared(&BodyRecord::first_contact, "has a broken list of contacts");
+    refuses_shared(&BodyRecord::first_joint, "has a broken list of joints");
     run(target, 0.2f);
     REQUIRE_FALSE(target.validate());
 }
@@ -321,9 +322,10 @@ TEST_CASE("a saved shape with another number of vertices than its type has is re
     auto bytes = saved(world);
     World target;
     REQUIRE_NOTHROW(target.restore(bytes));
-    const detail::ShapeRecord record;
-    const size_t at = place_of(mark, bytes) - offset_in(record, record.surface.user_data);
-    bytes[at + offset_in(record, record.type)] = static_cast<std::byte>(ShapeType::box);
+    using detail::ShapeRecord;
+    const size_t own = place_in<ShapeRecord>([](ShapeRecord& s) { s.surface.user_data = 1; });
+    const size_t type = place_in<ShapeRecord>([](ShapeRecord& s) { s.type = ShapeType::box; });
+    bytes[place_of(mark, bytes) - own + type] = static_cast<std::byte>(ShapeType::box);
     detail::seal(bytes);
     REQUIRE_THROWS_WITH(target.restore(bytes), contains("the form of a shape"));
 }
@@ -338,13 +340,15 @@ TEST_CASE("a saved world whose awake shape has no proxy in the broad phase is re
     auto bytes = saved(world);
     World target;
     REQUIRE_NOTHROW(target.restore(bytes));
-    const detail::ShapeRecord record;
-    const size_t at = place_of(mark, bytes) - offset_in(record, record.surface.user_data);
+    using detail::ShapeRecord;
+    const size_t own = place_in<ShapeRecord>([](ShapeRecord& s) { s.surface.user_data = 1; });
+    const size_t at = place_of(mark, bytes) - own +
+                      place_in<ShapeRecord>([](ShapeRecord& shape) { shape.proxy = 0; });
     int32_t proxy = -1;
-    std::memcpy(&proxy, &bytes[at + offset_in(record, record.proxy)], sizeof proxy);
+    std::memcpy(&proxy, &bytes[at], sizeof proxy);
     REQUIRE(proxy >= 0);
     proxy = -1;
-    std::memcpy(&bytes[at + offset_in(record, record.proxy)], &proxy, sizeof proxy);
+    std::memcpy(&bytes[at], &proxy, sizeof proxy);
     detail::seal(bytes);
     REQUIRE_THROWS_WITH(target.restore(bytes), contains("the proxy of what is awake"));
     run(target, 0.2f);
@@ -360,13 +364,12 @@ TEST_CASE("a saved world is refused where the flag of an optional is no bool") {
     World target;
     REQUIRE_NOTHROW(target.restore(bytes));
     // The settings are the first thing behind the header.
-    const WorldDef settings;
-    std::byte& flag =
-        bytes[sizeof(detail::SavedHeader) + offset_in(settings, settings.bounds) + sizeof(Aabb)];
+    std::byte& flag = bytes[sizeof(detail::SavedHeader) +
+                            place_in<WorldDef>([](WorldDef& def) { def.bounds = Aabb(); })];
     REQUIRE(flag == std::byte{1});
     flag = std::byte{2};
     detail::seal(bytes);
-    REQUIRE_THROWS_WITH(target.restore(bytes), contains("the settings"));
+    REQUIRE_THROWS_WITH(target.restore(bytes), contains("a flag is neither 0 nor 1"));
     REQUIRE(target.hash() == world.hash());
 }
 
@@ -416,20 +419,20 @@ TEST_CASE("a saved field whose flags are no bools is refused") {
     const auto bytes = saved(world);
     World target;
     REQUIRE_NOTHROW(target.restore(bytes));
-    const FieldDef field;
-    const size_t begin = place_of(mark, bytes) - offset_in(field, field.user_data);
-    for (const size_t flag :
-         {offset_in(field, field.enabled), offset_in(field, field.region) + sizeof(Aabb)}) {
+    const size_t begin =
+        place_of(mark, bytes) - place_in<FieldDef>([](FieldDef& field) { field.user_data = 1; });
+    for (const size_t flag : {place_in<FieldDef>([](FieldDef& field) { field.enabled = false; }),
+                              place_in<FieldDef>([](FieldDef& field) { field.region = Aabb(); })}) {
         auto damaged = bytes;
         REQUIRE(damaged[begin + flag] == std::byte{1});
         damaged[begin + flag] = std::byte{3};
         detail::seal(damaged);
-        REQUIRE_THROWS_WITH(target.restore(damaged), contains("a field"));
+        REQUIRE_THROWS_WITH(target.restore(damaged), contains("a flag is neither 0 nor 1"));
         // The same in the free slot behind it, of which there is a list.
         damaged = bytes;
-        damaged[begin + sizeof(detail::FieldRecord) + flag] = std::byte{16};
+        damaged[begin + detail::encoded_size<detail::FieldRecord>() + flag] = std::byte{16};
         detail::seal(damaged);
-        REQUIRE_THROWS_WITH(target.restore(damaged), contains("a field"));
+        REQUIRE_THROWS_WITH(target.restore(damaged), contains("a flag is neither 0 nor 1"));
     }
 }
 
@@ -438,11 +441,13 @@ TEST_CASE("a saved joint of no type is refused") {
     World world;
     Body ball = add_ball(world, {0, 3});
     world.create_distance_joint({.body_b = ball.id(), .user_data = mark});
-    const detail::JointRecord joint;
+    using detail::JointRecord;
+    const size_t own = place_in<JointRecord>([](JointRecord& joint) { joint.user_data = 1; });
+    const size_t place =
+        place_in<JointRecord>([](JointRecord& joint) { joint.type = JointType::distance; });
     const auto with_type = [&](unsigned type) {
         auto bytes = saved(world);
-        const size_t at = place_of(mark, bytes) - offset_in(joint, joint.user_data);
-        bytes[at + offset_in(joint, joint.type)] = std::byte(type);
+        bytes[place_of(mark, bytes) - own + place] = std::byte(type);
         detail::seal(bytes);
         return bytes;
     };

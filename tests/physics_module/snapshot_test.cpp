@@ -30,7 +30,7 @@ void seal_worlds(std::vector<std::byte>& bytes) {
     SavedHeader header;
     for (std::size_t at = 0; at + sizeof header <= bytes.size(); ++at) {
         std::memcpy(&header, &bytes[at], sizeof header);
-        if (header.byte_order != 0x01020304 || header.size > bytes.size() - at) continue;
+        if (header.magic != 0x77546546 || header.size > bytes.size() - at) continue;
         fettle::physics::detail::seal(std::span(bytes).subspan(at, header.size));
         at += header.size - 1;
     }

@@ -127,12 +127,12 @@ class World {
     /// valid again, and handles to later objects stay invalid for ever.
     void restore(const World& other);
 
-    /// Appends the complete state of the world to `out`, in the byte order and layout of this
-    /// build, with a checksum.
+    /// Appends the complete state of the world to `out`, with a checksum. The bytes are the same on
+    /// every machine and for every compiler, but for the precision of positions.
     void save(std::vector<std::byte>& out) const;
     /// Restores the state that `save` wrote, in place, like that of a copy. Throws
     /// std::invalid_argument and changes nothing if a byte was changed, removed or added, or if
-    /// another version wrote the state.
+    /// another version, or one with the other precision of positions, wrote the state.
     void restore(std::span<const std::byte> bytes);
     /// Takes the state of `other`, in place, like `restore`: handles to objects of `other` become
     /// invalid. `other` is an empty world afterwards.

@@ -140,8 +140,8 @@ fettle_code fettle_world_assign(fettle_world* world, const fettle_world* from);
 /** As fettle_world_assign, without copying; `from`, another world, is empty afterwards. */
 fettle_code fettle_world_take(fettle_world* world, fettle_world* from);
 
-/** The complete state as bytes with a checksum, in the layout of this build. They belong to the
-   world and are valid until the next save of it, or until it is destroyed. */
+/** The complete state as bytes with a checksum, the same on every machine. They belong to the world
+   and are valid until the next save of it, or until it is destroyed. */
 fettle_code fettle_world_save(fettle_world* world, const void** bytes, size_t* size);
 
 /** Restores a saved state. FETTLE_INVALID, and nothing changes, if a byte was changed, removed or
