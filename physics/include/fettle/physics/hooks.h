@@ -8,7 +8,8 @@
 // process because a host has one log, and because they must be there before the first world.
 //
 // Memory has no hook of its own: the library allocates by `operator new` only, and frees by
-// `operator delete`. A program that replaces these two gets all memory of its worlds.
+// `operator delete`. A program that replaces these two gets all memory of its worlds, but for the
+// matrices of `Solver::direct`, which are from `malloc`.
 
 FETTLE_PHYSICS_BEGIN
 

@@ -1,6 +1,7 @@
 /* Functions of the host that the library calls for all worlds of the process.
  *
- * Memory has no hook: the library takes it from the C++ library. */
+ * Memory has no hook: the library takes it from the C++ library, which takes it from malloc. A
+ * program that is linked with another malloc gets all. */
 
 #pragma once
 
