@@ -283,8 +283,8 @@ struct Bounce {
     }
 };
 
-/// False in the pass in which a contact with this restitution e no longer passes blows on. A body
-/// hands (1 + e) / 2 of its speed on to an equal one at rest, so a blow is down to a hundredth
+/// False in the pass in which a contact with this restitution e no longer passes impacts on. A body
+/// hands (1 + e) / 2 of its speed on to an equal one at rest, so an impact is down to a hundredth
 /// after ln 100 / ln (2 / (1 + e)) bodies. What still approaches then is pressed together, by a
 /// motor or between walls; that is the work of the sub-steps.
 bool passes_on(float restitution, uint8_t pass) {

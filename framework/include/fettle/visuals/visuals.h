@@ -19,7 +19,7 @@ FETTLE_VISUALS_BEGIN
 namespace fettle::property {
 class Assets;
 struct Thumbnail;
-}
+}  // namespace fettle::property
 
 namespace fettle::visuals {
 
