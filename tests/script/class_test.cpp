@@ -189,6 +189,26 @@ world.b:on("deleted", function(e) print("gone", e.path, e.last.mass) end)
     CHECK(stage::joined(s.printed) == "created\tworld.b|gone\tworld.b\t7.0");
 }
 
+TEST_CASE("repeated timers do not catch up without end after a jump of the time") {
+    Stage s;
+    s.run(
+        "n = 0 m = 0 short = 0 every(0.1, function() n = n + 1 end)"
+        "every(0, function() m = m + 1 end) every(0.0001, function() short = short + 1 end)");
+    s.step(1);
+    CHECK(s.prints("print(m, short)") == "1\t166");
+    s.run("m = 0 short = 0");
+    s.runtime->step(1e6, 1 / 60.0);
+    CHECK(s.prints("print(n >= 19999 and n <= 20001, m, short >= 19999 and short <= 20001)") ==
+          "true\t1\ttrue");
+    s.run("n = 0 m = 0 short = 0");
+    s.runtime->step(1e6 + 1, 1 / 60.0);
+    CHECK(s.prints("print(n, m, short >= 9999 and short <= 10001)") == "10\t1\ttrue");
+    // Here the time has steps of 0.125 s, in which the shortest interval has no effect.
+    s.run("n = 0 m = 0 short = 0");
+    for (int i = 0; i < 3; ++i) s.runtime->step(9e14 + i, 1 / 60.0);
+    CHECK(s.prints("print(n <= 60000, m, short <= 60000)") == "true\t3\ttrue");
+}
+
 TEST_CASE("timers run in simulation time and in order") {
     Stage s;
     s.run(R"lua(

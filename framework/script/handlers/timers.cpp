@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <calls/function_ref.h>
@@ -26,7 +27,21 @@ namespace {
 constexpr double tolerance = 1e-9;
 // s; a shorter interval would call the function many hundred times in a step.
 constexpr double shortest_interval = 1e-4;
+/// A timer is called at most this often in a step. The longest step has 10 000 of the shortest
+/// intervals; more are due only after a jump of the time, as in a changed saved game.
+constexpr double most_calls = 20'000;
 constexpr std::int64_t weight_of_timer = 300;  // bytes, estimated
+
+/// When a repeated timer that was due is due again. The interval starts when it was due, so that
+/// intervals do not drift. 0 means every step, and so does an interval that is too short to be
+/// added to the time.
+double next_due(double due, double interval, double end) {
+    const double from = std::max(due, end - most_calls * interval);
+    const double next = from + interval;
+    if (next > from) return next;
+    constexpr double later = std::numeric_limits<double>::infinity();
+    return std::max(end + 2 * tolerance, std::nextafter(end + tolerance, later));
+}
 
 }  // namespace
 
@@ -195,10 +210,7 @@ bool Timers::run() {
             continue;
         }
         if (timer.interval >= 0) {
-            // The interval starts when the timer was due, so that intervals do not drift. 0 means
-            // every step.
-            const double next = timer.interval > 0 ? due + timer.interval : end + 2 * tolerance;
-            insert({next, id}, timer);
+            insert({next_due(due, timer.interval, end), id}, timer);
         }
         ok &= fire(timer);
         if (machine_.watchdog.stopped()) break;
