@@ -74,6 +74,9 @@ TEST_CASE("an endless command is stopped with its place") {
         "return (('a'):rep(30000)):match('.-.-.-.-b')",
         "return (('a'):rep(30000)):gsub('a*a*a*a*b', '')",
         "for x in (('a'):rep(30000)):gmatch('a-a-a-a-b') do end",
+        "return (('('):rep(1e6)):find('%b()')", "return (('a'):rep(1e6)):find('(.-)%1b')",
+        "return (('a'):rep(1e6)):find('[' .. ('b'):rep(1e5) .. ']')",
+        "return (('a'):rep(1e6)):find('%f[' .. ('b'):rep(1e5) .. ']')",
         "while true do local s = ('x'):rep(1e6) end",
         "while true do pcall(string.rep, 'x', 1e10) end",
         "for i = 1, 1e9 do world.gravity = vec(0, i) end",
@@ -91,6 +94,16 @@ TEST_CASE("an endless command is stopped with its place") {
     // The console still works.
     CHECK(s.console("1 + 1") == "2");
     CHECK(s.prints("local n = 0 for i = 1, 1000000 do n = n + 1 end print(n)") == "1000000");
+}
+
+TEST_CASE("a plain search takes linear time") {
+    Stage s;
+    CHECK(s.prints("local text, word = ('a'):rep(1e6), ('a'):rep(5e5) "
+                   "print(text:find(word .. 'b', 1, true), text:find(word .. 'b'), "
+                   "text:find(word, 3, true))") == "nil\tnil\t3\t500002");
+    CHECK(s.prints("print(('abc'):find('', 2, true), ('abc'):find('', 4, true), "
+                   "('abc'):find('c', -1, true), ('a\\0b'):find('\\0b', 1, true), "
+                   "('abc'):find('abcd', 1, true))") == "2\t4\t3\t2\tnil");
 }
 
 TEST_CASE("a command that needs too much memory is stopped") {

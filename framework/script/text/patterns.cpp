@@ -10,6 +10,7 @@ namespace {
 
 constexpr int deepest_match = 200;
 constexpr std::uint64_t steps_at_once = 4096;
+constexpr std::size_t bytes_a_step = 8;  // of a text that is compared, or of a set
 
 bool in_class(unsigned char c, unsigned char name) {
     bool in;
@@ -124,7 +125,7 @@ std::size_t PatternMatcher::longest(std::size_t s, std::size_t p, std::size_t en
     std::size_t n = 0;
     while (single(s + n, p, end)) {
         ++n;
-        step();
+        step(1 + (end - p) / bytes_a_step);
     }
     for (;; --n) {
         const std::size_t result = run(s + n, end + 1);
@@ -138,25 +139,27 @@ std::size_t PatternMatcher::shortest(std::size_t s, std::size_t p, std::size_t e
         const std::size_t result = run(s, end + 1);
         if (result != failed) return result;
         if (!single(s, p, end)) return failed;
-        step();
+        step(1 + (end - p) / bytes_a_step);
     }
 }
 
 // Matches %bxy: from x to the y that balances it.
-std::size_t PatternMatcher::balanced(std::size_t s, std::size_t p) const {
+std::size_t PatternMatcher::balanced(std::size_t s, std::size_t p) {
     if (p + 1 >= pattern_.size())
         throw std::invalid_argument("malformed pattern (missing arguments to '%b')");
     if (s >= subject_.size() || subject_[s] != pattern_[p]) return failed;
     const char open = pattern_[p], close = pattern_[p + 1];
-    std::size_t level = 1;
-    for (++s; s < subject_.size(); ++s) {
+    const std::size_t begin = s;
+    std::size_t level = 1, found = failed;
+    for (++s; s < subject_.size() && found == failed; ++s) {
         if (subject_[s] == close) {
-            if (--level == 0) return s + 1;
+            if (--level == 0) found = s + 1;
         } else if (subject_[s] == open) {
             ++level;
         }
     }
-    return failed;
+    step(s - begin);  // also of a search that fails: there may be one for each character
+    return found;
 }
 
 std::size_t PatternMatcher::open_capture(std::size_t s, std::size_t p, Capture::Kind kind) {
@@ -179,15 +182,16 @@ std::size_t PatternMatcher::close_capture(std::size_t s, std::size_t p) {
     return result;
 }
 
-std::size_t PatternMatcher::back_reference(std::size_t s, char digit) const {
+std::size_t PatternMatcher::back_reference(std::size_t s, char digit) {
     const int i = digit - '1';
     if (i < 0 || static_cast<std::size_t>(i) >= count_ ||
         captures_[static_cast<std::size_t>(i)].kind == Capture::open)
         throw std::invalid_argument("invalid capture index");
     const Capture& capture = captures_[static_cast<std::size_t>(i)];
     const std::size_t length = capture.kind == Capture::closed ? capture.length : 0;
-    if (subject_.size() - s < length ||
-        std::memcmp(subject_.data() + capture.start, subject_.data() + s, length) != 0)
+    if (subject_.size() - s < length) return failed;
+    step(length / bytes_a_step);
+    if (std::memcmp(subject_.data() + capture.start, subject_.data() + s, length) != 0)
         return failed;
     return s + length;
 }
@@ -222,7 +226,6 @@ std::size_t PatternMatcher::run(std::size_t s, std::size_t p) {
             if (next == 'b') {
                 s = balanced(s, p + 2);
                 if (s == failed) return failed;
-                step(s);
                 p += 4;
                 continue;
             }
@@ -231,6 +234,7 @@ std::size_t PatternMatcher::run(std::size_t s, std::size_t p) {
                 if (p >= pattern_.size() || pattern_[p] != '[')
                     throw std::invalid_argument("missing '[' after '%f' in pattern");
                 const std::size_t end = item_end(p);
+                step(2 * (end - p) / bytes_a_step);
                 const auto before = static_cast<unsigned char>(s == 0 ? '\0' : subject_[s - 1]);
                 const auto after =
                     static_cast<unsigned char>(s < subject_.size() ? subject_[s] : '\0');
@@ -246,6 +250,7 @@ std::size_t PatternMatcher::run(std::size_t s, std::size_t p) {
             }
         }
         const std::size_t end = item_end(p);
+        step((end - p) / bytes_a_step);  // a set may be long
         const char suffix = end < pattern_.size() ? pattern_[end] : '\0';
         if (suffix == '*') return longest(s, p, end);
         if (suffix == '+') return single(s, p, end) ? longest(s + 1, p, end) : failed;

@@ -39,10 +39,10 @@ class PatternMatcher {
     bool single(std::size_t s, std::size_t p, std::size_t end) const;
     std::size_t longest(std::size_t s, std::size_t p, std::size_t end);
     std::size_t shortest(std::size_t s, std::size_t p, std::size_t end);
-    std::size_t balanced(std::size_t s, std::size_t p) const;
+    std::size_t balanced(std::size_t s, std::size_t p);
     std::size_t open_capture(std::size_t s, std::size_t p, Capture::Kind kind);
     std::size_t close_capture(std::size_t s, std::size_t p);
-    std::size_t back_reference(std::size_t s, char digit) const;
+    std::size_t back_reference(std::size_t s, char digit);
     void step(std::uint64_t n = 1);
 
     std::string_view subject_;
