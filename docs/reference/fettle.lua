@@ -208,7 +208,7 @@ function fettle_Pen.linear(from, to, colors) end
 ---@param size? number
 function fettle_Pen.point(position, fill, size) end
 
----A polygon of three or more vertices, convex or not. Of an outline that crosses itself all is filled that it goes round, and the border follows every line.
+---A polygon of three or more vertices, convex or not. If its outline crosses itself, every area that the outline encloses is filled, and the border follows every line.
 ---@param vertices vec[]
 ---@param fill? color|string|false
 ---@param border? color|string|false
@@ -218,7 +218,7 @@ function fettle_Pen.polygon(vertices, fill, border, border_width) end
 ---Ends what the last pen.push began.
 function fettle_Pen.pop() end
 
----What follows is scaled, turned and moved by this, until pen.pop() or the end of the function. Widths of borders and lines stay as they are.
+---What is drawn next is scaled, turned and moved by this, until pen.pop() or the end of the function. Widths of borders and lines stay as they are.
 ---@param position? vec
 ---@param angle? number
 ---@param scale? number
@@ -333,7 +333,7 @@ local fettle_FieldDescription = {}
 
 ---It has been made, with all its properties and children.
 ---@class Object.ready
----@field instance Object To whom it happened.
+---@field instance Object The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---A plain node: a place for children and for properties of your own.
@@ -463,7 +463,7 @@ Object = {}
 ---@class Game.restored
 ---@field step integer Where simulation time goes on from.
 ---@field left integer The step that time had come to.
----@field instance Game To whom it happened.
+---@field instance Game The instance with the event.
 
 ---The root of the tree: its children are the services and whatever a game puts beside them.
 ---@class Game : Object
@@ -524,7 +524,7 @@ StepStatistics = {}
 ---@field body Object Body of the first shape; the world itself for its bounds.
 ---@field other Object Body of the second shape.
 ---@field collide boolean True if they collide; may be changed.
----@field instance World To whom it happened.
+---@field instance World The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Asked in the step for every contact: the friction and restitution of two surfaces together. The handler cannot write anything else.
@@ -540,7 +540,7 @@ StepStatistics = {}
 ---@field friction number Friction mixed by the rule of the world; may be changed.
 ---@field restitution number Restitution mixed by the rule of the world; may be changed.
 ---@field surface_speed number Speed of both surfaces together; may be changed. · m/s
----@field instance World To whom it happened.
+---@field instance World The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The shape nearest to a point, or nil. Sensors and the bounds do not count.
@@ -742,7 +742,7 @@ World = {}
 ---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
 ---@field enabled boolean True if the contact acts in this step.
----@field instance Body To whom it happened.
+---@field instance Body The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The body began to touch another.
@@ -756,7 +756,7 @@ World = {}
 ---@field speed number Speed at which they approached each other. · m/s
 ---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
----@field instance Body To whom it happened.
+---@field instance Body The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The body stopped touching another.
@@ -764,7 +764,7 @@ World = {}
 ---@field other Object The other body; the world itself for its bounds. It may have been deleted: then the record's other_alive is false, and only alive(), name, class and is_a() can be used.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
 ---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
----@field instance Body To whom it happened.
+---@field instance Body The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The body was hit faster than the world's hit_threshold.
@@ -778,7 +778,7 @@ World = {}
 ---@field speed number Speed at which they approached each other. · m/s
 ---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
----@field instance Body To whom it happened.
+---@field instance Body The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The body still touches another: reported in every step after the first.
@@ -792,7 +792,7 @@ World = {}
 ---@field speed number Speed at which they approached each other. · m/s
 ---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
----@field instance Body To whom it happened.
+---@field instance Body The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The body entered a sensor, or a shape entered this sensor.
@@ -800,7 +800,7 @@ World = {}
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
 ---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
----@field instance Body To whom it happened.
+---@field instance Body The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The body left a sensor, or a shape left this sensor.
@@ -808,17 +808,17 @@ World = {}
 ---@field other Object The other body; the world itself for its bounds. It may have been deleted: then the record's other_alive is false, and only alive(), name, class and is_a() can be used.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
 ---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
----@field instance Body To whom it happened.
+---@field instance Body The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---It rested long enough and fell asleep.
 ---@class Body.slept
----@field instance Body To whom it happened.
+---@field instance Body The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Its sleep was disturbed.
 ---@class Body.woke
----@field instance Body To whom it happened.
+---@field instance Body The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The touches of `contacts` with points and impulses: one record for each pair of shapes.
@@ -950,7 +950,7 @@ Body = {}
 ---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
 ---@field enabled boolean True if the contact acts in this step.
----@field instance Shape To whom it happened.
+---@field instance Shape The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The shape began to touch another.
@@ -964,7 +964,7 @@ Body = {}
 ---@field speed number Speed at which they approached each other. · m/s
 ---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
----@field instance Shape To whom it happened.
+---@field instance Shape The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The shape stopped touching another.
@@ -972,7 +972,7 @@ Body = {}
 ---@field other Object The other body; the world itself for its bounds. It may have been deleted: then the record's other_alive is false, and only alive(), name, class and is_a() can be used.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
 ---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
----@field instance Shape To whom it happened.
+---@field instance Shape The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The shape was hit faster than the world's hit_threshold.
@@ -986,7 +986,7 @@ Body = {}
 ---@field speed number Speed at which they approached each other. · m/s
 ---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
----@field instance Shape To whom it happened.
+---@field instance Shape The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The shape still touches another: reported in every step after the first.
@@ -1000,7 +1000,7 @@ Body = {}
 ---@field speed number Speed at which they approached each other. · m/s
 ---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
----@field instance Shape To whom it happened.
+---@field instance Shape The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The shape entered a sensor, or a shape entered this sensor.
@@ -1008,7 +1008,7 @@ Body = {}
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
 ---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
----@field instance Shape To whom it happened.
+---@field instance Shape The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The shape left a sensor, or a shape left this sensor.
@@ -1016,7 +1016,7 @@ Body = {}
 ---@field other Object The other body; the world itself for its bounds. It may have been deleted: then the record's other_alive is false, and only alive(), name, class and is_a() can be used.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
 ---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
----@field instance Shape To whom it happened.
+---@field instance Shape The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---A part of a body with an outline, a density and a surface.
@@ -1169,25 +1169,25 @@ Chain = {}
 ---@field other Object The body that stopped it.
 ---@field other_shape Shape? The shape that stopped it; nil for the bounds and another mover.
 ---@field normal vec Direction away from it.
----@field instance Mover To whom it happened.
+---@field instance Mover The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Obstacles press it from several sides, and it overlaps one of them.
 ---@class Mover.crushed
----@field instance Mover To whom it happened.
+---@field instance Mover The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---It came onto the ground.
 ---@class Mover.landed
 ---@field ground Object The body on which it landed.
 ---@field speed number Speed of its fall. · m/s
----@field instance Mover To whom it happened.
+---@field instance Mover The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---It jumped or fell off the ground.
 ---@class Mover.left_ground
 ---@field ground Object? The body on which it stood; nil if that was deleted.
----@field instance Mover To whom it happened.
+---@field instance Mover The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---A character: a body with the form of an upright capsule, which walks up slopes and steps, rides on platforms, passes through ledges from below and pushes crates. Its position is at its feet. It moves by itself while its type is "kinematic"; with "dynamic" it is a body like others.
@@ -1256,14 +1256,14 @@ Mover = {}
 ---@class Joint.broke
 ---@field force vec Force of the joint when it broke. · N
 ---@field torque number Torque of the joint when it broke, besides that of the force. · N m
----@field instance Joint To whom it happened.
+---@field instance Joint The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Its force or torque was larger than report_force or report_torque.
 ---@class Joint.loaded
 ---@field force vec Force of the joint in the step. · N
 ---@field torque number Torque of the joint in the step, besides that of the force. · N m
----@field instance Joint To whom it happened.
+---@field instance Joint The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Connects bodies with each other or with the world. It acts while it and its bodies are in the same world.
@@ -1584,7 +1584,7 @@ Attractor = {}
 
 ---The animation came to its end; only without `loop`.
 ---@class Sprite.finished
----@field instance Sprite To whom it happened.
+---@field instance Sprite The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---A picture in the world or, in a layer, on the screen. What it hangs below moves it: a body, another sprite, or any instance with a `position`.
@@ -1695,12 +1695,12 @@ Layer = {}
 ---@field y integer Row from the top, from 0.
 ---@field tile integer The tile there now.
 ---@field before integer The tile before.
----@field instance Tilemap To whom it happened.
+---@field instance Tilemap The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---It has instances for its map file. Its collisions follow at the same barrier.
 ---@class Tilemap.loaded
----@field instance Tilemap To whom it happened.
+---@field instance Tilemap The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---A map of the Tiled editor. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to meet it.
@@ -1794,7 +1794,7 @@ TileLayer = {}
 
 ---Its last particle has ended, and no other will begin by itself: `rate` is 0, or it is not playing.
 ---@class Emitter.finished
----@field instance Emitter To whom it happened.
+---@field instance Emitter The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Sparks, smoke, rain: many small pictures that begin here, fly, change and end. What it hangs below moves it: a body, a sprite, or any instance with a `position`.
@@ -2037,7 +2037,7 @@ Bus = {}
 ---A voice has played to its end. Not for one that was stopped.
 ---@class SoundSource.finished
 ---@field voice Voice The voice, which lives until the next step.
----@field instance SoundSource To whom it happened.
+---@field instance SoundSource The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---What can be played. Its voices are below it while they sound.
@@ -2150,7 +2150,7 @@ Synth = {}
 
 ---It has played to its end.
 ---@class Voice.finished
----@field instance Voice To whom it happened.
+---@field instance Voice The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---One sounding of a Sound, Music or Synth; `play` makes it. It ends with the sound, in simulation time.
@@ -2384,12 +2384,12 @@ Actions = {}
 
 ---It began to be held.
 ---@class Action.press
----@field instance Action To whom it happened.
+---@field instance Action The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---It ceased to be held.
 ---@class Action.release
----@field instance Action To whom it happened.
+---@field instance Action The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---What the player wants, from any of several keys, buttons and sticks. input.actions.jump = { "space", "gamepad.a" } makes input.jump.
@@ -2511,7 +2511,7 @@ Widget = {}
 
 ---It is modal, and the player pressed escape, or B on the gamepad.
 ---@class Panel.cancelled
----@field instance Panel To whom it happened.
+---@field instance Panel The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---A box with a background. Each of its widgets is at its own anchor, so it mostly holds one column or row.
@@ -2539,7 +2539,7 @@ Panel = {}
 
 ---It is modal, and the player pressed escape, or B on the gamepad.
 ---@class Row.cancelled
----@field instance Row To whom it happened.
+---@field instance Row The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Widgets side by side.
@@ -2569,7 +2569,7 @@ Row = {}
 
 ---It is modal, and the player pressed escape, or B on the gamepad.
 ---@class Column.cancelled
----@field instance Column To whom it happened.
+---@field instance Column The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Widgets below each other.
@@ -2599,19 +2599,19 @@ Column = {}
 
 ---It is modal, and the player pressed escape, or B on the gamepad.
 ---@class List.cancelled
----@field instance List To whom it happened.
+---@field instance List The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The player has chosen another line.
 ---@class List.changed
 ---@field selected integer Number of the line.
----@field instance List To whom it happened.
+---@field instance List The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The player has pressed return on a line, or clicked on the chosen one.
 ---@class List.submitted
 ---@field selected integer Number of the line.
----@field instance List To whom it happened.
+---@field instance List The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Lines of text to choose from, or widgets below each other; it scrolls if there is no room for all.
@@ -2652,12 +2652,12 @@ List = {}
 ---It was listening, and the player has pressed a key or button.
 ---@class Button.captured
 ---@field name string As in input.actions: "space", "mouse.left", "gamepad.a".
----@field instance Button To whom it happened.
+---@field instance Button The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The player has pressed and released it.
 ---@class Button.pressed
----@field instance Button To whom it happened.
+---@field instance Button The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Something to press: with the mouse, return or space, or A on the gamepad.
@@ -2723,7 +2723,7 @@ Image = {}
 ---The player has changed it. A change by a script is no event: watch the property.
 ---@class Slider.changed
 ---@field value number The new value.
----@field instance Slider To whom it happened.
+---@field instance Slider The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---A number to choose with the mouse, the arrow keys or the gamepad.
@@ -2754,7 +2754,7 @@ Slider = {}
 ---The player has changed it. A change by a script is no event: watch the property.
 ---@class Toggle.changed
 ---@field value boolean The new value.
----@field instance Toggle To whom it happened.
+---@field instance Toggle The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---A switch with a text.
@@ -2788,13 +2788,13 @@ Toggle = {}
 ---The player has changed it. A change by a script is no event: watch the property.
 ---@class TextField.changed
 ---@field value string The new value.
----@field instance TextField To whom it happened.
+---@field instance TextField The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---The player has pressed return.
 ---@class TextField.submitted
 ---@field text string What is in it.
----@field instance TextField To whom it happened.
+---@field instance TextField The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---A line of text to type.
@@ -2866,7 +2866,7 @@ Interface = {}
 
 ---It has reached its end; it is deleted at the next step.
 ---@class Tween.finished
----@field instance Tween To whom it happened.
+---@field instance Tween The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Moves a property of an instance from its value to another in some time. tween(...) makes it below `game.tweens`, where it runs.
@@ -2903,7 +2903,7 @@ Tween = {}
 
 ---All in it have ended; it is deleted at the next step.
 ---@class TweenGroup.finished
----@field instance TweenGroup To whom it happened.
+---@field instance TweenGroup The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Tweens that run one after the other, or together. tween.sequence and tween.parallel make it below `game.tweens`, where it runs.

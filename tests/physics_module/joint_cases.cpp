@@ -20,7 +20,7 @@ double infinite() {
     return std::numeric_limits<double>::infinity();
 }
 
-void lift(Stage& s) {
+void lift_by_a_meter(Stage& s) {
     s.game.set(s.body, "position", Vec2(0, 4));
 }
 
@@ -68,7 +68,7 @@ void distance_cases(Cases& cases) {
     cases["DistanceJoint.damping_ratio"] = joint_case(
         tie("DistanceJoint", Vec2(0, 6), {{"hertz", 1}, {"length", 2.5}, {"damping_ratio", 1}}), 0,
         120, [](Stage& s) { return s.turns > 2; });
-    cases["DistanceJoint.damping_ratio"].then = lift;
+    cases["DistanceJoint.damping_ratio"].then = lift_by_a_meter;
     const auto spring = [](const Vec2& to, double length, const char* limit) {
         return tie("DistanceJoint", to,
                    {{"hertz", 2}, {"damping_ratio", 1}, {"length", length}, {limit, 0}});

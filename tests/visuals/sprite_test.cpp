@@ -293,6 +293,54 @@ TEST_CASE_METHOD(Gallery, "a broken file of Aseprite is an error") {
     CHECK(draw().size() == 4);
 }
 
+TEST_CASE_METHOD(Gallery, "an error in a file of Aseprite names the place and what was expected") {
+    int count = 0;
+    const auto broken = [&](const std::string& text, const std::string& problem) {
+        CAPTURE(text);
+        problems.clear();
+        const std::string name = "broken_" + std::to_string(++count) + ".json";
+        write(name, text);
+        make("Sprite", {{"image", name}});
+        step(1);
+        CHECK(problems ==
+              std::vector<std::string>{"Sprite.image: \"" + name +
+                                       "\": is no JSON export of Aseprite: " + problem});
+    };
+    const std::string frame = R"({"frame":{"x":0,"y":0,"w":1,"h":1}})";
+    const auto with_tag = [&](const std::string& tag) {
+        return R"({"frames":[)" + frame + "," + frame + R"(],"meta":{"image":"hero.tga",)" +
+               R"("frameTags":[)" + tag + "]}}";
+    };
+    broken("[]", "expected an object, got a list");
+    broken(R"({"frames":[{"frame":{"x":"0"}}],"meta":{"image":"hero.tga"}})",
+           "frames.0.frame.x: expected a number, got \"0\"");
+    broken(R"({"frames":{"a":7},"meta":{"image":"hero.tga"}})",
+           "frames.0: expected an object, got 7");
+    broken(R"({"frames":[{}],"meta":{"image":"hero.tga"}})",
+           "frames.0: expected an object with \"frame\", got an object");
+    broken(R"({"frames":[],"meta":{"image":null}})", "meta.image: expected a text, got null");
+    broken(with_tag(R"({"name":"x","from":0,"to":2})"),
+           "meta.frameTags.0.to: expected a frame from 0 to 1, got 2");
+    broken(with_tag(R"({"name":"x","from":-1,"to":1})"),
+           "meta.frameTags.0.from: expected a frame from 0 to 1, got -1");
+    broken(with_tag(R"({"name":"x","from":1,"to":0})"),
+           "meta.frameTags.0.to: expected a frame that is not before \"from\", got 0");
+}
+
+TEST_CASE_METHOD(Gallery, "many long tags of a file of Aseprite are refused") {
+    std::string frames, tags;
+    for (int i = 0; i < 2000; ++i)
+        frames += (i > 0 ? "," : "") + std::string(R"({"frame":{"x":0,"y":0,"w":1,"h":1}})");
+    for (int i = 0; i < 2000; ++i)
+        tags += (i > 0 ? "," : "") + std::string(R"({"name":"x","from":0,"to":1999})");
+    write("a.json", R"({"frames":[)" + frames + R"(],"meta":{"image":"hero.tga","frameTags":[)" +
+                        tags + "]}}");
+    make("Sprite", {{"image", "a.json"}});
+    step(1);
+    CHECK(problems == std::vector<std::string>{
+                          "Sprite.image: \"a.json\": its tags have more than 1000000 frames"});
+}
+
 TEST_CASE_METHOD(Gallery, "an image that is too large is refused before it is unpacked") {
     // Only the beginning of a PNG file, which says 12000 x 12000 pixels.
     const std::string png =

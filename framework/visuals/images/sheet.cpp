@@ -1,6 +1,8 @@
 #include <images/sheet.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
@@ -11,28 +13,89 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_frames = 100'000;
+constexpr std::size_t most_played = 1'000'000;  // frames of all tags together
 
-Frame read_frame(const json& from) {
-    const json& cut = from.at("frame");
+/// A value of the file, and where it is: "frames.2.frame.x".
+struct Part {
+    const json& is;
+    std::string path{};
+
+    [[noreturn]] void fail(const std::string& expected) const {
+        throw std::runtime_error(
+            "is no JSON export of Aseprite: " + (path.empty() ? "" : path + ": ") + "expected " +
+            expected + ", got " + shown());
+    }
+    /// The beginning of its text.
+    std::string shown() const {
+        if (is.is_object()) return "an object";
+        if (is.is_array()) return "a list";
+        constexpr std::size_t longest = 60;
+        std::string text = is.dump(-1, ' ', true, json::error_handler_t::replace);
+        if (text.size() > longest) text = text.substr(0, longest) + "…";
+        return text;
+    }
+    Part child(const std::string& key, const json& value) const {
+        return {value, path.empty() ? key : path + "." + key};
+    }
+    /// Empty if it has no such member.
+    std::optional<Part> find(const char* key) const {
+        if (!is.is_object()) fail("an object");
+        const auto found = is.find(key);
+        if (found == is.end()) return std::nullopt;
+        return child(key, *found);
+    }
+    Part at(const char* key) const {
+        if (const std::optional<Part> found = find(key)) return *found;
+        fail("an object with \"" + std::string(key) + "\"");
+    }
+    double number() const {
+        if (!is.is_number()) fail("a number");
+        return is.get<double>();
+    }
+    std::string text() const {
+        if (!is.is_string()) fail("a text");
+        return is.get<std::string>();
+    }
+    std::size_t index(std::size_t count) const {
+        if (is.is_number_unsigned() && is.get<std::uint64_t>() < count)
+            return is.get<std::size_t>();
+        fail("a frame from 0 to " + std::to_string(count - 1));
+    }
+    /// The elements of a list, or the members of an object.
+    template <class Visit>
+    void each(Visit visit) const {
+        if (!is.is_structured()) fail("a list");
+        std::size_t number = 0;
+        for (const json& element : is) visit(child(std::to_string(number++), element));
+    }
+};
+
+Frame read_frame(const Part& from) {
+    const Part cut = from.at("frame");
     Frame frame;
-    frame.area = {cut.at("x").get<double>(), cut.at("y").get<double>(), cut.at("w").get<double>(),
-                  cut.at("h").get<double>()};
+    frame.area = {cut.at("x").number(), cut.at("y").number(), cut.at("w").number(),
+                  cut.at("h").number()};
     frame.size = {frame.area.width, frame.area.height};
-    if (const auto whole = from.find("sourceSize"); whole != from.end())
-        frame.size = {whole->at("w").get<double>(), whole->at("h").get<double>()};
-    if (const auto place = from.find("spriteSourceSize"); place != from.end())
-        frame.offset = {place->at("x").get<double>(), place->at("y").get<double>()};
-    frame.seconds = std::clamp(from.value("duration", 0.0) / 1000, 0.0, 1e6);
+    if (const auto whole = from.find("sourceSize"))
+        frame.size = {whole->at("w").number(), whole->at("h").number()};
+    if (const auto place = from.find("spriteSourceSize"))
+        frame.offset = {place->at("x").number(), place->at("y").number()};
+    if (const auto duration = from.find("duration"))
+        frame.seconds = std::clamp(duration->number() / 1000, 0.0, 1e6);
     return frame;
 }
 
-Animation read_tag(const json& from, std::size_t count) {
+/// `played`: the number of frames of the tags before it.
+Animation read_tag(const Part& from, std::size_t count, std::size_t played) {
     Animation made;
-    made.name = from.at("name").get<std::string>();
-    const auto first = from.at("from").get<std::size_t>(), last = from.at("to").get<std::size_t>();
-    if (first > last || last >= count)
-        throw std::runtime_error("the tag \"" + made.name + "\" has frames that do not exist");
-    const std::string direction = from.value("direction", "forward");
+    made.name = from.at("name").text();
+    const std::size_t first = from.at("from").index(count), last = from.at("to").index(count);
+    if (first > last) from.at("to").fail("a frame that is not before \"from\"");
+    if (played + 2 * (last - first + 1) > most_played)
+        throw std::runtime_error("its tags have more than " + std::to_string(most_played) +
+                                 " frames");
+    const auto order = from.find("direction");
+    const std::string direction = order ? order->text() : "forward";
     for (std::size_t i = first; i <= last; ++i) made.frames.push_back(i);
     if (direction.starts_with("pingpong"))
         for (std::size_t i = last; i > first + 1; --i) made.frames.push_back(i - 1);
@@ -41,17 +104,23 @@ Animation read_tag(const json& from, std::size_t count) {
     return made;
 }
 
-Export read(const json& from) {
+Export read(const Part& from) {
     Export read;
-    read.image = from.at("meta").at("image").get<std::string>();
+    const Part meta = from.at("meta");
+    read.image = meta.at("image").text();
     // "Hash" exports have an object with the names of the frames, "array" exports a list.
-    for (const json& frame : from.at("frames")) {
-        if (read.frames.size() >= most_frames) throw std::runtime_error("it has too many frames");
+    from.at("frames").each([&](const Part& frame) {
+        if (read.frames.size() >= most_frames)
+            throw std::runtime_error("it has more than " + std::to_string(most_frames) + " frames");
         read.frames.push_back(read_frame(frame));
-    }
+    });
     if (read.frames.empty()) throw std::runtime_error("it has no frames");
-    if (const auto tags = from.at("meta").find("frameTags"); tags != from.at("meta").end())
-        for (const json& tag : *tags) read.animations.push_back(read_tag(tag, read.frames.size()));
+    std::size_t played = 0;
+    if (const auto tags = meta.find("frameTags"))
+        tags->each([&](const Part& tag) {
+            read.animations.push_back(read_tag(tag, read.frames.size(), played));
+            played += read.animations.back().frames.size();
+        });
     return read;
 }
 
@@ -65,9 +134,13 @@ const Animation* Sheet::animation(std::string_view name) const {
 
 Export read_export(std::string_view text) {
     try {
-        return read(json::parse(text));
+        return read({json::parse(text)});
     } catch (const json::exception& error) {
-        throw std::runtime_error(std::string("is no JSON export of Aseprite: ") + error.what());
+        // It begins "[json.exception.parse_error.101] ".
+        std::string why = error.what();
+        if (const std::size_t end = why.find("] "); why.starts_with('[') && end != why.npos)
+            why.erase(0, end + 2);
+        throw std::runtime_error("is no JSON export of Aseprite: " + why);
     }
 }
 
