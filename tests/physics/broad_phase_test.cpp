@@ -255,7 +255,7 @@ TEST_CASE("our own sine and cosine and arc tangent agree with the library's") {
     REQUIRE(rotation_of(INFINITY).c == 1.0f);
 }
 
-TEST_CASE("a tree from bytes whose flag is no bool is not to be walked") {
+TEST_CASE("bytes of a tree whose flag is no bool are refused") {
     Tree tree;
     tree.insert({{0, 0}, {1, 1}}, 0);
     std::vector<std::byte> bytes;
@@ -270,7 +270,7 @@ TEST_CASE("a tree from bytes whose flag is no bool is not to be walked") {
     REQUIRE(read(bytes));
     // Two numbers come after the flag.
     bytes.end()[-1 - std::ptrdiff_t(2 * sizeof(uint32_t))] = std::byte{4};
-    REQUIRE_FALSE(read(bytes));
+    REQUIRE_THROWS_AS(read(bytes), std::invalid_argument);
 }
 
 }  // namespace broad_phase_test
