@@ -65,6 +65,8 @@ ContactStiffness stiffness_of(const WorldDef& settings, float h, float longest) 
     return {hertz, settings.contact_damping, h, gravity > 0.0f ? gravity : usual_gravity};
 }
 
+}  // namespace
+
 /// How a step is divided.
 struct SubSteps {
     WorldDef settings;  ///< with the number of sub-steps of this step
@@ -72,6 +74,8 @@ struct SubSteps {
     float ratio;        ///< of this length to the last one; scales stored impulses
     ContactStiffness stiffness;
 };
+
+namespace {
 
 SubSteps divide(WorldState& state, float dt) {
     WorldDef of_step = state.settings;
@@ -95,77 +99,89 @@ void note_lengths(WorldState& state, const SubSteps& sub) {
 }  // namespace
 
 void WorldData::step(float dt) {
-    ObjectState& objects = *this;
-    Columns& columns = *this;
-    BroadPhaseState& broad_phase = *this;
-    ActiveLists& active = *this;
-    PairScratch& pair_scratch = *this;
-    BodyScratch& body_scratch = *this;
-    JointScratch& joint_scratch = *this;
-    ContactScratch& contact_scratch = *this;
-    ScheduleScratch& schedule = *this;
     const WideKernels& kernels = wide_kernels(most_lanes);
-    const bool groups = settings.solver == Solver::soft_step;  // other solvers have no groups
     const SubSteps sub = divide(*this, dt);
-    const float h = sub.h;
     StageClock total, clock;
 
     begin_step();
     statistics.edits_ms = clock.lap();
-    find_pairs(objects, columns, broad_phase, settings, steps, pair_scratch, user_filter(),
+    find_pairs(objects(), columns(), broad_phase(), settings, steps, pair_scratch(), user_filter(),
                kernels.overlaps, threads);
     wake_jointed(activity());
     statistics.pairs_ms = clock.lap();
-    narrow_phase({objects, columns, broad_phase, active, settings, pair_scratch, contact_list(),
-                  activity(), kernels, threads});
+    narrow_phase({objects(), columns(), broad_phase(), active(), settings, pair_scratch(),
+                  contact_list(), activity(), kernels, threads});
     consult_callbacks();
     statistics.narrow_ms = clock.lap();
 
-    cut_into_strips(objects, active, groups, steps, strips);
-    gather_bodies(objects, columns, active, settings, strips, h, body_scratch, hubs, threads);
-    apply_fields(objects, columns, boxes, awake_bodies, settings.gravity, h, dt, solver_forces);
-    if (!self.functions.empty()) ask_velocity_functions(dt, sub.settings.substeps);
-    const JointStep joint_step = prepare_joints(objects, columns, active, body_scratch,
-                                                joint_scratch, h, sub.ratio, threads);
-    find_acting(objects, active, body_scratch, settings, schedule, contact_scratch, dt, threads);
-    color_contacts(active, body_scratch, strips, acting_joints(), contact_scratch, schedule,
-                   threads);
-    prepare_serial(objects, columns, body_scratch, contact_scratch, sub.stiffness, dt, sub.ratio,
-                   threads);
-    const SolverInput solver_input = {
-        sub.settings,    objects,
-        active,          strips,
-        body_scratch,    joint_scratch,
-        contact_scratch, schedule,
-        threads,         groups ? std::span(self.sums) : std::span<VelocitySums>()};
-    begin_sums(solver_input, columns, steps, h);
-    solve(solver_input, joint_step, sub.stiffness, kernels, statistics);
-    if (groups && objects.crowded_shapes > 0) limit_pushes(solver_input, columns);
-    end_sums(solver_input, columns);
-    if (!groups) keep_pushed_awake(objects, active, body_scratch, settings, dt);
-    note_lengths(*this, sub);
-    store_joints(objects, body_scratch, joint_scratch, joint_step, threads);
-    break_joints(editing(), joint_scratch, joint_step.inverse_h / float(sub.settings.substeps));
-    store_contacts(contact_scratch, touching(), settings.hit_threshold, threads);
-    if (settings.persist_events)
-        report_persisting(objects, columns, active, uint32_t(steps), sub.settings.substeps, events);
+    gather_objects(sub, dt);
+    const JointStep joint_step = prepare_constraints(sub, dt);
+    solve_constraints(sub, joint_step, kernels);
+    store_results(sub, joint_step, dt);
     statistics.solve_ms = clock.lap();
 
     sleep_candidates = finish_bodies(
-        {objects, columns, broad_phase, active, settings, body_scratch, sub.settings.substeps,
-         *this, pair_scratch, contact_list(), activity(), pending, user_filter(),
-         self.see_contacts() || !ignored_pairs.empty(), statistics, threads},
+        {objects(), columns(), broad_phase(), active(), settings, body_scratch(),
+         sub.settings.substeps, *this, pair_scratch(), contact_list(), activity(), pending,
+         user_filter(), self.see_contacts() || !ignored_pairs.empty(), statistics, threads},
         dt);
-    note_velocities_after(self.sums, columns);
+    note_velocities_after(self.sums, columns());
     report_parted(touching());
-    order_lists(objects, active, strips, body_scratch, steps, reordering, threads);
-    forget_ends(active, body_scratch);
+    order_lists(objects(), active(), strips, body_scratch(), steps, reordering, threads);
+    forget_ends(active(), body_scratch());
     statistics.finish_ms = clock.lap();
     ++steps;
-    sleep_resting_islands(activity(), joint_scratch, settings, sleep_candidates, steps);
+    sleep_resting_islands(activity(), joint_scratch(), settings, sleep_candidates, steps);
     statistics.sleep_ms = clock.lap();
     statistics.total_ms = total.lap();
     end_step();
+}
+
+void WorldData::gather_objects(const SubSteps& sub, float dt) {
+    cut_into_strips(objects(), active(), solves_in_groups(), steps, strips);
+    gather_bodies(objects(), columns(), active(), settings, strips, sub.h, body_scratch(), hubs,
+                  threads);
+    apply_fields(objects(), columns(), boxes, awake_bodies, settings.gravity, sub.h, dt,
+                 solver_forces);
+    if (!self.functions.empty()) ask_velocity_functions(dt, sub.settings.substeps);
+}
+
+JointStep WorldData::prepare_constraints(const SubSteps& sub, float dt) {
+    const JointStep joint_step = prepare_joints(objects(), columns(), active(), body_scratch(),
+                                                joint_scratch(), sub.h, sub.ratio, threads);
+    find_acting(objects(), active(), body_scratch(), settings, schedule(), contact_scratch(), dt,
+                threads);
+    color_contacts(active(), body_scratch(), strips, acting_joints(), contact_scratch(), schedule(),
+                   threads);
+    prepare_serial(objects(), columns(), body_scratch(), contact_scratch(), sub.stiffness, dt,
+                   sub.ratio, threads);
+    return joint_step;
+}
+
+void WorldData::solve_constraints(const SubSteps& sub, const JointStep& joint_step,
+                                  const WideKernels& kernels) {
+    const bool groups = solves_in_groups();
+    const SolverInput input = {
+        sub.settings,      objects(),
+        active(),          strips,
+        body_scratch(),    joint_scratch(),
+        contact_scratch(), schedule(),
+        threads,           groups ? std::span(self.sums) : std::span<VelocitySums>()};
+    begin_sums(input, columns(), steps, sub.h);
+    solve(input, joint_step, sub.stiffness, kernels, statistics);
+    if (groups && crowded_shapes > 0) limit_pushes(input, columns());
+    end_sums(input, columns());
+}
+
+void WorldData::store_results(const SubSteps& sub, const JointStep& joint_step, float dt) {
+    if (!solves_in_groups()) keep_pushed_awake(objects(), active(), body_scratch(), settings, dt);
+    note_lengths(*this, sub);
+    store_joints(objects(), body_scratch(), joint_scratch(), joint_step, threads);
+    break_joints(editing(), joint_scratch(), joint_step.inverse_h / float(sub.settings.substeps));
+    store_contacts(contact_scratch(), touching(), settings.hit_threshold, threads);
+    if (settings.persist_events)
+        report_persisting(objects(), columns(), active(), uint32_t(steps), sub.settings.substeps,
+                          events);
 }
 
 void WorldData::begin_step() {

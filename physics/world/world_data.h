@@ -13,6 +13,9 @@
 
 namespace fettle::physics::detail {
 
+struct JointStep;
+struct SubSteps;
+
 /// A world: its state, the scratch data of its step, and its other data. Member functions are
 /// grouped by the file that defines them.
 struct WorldData : WorldState, StepScratch {
@@ -20,6 +23,17 @@ struct WorldData : WorldState, StepScratch {
     bool stepping = false;
     WorldSelf self;                 ///< callbacks, owner, threads: not part of the state
     ThreadPool* threads = nullptr;  ///< of `self`
+
+    // Its parts, by name. A stage of the step takes those that it uses.
+    ObjectState& objects() { return *this; }
+    Columns& columns() { return *this; }
+    BroadPhaseState& broad_phase() { return *this; }
+    ActiveLists& active() { return *this; }
+    PairScratch& pair_scratch() { return *this; }
+    BodyScratch& body_scratch() { return *this; }
+    JointScratch& joint_scratch() { return *this; }
+    ContactScratch& contact_scratch() { return *this; }
+    ScheduleScratch& schedule() { return *this; }
 
     Events& event_sink() { return stepping ? events : pending; }
     BodyId body_id(uint32_t slot) const { return detail::body_id(*this, slot); }
@@ -64,7 +78,15 @@ struct WorldData : WorldState, StepScratch {
     // step.cpp
     void step(float dt);
     void begin_step();
+    /// The data of bodies that the solver reads.
+    void gather_objects(const SubSteps& sub, float dt);
+    JointStep prepare_constraints(const SubSteps& sub, float dt);
+    void solve_constraints(const SubSteps& sub, const JointStep& joint_step,
+                           const WideKernels& kernels);
+    void store_results(const SubSteps& sub, const JointStep& joint_step, float dt);
     void end_step();
+    /// False: the solver takes all constraints one after the other.
+    bool solves_in_groups() const { return settings.solver == Solver::soft_step; }
     void tell_step_begins(float dt);
     void tell_step_ends();
     // memory.cpp

@@ -21,8 +21,6 @@ using property::Vec2;
 
 namespace {
 
-constexpr property::Range heights{1e-3, 1e6};  // m
-
 /// The lower and the upper corner of a box; equal ones for a list that is none.
 std::array<Vec2, 2> corners_of(const Value& corners) {
     const property::List& list = corners.list();
@@ -52,7 +50,7 @@ std::vector<Property> Cameras::properties() {
          .type = Type::number,
          .default_value = 20.0,
          .unit = "m",
-         .range = heights,
+         .range = view_heights,
          .doc = "How much of the world is seen from the bottom of its viewport to its top."},
         {.name = "zoom",
          .type = Type::number,
@@ -218,7 +216,7 @@ double Cameras::zoom(property::Row row) const {
 void Cameras::set_zoom(property::Row row, double zoom) {
     const Handle camera = rows_[row].self;
     const double height = picture(camera, view_.screen, 1).view.screen.y / zoom;
-    if (height < heights.min || height > heights.max)
+    if (height < view_heights.min || height > view_heights.max)
         throw std::invalid_argument("the height seen would be " + property::number_text(height) +
                                     " m, not between 0.001 and 1e+06 m");
     tree_.set(camera, "height", Value(height));

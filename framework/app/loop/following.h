@@ -1,11 +1,14 @@
 #pragma once
-// What the view and a camera have in common: following an instance, limits, shaking.
+// What the view and a camera have in common: height, following an instance, limits, shaking.
 
 #include <vector>
 
 #include <fettle/property/class.h>
 
 namespace fettle::app {
+
+/// Range of the height that is shown, m.
+inline constexpr property::Range view_heights{1e-3, 1e6};
 
 /// `follow`, `follow_damping`, `dead_zone`, `limits` and the hidden numbers of a shake, as values
 /// that the tree stores.

@@ -74,8 +74,6 @@ Vec2 View::to_world(const Vec2& pixels) const {
 
 namespace {
 
-constexpr property::Range heights{1e-3, 1e6};
-
 Property derived(Property property, std::vector<std::string> sources) {
     property.read_only = true;
     property.transient = true;
@@ -96,7 +94,7 @@ std::vector<Property> where(View& view) {
          .type = Type::number,
          .default_value = 20.0,
          .unit = "m",
-         .range = heights,
+         .range = view_heights,
          .doc = "How much of the world is seen from the bottom of the screen to its top.",
          .binding = column(view, Native::f64, 0, [](View& v) { return &v.height; })},
         {.name = "angle",
@@ -124,7 +122,7 @@ std::vector<Property> where(View& view) {
              [](View& v, property::Row, const Value& zoom) {
                  const double height = v.fit == Fit::expand ? v.screen.y / zoom.number()
                                                             : v.height * v.zoom() / zoom.number();
-                 if (height < heights.min || height > heights.max)
+                 if (height < view_heights.min || height > view_heights.max)
                      throw std::invalid_argument("the height seen would be " +
                                                  property::number_text(height) +
                                                  " m, not between 0.001 and 1e+06 m");
