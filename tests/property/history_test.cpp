@@ -311,6 +311,22 @@ TEST_CASE_METHOD(Fixture, "the last writer is known by kind and step and for edi
     CHECK_FALSE(tree.who(next, p).known);
 }
 
+TEST_CASE_METHOD(Fixture, "what a step has changed since a person wrote it is of the simulation") {
+    const Property& velocity = tree.property(ball, "velocity");
+    tree.set_step(4);
+    console([&] { tree.set(ball, velocity, Vec2(5, 0)); });
+    CHECK(tree.who(ball, velocity).cause.text() == "console, step 4");
+    tree.set_step(6);
+    CHECK(tree.who(ball, velocity).cause.text() == "console, step 4");
+    module.ball(ball).velocity[1] = -1;
+    CHECK(tree.who(ball, velocity).cause.text() == "simulation, step 6");
+    tree.set_step(5);  // the step that follows the write
+    CHECK(tree.who(ball, velocity).cause.text() == "console, step 4");
+    tree.set_step(6);
+    console([&] { tree.set(ball, velocity, Vec2(2, 0)); });
+    CHECK(tree.who(ball, velocity).cause.text() == "console, step 6");
+}
+
 TEST_CASE_METHOD(Fixture, "the last writer of each of many plain writes is known") {
     const Property& mass = tree.property(ball, "mass");
     const Handle other = tree.create(*module.type, world, "other");

@@ -11,6 +11,11 @@ namespace {
 
 constexpr std::size_t max_fresh_kept = 1024;  // enough for the instances made between two barriers
 
+/// Whether the simulation writes it. A value that derives from others changes with those.
+bool moves_by_itself(const Property& property) {
+    return property.simulated && property.derives_from.empty();
+}
+
 }  // namespace
 
 Value PlainWrite::value() const {
@@ -54,7 +59,9 @@ void Changes::written(Handle handle, const Node& node, const Property& property,
     if (replaying) return;
     writes.note(handle, property, author.writer, author.step);
     if (recording() || writes.closed_for(WritesLog::Reason::located))
-        writes.note_in_full(handle, property.symbol, author.cause());
+        writes.note_in_full(
+            handle, property.symbol, author.cause(),
+            moves_by_itself(property) ? instances.read(handle.index, node, property) : Value());
     if (!node.watched && property.interest == 0) return;
     const Value now = instances.read(handle.index, node, property);
     if (now == old_value) return;
@@ -75,7 +82,8 @@ void Changes::queue_change(Handle handle, const Property& property, const Value&
     if (replaying) return;
     const Cell cell{handle.index, property.symbol};
     shadows.update(cell, new_value);
-    writes.note_in_full(handle, property.symbol, cause);
+    writes.note_in_full(handle, property.symbol, cause,
+                        moves_by_itself(property) ? new_value : Value());
     const auto [place, first] = queue.changes.try_emplace(cell, queue.items.size());
     if (!first) {
         Change& waiting = std::get<Change>(queue.items[place->second].what);

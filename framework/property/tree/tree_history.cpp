@@ -57,9 +57,16 @@ Provenance Tree::who(Handle instance, const Property& property) const {
     if (const auto step = state_->changes.shadows.simulated_at({instance.index, property.symbol}))
         return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step}};
     state_->changes.report_plain_writes();
-    Provenance written = state_->changes.writes.find(instance, property.symbol, step());
-    const bool computed = !property.derives_from.empty();
-    if (written.known || !property.simulated || computed) return written;
+    const WritesLog& writes = state_->changes.writes;
+    Provenance written = writes.find(instance, property.symbol, step());
+    if (!property.simulated || !property.derives_from.empty()) return written;
+    if (written.known) {
+        // Later steps may have changed the value, which nothing reports. The step that follows the
+        // write still shows what was written, so a break at it names the writer.
+        const Value left = writes.left_by(instance, property.symbol, written.cause);
+        if (left.is_nil() || written.cause.step + 1 >= step() || peek(instance, property) == left)
+            return written;
+    }
     return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step()}};
 }
 

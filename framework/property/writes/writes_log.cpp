@@ -51,7 +51,7 @@ void WritesLog::went(std::uint64_t from, std::uint64_t to) {
     if (latest_step_ > from) {
         for (Run& run : runs_)
             if (run.end > arrived_) run.lost = true;
-        std::erase_if(full_, [&](const auto& each) { return each.second.second.step == from; });
+        std::erase_if(full_, [&](const auto& each) { return each.second.cause.step == from; });
     }
     arrived_ = reported_;
 }
@@ -60,14 +60,14 @@ void WritesLog::begins(std::uint64_t step) {
     if (latest_step_ < step || step == 0) return;
     for (Run& run : runs_)
         if (run.step >= step) run.lost = true;
-    std::erase_if(full_, [&](const auto& each) { return each.second.second.step >= step; });
+    std::erase_if(full_, [&](const auto& each) { return each.second.cause.step >= step; });
     latest_step_ = step - 1;
 }
 
 void WritesLog::forget_after(std::uint64_t step) {
     for (Run& run : runs_)
         if (run.step >= step) run = {.end = run.end, .step = step, .writer = Writer::restore};
-    std::erase_if(full_, [&](const auto& each) { return each.second.second.step >= step; });
+    std::erase_if(full_, [&](const auto& each) { return each.second.cause.step >= step; });
     latest_step_ = std::min(latest_step_, step);
 }
 
@@ -108,8 +108,8 @@ Provenance WritesLog::find(Handle instance, Symbol property, std::uint64_t now) 
         later = true;
     }
     const auto full = full_.find({instance.index, property});
-    if (full != full_.end() && full->second.first == instance.generation) {
-        const Cause& cause = full->second.second;
+    if (full != full_.end() && full->second.generation == instance.generation) {
+        const Cause& cause = full->second.cause;
         if (cause.step <= now && (!out.known || cause.step >= out.cause.step))
             return {.known = true, .cause = cause};
     }
@@ -117,6 +117,14 @@ Provenance WritesLog::find(Handle instance, Symbol property, std::uint64_t now) 
         return {.known = true,
                 .cause = {.writer = Writer::restore, .where = {}, .step = arrival_step_}};
     return out;
+}
+
+Value WritesLog::left_by(Handle instance, Symbol property, const Cause& write) const {
+    const auto full = full_.find({instance.index, property});
+    const bool found = full != full_.end() && full->second.generation == instance.generation &&
+                       full->second.cause.step == write.step &&
+                       full->second.cause.writer == write.writer;
+    return found ? full->second.left : Value();
 }
 
 }  // namespace fettle::property

@@ -76,9 +76,10 @@ class WritesLog {
         begin() = {.instance = instance, .property = &property};
         tell(writer, step);
     }
-    void note_in_full(Handle instance, Symbol property, const Cause& cause) {
+    /// `left`: the value after the write, if the simulation may change it without a report.
+    void note_in_full(Handle instance, Symbol property, const Cause& cause, Value left = {}) {
         if (full_.size() >= max_count) full_.clear();
-        full_[{instance.index, property}] = {instance.generation, cause};
+        full_[{instance.index, property}] = {instance.generation, cause, std::move(left)};
     }
     /// The tree went from its state at the step `from` to that at `to`. What was written at `from`
     /// since the last call is lost, if later steps are known: looking at the past does not change
@@ -91,6 +92,8 @@ class WritesLog {
     void forget_after(std::uint64_t step);
     /// Among the writes up to the step `now`. The writer is `restore` if there are only later ones.
     Provenance find(Handle instance, Symbol property, std::uint64_t now) const;
+    /// The value that the write left; nil if it is not known.
+    Value left_by(Handle instance, Symbol property, const Cause& write) const;
 
   private:
     static constexpr std::size_t max_count = std::size_t{1} << 18;
@@ -105,6 +108,12 @@ class WritesLog {
         std::uint64_t step;
         Writer writer;
         bool lost = false;  // what it wrote is not in the tree
+    };
+
+    struct FullWrite {
+        std::uint32_t generation = 0;
+        Cause cause{};
+        Value left{};
     };
 
     void next_chunk();
@@ -127,7 +136,7 @@ class WritesLog {
     std::uint64_t latest_step_ = 0;  // of entries that are not lost
     std::uint64_t arrival_step_ = 0;
     std::uint64_t arrived_ = 0;  // number of entries when the tree came to its state
-    std::unordered_map<Cell, std::pair<std::uint32_t, Cause>, CellHash> full_;
+    std::unordered_map<Cell, FullWrite, CellHash> full_;
 };
 
 }  // namespace fettle::property
