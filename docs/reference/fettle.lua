@@ -1969,7 +1969,7 @@ View = {}
 ---@field islands boolean Islands: bodies that sleep and wake together, each island in a color of its own. · true or false · default false · not saved
 ---@field joints boolean Joints and their anchors. · true or false · default false · not saved
 ---@field limits boolean Limits of joints: the angles and ways that they allow. · true or false · default false · not saved
----@field names boolean Names of bodies. · true or false · default false · not saved
+---@field names boolean Names of bodies. Of those that would overlap one is drawn. · true or false · default false · not saved
 ---@field onion_skins boolean Earlier poses of the selected instance while the console is open, and later ones after going back. · true or false · default false · not saved
 ---@field timings boolean Frames a second, and where a frame's time goes. · true or false · default false · not saved
 ---@field velocities boolean Velocities of bodies, as lines. · true or false · default false · not saved
@@ -2873,7 +2873,7 @@ Interface = {}
 ---@class Tween : Object
 ---@field alternate boolean Whether every second run goes back. · true or false · default false
 ---@field curve number[] Parts of the way at equal distances of time, joined by straight lines. A function given as ease is kept here as 257 of its values. · any length · default {}
----@field ease "linear"|"in_quad"|"out_quad"|"in_out_quad"|"in_cubic"|"out_cubic"|"in_out_cubic"|"in_quart"|"out_quart"|"in_out_quart"|"in_quint"|"out_quint"|"in_out_quint"|"in_sine"|"out_sine"|"in_out_sine"|"in_expo"|"out_expo"|"in_out_expo"|"in_circ"|"out_circ"|"in_out_circ"|"in_back"|"out_back"|"in_out_back"|"in_elastic"|"out_elastic"|"in_out_elastic"|"in_bounce"|"out_bounce"|"in_out_bounce"|"curve" How the part of the way depends on the part of the time; "curve" takes it from `curve`. · 32 texts · default "linear"
+---@field ease "linear"|"out_quad"|"in_quad"|"in_out_quad"|"out_cubic"|"in_cubic"|"in_out_cubic"|"out_quart"|"in_quart"|"in_out_quart"|"out_quint"|"in_quint"|"in_out_quint"|"out_sine"|"in_sine"|"in_out_sine"|"out_expo"|"in_expo"|"in_out_expo"|"out_circ"|"in_circ"|"in_out_circ"|"out_back"|"in_back"|"in_out_back"|"out_elastic"|"in_elastic"|"in_out_elastic"|"out_bounce"|"in_bounce"|"in_out_bounce"|"curve" How the part of the way depends on the part of the time; "curve" takes it from `curve`. · 32 texts · default "linear"
 ---@field from any The value at the beginning: the one that the property has when the tween begins, unless it is set before. · any value · default nil · may be nil
 ---@field loops integer How often it runs before it ends; 0: until it is stopped. · 0 to 1000000000 · default 1
 ---@field paused boolean Whether it stands still. · true or false · default false

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "fixture.h"
 
+#include <fettle/property/spelling.h>
+
 namespace edits_test {
 
 using namespace fettle::property;
@@ -113,6 +115,14 @@ TEST_CASE_METHOD(Fixture, "an unknown name is an error with the nearest spelling
                contains("did you mean \"ball\"?"));
     CHECK_THAT(message_of([&] { tree.call(ball, "grwo", {1.0}); }),
                contains("did you mean \"grow\"?"));
+}
+
+TEST_CASE("a name of one letter is similar to the last word of a name and to no other letter") {
+    const std::vector<std::string> names = {"z", "body_a", "body_b", "out_bounce"};
+    CHECK(suggestion("a", names) == " (did you mean \"body_a\"?)");
+    CHECK(suggestion("q", names).empty());
+    CHECK(suggestion("bounce", names) == " (did you mean \"out_bounce\"?)");
+    CHECK(suggestion("Z", names) == " (did you mean \"z\"?)");
 }
 
 TEST_CASE_METHOD(Fixture,

@@ -134,6 +134,11 @@ TEST_CASE("what a tween cannot do is an error at once") {
     Game s;
     CHECK_THAT(s.fails("tween(ball, 'mass', 2, 1, 'out_qaud')"),
                contains("tween: no ease \"out_qaud\" (did you mean \"out_quad\"?)"));
+    CHECK_THAT(s.fails("tween(ball, 'mass', 2, 1, 'elastic')"),
+               contains("tween: no ease \"elastic\" (did you mean \"out_elastic\"?)"));
+    CHECK_THAT(s.fails("tween(ball, 'mass', 2, 1, 'smoothly')"),
+               contains("tween: no ease \"smoothly\"; there are \"linear\", and in_, out_ or "
+                        "in_out_ before quad, cubic,"));
     CHECK_THAT(s.fails("tween(ball, 'mas', 2, 1)"), contains("(did you mean \"mass\"?)"));
     CHECK_THAT(s.fails("tween(ball, 'class', 2, 1)"), contains("is read-only"));
     CHECK_THAT(s.fails("tween(ball, 'awake', false, 1)"),

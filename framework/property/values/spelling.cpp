@@ -16,6 +16,14 @@ bool same_but_for_case(std::string_view a, std::string_view b) {
                       [](char x, char y) { return lower(x) == lower(y); });
 }
 
+/// "frict" begins "friction"; "bounce" is the last word of "out_bounce", and "a" that of "body_a".
+bool is_part(std::string_view name, std::string_view longer) {
+    if (name.empty() || longer.size() <= name.size()) return false;
+    const std::size_t more = longer.size() - name.size();
+    return (name.size() >= 3 && same_but_for_case(name, longer.substr(0, name.size()))) ||
+           (longer[more - 1] == '_' && same_but_for_case(name, longer.substr(more)));
+}
+
 }  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {
@@ -64,17 +72,16 @@ bool near_miss(std::string_view name, std::string_view declared) {
 }
 
 std::string nearest(std::string_view name, std::span<const std::string> candidates) {
-    // A third of the letters may be wrong: "frict" finds "friction" as a prefix, "velosity" by its
-    // distance.
+    // A third of the letters may be wrong, but not all: "velosity" is found by its distance,
+    // "frict" and "bounce" as parts of names.
     const std::size_t limit = std::max<std::size_t>(1, name.size() / 3);
     std::size_t best_distance = limit + 1;
     const std::string* best = nullptr;
     for (const std::string& candidate : candidates) {
         if (candidate == name) continue;
         std::size_t distance = edit_distance(name, candidate, limit);
-        if (distance > limit && name.size() >= 3 && candidate.size() > name.size() &&
-            same_but_for_case(name, std::string_view(candidate).substr(0, name.size())))
-            distance = limit;
+        if (distance >= std::max(name.size(), candidate.size())) distance = limit + 1;
+        if (distance > limit && is_part(name, candidate)) distance = limit;
         if (distance < best_distance) {
             best_distance = distance;
             best = &candidate;

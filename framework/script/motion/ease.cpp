@@ -96,7 +96,7 @@ const std::vector<std::string>& ease_names() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all{"linear"};
         for (const Family& family : families)
-            for (const char* start : {"in_", "out_", "in_out_"})
+            for (const char* start : {"out_", "in_", "in_out_"})
                 all.push_back(std::string(start) + family.name);
         return all;
     }();

@@ -61,6 +61,14 @@ property::List listed(lua_State* L, int index) {
     return curve;
 }
 
+/// The nearest name, or else how all of them are made.
+std::string near_ease(const std::string& name) {
+    const std::string near = property::suggestion(name, ease_names());
+    if (!near.empty()) return near;
+    return "; there are \"linear\", and in_, out_ or in_out_ before quad, cubic, quart, quint, "
+           "sine, expo, circ, back, elastic and bounce";
+}
+
 void read_ease(lua_State* L, int index, Tweens::Plan& plan) {
     switch (lua_type(L, index)) {
         case LUA_TNONE:
@@ -70,8 +78,8 @@ void read_ease(lua_State* L, int index, Tweens::Plan& plan) {
             plan.ease = string_at(L, index);
             for (const std::string& known : ease_names())
                 if (plan.ease == known) return;
-            throw Error(ErrorKind::unknown_name, "tween: no ease \"" + plan.ease + "\"" +
-                                                     property::suggestion(plan.ease, ease_names()));
+            throw Error(ErrorKind::unknown_name,
+                        "tween: no ease \"" + plan.ease + "\"" + near_ease(plan.ease));
         case LUA_TFUNCTION:
             plan.ease = "curve";
             plan.curve = sampled(L, index);
