@@ -366,6 +366,15 @@ TEST_CASE_METHOD(Moving, "every overlay is drawn at the drawn poses of the shape
     }
 }
 
+TEST_CASE_METHOD(Moving, "no name is drawn over another one") {
+    const auto names = [&] { return overlay(property::Overlay::names, 1).count("text"); };
+    const std::size_t one = names();
+    const Handle other = body("Box", {0.25, 0});
+    CHECK(names() == one);
+    set(other, "position", Vec2(0.25, 100));
+    CHECK(names() == 2 * one);
+}
+
 TEST_CASE_METHOD(Drawn, "a contact is drawn at the drawn pose of the moving body") {
     floor();
     const Handle crate = body("Box", {0, 0.5});

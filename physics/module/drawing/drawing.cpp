@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include <fettle/property/label.h>
 
@@ -133,15 +138,42 @@ void draw_joints(physics::World& world, Painter& painter, double alpha) {
         if (!joint.dormant()) draw_joint(world, joint, painter, alpha);
 }
 
+/// Where labels are drawn: in cells as high as half a label. None is drawn over another one.
+class LabelPlaces {
+  public:
+    explicit LabelPlaces(double height) : cell_(height / 2) {}
+    /// False if a label is there already.
+    bool take(const Vec2& middle, std::string_view text) {
+        const Vec2 reach(cell_ * 0.6 * static_cast<double>(text.size()), cell_);
+        const std::int64_t left = number(middle.x - reach.x), right = number(middle.x + reach.x);
+        const std::int64_t low = number(middle.y - reach.y), high = number(middle.y + reach.y);
+        for (std::int64_t y = low; y <= high; ++y)
+            for (std::int64_t x = left; x <= right; ++x)
+                if (taken_.contains({x, y})) return false;
+        for (std::int64_t y = low; y <= high; ++y)
+            for (std::int64_t x = left; x <= right; ++x) taken_.insert({x, y});
+        return true;
+    }
+
+  private:
+    std::int64_t number(double place) const {
+        return static_cast<std::int64_t>(std::floor(place / cell_));
+    }
+    double cell_;
+    std::set<std::pair<std::int64_t, std::int64_t>> taken_;
+};
+
 void draw_names(const property::Tree& tree, physics::World& world, Painter& painter, double alpha) {
     // Readable from far, and no larger than needed from near.
     const double pixel = 1 / painter.pixels_per_unit();
     const double height = std::clamp(0.35, 13 * pixel, 20 * pixel);
+    LabelPlaces places(height);
     for (const physics::Body& body : world.bodies()) {
         const Vec2 at = Frame(world, body.index(), alpha).point(body.center());
         const Handle self = unpack(body.user_data());
-        if (painter.sees(at, at) && tree.alive(self))
-            property::draw_label(painter, at, tree.get(self, "name").text(), height, {1, 1, 1, 1});
+        if (!painter.sees(at, at) || !tree.alive(self)) continue;
+        const std::string name = tree.name(self);
+        if (places.take(at, name)) property::draw_label(painter, at, name, height, {1, 1, 1, 1});
     }
 }
 
