@@ -244,6 +244,17 @@ TEST_CASE("a function without arguments can be called without parentheses") {
     CHECK_THAT(s.console("undo"), contains("undo: world.ball.mass = 5"));
 }
 
+TEST_CASE("undo names a long command by its beginning that ends with a whole character") {
+    Stage s;
+    s.run("world.ball = Body { mass = 2 }");
+    std::string accents;
+    for (int i = 0; i < 100; ++i) accents += "é";
+    const std::string before = "world.ball.mass = 5 ";
+    s.console(before + "\n-- " + accents);
+    CHECK_THAT(s.console("undo"),
+               contains("undo: " + before + "-- " + accents.substr(0, 2 * 57) + "…"));
+}
+
 TEST_CASE("print and the console show records and objects without fields in the same form") {
     Stage s;
     s.run("world.crate = Body {} hit = world:raycast(vec(-1, 0), vec(5, 0))");

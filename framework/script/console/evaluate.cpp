@@ -334,7 +334,7 @@ class Session {
         : machine_(machine), edits_(machine.tree.changeable()) {
         if (edits_) {
             const property::Tree::CauseScope scope(machine.tree, property::Writer::console);
-            machine.tree.begin_edit(std::string(command.substr(0, 80)));
+            machine.tree.begin_edit(cut(one_line(command), 80));
         }
         machine.recording = {};
         machine.recording.active = true;
