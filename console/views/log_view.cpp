@@ -31,6 +31,14 @@ std::vector<Span> spans_of(const LogLine& line) {
     }
 }
 
+/// The begin of the last column of a table that begins between `from` and `end`; else `end`. Little
+/// of it would fit into a row that has it behind its middle.
+std::size_t last_column(std::string_view text, std::size_t from, std::size_t end) {
+    const std::size_t gap = text.substr(0, end).rfind("  ");
+    if (gap == std::string_view::npos || gap < from) return end;
+    return std::min(text.find_first_not_of(' ', gap), end);
+}
+
 bool colored(LineKind kind) {
     return kind == LineKind::command || kind == LineKind::continuation ||
            kind == LineKind::source || kind == LineKind::output || kind == LineKind::game;
@@ -78,17 +86,23 @@ void LogView::wrap_line(std::uint64_t number, const LogLine& whole) {
     // Carets are added below the row with the place that they mark.
     if (whole.kind == LineKind::caret) return;
     const std::string& text = whole.text;
-    const std::size_t hang = hanging_indent(text);
+    std::size_t hang = hanging_indent(text);
     std::size_t begin = 0;
     do {
         const std::size_t indent = begin == 0 ? 0 : hang;
         std::size_t end =
             begin + cell_offset(std::string_view(text).substr(begin), columns_ - indent);
         if (end < text.size()) {
+            const std::size_t middle = begin + (columns_ - indent) / 2;
+            const std::size_t column = last_column(text, middle, end);
             // Break after a blank, unless the row would be less than half full.
-            std::size_t space = text.rfind(' ', end - 1);
-            if (space != std::string::npos && space > begin + (columns_ - indent) / 2)
+            const std::size_t space = text.rfind(' ', end - 1);
+            if (column < end) {
+                end = column;
+                if (begin == 0) hang = std::min(hang + 2, columns_ / 2);
+            } else if (space != std::string::npos && space > middle) {
                 end = space + 1;
+            }
         }
         rows_.push_back({number, begin, end, begin == 0, indent});
         if (whole.kind == LineKind::source) mark_row(number + 1, Row(rows_.back()));

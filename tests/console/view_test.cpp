@@ -165,6 +165,19 @@ TEST_CASE("wrapped rows of a table begin below its last column") {
     CHECK(rows.back().find("bbb") == rows[rows.size() - 2].find("aaa"));
 }
 
+TEST_CASE("a column of a table that begins behind the middle of the log has rows of its own") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    rig.console.print("  " + std::string(70, 'n') + "   " + std::string(60, 'a') + " " +
+                      std::string(60, 'b'));
+    rig.draw(3);
+    const auto rows = rig.state().log_view.shown_rows();
+    CHECK(rows[rows.size() - 3] == "  " + std::string(70, 'n') + "   ");
+    CHECK(rows[rows.size() - 2] == "    " + std::string(60, 'a') + " ");
+    CHECK(rows.back() == "    " + std::string(60, 'b'));
+}
+
 TEST_CASE("a click opens folded output") {
     Rig rig;
     rig.key("grave");
