@@ -120,7 +120,8 @@ void TweakList::draw_change(const Tweak& tweak) {
 
 void TweakList::draw_row(int row) {
     const Tweak tweak = rows_[static_cast<std::size_t>(row)];  // a copy: buttons change the list
-    ImGui::TableNextRow();
+    // It has the same height without buttons.
+    ImGui::TableNextRow(0, button_height() + 2 * ImGui::GetStyle().CellPadding.y);
     ImGui::TableNextColumn();
     fitted(palette::path, tweak.path, ImGui::GetContentRegionAvail().x);
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
