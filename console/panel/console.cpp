@@ -133,7 +133,11 @@ void Console::State::connect() {
     observing.found = comparison.found = options.found;
     compare_view.close = [this] { comparison.end(); };
     time_bar.run = context_menu.run;
-    time_bar.insert = context_menu.insert;
+    time_bar.insert = [this](const std::string& before, const std::string& after) {
+        TextEdit& edit = prompt.edit();
+        edit.insert(before + after);
+        edit.place(edit.cursor() - after.size(), false);
+    };
     observing.on_break = [this](const std::string& line) { time_marks.stop(line); };
     plot_view.go_to = frame_view.go_to = [this](std::int64_t step) { time_bar.go_to(step); };
     frame_view.close = [this] { show_overlay("timings", false); };

@@ -90,7 +90,7 @@ void TimeBar::draw_entries(const std::string& name) {
         run("time:switch_to(" + name + ")");
     }
     if (entry("Name …", "Puts the command into the prompt") && insert)
-        insert("time:name_branch(\"\", " + name + ")");
+        insert("time:name_branch(\"", "\", " + name + ")");
     if (entry("Forget", "It is not kept any more") && run) run("time:forget_branch(" + name + ")");
 }
 

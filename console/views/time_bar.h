@@ -25,9 +25,10 @@ class TimeBar {
     TimeBar(property::Tree& tree, const Interpreter& interpreter, TimeMarks& marks)
         : tree_(tree), interpreter_(interpreter), marks_(marks) {}
 
-    /// Runs a command as if it were typed; and puts text into the prompt.
+    /// Runs a command as if it were typed; and puts text into the prompt, with the cursor between
+    /// the two parts.
     std::function<void(const std::string& command)> run{};
-    std::function<void(const std::string& text)> insert{};
+    std::function<void(const std::string& before, const std::string& after)> insert{};
 
     struct Times {
         std::int64_t step = 0, oldest = 0, newest = 0;

@@ -220,6 +220,8 @@ TEST_CASE("each branch has a lane of the time bar with a menu") {
     bar.click(bar.bar().menu_entry("Name …"));
     bar.rig.draw(2);
     CHECK(bar.rig.input() == "time:name_branch(\"\", \"1\")");
+    bar.rig.type("high");
+    CHECK(bar.rig.input() == "time:name_branch(\"high\", \"1\")");
     with.told.all.clear();
     bar.rig.draw(2);
     CHECK(bar.bar().lanes().empty());
