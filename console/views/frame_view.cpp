@@ -177,8 +177,13 @@ std::optional<std::size_t> FrameView::draw_bars(const app::FrameLog& log, double
     const float line = bars_.high.y - scale * static_cast<float>(1000 * dt);
     list.AddLine(ImVec2(bars_.low.x, line), ImVec2(bars_.high.x, line),
                  with_alpha(palette::accent, 0.8f));
-    draw_text(list, ImVec2(bars_.low.x + 4, line - ImGui::GetTextLineHeight()), palette::accent,
-              in_ms(1000 * dt));
+    // Bars may be behind the text.
+    const std::string text = in_ms(1000 * dt);
+    const float high = ImGui::GetTextLineHeight();
+    const ImVec2 at(bars_.low.x + 4, std::max(bars_.low.y, line - high));
+    list.AddRectFilled(ImVec2(at.x - 2, at.y), ImVec2(at.x + text_width(text) + 2, at.y + high),
+                       palette::well);
+    draw_text(list, at, palette::accent, text);
     return under;
 }
 

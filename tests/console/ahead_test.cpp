@@ -304,6 +304,24 @@ TEST_CASE_METHOD(AheadRig, "times of frames never cover the prompt") {
 
 // --- Times of frames
 
+TEST_CASE_METHOD(AheadRig, "no bars of frames are behind the time that a frame has") {
+    for (int i = 1; i <= 300; ++i) {
+        log.add({.ms = {.draw = 100}, .frame = i, .step = i});
+        (void)log.complete(100);
+    }
+    property::set(tree, "view.show.timings", Value(true));
+    draw(3);
+    const console::Rect bars = state().frame_view.bars();
+    const float line = bars.high.y - (bars.high.y - bars.low.y) / 100 * (1000.0f / 60);
+    const auto pixel = [&](float x, float y) {
+        const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(surface.width());
+        return surface.pixels()[row + static_cast<std::size_t>(x)];
+    };
+    const console::test::Pixel well{0x0d, 0x0f, 0x14};
+    CHECK(pixel(bars.low.x + 3, line - 5) == well);
+    CHECK_FALSE(pixel(bars.middle().x, line - 5) == well);
+}
+
 TEST_CASE_METHOD(AheadRig, "the times of frames are shown and lead to the worst one") {
     for (int i = 1; i <= 200; ++i) {
         const double modules = i == 120 ? 30 : 3;
