@@ -16,6 +16,7 @@
 #include <command_line/arguments.h>
 #include <command_line/end_request.h>
 #include <command_line/exit_status.h>
+#include <command_line/turn_limit.h>
 #include <commands/gallery.h>
 #include <commands/run_arguments.h>
 #include <commands/run_steps.h>
@@ -32,6 +33,7 @@ namespace fettle::program {
 namespace {
 
 int run_headless(const RunOptions& options, Gallery* gallery) {
+    TurnLimit limit(longest_turn(options));
     Session session(options, nullptr, {});
     if (gallery != nullptr) gallery->connect(session);
     const EndRequest::Scripts scripts(session.runtime());
@@ -44,6 +46,7 @@ int run_headless(const RunOptions& options, Gallery* gallery) {
         if (EndRequest::asked() != 0) close(session);
         session.follow_files();
         loop.turn();
+        limit.turn_ends(loop.lived());
         if (gallery != nullptr && gallery->take_choice())
             session.note("open_game: a run without a window stays in the gallery");
     }
@@ -83,6 +86,7 @@ class WindowRun {
     WindowRun(const RunOptions& options, Gallery* gallery)
         : options_(options),
           gallery_(gallery),
+          limit_(longest_turn(options)),
           game_window_(options.game, read_settings(options.game)),
           error_screen_(
               {.reload = [this] { reload_ = true; },
@@ -99,6 +103,7 @@ class WindowRun {
         start();
         for (bool last = false; !last;) {
             last = frame();
+            limit_.turn_ends(session_->loop().lived());
             if (reload_) start();
         }
         return finish(*session_, options_, &window());
@@ -249,6 +254,7 @@ class WindowRun {
 
     RunOptions options_;
     Gallery* gallery_;  // null: without one
+    TurnLimit limit_;
     GameWindow game_window_;
     app::ErrorScreen error_screen_;
     app::Loudspeaker loudspeaker_;

@@ -1,5 +1,6 @@
 #include <commands/run_steps.h>
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 #include <exception>
@@ -16,6 +17,9 @@ namespace {
 
 /// Time limit of the game's `closing()` after a signal, s.
 constexpr unsigned closing_time = 5;
+
+/// The longest call into the scripts, ms.
+constexpr std::uint64_t in_sandbox = 2000;
 
 }  // namespace
 
@@ -60,12 +64,19 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen) {
 }
 
 bool limit_calls(script::Runtime& runtime, const RunOptions& options) {
-    constexpr std::uint64_t in_sandbox = 2000;  // ms
     const auto limit = options.budget    ? options.budget
                        : options.sandbox ? std::optional(in_sandbox)
                                          : std::nullopt;
     if (limit) runtime.limit_calls(static_cast<double>(*limit) / 1000, {});
     return limit.has_value();
+}
+
+double longest_turn(const RunOptions& options) {
+    if (!options.sandbox) return 0;
+    // A turn has many calls, and a sandbox with a small budget may have large images.
+    constexpr double calls = 15, shortest = 5;
+    return std::max(shortest,
+                    calls * static_cast<double>(options.budget.value_or(in_sandbox)) / 1000);
 }
 
 void be_heard(app::Loudspeaker& loudspeaker, Session& session) {

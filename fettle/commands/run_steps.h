@@ -27,6 +27,9 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen);
 /// Returns false if there is none.
 bool limit_calls(script::Runtime& runtime, const RunOptions& options);
 
+/// The longest time of a turn of the loop in a sandbox, s; 0 for a trusted game.
+double longest_turn(const RunOptions& options);
+
 /// Plays the voices of the game. Reports once why they cannot be heard.
 void be_heard(app::Loudspeaker& loudspeaker, Session& session);
 

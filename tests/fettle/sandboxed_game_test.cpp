@@ -55,6 +55,7 @@ TEST_CASE("each limit of a sandbox is reported with its place and value") {
         {"view.window.size = vec(1e9, 1e9)", "expected a vec2 from 1 to 16384 px"},
         {"world.substeps = 1000000000", "expected an integer from 1 to 64"},
         {"game[('n'):rep(5000)] = Object { }", "a name has at most 1000"},
+        {"os.date(('%c'):rep(1e6))", "main.lua:1: os.date: the format has 2000000 bytes"},
         {"world.o = Object { } function step() for i = 1, 30 do world.o['c' .. i] = "
          "world.o:clone() end end",
          "instances, and this game may have 100000"},
@@ -77,6 +78,62 @@ TEST_CASE("the time of a call in a sandbox is that of the command line") {
                              {"--budget", "200", "--memory", "64"});
     CHECK(run.status == 1);
     CHECK(contains(run.err, "main.lua:1: stopped: it ran for 0.2 seconds"));
+}
+
+TEST_CASE("instances that make instances when they are ready have the limit of all") {
+    const Folder folder;
+    const Outcome run = play(folder,
+                             "class('B', Object) { } "
+                             "function B:ready() for i = 1, 60 do world:add(B { }) end end "
+                             "world:add(B { })",
+                             {"--budget", "600000"});
+    CHECK(run.status == 1);
+    CHECK(contains(run.err, "main.lua:1: stopped: there are 100"));
+    CHECK(contains(run.err, "instances, and this game may have 100000"));
+}
+
+TEST_CASE("a text that takes long to compile is stopped") {
+    // Lua compares each name with all local variables of all functions around it.
+    const std::string text =
+        "local names = {} for i = 1, 190 do names[i] = 'a' .. i end "
+        "local text = ('local function f() local ' .. table.concat(names, ',') .. ' '):rep(190) "
+        ".. ('x=y '):rep(2000000) ";
+    const std::string load =
+        GENERATE(as<std::string>{}, "load(text)",
+                 "load(function() local all = text text = nil return all end)");
+    const Folder folder;
+    const Outcome run = play(folder, text + load, {"--budget", "1000"});
+    CAPTURE(load, run.err);
+    CHECK(run.status == 1);
+    CHECK(contains(run.err, "main.lua:1: stopped: it ran for 1 second"));
+}
+
+TEST_CASE("a garbage collection that does not come back ends the run") {
+    // Each weak table is searched again for each key that is found, and Lua runs no hook meanwhile.
+    const Folder folder;
+    const Outcome run = play(folder, R"(
+        local n, keys, order, weak = 40000, {}, {}, {}
+        for i = 1, n do keys[i] = {} order[i] = i end
+        function step()
+            if time.step == 1 then
+                for i = n, 2, -1 do
+                    local j = random(i)
+                    order[i], order[j] = order[j], order[i]
+                end
+            elseif time.step == 2 then
+                collectgarbage("step")
+                for i = 1, n do weak[i] = setmetatable({}, { __mode = "k" }) end
+            else
+                for i = 1, n - 1 do weak[order[i]][keys[i]] = keys[i + 1] end
+                local first = keys[1]
+                keys = nil
+                collectgarbage()
+                print(first)
+            end
+        end)",
+                             {"--budget", "400"});
+    CHECK(run.status == 1);
+    CHECK(contains(run.err, "did not come back for 6 seconds"));
 }
 
 TEST_CASE("a hostile file is a message and the game goes on") {

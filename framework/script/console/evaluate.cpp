@@ -151,11 +151,9 @@ bool ends_early(lua_State* L) {
 // Leaves the compiled function or the error message on the stack.
 Compiled compile(lua_State* L, std::string_view command) {
     const std::string expression = "return " + std::string(command);
-    if (luaL_loadbufferx(L, expression.data(), expression.size(), chunk_name, "t") == LUA_OK)
-        return Compiled::expression;
+    if (load_text(L, expression, chunk_name) == LUA_OK) return Compiled::expression;
     lua_pop(L, 1);
-    if (luaL_loadbufferx(L, command.data(), command.size(), chunk_name, "t") == LUA_OK)
-        return Compiled::statements;
+    if (load_text(L, command, chunk_name) == LUA_OK) return Compiled::statements;
     return ends_early(L) ? Compiled::incomplete : Compiled::wrong;
 }
 
@@ -176,9 +174,7 @@ bool add_formula(lua_State* L, Machine& machine, std::string_view command) {
         lua_error(L);
     lua_call(L, 0, 1);
     const Handle instance = check_instance(L, -1, "is");
-    if (luaL_loadbufferx(L, ("return " + source).data(), source.size() + 7, chunk_name, "t") !=
-        LUA_OK)
-        lua_error(L);
+    if (load_text(L, "return " + source, chunk_name) != LUA_OK) lua_error(L);
     if (is_function_text(source)) lua_call(L, 0, 1);
     push_formula(L, {source, ""});
     define_formula(L, machine, lua_gettop(L), instance, name);

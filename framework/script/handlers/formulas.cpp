@@ -15,6 +15,7 @@
 #include <lua/interpreter.h>
 #include <lua/life.h>
 #include <lua/machine.h>
+#include <lua/sources.h>
 #include <lua/stack.h>
 #include <text/selected_name.h>
 #include <text/words.h>
@@ -152,7 +153,7 @@ property::Formula compile_formula(Machine& machine, const std::string& source) {
     const bool ok = protected_run(
         machine, "formula",
         [&](lua_State* L) {
-            if (luaL_loadbufferx(L, chunk.data(), chunk.size(), "=formula", "t") != LUA_OK) {
+            if (load_text(L, chunk, "=formula") != LUA_OK) {
                 wrong = string_at(L, -1);
                 return;
             }

@@ -135,7 +135,7 @@ bool compiles_to(lua_State* L, const std::string& text, int line, const std::str
         }
         chunk += " return " + text + (count > 0 ? " end)()" : "");
         const int top = lua_gettop(L);
-        if (luaL_loadbufferx(L, chunk.data(), chunk.size(), "=text", "t") != LUA_OK) {
+        if (load_text(L, chunk, "=text") != LUA_OK) {
             lua_settop(L, top);
             return false;
         }

@@ -87,7 +87,9 @@ Budget::Scope::Scope(Budget& budget, const Limits& limits)
     now.instances_before = machine.tree.size();
     now.watchers_before = machine.tree.watcher_count();
     machine.arena.set_limit(std::min(now.outer_limit, now.lua_before + now.memory));
-    budget.mark_next();
+    // Many calls that let the tree grow a little are noticed as one that lets it grow much.
+    if (machine.life.has_tree())
+        budget.mark_at(std::min(budget.mark_, machine.tree.weight() + growth_slice));
     if (now.counting) lua_sethook(machine.lua.main, hook, LUA_MASKCOUNT, interval);
 }
 
@@ -128,10 +130,9 @@ void Budget::hook(lua_State* L, lua_Debug*) {
             lua_sethook(L, hook, LUA_MASKCOUNT, interval);
         const bool late = std::chrono::steady_clock::now() > now.deadline;
         if (now.left >= 0 && !late) return;
-        budget.stop(
-            L, late ? "stopped: it ran for " + property::number_text(now.seconds) + " seconds"
-                    : "stopped: it ran past its budget of " + std::to_string(now.instructions) +
-                          " instructions");
+        budget.stop(L, late ? budget.too_late()
+                            : "stopped: it ran past its budget of " +
+                                  std::to_string(now.instructions) + " instructions");
     }
     lua_sethook(L, hook, LUA_MASKCOUNT, 1);
     budget.raise_stop(L);
@@ -190,6 +191,16 @@ void Budget::charge(lua_State* L, std::uint64_t instructions) {
     }
     charge_quietly(instructions);
     check(L);
+}
+
+void Budget::charge_by_the_clock(lua_State* L, std::uint64_t instructions) {
+    if (now_.counting && !now_.stopping && std::chrono::steady_clock::now() > now_.deadline)
+        stop(L, too_late());
+    charge(L, instructions);
+}
+
+std::string Budget::too_late() const {
+    return "stopped: it ran for " + property::number_text(now_.seconds) + " seconds";
 }
 
 void Budget::charge_quietly(std::uint64_t instructions) {
@@ -295,8 +306,12 @@ void Budget::notice_growth() {
 }
 
 void Budget::mark_next() {
-    if (!machine_.life.has_tree()) return;
-    machine_.tree.mark_weight(machine_.tree.weight() + growth_slice, [this] { notice_growth(); });
+    if (machine_.life.has_tree()) mark_at(machine_.tree.weight() + growth_slice);
+}
+
+void Budget::mark_at(std::int64_t weight) {
+    mark_ = weight;
+    machine_.tree.mark_weight(weight, [this] { notice_growth(); });
 }
 
 std::string Budget::too_much_memory() const {

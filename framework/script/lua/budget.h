@@ -93,6 +93,8 @@ class Budget {
     /// Charges work that C++ does for a script, in instructions. Raises an error if the limit is
     /// exceeded.
     void charge(lua_State* L, std::uint64_t instructions);
+    /// The same for work whose time its size does not tell: also stops when the time is over.
+    void charge_by_the_clock(lua_State* L, std::uint64_t instructions);
     /// The same where no error may be raised; the script is stopped at its next instruction.
     void charge_quietly(std::uint64_t instructions);
     /// To be called when Lua is to get no more memory. Returns whether it gets none; false for a
@@ -126,11 +128,14 @@ class Budget {
     void refuse_grown_stack(lua_State* L);
     void notice_growth();
     void mark_next();
+    void mark_at(std::int64_t weight);
+    std::string too_late() const;
     std::string too_much_memory() const;
     [[noreturn]] void raise_stop(lua_State* L);
 
     Machine& machine_;
     const std::int64_t first_weight_;  // of the tree before any script ran
+    std::int64_t mark_ = 0;            // the weight of the tree at which its growth is noticed
     Account now_;
     volatile std::sig_atomic_t interrupted_ = 0;
     /// A refusal, with fixed-size members because there is no memory for a text.

@@ -1,10 +1,29 @@
 #include <algorithm>
 #include <string_view>
 
+#include <lua/budget.h>
+#include <lua/interpreter.h>
+#include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
 
 namespace fettle::script {
+
+const char* take_piece(lua_State* L, std::string_view& left, std::size_t* size) {
+    constexpr std::size_t longest = 256;
+    *size = std::min(left.size(), longest);
+    machine_of(L).budget.charge_by_the_clock(L, *size);
+    const char* const piece = left.data();
+    left.remove_prefix(*size);
+    return piece;
+}
+
+int load_text(lua_State* L, std::string_view code, const char* name) {
+    const auto read = [](lua_State* in, void* left, std::size_t* size) {
+        return take_piece(in, *static_cast<std::string_view*>(left), size);
+    };
+    return lua_load(L, read, &code, name, "t");
+}
 
 int Sources::load(lua_State* L, const std::string& text, const std::string& name) {
     std::string_view code = text;
@@ -18,7 +37,7 @@ int Sources::load(lua_State* L, const std::string& text, const std::string& name
     texts[name] = code;
     // A first line of `#!...` is for the shell.
     if (code.starts_with('#')) code.remove_prefix(std::min(code.find('\n'), code.size()));
-    return luaL_loadbufferx(L, code.data(), code.size(), ("@" + name).c_str(), "t");
+    return load_text(L, code, ("@" + name).c_str());
 }
 
 std::string Sources::line(const std::string& file, int line) const {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 
 #include <fettle/property/storage/game_files.h>
@@ -21,6 +22,15 @@ inline std::string library_chunk(const std::string& name) {
 inline bool is_library(const lua_Debug& frame) {
     return frame.source[0] == '@' && frame.source[1] == '[';
 }
+
+/// Compiles source text as luaL_loadbufferx does, but a budget can stop it meanwhile: Lua looks
+/// each name up in all functions around it, so the time of a text may grow with the square of its
+/// length.
+int load_text(lua_State* L, std::string_view code, const char* name);
+
+/// The next piece of a text that is compiled, for a function that lua_load calls: short enough to
+/// be compiled within milliseconds.
+const char* take_piece(lua_State* L, std::string_view& left, std::size_t* size);
 
 struct Sources {
     property::GameFiles& files;

@@ -15,6 +15,7 @@
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
+#include <lua/sources.h>
 #include <lua/stack.h>
 #include <sandbox/sandbox.h>
 #include <text/columns.h>
@@ -251,16 +252,11 @@ int get_metatable(lua_State* L) {
 
 // --- Chunks
 
-struct Pieces {
-    bool done = false;
-};
-
+// Reads from the function at index 1. What is left of its latest text is at `data`, and the text at
+// index 5, which keeps it alive.
 const char* read_piece(lua_State* L, void* data, std::size_t* size) {
-    auto& pieces = *static_cast<Pieces*>(data);
-    if (pieces.done) {
-        *size = 0;
-        return nullptr;
-    }
+    auto& left = *static_cast<std::string_view*>(data);
+    if (!left.empty()) return take_piece(L, left, size);
     luaL_checkstack(L, 2, "too many nested functions");
     lua_pushvalue(L, 1);
     lua_call(L, 0, 1);
@@ -270,10 +266,9 @@ const char* read_piece(lua_State* L, void* data, std::size_t* size) {
         return nullptr;
     }
     if (lua_type(L, -1) != LUA_TSTRING) luaL_error(L, "reader function must return a string");
-    lua_replace(L, 5);  // keeps the piece alive while it is parsed
-    const char* text = lua_tolstring(L, 5, size);
-    machine_of(L).budget.charge(L, *size);
-    return text;
+    lua_replace(L, 5);
+    left = view_at(L, 5);
+    return take_piece(L, left, size);
 }
 
 // load(chunk [, name [, mode [, env]]]). Accepts only source text, whatever the mode.
@@ -287,12 +282,10 @@ int load_chunk(lua_State* L) {
     lua_pushnil(L);  // index 5, for the pieces
     int status;
     if (text) {
-        const std::string_view chunk = view_at(L, 1);
-        machine_of(L).budget.charge(L, chunk.size());
-        status = luaL_loadbufferx(L, chunk.data(), chunk.size(), name.c_str(), "t");
+        status = load_text(L, view_at(L, 1), name.c_str());
     } else {
-        Pieces pieces;
-        status = lua_load(L, read_piece, &pieces, name.c_str(), "t");
+        std::string_view left;
+        status = lua_load(L, read_piece, &left, name.c_str(), "t");
     }
     machine_of(L).budget.check(L);
     if (status != LUA_OK) {
