@@ -27,19 +27,31 @@ bool optional_index(uint32_t index, size_t size) {
     return index == none || index < size;
 }
 
-/// Follows `next` from `first`; false if an index is out of range or the list does not end.
-bool list_ends(uint32_t first, size_t size, auto next) {
-    size_t seen = 0;
-    for (uint32_t i = first; i != none; i = next(i)) {
-        if (i >= size || ++seen > size) return false;
+/// Follows lists that share no element, so that all together have at most `size`. To follow a list
+/// of damaged data again and again, once for each of its owners, could take minutes.
+class ListWalk {
+  public:
+    explicit ListWalk(size_t size) : size_(size), left_(size) {}
+
+    /// Follows `next` from `first`; false if an index is out of range, or if the list does not end
+    /// or shares an element with another one.
+    bool ends(uint32_t first, auto next) {
+        for (uint32_t i = first; i != none; i = next(i)) {
+            if (i >= size_ || left_ == 0) return false;
+            --left_;
+        }
+        return true;
     }
-    return true;
-}
+
+  private:
+    size_t size_, left_;
+};
 
 template <class Record>
 bool free_ones_end(const Slots& slots, const std::vector<Record>& records) {
-    return list_ends(slots.free, records.size(),
-                     [&](uint32_t i) { return Record(records[i]).next_free(); });
+    return ListWalk(records.size()).ends(slots.free, [&](uint32_t i) {
+        return Record(records[i]).next_free();
+    });
 }
 
 bool all_below(const std::vector<uint32_t>& list, size_t size) {
@@ -48,13 +60,9 @@ bool all_below(const std::vector<uint32_t>& list, size_t size) {
     return true;
 }
 
-bool edges_end(uint32_t first, const auto& records) {
-    size_t seen = 0;
-    for (uint32_t edge = first; edge != none;) {
-        if (edge >> 1 >= records.size() || ++seen > 2 * records.size()) return false;
-        edge = records[edge >> 1].edges[edge & 1].next;
-    }
-    return true;
+/// Follows lists of edges, of which each record has two.
+bool edges_end(ListWalk& walk, uint32_t first, const auto& records) {
+    return walk.ends(first, [&](uint32_t edge) { return records[edge >> 1].edges[edge & 1].next; });
 }
 
 bool edge_in_range(const ListEdge& edge, size_t records) {
@@ -67,6 +75,8 @@ void check_bodies(const WorldState& w, Findings& findings) {
     findings.require(n > 0 && w.states.size() == n && w.rest_poses.size() == n &&
                          w.previous.size() == n && w.body_generations.size() == n,
                      "bodies");
+    ListWalk shape_lists(shapes), contact_lists(2 * w.contact_links.size()),
+        joint_lists(2 * w.joints.size());
     for (const BodyRecord& body : w.bodies) {
         findings.require(body.mobility <= Mobility::dynamic &&
                              body.type <= BodyType::dynamic_body &&
@@ -76,10 +86,12 @@ void check_bodies(const WorldState& w, Findings& findings) {
                          "a body");
         findings.require(
             optional_index(body.last_shape, shapes) &&
-                list_ends(body.first_shape, shapes, [&](uint32_t s) { return w.shapes[s].next; }),
+                shape_lists.ends(body.first_shape, [&](uint32_t s) { return w.shapes[s].next; }),
             "the shapes of a body");
-        findings.require(edges_end(body.first_contact, w.contact_links), "the contacts of a body");
-        findings.require(edges_end(body.first_joint, w.joints), "the joints of a body");
+        findings.require(edges_end(contact_lists, body.first_contact, w.contact_links),
+                         "the contacts of a body");
+        findings.require(edges_end(joint_lists, body.first_joint, w.joints),
+                         "the joints of a body");
     }
     findings.require(free_ones_end(w.body_slots, w.bodies), "free bodies");
     findings.require(free_ones_end(w.trait_slots, w.traits), "free traits of bodies");
@@ -92,13 +104,14 @@ void check_bodies(const WorldState& w, Findings& findings) {
 void check_parts(const WorldState& w, Findings& findings) {
     if (findings.result()) return;
     const size_t n = w.shapes.size();
+    ListWalk part_lists(n);
     for (size_t i = 0; i < n; ++i) {
         const ShapeRecord& shape = w.shapes[i];
         const FormKind kind = w.forms[i].kind;
-        findings.require(
-            optional_index(shape.owner, n) && optional_index(shape.next_part, n) &&
-                list_ends(shape.first_part, n, [&](uint32_t s) { return w.shapes[s].next_part; }),
-            "the parts of a shape");
+        findings.require(optional_index(shape.owner, n) && optional_index(shape.next_part, n) &&
+                             part_lists.ends(shape.first_part,
+                                             [&](uint32_t s) { return w.shapes[s].next_part; }),
+                         "the parts of a shape");
         if (findings.result()) return;
         findings.require((kind == FormKind::piece) == (shape.owner != none) &&
                              (kind == FormKind::ellipse) == (shape.type == ShapeType::ellipse) &&
@@ -276,9 +289,10 @@ void check_lists(const WorldState& w, Findings& findings) {
                          all_below(w.awake_contacts, w.contacts.size()),
                      "the lists of what is awake or edited");
     findings.require(w.strips.is_valid(), "the strips");
+    ListWalk sleepers_of_islands(bodies);
     for (const Island& island : w.islands)
         findings.require(
-            list_ends(island.first, bodies, [&](uint32_t i) { return w.bodies[i].next; }),
+            sleepers_of_islands.ends(island.first, [&](uint32_t i) { return w.bodies[i].next; }),
             "an island");
     findings.require(free_ones_end(w.island_slots, w.islands), "free islands");
     const WorldDef& s = w.settings;

@@ -111,6 +111,43 @@ TEST_CASE("forged worlds: a destroyed contact is not listed as awake") {
             }).ends_with("is destroyed but still listed"));
 }
 
+TEST_CASE("forged worlds: a shape is listed once among those that moved") {
+    const auto list = [](std::vector<uint32_t> moved) {
+        return refused([&](WorldData& data) {
+            for (const uint32_t shape : moved) data.shapes[shape].moved = true;
+            data.moved_shapes = moved;
+        });
+    };
+    REQUIRE(list({5, 6}).empty());
+    REQUIRE(list({5, 6, 5}).ends_with("the list of moved shapes is wrong"));
+}
+
+// Each of these lists, followed once for each of its owners, has ten billion elements and more.
+TEST_CASE("forged worlds: lists that many owners share are refused without following each") {
+    World world = sample();
+    for (int i = 0; i < 20'000; ++i) world.create_body({.position = {float(i), 50}});
+    WorldData& data = detail::WorldInside::of(world);
+    const auto refuses = [&] {
+        const std::vector<std::byte> bytes = scenes::saved(world);
+        REQUIRE_THROWS_AS(World().restore(bytes), std::invalid_argument);
+    };
+    SECTION("islands that share their bodies") {
+        for (uint32_t body = 1; body + 1 < data.bodies.size(); ++body)
+            data.bodies[body].next = body + 1;
+        detail::Island shared;
+        shared.first = 1;
+        data.islands.assign(500'000, shared);
+        refuses();
+    }
+    SECTION("bodies that share their joints") {
+        for (int i = 0; i < 250'000; ++i) world.create_joint(JointType::weld);
+        for (uint32_t joint = 0; joint + 1 < data.joints.size(); ++joint)
+            data.joints[joint].edges[0].next = (joint + 1) << 1;
+        for (detail::BodyRecord& body : data.bodies) body.first_joint = 0;
+        refuses();
+    }
+}
+
 TEST_CASE("forged worlds: shapes have vertices of their own and proxies") {
     REQUIRE(refused([](WorldData& data) {
                 data.forms[5].begin = data.forms[4].begin;
