@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include <fettle/property/edits.h>
 #include <fettle/property/observer.h>
 #include <fettle/property/pinned.h>
 
@@ -85,6 +86,23 @@ TEST_CASE(
         tree->observe(observer);
         tree->create(tree->object_class());
     });
+    struct E : EditObserver {
+        void born(Handle) override { tree.reset(); }
+        void dying(Handle) override { tree.reset(); }
+        void moved(Handle, Handle, const std::string&) override { tree.reset(); }
+    };
+    const auto ends_edit = [&](const std::function<void(Handle)>& act) {
+        ends("an observer of edits", [&] {
+            const Handle there = tree->create(tree->object_class(), tree->root());
+            static E observer;
+            tree->observe_edits(&observer);
+            const Tree::CauseScope person(*tree, Writer::console);
+            act(there);
+        });
+    };
+    ends_edit([](Handle) { tree->create(tree->object_class()); });
+    ends_edit([](Handle there) { tree->destroy(there); });
+    ends_edit([](Handle there) { tree->rename(there, "other"); });
     ends("a lifecycle function", [] {
         tree->create(with([](auto& of) {
             of.lifecycle.create = [](void*, Tree&, Handle) -> Row {

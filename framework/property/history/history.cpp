@@ -108,7 +108,7 @@ CellState History::capture(Handle instance, Symbol name) const {
 }
 
 void History::edited(Handle instance, const Property& property, CellState before) {
-    if (observer_ != nullptr) observer_->edited(instance, property, before);
+    inform([&](EditObserver& observer) { observer.edited(instance, property, before); });
     references_.erase({instance.index, property.symbol});
     CellState after = capture(instance, property.symbol);
     // A drag writes one cell many times. Only the first and the last value are kept.
@@ -127,13 +127,15 @@ void History::edited(Handle instance, const Property& property, CellState before
 }
 
 void History::moved(Handle instance, const Position& before) {
-    if (observer_ != nullptr) observer_->moved(instance, before.parent, before.name.text());
+    inform([&](EditObserver& observer) {
+        observer.moved(instance, before.parent, before.name.text());
+    });
     add(MoveEdit{instance, before, nodes_.position(instance.index)},
         "move " + tree_.path(instance));
 }
 
 void History::born(Handle instance) {
-    if (observer_ != nullptr) observer_->born(instance);
+    inform([&](EditObserver& observer) { observer.born(instance); });
     ExistenceEdit existence;
     existence.top = instance;
     existence.birth = true;
@@ -141,7 +143,7 @@ void History::born(Handle instance) {
 }
 
 void History::dying(Handle instance) {
-    if (observer_ != nullptr) observer_->dying(instance);
+    inform([&](EditObserver& observer) { observer.dying(instance); });
     note_references();
     ExistenceEdit existence;
     existence.top = instance;

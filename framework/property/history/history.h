@@ -14,6 +14,7 @@
 #include <fettle/property/history.h>
 #include <fettle/property/tree.h>
 
+#include <guards/lifetime.h>
 #include <structure/structure.h>
 
 #include "transactions.h"
@@ -117,6 +118,13 @@ class History {
     void put(Transactions& list, Transaction transaction);
     UndoResult carry_over(Transactions& from, Transactions& to, bool back);
     Transaction take(Transactions& list);
+    /// Calls `what(observer)` if there is an observer, which must not destroy the tree.
+    template <class What>
+    void inform(What what) {
+        if (observer_ == nullptr) return;
+        const Pin pin(structure_.changes.lifetime, "an observer of edits");
+        what(*observer_);
+    }
     void clear(Transactions& list);
     void forget(const Transaction& transaction);
     void make_void(Transaction& transaction);

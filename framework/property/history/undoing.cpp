@@ -105,8 +105,10 @@ void History::resolve(UndoResult& result) {
             const CellState found = capture(each.instance, each.property);
             write_cell(each.instance, each.property, each.state, result);
             const Property* property = tree_.find(each.instance, each.property);
-            if (observer_ != nullptr && property != nullptr)
-                observer_->edited(each.instance, *property, found);
+            if (property != nullptr)
+                inform([&](EditObserver& observer) {
+                    observer.edited(each.instance, *property, found);
+                });
             each.meanwhile = capture(each.instance, each.property);
         }
         if (!resolved) unresolved_.push_back(std::move(each));
@@ -197,7 +199,7 @@ void History::apply(CellEdit& edit, bool back, UndoResult& result) {
     set_cell(edit.instance, edit.property, back ? edit.before : edit.after, result);
     if (property == nullptr) property = tree_.find(edit.instance, edit.property);
     if (property == nullptr) return;
-    if (observer_ != nullptr) observer_->edited(edit.instance, *property, found);
+    inform([&](EditObserver& observer) { observer.edited(edit.instance, *property, found); });
     tell(edit.instance, *property, found, result);
 }
 
@@ -208,7 +210,9 @@ void History::apply(MoveEdit& move, bool back, UndoResult& result) {
     }
     const Position found = nodes_.position(move.instance.index);
     place(move.instance, back ? move.before : move.after, result);
-    if (observer_ != nullptr) observer_->moved(move.instance, found.parent, found.name.text());
+    inform([&](EditObserver& observer) {
+        observer.moved(move.instance, found.parent, found.name.text());
+    });
 }
 
 void History::apply(ExistenceEdit& existence, bool back, UndoResult& result) {
@@ -223,7 +227,7 @@ void History::delete_again(ExistenceEdit& existence, UndoResult& result) {
         result.notes.emplace_back("an instance to be deleted does not exist any more");
         return;
     }
-    if (observer_ != nullptr) observer_->dying(existence.top);
+    inform([&](EditObserver& observer) { observer.dying(existence.top); });
     note_references();
     existence.deleted = deleted_below(existence.top);
     existence.lost_watchers = 0;
@@ -299,7 +303,7 @@ void History::revive(ExistenceEdit& existence, UndoResult& result) {
         for (const auto& [symbol, state] : deleted.cells)
             set_cell(deleted.handle, symbol, state, result);
     place(existence.top, existence.deleted.front().position, result);
-    if (observer_ != nullptr) observer_->born(existence.top);
+    inform([&](EditObserver& observer) { observer.born(existence.top); });
     // The next deletion stores the current state and decides which slots to free.
     existence.deleted.clear();
     if (existence.lost_watchers > 0)
