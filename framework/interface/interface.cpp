@@ -136,13 +136,13 @@ std::uint64_t Interface::hash() const {
     tree.each_below(tree.root(), [&](property::Handle instance) {
         if (!tree.class_of(instance).is_a(of)) return;
         const Widget& widget = state_->widgets[tree.row(instance)];
-        add(std::bit_cast<std::uint64_t>(widget.value));
-        add(std::bit_cast<std::uint64_t>(widget.scroll));
-        add(static_cast<std::uint64_t>(widget.caret));
-        add(static_cast<std::uint64_t>(widget.selected));
-        add((widget.on ? 1u : 0u) | (widget.visible ? 2u : 0u) | (widget.disabled ? 4u : 0u) |
-            (widget.listening ? 8u : 0u));
-        add_text(widget.text);
+        add(std::bit_cast<std::uint64_t>(widget.content.value));
+        add(std::bit_cast<std::uint64_t>(widget.content.scroll));
+        add(static_cast<std::uint64_t>(widget.content.caret));
+        add(static_cast<std::uint64_t>(widget.content.selected));
+        add((widget.content.on ? 1u : 0u) | (widget.visible ? 2u : 0u) |
+            (widget.disabled ? 4u : 0u) | (widget.content.listening ? 8u : 0u));
+        add_text(widget.content.text);
     });
     const Board& board = state_->widgets.board;
     for (const property::Handle each : {board.focus, board.held})

@@ -13,7 +13,7 @@ using property::Value;
 using property::Vec2;
 
 Widget* Player::above(const Widget& widget) {
-    return widget.parent == Widget::none ? nullptr : &widgets_[widget.parent];
+    return widget.arranged.parent == no_widget ? nullptr : &widgets_[widget.arranged.parent];
 }
 
 bool Player::inside(const Widget& widget, const Widget& top) {
@@ -38,8 +38,8 @@ Widget* Player::modal() {
 }
 
 bool Player::can_focus(const Widget& widget) {
-    return is_active(widget.kind) && widget.focusable && widget.shown && enabled(widget) &&
-           (widget.kind != Kind::list || !widget.items.empty());
+    return is_active(widget.kind) && widget.focusable && widget.arranged.shown && enabled(widget) &&
+           (widget.kind != Kind::list || !widget.content.items.empty());
 }
 
 Widget* Player::focused() {
@@ -51,7 +51,8 @@ Widget* Player::focused() {
 Widget* Player::listening() {
     lay_out();
     for (const Row row : layout_.shown())
-        if (Widget& widget = widgets_[row]; widget.listening && enabled(widget)) return &widget;
+        if (Widget& widget = widgets_[row]; widget.content.listening && enabled(widget))
+            return &widget;
     return nullptr;
 }
 
@@ -63,7 +64,7 @@ void Player::focus(Widget* widget, bool shown) {
     if (before == now) return;
     if (modal() == nullptr) outside_ = now;
     widgets_.set(service, "focus", Value(now));
-    if (Widget* const field = widgets_.find(before); field && !field->bind.empty())
+    if (Widget* const field = widgets_.find(before); field && !field->content.bind.empty())
         binding_.update(*field);
     if (widget == nullptr) return;
     for (Widget* each = above(*widget); each != nullptr; each = above(*each)) {
@@ -72,8 +73,8 @@ void Player::focus(Widget* widget, bool shown) {
         if (each->kind == Kind::list) {
             // A list scrolls to it.
             const Box inner = Layout::inside(*each);
-            const double over = inner.lower.y - widget->box.lower.y;
-            const double under = widget->box.upper.y - inner.upper.y;
+            const double over = inner.lower.y - widget->arranged.box.lower.y;
+            const double under = widget->arranged.box.upper.y - inner.upper.y;
             if (over > 0)
                 scroll(*each, -over);
             else if (under > 0)
@@ -155,11 +156,12 @@ void Player::towards(const Vec2& direction) {
     const int along = direction.x != 0 ? 0 : 1, across = 1 - along;
     for (Widget* each : all) {
         if (each == now) continue;
-        const Vec2 apart = each->box.center() - now->box.center();
+        const Vec2 apart = each->arranged.box.center() - now->arranged.box.center();
         const double ahead = apart.dot(direction);
         // A widget in line with it is preferred to one beside the line.
-        const double overlap = std::min(each->box.upper[across], now->box.upper[across]) -
-                               std::max(each->box.lower[across], now->box.lower[across]);
+        const double overlap =
+            std::min(each->arranged.box.upper[across], now->arranged.box.upper[across]) -
+            std::max(each->arranged.box.lower[across], now->arranged.box.lower[across]);
         const double aside = overlap > 0 ? 0 : -overlap;
         // Left and right never lead to a widget above or below the row.
         const bool leaves_row = along == 0 && overlap <= 0 && std::abs(apart[across]) > ahead;

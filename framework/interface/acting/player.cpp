@@ -160,8 +160,8 @@ bool Player::key_of(Widget& widget, const std::string& name) {
         return true;
     }
     if (widget.kind != Kind::list) return false;
-    const auto count = static_cast<std::int64_t>(widget.items.size());
-    std::int64_t line = widget.selected;
+    const auto count = static_cast<std::int64_t>(widget.content.items.size());
+    std::int64_t line = widget.content.selected;
     if (name == "up")
         line -= 1;
     else if (name == "down")
@@ -184,9 +184,10 @@ void Player::activate(Widget& widget) {
     if (widget.kind == Kind::toggle) {
         switch_over(widget);
     } else if (widget.kind == Kind::list) {
-        if (widget.selected > 0) widgets_.emit(widget, "submitted", {Value(widget.selected)});
+        if (widget.content.selected > 0)
+            widgets_.emit(widget, "submitted", {Value(widget.content.selected)});
     } else if (widget.kind == Kind::button) {
-        if (!widget.bind.empty()) widgets_.set(self, "listening", Value(true));
+        if (!widget.content.bind.empty()) widgets_.set(self, "listening", Value(true));
         widgets_.emit(widget, "pressed");
     }
 }
@@ -210,7 +211,7 @@ void Player::capture(Widget& button, const Act& act) {
     const Handle self = button.self;
     widgets_.set(self, "listening", Value(false));
     if (name == "escape" || !widgets_.tree().alive(self)) return;
-    if (!button.bind.empty()) binding_.choose(button, name);
+    if (!button.content.bind.empty()) binding_.choose(button, name);
     widgets_.emit(button, "captured", {Value(name)});
 }
 

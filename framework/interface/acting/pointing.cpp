@@ -16,7 +16,7 @@ namespace {
 /// True if a click on it does not reach what lies below it.
 bool is_solid(const Widget& widget) {
     return is_active(widget.kind) || widget.kind == Kind::panel ||
-           (is_container(widget.kind) && (widget.modal || widget.color));
+           (is_container(widget.kind) && (widget.modal || widget.style.color));
 }
 
 }  // namespace
@@ -27,7 +27,8 @@ Widget* Player::under(const Vec2& point) {
     Widget* const top = modal();
     for (auto row = shown.rbegin(); row != shown.rend(); ++row) {
         Widget& widget = widgets_[*row];
-        if (is_solid(widget) && widget.box.contains(point) && widget.clip.contains(point)) {
+        if (is_solid(widget) && widget.arranged.box.contains(point) &&
+            widget.arranged.clip.contains(point)) {
             if (top != nullptr && !inside(widget, *top)) continue;
             return &widget;
         }
@@ -37,7 +38,9 @@ Widget* Player::under(const Vec2& point) {
 
 Widget* Player::list_under(const Vec2& point) {
     for (Widget* each = under(point); each != nullptr; each = above(*each))
-        if (each->kind == Kind::list && each->content > Layout::inside(*each).height()) return each;
+        if (each->kind == Kind::list &&
+            each->arranged.content_height > Layout::inside(*each).height())
+            return each;
     return nullptr;
 }
 
@@ -60,17 +63,17 @@ void Player::press(const Vec2& point) {
     if (widget->kind == Kind::slider) {
         drag(*widget, point);
     } else if (widget->kind == Kind::list) {
-        drags_bar_ =
-            widget->content > inner.height() && point.x > inner.upper.x - measure::scroll_bar;
+        drags_bar_ = widget->arranged.content_height > inner.height() &&
+                     point.x > inner.upper.x - measure::scroll_bar;
         if (drags_bar_) {
             drag(*widget, point);
-        } else if (!widget->items.empty() && inner.contains(point)) {
+        } else if (!widget->content.items.empty() && inner.contains(point)) {
             const double each = Layout::line_of(*widget) + Layout::spacing_of(*widget);
             const auto line = static_cast<std::int64_t>(
                 std::floor((point.y - inner.lower.y + Layout::scrolled(*widget)) / each));
-            if (line < 0 || line >= static_cast<std::int64_t>(widget->items.size())) return;
-            if (widget->selected == line + 1)
-                widgets_.emit(*widget, "submitted", {Value(widget->selected)});
+            if (line < 0 || line >= static_cast<std::int64_t>(widget->content.items.size())) return;
+            if (widget->content.selected == line + 1)
+                widgets_.emit(*widget, "submitted", {Value(widget->content.selected)});
             else
                 select(*widget, line + 1);
         }
@@ -86,7 +89,7 @@ void Player::release(const Vec2& point) {
     if (widget->kind == Kind::toggle) {
         switch_over(*widget);
     } else if (widget->kind == Kind::button) {
-        if (!widget->bind.empty()) widgets_.set(widget->self, "listening", Value(true));
+        if (!widget->content.bind.empty()) widgets_.set(widget->self, "listening", Value(true));
         widgets_.emit(*widget, "pressed");
     }
 }
@@ -94,39 +97,42 @@ void Player::release(const Vec2& point) {
 void Player::drag(Widget& widget, const Vec2& point) {
     if (!enabled(widget)) return;
     if (widget.kind == Kind::slider) {
-        const double from = widget.box.lower.x + measure::knob;
-        const double length = std::max(1.0, widget.box.width() - 2 * measure::knob);
+        const double from = widget.arranged.box.lower.x + measure::knob;
+        const double length = std::max(1.0, widget.arranged.box.width() - 2 * measure::knob);
         const double share = std::clamp((point.x - from) / length, 0.0, 1.0);
         const property::Range range = binding_.range(widget);
         choose_value(widget, range.min + share * (range.max - range.min));
     } else if (widget.kind == Kind::list && drags_bar_) {
         const Box inner = Layout::inside(widget);
         const double length = inner.height();
-        const double bar = std::max(24.0, length * length / std::max(length, widget.content));
+        const double bar =
+            std::max(24.0, length * length / std::max(length, widget.arranged.content_height));
         const double share = (point.y - inner.lower.y - 0.5 * bar) / std::max(1.0, length - bar);
-        const double wanted = std::clamp(share, 0.0, 1.0) * (widget.content - length);
+        const double wanted =
+            std::clamp(share, 0.0, 1.0) * (widget.arranged.content_height - length);
         scroll(widget, wanted - Layout::scrolled(widget));
     } else if (widget.kind == Kind::text_field) {
         // The caret goes to the nearest gap between two letters.
         const Lettering lettering = Lettering::of(widget);
-        const double x = point.x - widget.box.lower.x - measure::field_x + widget.view_left;
+        const double x =
+            point.x - widget.arranged.box.lower.x - measure::field_x + widget.animation.view_left;
         std::int64_t best = 0;
         double least = std::abs(x);
-        for (std::int64_t n = 1; n <= characters(widget.text); ++n) {
-            const double gap =
-                lettering.width(layout_.media(), widget.text.substr(0, byte_of(widget.text, n)));
+        for (std::int64_t n = 1; n <= characters(widget.content.text); ++n) {
+            const double gap = lettering.width(
+                layout_.media(), widget.content.text.substr(0, byte_of(widget.content.text, n)));
             if (std::abs(gap - x) >= least) break;
             least = std::abs(gap - x);
             best = n;
         }
-        if (widget.caret != best) widgets_.set(widget.self, "caret", Value(best));
+        if (widget.content.caret != best) widgets_.set(widget.self, "caret", Value(best));
     }
 }
 
 void Player::scroll(Widget& list, double pixels) {
-    const double most = std::max(0.0, list.content - Layout::inside(list).height());
+    const double most = std::max(0.0, list.arranged.content_height - Layout::inside(list).height());
     const double to = std::clamp(Layout::scrolled(list) + pixels, 0.0, most);
-    if (to != list.scroll) widgets_.set(list.self, "scroll", Value(to));
+    if (to != list.content.scroll) widgets_.set(list.self, "scroll", Value(to));
     lay_out();
 }
 

@@ -49,9 +49,10 @@ std::int64_t index_in(const List& items, const std::string& text) {
 }  // namespace
 
 Place Binding::place_of(const Widget& widget) const {
-    Place place = property::resolve(widgets_.tree(), widget.bind);
+    Place place = property::resolve(widgets_.tree(), widget.content.bind);
     if (place.property == nullptr)
-        throw std::invalid_argument("\"" + widget.bind + "\" is an instance, not a property");
+        throw std::invalid_argument("\"" + widget.content.bind +
+                                    "\" is an instance, not a property");
     return place;
 }
 
@@ -96,7 +97,7 @@ Value Binding::shown(const Widget& widget, const Value& target) const {
                 refuse(tree, "the keys of an action", target);
             return keys_text(target);
         case Kind::list:
-            if (target.is(Type::text)) return index_in(widget.items, target.text());
+            if (target.is(Type::text)) return index_in(widget.content.items, target.text());
             if (!target.is(Type::integer)) refuse(tree, "a text or an integer", target);
             return target;
         case Kind::text_field:
@@ -115,8 +116,8 @@ Value Binding::wanted(const Widget& widget, const Place& place, const Value& own
         return static_cast<std::int64_t>(std::llround(own.as_double()));
     if (widget.kind == Kind::list && target.is(Type::text)) {
         const std::int64_t n = own.integer();
-        if (n < 1 || static_cast<std::size_t>(n) > widget.items.size()) return target;
-        return widget.items[static_cast<std::size_t>(n - 1)];
+        if (n < 1 || static_cast<std::size_t>(n) > widget.content.items.size()) return target;
+        return widget.content.items[static_cast<std::size_t>(n - 1)];
     }
     if (widget.kind != Kind::text_field || target.is(Type::text)) return own;
     const std::string& text = own.text();
@@ -130,19 +131,19 @@ Value Binding::wanted(const Widget& widget, const Place& place, const Value& own
 }
 
 void Binding::tell(Widget& widget, const std::string& why) {
-    if (widget.problem == why) return;
-    widget.problem = why;
+    if (widget.bound.problem == why) return;
+    widget.bound.problem = why;
     if (tell_) tell_(widgets_.tree().path(widget.self) + ".bind: " + why);
 }
 
 void Binding::update(Widget& widget) {
-    if (widget.bind.empty() || !*main_property(widget.kind)) return;
+    if (widget.content.bind.empty() || !*main_property(widget.kind)) return;
     property::Tree& tree = widgets_.tree();
     const property::Handle self = widget.self;
     const char* const name = main_property(widget.kind);
     try {
         const Place place = place_of(widget);
-        if (widget.kind == Kind::list && widget.items.empty() &&
+        if (widget.kind == Kind::list && widget.content.items.empty() &&
             !place.property->enumerator_values.empty())
             tree.set(self, "items", Value(List(place.property->enumerator_values)));
         const Value target = read(tree, place), own = tree.get(self, name);
@@ -150,41 +151,41 @@ void Binding::update(Widget& widget) {
                                 widget.kind == Kind::button;
         // While the player types a number, the text of the field is not replaced by the number.
         const bool typing = widget.kind == Kind::text_field && widgets_.board.focus == self;
-        if (!widget.bound_before || !(target == widget.target_before)) {
+        if (!widget.bound.bound_before || !(target == widget.bound.target_before)) {
             const Value now = shown(widget, target);
             if (!(now == own) && !(typing && wanted(widget, place, own) == target))
                 tree.set(self, name, now);
-        } else if (!reads_only && !(own == widget.own_before)) {
+        } else if (!reads_only && !(own == widget.bound.own_before)) {
             const Value value = wanted(widget, place, own);
             if (!(value == target)) write(place, value);
         }
-        widget.target_before = read(tree, place_of(widget));
+        widget.bound.target_before = read(tree, place_of(widget));
         if (!typing && !reads_only) {
             // The property may have changed the value, for example to an integer.
-            const Value now = shown(widget, widget.target_before);
+            const Value now = shown(widget, widget.bound.target_before);
             if (!(now == tree.get(self, name))) tree.set(self, name, now);
         }
-        widget.own_before = tree.get(self, name);
-        widget.bound_before = true;
-        widget.problem.clear();
+        widget.bound.own_before = tree.get(self, name);
+        widget.bound.bound_before = true;
+        widget.bound.problem.clear();
     } catch (const std::exception& error) {
-        widget.bound_before = false;
+        widget.bound.bound_before = false;
         tell(widget, property::exception_text(error));
     }
 }
 
 void Binding::follow_properties() {
-    for (Widget& widget : widgets_) widget.bound_before = false;
+    for (Widget& widget : widgets_) widget.bound.bound_before = false;
 }
 
 void Binding::update_all() {
     for (Widget& widget : widgets_)
-        if (widget.self && !widget.bind.empty()) update(widget);
+        if (widget.self && !widget.content.bind.empty()) update(widget);
 }
 
 property::Range Binding::range(const Widget& widget) const {
     property::Range range{0, 1};
-    if (!widget.bind.empty() && !(widget.min && widget.max)) {
+    if (!widget.content.bind.empty() && !(widget.content.min && widget.content.max)) {
         try {
             const Place place = place_of(widget);
             const property::Range& own = place.property->range;
@@ -193,19 +194,20 @@ property::Range Binding::range(const Widget& widget) const {
             // `update` reports the error.
         }
     }
-    range.min = widget.min.value_or(range.min);
-    range.max = std::max(range.min, widget.max.value_or(std::max(range.min, range.max)));
+    range.min = widget.content.min.value_or(range.min);
+    range.max = std::max(range.min, widget.content.max.value_or(std::max(range.min, range.max)));
     return range;
 }
 
 double Binding::step(const Widget& widget) const {
-    if (widget.bind.empty()) return widget.step;
+    if (widget.content.bind.empty()) return widget.content.step;
     try {
-        if (place_of(widget).property->type == Type::integer) return std::max(1.0, widget.step);
+        if (place_of(widget).property->type == Type::integer)
+            return std::max(1.0, widget.content.step);
     } catch (const std::exception&) {
         // `update` reports the error.
     }
-    return widget.step;
+    return widget.content.step;
 }
 
 void Binding::choose(Widget& widget, const std::string& name) {

@@ -19,7 +19,7 @@ namespace {
 
 bool has_background(const Widget& widget) {
     if (!is_container(widget.kind)) return false;
-    if (widget.color) return widget.color->a > 0;
+    if (widget.style.color) return widget.style.color->a > 0;
     return widget.kind == Kind::panel || widget.kind == Kind::list;
 }
 
@@ -41,13 +41,13 @@ void Picture::advance(double seconds) {
         if (!is_active(widget.kind)) continue;
         const bool held = widgets_.board.held == widget.self;
         const bool focused = widgets_.board.focus == widget.self;
-        towards(widget.hover, !widget.disabled && (held || &widget == hovered) ? 1 : 0);
-        towards(widget.press, held ? 1 : 0);
-        towards(widget.ring, focused && widgets_.board.focus_shown ? 1 : 0);
-        if (widget.switched < 0)
-            widget.switched = widget.on ? 1 : 0;
+        towards(widget.animation.hover, !widget.disabled && (held || &widget == hovered) ? 1 : 0);
+        towards(widget.animation.press, held ? 1 : 0);
+        towards(widget.animation.ring, focused && widgets_.board.focus_shown ? 1 : 0);
+        if (widget.animation.switched < 0)
+            widget.animation.switched = widget.content.on ? 1 : 0;
         else
-            towards(widget.switched, widget.on ? 1 : 0);
+            towards(widget.animation.switched, widget.content.on ? 1 : 0);
     }
 }
 
@@ -63,21 +63,21 @@ void Picture::draw(property::Painter& painter, const Vec2& screen) {
         if (widgets_[row].modal && has_background(widgets_[row])) shaded = &widgets_[row];
     for (const Row row : layout_.shown()) {
         Widget& widget = widgets_[row];
-        if (&widget == shaded) draw_shade(*widget.look_of, screen / widgets_.scale);
+        if (&widget == shaded) draw_shade(*widget.arranged.look_of, screen / widgets_.scale);
         double opacity = 1;
         bool enabled = true;
-        for (const Widget* each = &widget;; each = &widgets_[each->parent]) {
-            opacity *= each->opacity;
+        for (const Widget* each = &widget;; each = &widgets_[each->arranged.parent]) {
+            opacity *= each->style.opacity;
             enabled = enabled && !each->disabled;
-            if (each->parent == Widget::none) break;
+            if (each->arranged.parent == no_widget) break;
         }
-        const Box seen = widget.box.within(widget.clip);
+        const Box seen = widget.arranged.box.within(widget.arranged.clip);
         if (opacity <= 0 || seen.width() <= 0 || seen.height() <= 0) continue;
         painter.push({});
-        const bool cut = widget.clip.lower.x > 0 || widget.clip.lower.y > 0 ||
-                         widget.clip.upper.x * widgets_.scale < screen.x - 0.5 ||
-                         widget.clip.upper.y * widgets_.scale < screen.y - 0.5;
-        if (cut) painter.clip(widget.clip.lower, widget.clip.upper);
+        const bool cut = widget.arranged.clip.lower.x > 0 || widget.arranged.clip.lower.y > 0 ||
+                         widget.arranged.clip.upper.x * widgets_.scale < screen.x - 0.5 ||
+                         widget.arranged.clip.upper.y * widgets_.scale < screen.y - 0.5;
+        if (cut) painter.clip(widget.arranged.clip.lower, widget.arranged.clip.upper);
         if (opacity < 1) painter.fade(static_cast<float>(opacity));
         draw_widget(widget, enabled);
         painter.pop();
@@ -91,8 +91,8 @@ void Picture::draw_widget(Widget& widget, bool enabled) {
     constexpr float pale = 0.42f;
     const bool container = is_container(widget.kind);
     if (!enabled && !container) painter_->fade(pale);
-    if (widget.ring > 0) draw_ring(widget);
-    const Color ink = widget.text_color.value_or(widget.look_of->text);
+    if (widget.animation.ring > 0) draw_ring(widget);
+    const Color ink = widget.style.text_color.value_or(widget.arranged.look_of->text);
     switch (widget.kind) {
         case Kind::panel:
         case Kind::row:
@@ -108,10 +108,10 @@ void Picture::draw_widget(Widget& widget, bool enabled) {
             draw_button(widget);
             break;
         case Kind::label:
-            draw_lines(widget, widget.box, ink);
+            draw_lines(widget, widget.arranged.box, ink);
             break;
         case Kind::image:
-            draw_image(widget, widget.box, widget.tint);
+            draw_image(widget, widget.arranged.box, widget.style.tint);
             break;
         case Kind::slider:
             draw_slider(widget);
@@ -146,8 +146,8 @@ void Picture::disc(const Vec2& center, double radius, Color fill) {
 }
 
 double Picture::radius_of(const Widget& widget) const {
-    return widget.radius.value_or(widget.look_of->radius *
-                                  (widget.kind == Kind::panel ? 1.6 : 1.0));
+    return widget.style.radius.value_or(widget.arranged.look_of->radius *
+                                        (widget.kind == Kind::panel ? 1.6 : 1.0));
 }
 
 void Picture::draw_shade(const Theme& theme, const Vec2& screen) {
@@ -156,14 +156,14 @@ void Picture::draw_shade(const Theme& theme, const Vec2& screen) {
 
 void Picture::draw_ring(const Widget& widget) {
     constexpr double gap = 2;
-    Color color = widget.look_of->focus;
-    color.a *= static_cast<float>(widget.ring);
-    const double most = 0.5 * std::min(widget.box.width(), widget.box.height());
-    Box around = widget.box.smaller(-gap);
+    Color color = widget.arranged.look_of->focus;
+    color.a *= static_cast<float>(widget.animation.ring);
+    const double most = 0.5 * std::min(widget.arranged.box.width(), widget.arranged.box.height());
+    Box around = widget.arranged.box.smaller(-gap);
     double radius = std::min(radius_of(widget), most) + gap;
     if (widget.kind == Kind::slider || widget.kind == Kind::toggle) {
-        around = widget.box.smaller(-3);
-        radius = widget.look_of->radius + 3;
+        around = widget.arranged.box.smaller(-3);
+        radius = widget.arranged.look_of->radius + 3;
     }
     const double r =
         std::clamp(radius, 0.0, 0.5 * std::min(around.width(), around.height()) - 0.01);
@@ -178,25 +178,27 @@ void Picture::draw_ring(const Widget& widget) {
 
 void Picture::draw_background(const Widget& widget) {
     Color fill = none, border = none;
-    if (widget.kind == Kind::panel) fill = widget.look_of->panel, border = widget.look_of->border;
-    if (widget.kind == Kind::list) fill = widget.look_of->field, border = widget.look_of->border;
-    if (widget.color) {
-        fill = *widget.color;
+    if (widget.kind == Kind::panel)
+        fill = widget.arranged.look_of->panel, border = widget.arranged.look_of->border;
+    if (widget.kind == Kind::list)
+        fill = widget.arranged.look_of->field, border = widget.arranged.look_of->border;
+    if (widget.style.color) {
+        fill = *widget.style.color;
         if (fill.a <= 0) border = none;
     }
     if (fill.a <= 0) return;
     const double radius = radius_of(widget);
-    if (widget.kind == Kind::panel && widget.box.width() * widgets_.scale > 8) {
+    if (widget.kind == Kind::panel && widget.arranged.box.width() * widgets_.scale > 8) {
         // A soft shadow: several boxes, each a little larger.
         constexpr int layers = 8;
         for (int i = layers; i > 0; --i) {
             const double by = 2.5 * i;
-            Box shadow = widget.box.smaller(-by);
+            Box shadow = widget.arranged.box.smaller(-by);
             shadow.lower.y += 6, shadow.upper.y += 6;
             box(shadow, radius + by, {0, 0, 0, 0.035f * fill.a});
         }
     }
-    box(widget.box, radius, fill, border);
+    box(widget.arranged.box, radius, fill, border);
 }
 
 // --- Texts and pictures
@@ -211,23 +213,24 @@ void Picture::draw_text(const Vec2& at, const std::string& text, const Widget& w
 }
 
 void Picture::draw_lines(const Widget& widget, const Box& box, Color color) {
-    const TextAlign align = widget.text_align == "left"    ? TextAlign::left
-                            : widget.text_align == "right" ? TextAlign::right
-                                                           : TextAlign::middle;
+    const TextAlign align = widget.style.text_align == "left"    ? TextAlign::left
+                            : widget.style.text_align == "right" ? TextAlign::right
+                                                                 : TextAlign::middle;
     const double x = align == TextAlign::left    ? box.lower.x
                      : align == TextAlign::right ? box.upper.x
                                                  : box.center().x;
     const double height = Lettering::of(widget).line_height();
-    double y = box.center().y - 0.5 * height * (static_cast<double>(widget.lines.size()) - 1);
-    for (const std::string& line : widget.lines) {
+    double y =
+        box.center().y - 0.5 * height * (static_cast<double>(widget.arranged.lines.size()) - 1);
+    for (const std::string& line : widget.arranged.lines) {
         draw_text({x, y}, line, widget, color, align);
         y += height;
     }
 }
 
 void Picture::draw_image(const Widget& widget, const Box& box, Color tint) {
-    if (widget.image.empty()) return;
-    const property::Picture& picture = layout_.media().picture("Image.image", widget.image);
+    if (widget.content.image.empty()) return;
+    const property::Picture& picture = layout_.media().picture("Image.image", widget.content.image);
     const Vec2 size(picture.width(), picture.height());
     if (size.smallest() <= 0) return;
     const Vec2 half = 0.5 * box.size().over(size).smallest() * size;

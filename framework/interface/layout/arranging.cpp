@@ -27,12 +27,12 @@ double share_before(const std::string& where) {
 
 void Layout::arrange(Row row, Box box, const Box& clip) {
     Widget& widget = widgets_[row];
-    box.lower += widget.offset;
-    box.upper += widget.offset;
-    widget.box = snapped(box);
-    widget.clip = clip;
+    box.lower += widget.placing.offset;
+    box.upper += widget.placing.offset;
+    widget.arranged.box = snapped(box);
+    widget.arranged.clip = clip;
     const double padding = padding_of(widget);
-    const Box inner = widget.box.smaller(padding);
+    const Box inner = widget.arranged.box.smaller(padding);
     switch (widget.kind) {
         case Kind::panel:
             arrange_panel(widget, inner, clip);
@@ -53,14 +53,15 @@ void Layout::arrange(Row row, Box box, const Box& clip) {
 }
 
 void Layout::arrange_panel(Widget& widget, const Box& inner, const Box& clip) {
-    for (const Row child : widget.children) {
+    for (const Row child : widget.arranged.children) {
         Widget& one = widgets_[child];
-        const auto n = static_cast<int>(std::find(anchors.begin(), anchors.end(), one.anchor) -
-                                        anchors.begin());
+        const auto n = static_cast<int>(
+            std::find(anchors.begin(), anchors.end(), one.placing.anchor) - anchors.begin());
         const Vec2 part(0.5 * (n % 3), 0.5 * (n / 3));
-        Vec2 size = one.wanted;
+        Vec2 size = one.arranged.wanted;
         for (const int axis : {0, 1})
-            if (fills(one, axis)) size[axis] = std::max(inner.size()[axis], one.min_size[axis]);
+            if (fills(one, axis))
+                size[axis] = std::max(inner.size()[axis], one.placing.min_size[axis]);
         const Vec2 lower = inner.lower + part.times(inner.size() - size);
         arrange(child, {lower, lower + size}, clip);
     }
@@ -71,29 +72,30 @@ void Layout::arrange_line(Widget& widget, const Box& inner, const Box& clip, int
     const double spacing = spacing_of(widget);
     const int across = 1 - along;
     double left = inner.size()[along], shares = 0;
-    if (!widget.children.empty()) left -= spacing * static_cast<double>(widget.children.size() - 1);
+    if (!widget.arranged.children.empty())
+        left -= spacing * static_cast<double>(widget.arranged.children.size() - 1);
     // A list that grows may become smaller than what is in it.
     const auto least = [&](const Widget& one) {
-        return one.kind == Kind::list && growth(one, along) > 0 ? one.min_size[along]
-                                                                : one.wanted[along];
+        return one.kind == Kind::list && growth(one, along) > 0 ? one.placing.min_size[along]
+                                                                : one.arranged.wanted[along];
     };
-    for (const Row child : widget.children) {
+    for (const Row child : widget.arranged.children) {
         left -= least(widgets_[child]);
         shares += growth(widgets_[child], along);
     }
     const double spare = std::max(0.0, left);
     double at = inner.lower[along];
-    if (shares == 0) at += spare * share_before(widget.justify);
-    for (const Row child : widget.children) {
+    if (shares == 0) at += spare * share_before(widget.placing.justify);
+    for (const Row child : widget.arranged.children) {
         Widget& one = widgets_[child];
-        Vec2 size = one.wanted, lower = inner.lower;
+        Vec2 size = one.arranged.wanted, lower = inner.lower;
         size[along] = least(one) + (shares > 0 ? spare * growth(one, along) / shares : 0);
-        const bool stretched = widget.align == "stretch" && !(one.size[across] > 0);
+        const bool stretched = widget.placing.align == "stretch" && !(one.placing.size[across] > 0);
         const double room = inner.size()[across];
         if (stretched || fills(one, across))
-            size[across] = std::max(room, one.min_size[across]);
+            size[across] = std::max(room, one.placing.min_size[across]);
         else
-            lower[across] += share_before(widget.align) * (room - size[across]);
+            lower[across] += share_before(widget.placing.align) * (room - size[across]);
         lower[along] = at;
         arrange(child, {lower, lower + size}, clip);
         at += size[along] + spacing;
@@ -102,39 +104,42 @@ void Layout::arrange_line(Widget& widget, const Box& inner, const Box& clip, int
 
 void Layout::arrange_list(Widget& widget) {
     const Box inner = inside(widget);
-    const Box clip = inner.within(widget.clip);
-    widget.lines.clear();
-    const double bar = widget.content > inner.height() ? measure::scroll_bar : 0;
-    if (!widget.items.empty()) {
+    const Box clip = inner.within(widget.arranged.clip);
+    widget.arranged.lines.clear();
+    const double bar = widget.arranged.content_height > inner.height() ? measure::scroll_bar : 0;
+    if (!widget.content.items.empty()) {
         const Lettering lettering = Lettering::of(widget);
-        for (const property::Value& item : widget.items) {
+        for (const property::Value& item : widget.content.items) {
             const auto line =
                 fitted(media_, lettering, item.is(property::Type::text) ? item.text() : "",
                        inner.width() - bar - 2 * measure::field_x, false);
-            widget.lines.push_back(line.empty() ? "" : line.front());
+            widget.arranged.lines.push_back(line.empty() ? "" : line.front());
         }
         return;
     }
     double at = inner.lower.y - scrolled(widget);
-    for (const Row child : widget.children) {
+    for (const Row child : widget.arranged.children) {
         Widget& one = widgets_[child];
-        double width = one.wanted.x;
-        if (!(one.size.x > 0)) width = std::max(inner.width() - bar, one.min_size.x);
-        arrange(child, {{inner.lower.x, at}, {inner.lower.x + width, at + one.wanted.y}}, clip);
-        at += one.wanted.y + spacing_of(widget);
+        double width = one.arranged.wanted.x;
+        if (!(one.placing.size.x > 0))
+            width = std::max(inner.width() - bar, one.placing.min_size.x);
+        arrange(child, {{inner.lower.x, at}, {inner.lower.x + width, at + one.arranged.wanted.y}},
+                clip);
+        at += one.arranged.wanted.y + spacing_of(widget);
     }
 }
 
 /// The lines of its text, for the width that it has now.
 void Layout::write(Widget& widget) {
     const Lettering lettering = Lettering::of(widget);
-    double width = widget.box.width();
-    const std::string* text = &widget.text;
+    double width = widget.arranged.box.width();
+    const std::string* text = &widget.content.text;
     switch (widget.kind) {
         case Kind::button:
             width -= 2 * measure::button_x;
-            if (!widget.image.empty()) width -= widget.box.height() - 2 * measure::button_y + 8;
-            if (widget.listening) text = &widget.prompt;
+            if (!widget.content.image.empty())
+                width -= widget.arranged.box.height() - 2 * measure::button_y + 8;
+            if (widget.content.listening) text = &widget.content.prompt;
             break;
         case Kind::toggle:
             width -= measure::switch_width + 12;
@@ -146,11 +151,13 @@ void Layout::write(Widget& widget) {
             return;
     }
     // One pixel of the screen more, because both edges are rounded to such pixels.
-    widget.lines = fitted(media_, lettering, *text, width + 1 / scale_,
-                          widget.overflow == "wrap" && widget.kind != Kind::progress_bar);
+    widget.arranged.lines =
+        fitted(media_, lettering, *text, width + 1 / scale_,
+               widget.style.overflow == "wrap" && widget.kind != Kind::progress_bar);
     const auto fit = static_cast<std::size_t>(
-        std::max(1.0, std::floor((widget.box.height() + 1) / lettering.line_height())));
-    if (widget.lines.size() > fit && !(widget.kind == Kind::label)) widget.lines.resize(fit);
+        std::max(1.0, std::floor((widget.arranged.box.height() + 1) / lettering.line_height())));
+    if (widget.arranged.lines.size() > fit && !(widget.kind == Kind::label))
+        widget.arranged.lines.resize(fit);
 }
 
 }  // namespace fettle::interface

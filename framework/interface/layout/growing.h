@@ -7,12 +7,12 @@ namespace fettle::interface {
 
 /// `axis`: 0 for the width, 1 for the height.
 inline bool fills(const Widget& widget, int axis) {
-    return widget.fill == "both" || widget.fill == (axis == 0 ? "width" : "height");
+    return widget.placing.fill == "both" || widget.placing.fill == (axis == 0 ? "width" : "height");
 }
 
 /// The share of the free length that the widget gets; 0: none.
 inline double growth(const Widget& widget, int along) {
-    return widget.grow > 0 ? widget.grow : fills(widget, along) ? 1 : 0;
+    return widget.placing.grow > 0 ? widget.placing.grow : fills(widget, along) ? 1 : 0;
 }
 
 }  // namespace fettle::interface

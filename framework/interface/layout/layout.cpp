@@ -42,7 +42,7 @@ void Layout::update(const Vec2& screen) {
     for (const Row top : tops_) {
         measure(top, all.width());
         Widget screen_panel;
-        screen_panel.children = {top};
+        screen_panel.arranged.children = {top};
         arrange_panel(screen_panel, all, all);
     }
     order_.clear();
@@ -55,9 +55,9 @@ void Layout::collect() {
     const property::Tree& tree = widgets_.tree();
     tops_.clear();
     for (Widget& widget : widgets_) {
-        widget.children.clear();
-        widget.shown = false;
-        widget.look_of = &widgets_.themes.plain;
+        widget.arranged.children.clear();
+        widget.arranged.shown = false;
+        widget.arranged.look_of = &widgets_.themes.plain;
     }
     const Handle fallback =
         tree.alive(widgets_.service()) ? tree.child(widgets_.service(), "theme") : Handle{};
@@ -70,7 +70,7 @@ void Layout::collect() {
         while (tree.parent(above)) above = tree.parent(above);
         const Row row = tree.row(widget.self);
         const bool placed = above == tree.root();
-        collect_below(row, Widget::none, theme_of(widget, common), placed && widget.visible, 0);
+        collect_below(row, no_widget, theme_of(widget, common), placed && widget.visible, 0);
         if (placed) tops_.push_back(row);
     }
     if (tops_.size() < 2) return;
@@ -87,28 +87,30 @@ void Layout::collect() {
 
 void Layout::collect_below(Row row, Row parent, const Theme& theme, bool shown, int depth) {
     Widget& widget = widgets_[row];
-    widget.parent = parent;
-    widget.look_of = &theme;
-    widget.shown = shown && depth < deepest;
+    widget.arranged.parent = parent;
+    widget.arranged.look_of = &theme;
+    widget.arranged.shown = shown && depth < deepest;
     const property::Tree& tree = widgets_.tree();
     for (Handle child = tree.first_child(widget.self); child; child = tree.next_sibling(child)) {
         if (!widgets_.is_widget(child)) continue;
         const Row below = tree.row(child);
         Widget& one = widgets_[below];
-        if (is_container(widget.kind) && widget.shown && one.visible && depth + 1 < deepest)
-            widget.children.push_back(below);
+        if (is_container(widget.kind) && widget.arranged.shown && one.visible &&
+            depth + 1 < deepest)
+            widget.arranged.children.push_back(below);
         if (depth < 2 * deepest)
             collect_below(below, row, theme_of(one, theme),
-                          widget.shown && one.visible && is_container(widget.kind), depth + 1);
+                          widget.arranged.shown && one.visible && is_container(widget.kind),
+                          depth + 1);
     }
 }
 
 const Theme& Layout::theme_of(const Widget& widget, const Theme& above) {
     const property::Tree& tree = widgets_.tree();
-    if (!widget.theme || !tree.alive(widget.theme) ||
-        !tree.class_of(widget.theme).is_a(widgets_.themes.of()))
+    if (!widget.style.theme || !tree.alive(widget.style.theme) ||
+        !tree.class_of(widget.style.theme).is_a(widgets_.themes.of()))
         return above;
-    return widgets_.themes[tree.row(widget.theme)];
+    return widgets_.themes[tree.row(widget.style.theme)];
 }
 
 /// Later ones are drawn over earlier ones, unless their `z` says otherwise.
@@ -128,9 +130,9 @@ void Layout::sort_tops() {
     }
     shown_.clear();
     const auto add = [this](const auto& self, Row row) -> void {
-        if (!widgets_[row].shown) return;
+        if (!widgets_[row].arranged.shown) return;
         shown_.push_back(row);
-        for (const Row child : widgets_[row].children) self(self, child);
+        for (const Row child : widgets_[row].arranged.children) self(self, child);
     };
     for (const Row top : tops_) add(add, top);
 }
@@ -138,13 +140,17 @@ void Layout::sort_tops() {
 // --- Lengths
 
 double Layout::padding_of(const Widget& widget) {
-    if (widget.padding) return *widget.padding;
-    return widget.kind == Kind::panel ? widget.look_of->padding : widget.kind == Kind::list ? 5 : 0;
+    if (widget.placing.padding) return *widget.placing.padding;
+    return widget.kind == Kind::panel  ? widget.arranged.look_of->padding
+           : widget.kind == Kind::list ? 5
+                                       : 0;
 }
 
 double Layout::spacing_of(const Widget& widget) {
-    return widget.spacing.value_or(
-        widget.kind == Kind::list && !widget.items.empty() ? 2 : widget.look_of->spacing);
+    return widget.placing.spacing.value_or(widget.kind == Kind::list &&
+                                                   !widget.content.items.empty()
+                                               ? 2
+                                               : widget.arranged.look_of->spacing);
 }
 
 double Layout::line_of(const Widget& list) {
@@ -152,11 +158,12 @@ double Layout::line_of(const Widget& list) {
 }
 
 Box Layout::inside(const Widget& list) {
-    return list.box.smaller(padding_of(list));
+    return list.arranged.box.smaller(padding_of(list));
 }
 
 double Layout::scrolled(const Widget& list) {
-    return std::clamp(list.scroll, 0.0, std::max(0.0, list.content - inside(list).height()));
+    return std::clamp(list.content.scroll, 0.0,
+                      std::max(0.0, list.arranged.content_height - inside(list).height()));
 }
 
 /// Edges lie on whole pixels of the screen, so that they are sharp.

@@ -17,12 +17,12 @@ using property::Vec2;
 /// `width`: the available width.
 Vec2 Layout::measure(Row row, double width) {
     Widget& widget = widgets_[row];
-    if (widget.size.x > 0) width = widget.size.x;
+    if (widget.placing.size.x > 0) width = widget.placing.size.x;
     Vec2 wanted = natural(widget, width);
     for (const int axis : {0, 1})
-        if (widget.size[axis] > 0) wanted[axis] = widget.size[axis];
-    widget.wanted = wanted.max(widget.min_size);
-    return widget.wanted;
+        if (widget.placing.size[axis] > 0) wanted[axis] = widget.placing.size[axis];
+    widget.arranged.wanted = wanted.max(widget.placing.min_size);
+    return widget.arranged.wanted;
 }
 
 namespace {
@@ -31,7 +31,7 @@ namespace {
 bool gives_way(const Widget& widget) {
     const bool text =
         widget.kind == Kind::button || widget.kind == Kind::toggle || widget.kind == Kind::label;
-    return text && !(widget.size.x > 0);
+    return text && !(widget.placing.size.x > 0);
 }
 
 }  // namespace
@@ -54,8 +54,8 @@ Vec2 Layout::natural(Widget& widget, double width) {
         case Kind::label:
             return natural_text(widget, width);
         case Kind::image: {
-            if (widget.image.empty()) return {0, 0};
-            const property::Picture& picture = media_.picture("Image.image", widget.image);
+            if (widget.content.image.empty()) return {0, 0};
+            const property::Picture& picture = media_.picture("Image.image", widget.content.image);
             return {static_cast<double>(picture.width()), static_cast<double>(picture.height())};
         }
         case Kind::slider:
@@ -64,7 +64,7 @@ Vec2 Layout::natural(Widget& widget, double width) {
             return {measure::control_width, control};
         case Kind::progress_bar:
             return {measure::control_width,
-                    widget.text.empty() ? measure::bar : lettering.line_height() + 4};
+                    widget.content.text.empty() ? measure::bar : lettering.line_height() + 4};
     }
     return {0, 0};
 }
@@ -74,13 +74,14 @@ Vec2 Layout::natural_control(Widget& widget, double width) {
     const Lettering lettering = Lettering::of(widget);
     const double edge = 2 * measure::button_y;
     const double control = std::round(lettering.line_height() + edge);
-    const std::string& text = widget.listening ? widget.prompt : widget.text;
+    const std::string& text =
+        widget.content.listening ? widget.content.prompt : widget.content.text;
     double beside = measure::switch_width + (text.empty() ? 0 : 12);
     if (widget.kind == Kind::button) {
-        const double icon = widget.image.empty() ? 0 : control - edge;
+        const double icon = widget.content.image.empty() ? 0 : control - edge;
         beside = icon + (icon > 0 && !text.empty() ? 8 : 0) + 2 * measure::button_x;
     }
-    if (widget.overflow != "wrap")
+    if (widget.style.overflow != "wrap")
         return {std::ceil(lettering.width(media_, text)) + beside, control};
     const auto lines = fitted(media_, lettering, text, width - beside, true);
     double widest = 0;
@@ -91,13 +92,14 @@ Vec2 Layout::natural_control(Widget& widget, double width) {
 
 /// The least width of a text that grows in a row and wraps; 0 for other widgets.
 double Layout::longest_word(const Widget& widget) const {
-    if (widget.kind != Kind::label || widget.overflow != "wrap" || widget.size.x > 0) return 0;
+    if (widget.kind != Kind::label || widget.style.overflow != "wrap" || widget.placing.size.x > 0)
+        return 0;
     const Lettering lettering = Lettering::of(widget);
     double longest = 0;
-    std::istringstream words(widget.text);
+    std::istringstream words(widget.content.text);
     for (std::string word; words >> word;)
         longest = std::max(longest, lettering.width(media_, word));
-    return std::max(std::ceil(longest), widget.min_size.x);
+    return std::max(std::ceil(longest), widget.placing.min_size.x);
 }
 
 /// The width to which the widest texts of a row are cut, so that all widgets fit into it; short
@@ -105,7 +107,7 @@ double Layout::longest_word(const Widget& widget) const {
 double Layout::widest_text(Widget& row, double width, double needed) {
     std::vector<double> texts;
     double room = width - needed;
-    for (const Row child : row.children) {
+    for (const Row child : row.arranged.children) {
         Widget& one = widgets_[child];
         if (growth(one, 0) > 0) continue;
         const double wanted = measure(child, width).x;
@@ -126,7 +128,8 @@ double Layout::widest_text(Widget& row, double width, double needed) {
 Vec2 Layout::natural_panel(Widget& widget, double width) {
     const double padding = padding_of(widget);
     Vec2 most(0, 0);
-    for (const Row child : widget.children) most = most.max(measure(child, width - 2 * padding));
+    for (const Row child : widget.arranged.children)
+        most = most.max(measure(child, width - 2 * padding));
     return most + 2 * Vec2(padding, padding);
 }
 
@@ -134,14 +137,14 @@ Vec2 Layout::natural_panel(Widget& widget, double width) {
 Vec2 Layout::natural_line(Widget& widget, double width, int along) {
     const double padding = padding_of(widget), spacing = spacing_of(widget);
     double left = width - 2 * padding;  // of the width, for a row
-    const auto count = static_cast<double>(widget.children.size());
+    const auto count = static_cast<double>(widget.arranged.children.size());
     if (along == 0 && count > 0) left -= spacing * (count - 1);
     Vec2 wanted(0, 0);
     const auto add = [&](Row child, double given) {
         Vec2 one = measure(child, given);
         if (along == 0 && gives_way(widgets_[child])) {
-            one.x = std::min(one.x, std::max(given, widgets_[child].min_size.x));
-            widgets_[child].wanted.x = one.x;
+            one.x = std::min(one.x, std::max(given, widgets_[child].placing.min_size.x));
+            widgets_[child].arranged.wanted.x = one.x;
         }
         wanted[along] += one[along];
         wanted[1 - along] = std::max(wanted[1 - along], one[1 - along]);
@@ -149,20 +152,20 @@ Vec2 Layout::natural_line(Widget& widget, double width, int along) {
     };
     // In a row, widgets that grow share the width that the others leave.
     double shares = 0, needed = 0;
-    for (const Row child : widget.children) {
+    for (const Row child : widget.arranged.children) {
         const double grow = growth(widgets_[child], along);
         shares += grow;
         if (grow > 0) needed += longest_word(widgets_[child]);
     }
     const double widest = along == 0 ? widest_text(widget, left, needed) : width;
-    for (const Row child : widget.children)
+    for (const Row child : widget.arranged.children)
         if (along == 1 || growth(widgets_[child], along) == 0) {
             const bool narrower = gives_way(widgets_[child]) && widest < left;
             add(child, narrower ? widest : left);
         }
     const double rest = left;
     if (along == 0)
-        for (const Row child : widget.children)
+        for (const Row child : widget.arranged.children)
             if (const double grow = growth(widgets_[child], along); grow > 0)
                 add(child, rest * grow / shares);
     if (count > 0) wanted[along] += spacing * (count - 1);
@@ -172,24 +175,25 @@ Vec2 Layout::natural_line(Widget& widget, double width, int along) {
 Vec2 Layout::natural_list(Widget& widget, double width) {
     const double padding = padding_of(widget), spacing = spacing_of(widget);
     double height = 0, widest = measure::control_width;
-    if (!widget.items.empty()) {
-        const auto count = static_cast<double>(widget.items.size());
+    if (!widget.content.items.empty()) {
+        const auto count = static_cast<double>(widget.content.items.size());
         height = count * line_of(widget) + (count - 1) * spacing;
     } else {
-        for (const Row child : widget.children) {
+        for (const Row child : widget.arranged.children) {
             const Vec2 one = measure(child, width - 2 * padding - measure::scroll_bar);
             height += one.y + (height > 0 ? spacing : 0);
             widest = std::max(widest, one.x + 2 * padding + measure::scroll_bar);
         }
     }
-    widget.content = height;
+    widget.arranged.content_height = height;
     return {std::min(widest, std::max(width, measure::control_width)),
             std::min(height + 2 * padding, measure::list_height)};
 }
 
 Vec2 Layout::natural_text(Widget& widget, double width) {
     const Lettering lettering = Lettering::of(widget);
-    const auto lines = fitted(media_, lettering, widget.text, width, widget.overflow == "wrap");
+    const auto lines =
+        fitted(media_, lettering, widget.content.text, width, widget.style.overflow == "wrap");
     double widest = 0;
     for (const std::string& line : lines) widest = std::max(widest, lettering.width(media_, line));
     return {std::ceil(widest),

@@ -45,8 +45,8 @@ void wrap_line(property::Media& media, const Lettering& lettering, const std::st
 }  // namespace
 
 Lettering Lettering::of(const Widget& widget) {
-    return {.font = widget.font.empty() ? widget.look_of->font : widget.font,
-            .size = widget.font_size.value_or(widget.look_of->font_size)};
+    return {.font = widget.style.font.empty() ? widget.arranged.look_of->font : widget.style.font,
+            .size = widget.style.font_size.value_or(widget.arranged.look_of->font_size)};
 }
 
 double Lettering::width(property::Media& media, std::string_view text) const {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include <fettle/property/class.h>
@@ -105,26 +106,33 @@ inline constexpr property::Type type_of<property::Handle> = property::Type::refe
 template <>
 inline constexpr property::Type type_of<property::List> = property::Type::list;
 
-template <class Row, class T>
-Row row_of(T Row::*);
-template <class Row, class T>
-T member_of(T Row::*);
+/// The value in a row: a member of it, or a member of a struct in it.
+template <auto Member>
+auto& value_in(auto& row) {
+    return row.*Member;
+}
+template <auto Part, auto Member>
+auto& value_in(auto& row) {
+    return row.*Part.*Member;
+}
 
 /// `Owner` has a type `Element` of its rows, `operator[]` for a row, and `changed(row)`, which is
-/// called after a write.
-template <auto Member, class Owner>
+/// called after a write. `Members`: as of `value_in`.
+template <auto... Members, class Owner>
 property::Property field(Owner& owner, property::Property described) {
-    using Element = decltype(row_of(Member));
-    using Field = Kept<decltype(member_of(Member))>;
+    using Element = typename Owner::Element;
+    using Field =
+        Kept<std::remove_cvref_t<decltype(value_in<Members...>(std::declval<Element&>()))>>;
     described.type = type_of<typename Field::Plain>;
     described.nullable = Field::nullable;
     if (described.type == property::Type::color) described.range = {0, 1};
+    Element plain{};
     if (described.type != property::Type::reference)
-        described.default_value = held(Element{}.*Member);
+        described.default_value = held(value_in<Members...>(plain));
     described.binding = property::accessor(
-        owner, [](Owner& in, property::Row row) { return held(in[row].*Member); },
+        owner, [](Owner& in, property::Row row) { return held(value_in<Members...>(in[row])); },
         [](Owner& in, property::Row row, const property::Value& value) {
-            take(in[row].*Member, value);
+            take(value_in<Members...>(in[row]), value);
             in.changed(row);
         });
     return described;

@@ -19,51 +19,52 @@ property::Event cancelled() {
 }
 
 property::ClassDescriptor list_descriptor(Widgets& widgets) {
-    return {
-        .name = "List",
-        .base = "Widget",
-        .doc =
-            "Lines of text to choose from, or widgets below each other; it scrolls if there is "
-            "no room for all.",
-        .properties = joined(
-            container_properties(widgets),
-            Properties{
-                field<&Widget::spacing>(
-                    widgets, {.name = "spacing",
-                              .unit = "px",
-                              .range = {0, 100'000},
-                              .doc = "Distance between its widgets; nil: that of the theme."}),
-                field<&Widget::items>(widgets, {.name = "items",
-                                                .doc = "Its lines. If there are none, it shows the "
-                                                       "widgets below it.",
-                                                .element = property::Type::text}),
-                field<&Widget::selected>(widgets,
-                                         {.name = "selected",
-                                          .range = {0, 1e9},
-                                          .doc = "Number of the chosen line, from 1; 0: none."}),
-                field<&Widget::scroll>(widgets, {.name = "scroll",
-                                                 .unit = "px",
-                                                 .range = {0, 1e9},
-                                                 .doc = "How far down it is scrolled."}),
-                field<&Widget::focusable>(
-                    widgets, {.name = "focusable", .doc = "Whether it can have the keyboard."}),
-                bind_property(widgets,
-                              "Path of a property that is the chosen line: a text, or its "
-                              "number. Without items, its lines are the values that the "
-                              "property can have.")},
-            text_properties(widgets, "left", "cut")),
-        .events = {
-            cancelled(),
-            {.name = "changed",
-             .fields = {{.name = "selected",
-                         .type = property::Type::integer,
-                         .doc = "Number of the line."}},
-             .doc = "The player has chosen another line."},
-            {.name = "submitted",
-             .fields = {{.name = "selected",
-                         .type = property::Type::integer,
-                         .doc = "Number of the line."}},
-             .doc = "The player has pressed return on a line, or clicked on the chosen one."}}};
+    return {.name = "List",
+            .base = "Widget",
+            .doc =
+                "Lines of text to choose from, or widgets below each other; it scrolls if there is "
+                "no room for all.",
+            .properties = joined(
+                container_properties(widgets),
+                Properties{
+                    field<&Widget::placing, &Placing::spacing>(
+                        widgets, {.name = "spacing",
+                                  .unit = "px",
+                                  .range = {0, 100'000},
+                                  .doc = "Distance between its widgets; nil: that of the theme."}),
+                    field<&Widget::content, &Content::items>(
+                        widgets, {.name = "items",
+                                  .doc = "Its lines. If there are none, it shows the "
+                                         "widgets below it.",
+                                  .element = property::Type::text}),
+                    field<&Widget::content, &Content::selected>(
+                        widgets, {.name = "selected",
+                                  .range = {0, 1e9},
+                                  .doc = "Number of the chosen line, from 1; 0: none."}),
+                    field<&Widget::content, &Content::scroll>(
+                        widgets, {.name = "scroll",
+                                  .unit = "px",
+                                  .range = {0, 1e9},
+                                  .doc = "How far down it is scrolled."}),
+                    field<&Widget::focusable>(
+                        widgets, {.name = "focusable", .doc = "Whether it can have the keyboard."}),
+                    bind_property(widgets,
+                                  "Path of a property that is the chosen line: a text, or its "
+                                  "number. Without items, its lines are the values that the "
+                                  "property can have.")},
+                text_properties(widgets, "left", "cut")),
+            .events = {
+                cancelled(),
+                {.name = "changed",
+                 .fields = {{.name = "selected",
+                             .type = property::Type::integer,
+                             .doc = "Number of the line."}},
+                 .doc = "The player has chosen another line."},
+                {.name = "submitted",
+                 .fields = {{.name = "selected",
+                             .type = property::Type::integer,
+                             .doc = "Number of the line."}},
+                 .doc = "The player has pressed return on a line, or clicked on the chosen one."}}};
 }
 
 }  // namespace

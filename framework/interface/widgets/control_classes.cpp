@@ -22,7 +22,7 @@ Property focusable(Widgets& widgets) {
 }
 
 Property image_property(Widgets& widgets, const char* doc) {
-    return field<&Widget::image>(widgets, {.name = "image", .doc = doc});
+    return field<&Widget::content, &Content::image>(widgets, {.name = "image", .doc = doc});
 }
 
 property::ClassDescriptor button(Widgets& widgets) {
@@ -33,25 +33,25 @@ property::ClassDescriptor button(Widgets& widgets) {
         .properties = joined(
             {text_property(widgets, "What is written on it."),
              image_property(widgets, "A picture before its text: a file in the game's folder."),
-             field<&Widget::look>(widgets,
-                                  {.name = "look",
-                                   .doc = "accent: it stands out. quiet: only its text is seen.",
-                                   .enumerators = {"normal", "accent", "quiet"}}),
-             field<&Widget::color>(
+             field<&Widget::style, &Style::look>(
+                 widgets, {.name = "look",
+                           .doc = "accent: it stands out. quiet: only its text is seen.",
+                           .enumerators = {"normal", "accent", "quiet"}}),
+             field<&Widget::style, &Style::color>(
                  widgets, {.name = "color", .doc = "Its background; nil: that of its look."}),
-             field<&Widget::radius>(widgets,
-                                    {.name = "radius",
-                                     .unit = "px",
-                                     .range = {0, 100'000},
-                                     .doc = "Radius of its corners; nil: that of the theme."}),
+             field<&Widget::style, &Style::radius>(
+                 widgets, {.name = "radius",
+                           .unit = "px",
+                           .range = {0, 100'000},
+                           .doc = "Radius of its corners; nil: that of the theme."}),
              focusable(widgets),
-             field<&Widget::listening>(
+             field<&Widget::content, &Content::listening>(
                  widgets,
                  {.name = "listening",
                   .doc =
                       "Whether it waits for a key or button of any device. The next one is told by "
                       "the event `captured` and does nothing else; escape ends it."}),
-             field<&Widget::prompt>(
+             field<&Widget::content, &Content::prompt>(
                  widgets,
                  {.name = "prompt", .doc = "What is written on it while it is listening."}),
              bind_property(widgets,
@@ -72,17 +72,17 @@ property::ClassDescriptor slider(Widgets& widgets) {
             .base = "Widget",
             .doc = "A number to choose with the mouse, the arrow keys or the gamepad.",
             .properties =
-                {field<&Widget::value>(
+                {field<&Widget::content, &Content::value>(
                      widgets, {.name = "value", .range = {-1e12, 1e12}, .doc = "The number."}),
                  min_property(widgets), max_property(widgets),
-                 field<&Widget::step>(
+                 field<&Widget::content, &Content::step>(
                      widgets,
                      {.name = "step",
                       .range = {0, 1e12},
                       .doc = "The player chooses multiples of it, counted from the least value; 0: "
                              "any number. Integers have a step of 1 at least."}),
                  focusable(widgets),
-                 field<&Widget::color>(
+                 field<&Widget::style, &Style::color>(
                      widgets, {.name = "color", .doc = "The part up to the value; nil: accent."}),
                  bind_property(widgets,
                                "Path of a property that is the number, such as "
@@ -96,9 +96,10 @@ property::ClassDescriptor toggle(Widgets& widgets) {
             .doc = "A switch with a text.",
             .properties =
                 joined({text_property(widgets, "What is written beside it."),
-                        field<&Widget::on>(widgets, {.name = "value", .doc = "Whether it is on."}),
+                        field<&Widget::content, &Content::on>(
+                            widgets, {.name = "value", .doc = "Whether it is on."}),
                         focusable(widgets),
-                        field<&Widget::color>(
+                        field<&Widget::style, &Style::color>(
                             widgets, {.name = "color", .doc = "What it has if on; nil: accent."}),
                         bind_property(widgets,
                                       "Path of a boolean property; both always have the same "
@@ -113,13 +114,13 @@ property::ClassDescriptor text_field(Widgets& widgets) {
             .doc = "A line of text to type.",
             .properties = joined(
                 {text_property(widgets, "What is in it."),
-                 field<&Widget::placeholder>(
+                 field<&Widget::content, &Content::placeholder>(
                      widgets, {.name = "placeholder", .doc = "Shown while it is empty."}),
-                 field<&Widget::max_length>(
+                 field<&Widget::content, &Content::max_length>(
                      widgets, {.name = "max_length",
                                .range = {0, 1e6},
                                .doc = "Number of characters that can be typed; 0: no limit."}),
-                 field<&Widget::caret>(
+                 field<&Widget::content, &Content::caret>(
                      widgets,
                      {.name = "caret",
                       .range = {0, 1e9},
@@ -141,11 +142,11 @@ property::ClassDescriptor progress_bar(Widgets& widgets) {
         .base = "Widget",
         .doc = "How far something is.",
         .properties = joined(
-            {field<&Widget::value>(
+            {field<&Widget::content, &Content::value>(
                  widgets, {.name = "value", .range = {-1e12, 1e12}, .doc = "Between min and max."}),
              min_property(widgets), max_property(widgets), text_property(widgets, "Written on it."),
-             field<&Widget::color>(widgets,
-                                   {.name = "color", .doc = "The full part; nil: accent."}),
+             field<&Widget::style, &Style::color>(
+                 widgets, {.name = "color", .doc = "The full part; nil: accent."}),
              bind_property(widgets, "Path of a property that is the value.")},
             text_properties(widgets, "center", "cut"))};
 }
@@ -167,7 +168,7 @@ std::vector<property::ClassDescriptor> control_classes(Widgets& widgets) {
                    .doc = "A picture, as large as fits without being distorted.",
                    .properties = {
                        image_property(widgets, "A file in the game's folder."),
-                       field<&Widget::tint>(
+                       field<&Widget::style, &Style::tint>(
                            widgets, {.name = "tint", .doc = "Multiplies the picture's colors."})}});
     all.push_back(slider(widgets));
     all.push_back(toggle(widgets));

@@ -41,12 +41,12 @@ Properties computed_properties(Widgets& widgets) {
                  "Where its top left corner is on the screen.",
                  [](Widgets& w, Row row) {
                      if (w.answers.lay_out) w.answers.lay_out();
-                     return property::Vec2(w[row].box.lower * w.scale);
+                     return property::Vec2(w[row].arranged.box.lower * w.scale);
                  }),
         computed(widgets, "screen_size", Type::vec2, "px", "Its width and height on the screen.",
                  [](Widgets& w, Row row) {
                      if (w.answers.lay_out) w.answers.lay_out();
-                     return property::Vec2(w[row].box.size() * w.scale);
+                     return property::Vec2(w[row].arranged.box.size() * w.scale);
                  }),
     };
 }
@@ -56,32 +56,33 @@ Properties computed_properties(Widgets& widgets) {
 Properties common_properties(Widgets& widgets) {
     return joined(
         {
-            field<&Widget::anchor>(
+            field<&Widget::placing, &Placing::anchor>(
                 widgets,
                 {.name = "anchor",
                  .doc = "Which point of the panel, or of the screen, it is at, with its own point "
                         "of that name. Rows, columns and lists place their widgets themselves.",
                  .enumerators = {"top_left", "top", "top_right", "left", "center", "right",
                                  "bottom_left", "bottom", "bottom_right"}}),
-            field<&Widget::offset>(widgets,
-                                   {.name = "offset",
-                                    .unit = "px",
-                                    .range = places,
-                                    .doc = "By how much it is moved from its place, y down."}),
-            field<&Widget::size>(widgets,
-                                 {.name = "size",
-                                  .unit = "px",
-                                  .range = lengths,
-                                  .doc = "Width and height; 0: as large as what is in it needs."}),
-            field<&Widget::min_size>(widgets, {.name = "min_size",
-                                               .unit = "px",
-                                               .range = lengths,
-                                               .doc = "The least width and height."}),
-            field<&Widget::fill>(widgets,
-                                 {.name = "fill",
-                                  .doc = "Whether it takes all the width or height that there is.",
-                                  .enumerators = {"none", "width", "height", "both"}}),
-            field<&Widget::grow>(
+            field<&Widget::placing, &Placing::offset>(
+                widgets, {.name = "offset",
+                          .unit = "px",
+                          .range = places,
+                          .doc = "By how much it is moved from its place, y down."}),
+            field<&Widget::placing, &Placing::size>(
+                widgets, {.name = "size",
+                          .unit = "px",
+                          .range = lengths,
+                          .doc = "Width and height; 0: as large as what is in it needs."}),
+            field<&Widget::placing, &Placing::min_size>(widgets,
+                                                        {.name = "min_size",
+                                                         .unit = "px",
+                                                         .range = lengths,
+                                                         .doc = "The least width and height."}),
+            field<&Widget::placing, &Placing::fill>(
+                widgets, {.name = "fill",
+                          .doc = "Whether it takes all the width or height that there is.",
+                          .enumerators = {"none", "width", "height", "both"}}),
+            field<&Widget::placing, &Placing::grow>(
                 widgets,
                 {.name = "grow",
                  .range = {0, 1e6},
@@ -92,11 +93,11 @@ Properties common_properties(Widgets& widgets) {
             field<&Widget::disabled>(
                 widgets, {.name = "disabled",
                           .doc = "Whether it is pale and does nothing, with everything below it."}),
-            field<&Widget::opacity>(
+            field<&Widget::style, &Style::opacity>(
                 widgets, {.name = "opacity",
                           .range = {0, 1},
                           .doc = "Multiplies the opacity of it and of everything below it."}),
-            field<&Widget::theme>(
+            field<&Widget::style, &Style::theme>(
                 widgets,
                 {.name = "theme",
                  .doc =
@@ -109,21 +110,22 @@ Properties common_properties(Widgets& widgets) {
 
 Properties container_properties(Widgets& widgets) {
     return {
-        field<&Widget::padding>(
+        field<&Widget::placing, &Placing::padding>(
             widgets,
             {.name = "padding",
              .unit = "px",
              .range = lengths,
              .doc = "Distance between its edge and what is in it. nil: that of the theme for "
                     "panels, 5 for lists, 0 for rows and columns."}),
-        field<&Widget::color>(
+        field<&Widget::style, &Style::color>(
             widgets,
             {.name = "color",
              .doc = "Its background. nil: that of the theme; rows and columns have none."}),
-        field<&Widget::radius>(widgets, {.name = "radius",
-                                         .unit = "px",
-                                         .range = lengths,
-                                         .doc = "Radius of its corners; nil: that of the theme."}),
+        field<&Widget::style, &Style::radius>(
+            widgets, {.name = "radius",
+                      .unit = "px",
+                      .range = lengths,
+                      .doc = "Radius of its corners; nil: that of the theme."}),
         field<&Widget::modal>(
             widgets,
             {.name = "modal",
@@ -140,18 +142,18 @@ Properties container_properties(Widgets& widgets) {
 
 Properties line_up_properties(Widgets& widgets) {
     return {
-        field<&Widget::spacing>(widgets,
-                                {.name = "spacing",
-                                 .unit = "px",
-                                 .range = lengths,
-                                 .doc = "Distance between its widgets; nil: that of the theme."}),
-        field<&Widget::align>(
+        field<&Widget::placing, &Placing::spacing>(
+            widgets, {.name = "spacing",
+                      .unit = "px",
+                      .range = lengths,
+                      .doc = "Distance between its widgets; nil: that of the theme."}),
+        field<&Widget::placing, &Placing::align>(
             widgets,
             {.name = "align",
              .doc = "Where its widgets are across its direction; stretch: they are as wide "
                     "as it is.",
              .enumerators = {"start", "center", "end", "stretch"}}),
-        field<&Widget::justify>(
+        field<&Widget::placing, &Placing::justify>(
             widgets, {.name = "justify",
                       .doc = "Where its widgets are along its direction if they leave room.",
                       .enumerators = {"start", "center", "end"}}),
@@ -159,27 +161,28 @@ Properties line_up_properties(Widgets& widgets) {
 }
 
 Properties text_properties(Widgets& widgets, const char* align, const char* overflow) {
-    Property align_property =
-        field<&Widget::text_align>(widgets, {.name = "text_align",
-                                             .doc = "Where its text is.",
-                                             .enumerators = {"left", "center", "right"}});
+    Property align_property = field<&Widget::style, &Style::text_align>(
+        widgets, {.name = "text_align",
+                  .doc = "Where its text is.",
+                  .enumerators = {"left", "center", "right"}});
     align_property.default_value = Value(align);
-    Property overflow_property = field<&Widget::overflow>(
+    Property overflow_property = field<&Widget::style, &Style::overflow>(
         widgets, {.name = "overflow",
                   .doc = "What becomes of text that is too long for its width: cut ends it with "
                          "\"…\", wrap goes on in another line.",
                   .enumerators = {"cut", "wrap"}});
     overflow_property.default_value = Value(overflow);
     return {
-        field<&Widget::font>(widgets,
-                             {.name = "font",
-                              .doc = "sans, bold, mono, or a font file (TTF, OTF) in the game's "
-                                     "folder; empty: that of the theme."}),
-        field<&Widget::font_size>(widgets, {.name = "font_size",
-                                            .unit = "px",
-                                            .range = {1, 1000},
-                                            .doc = "Size of its text; nil: that of the theme."}),
-        field<&Widget::text_color>(
+        field<&Widget::style, &Style::font>(
+            widgets, {.name = "font",
+                      .doc = "sans, bold, mono, or a font file (TTF, OTF) in the game's "
+                             "folder; empty: that of the theme."}),
+        field<&Widget::style, &Style::font_size>(
+            widgets, {.name = "font_size",
+                      .unit = "px",
+                      .range = {1, 1000},
+                      .doc = "Size of its text; nil: that of the theme."}),
+        field<&Widget::style, &Style::text_color>(
             widgets, {.name = "text_color", .doc = "Color of its text; nil: that of the theme."}),
         std::move(align_property),
         std::move(overflow_property),
@@ -187,22 +190,22 @@ Properties text_properties(Widgets& widgets, const char* align, const char* over
 }
 
 Property text_property(Widgets& widgets, const char* doc) {
-    return field<&Widget::text>(widgets, {.name = "text", .doc = doc});
+    return field<&Widget::content, &Content::text>(widgets, {.name = "text", .doc = doc});
 }
 
 Property bind_property(Widgets& widgets, const char* doc) {
-    return field<&Widget::bind>(widgets, {.name = "bind", .doc = doc});
+    return field<&Widget::content, &Content::bind>(widgets, {.name = "bind", .doc = doc});
 }
 
 Property min_property(Widgets& widgets) {
-    return field<&Widget::min>(
+    return field<&Widget::content, &Content::min>(
         widgets, {.name = "min",
                   .range = {-1e12, 1e12},
                   .doc = "The least value. nil: that of the bound property, else 0."});
 }
 
 Property max_property(Widgets& widgets) {
-    return field<&Widget::max>(
+    return field<&Widget::content, &Content::max>(
         widgets, {.name = "max",
                   .range = {-1e12, 1e12},
                   .doc = "The greatest value. nil: that of the bound property, else 1."});

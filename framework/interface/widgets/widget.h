@@ -44,48 +44,74 @@ struct Box {
     Box within(const Box& other) const { return {lower.max(other.lower), upper.min(other.upper)}; }
 };
 
-struct Widget {
-    property::Handle self{};
-    Kind kind = Kind::panel;
-
-    // --- Properties
+/// Where a widget is to be, and how large.
+struct Placing {
     std::string anchor = "top_left", fill = "none";
     property::Vec2 offset{0, 0}, size{0, 0}, min_size{0, 0};
-    double grow = 0, opacity = 1;
-    bool visible = true, disabled = false, focusable = true, modal = false;
+    double grow = 0;
+    std::optional<double> padding, spacing;            // of a container
+    std::string align = "stretch", justify = "start";  // of what is in a row or a column
+};
+
+/// How a widget looks.
+struct Style {
     property::Handle theme{};
-    std::optional<double> padding, spacing, radius, font_size;
+    double opacity = 1;
+    std::optional<double> radius, font_size;
     std::optional<property::Color> color, text_color;
-    std::string align = "stretch", justify = "start", text_align = "left", overflow = "cut";
-    std::string look = "normal", font, text, image, bind, placeholder, prompt = "press a key";
     property::Color tint{1, 1, 1, 1};
+    std::string text_align = "left", overflow = "cut";
+    std::string look = "normal", font;
+};
+
+/// What a widget shows, and what the player changes.
+struct Content {
+    std::string text, image, bind, placeholder, prompt = "press a key";
     double value = 0, step = 0, scroll = 0;
     std::optional<double> min, max;
     bool on = false, listening = false;
     std::int64_t caret = 0, max_length = 0, selected = 0;
     property::List items{};
-    property::Handle last_focus{};
+};
 
-    // --- Computed by the layout
+inline constexpr property::Row no_widget = std::numeric_limits<property::Row>::max();
+
+/// What the layout computes.
+struct Arranged {
     std::vector<property::Row> children{};
-    property::Row parent = none;
+    property::Row parent = no_widget;
     const Theme* look_of = nullptr;  // its theme
     property::Vec2 wanted{0, 0};     // size
     Box box{}, clip{};
     std::vector<std::string> lines{};  // of its text
-    double content = 0;                // height of what a list shows
+    double content_height = 0;         // of a list
     bool shown = false;                // visible, with all above it
+};
 
-    // --- Only for drawing
+/// What changes gradually when a widget is drawn.
+struct Animation {
     double hover = 0, press = 0, ring = 0, switched = -1;  // 0 to 1; below 0: not known yet
     double view_left = 0;                                  // px, what a text field has scrolled
+};
 
-    // --- Of the bound property
+/// The bound property and the value of the widget, as they were when they were compared last.
+struct BoundValue {
     property::Value own_before{}, target_before{};
     bool bound_before = false;
     std::string problem{};  // the last one that was reported
+};
 
-    static constexpr property::Row none = std::numeric_limits<property::Row>::max();
+struct Widget {
+    property::Handle self{};
+    Kind kind = Kind::panel;
+    bool visible = true, disabled = false, focusable = true, modal = false;
+    property::Handle last_focus{};
+    Placing placing{};
+    Style style{};
+    Content content{};
+    Arranged arranged{};
+    Animation animation{};
+    BoundValue bound{};
 };
 
 inline bool is_container(Kind kind) {

@@ -42,9 +42,9 @@ Kind kind_of(const property::Class& of) {
 
 /// Values that the class has by default, where they are not those of other classes.
 void set_defaults(Widget& w) {
-    if (w.kind == Kind::row) w.align = "center";
-    if (w.kind == Kind::button || w.kind == Kind::progress_bar) w.text_align = "center";
-    if (w.kind == Kind::label) w.overflow = "wrap";
+    if (w.kind == Kind::row) w.placing.align = "center";
+    if (w.kind == Kind::button || w.kind == Kind::progress_bar) w.style.text_align = "center";
+    if (w.kind == Kind::label) w.style.overflow = "wrap";
 }
 
 property::Method focus_method(Widgets& widgets) {
