@@ -9,8 +9,8 @@
 
 #include <fettle/property/tree.h>
 
+#include <editing/property_editor.h>
 #include <inspector/instance_tree.h>
-#include <inspector/property_editor.h>
 #include <inspector/selection.h>
 
 namespace fettle::console {

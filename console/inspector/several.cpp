@@ -1,5 +1,5 @@
 #include <inspector/several.h>
-#include <model/last_value.h>
+#include <observed/last_value.h>
 
 #include <algorithm>
 #include <functional>

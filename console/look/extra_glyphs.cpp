@@ -9,7 +9,7 @@
 #include <utility>
 
 #include <look/imgui_compat.h>
-#include <model/utf8.h>
+#include <text/utf8.h>
 
 namespace fettle::console {
 

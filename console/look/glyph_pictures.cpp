@@ -9,7 +9,7 @@
 #include FT_FREETYPE_H
 
 #include <look/extra_glyphs.h>
-#include <model/utf8.h>
+#include <text/utf8.h>
 
 namespace fettle::console {
 

@@ -6,7 +6,7 @@
 
 #include <look/extra_glyphs.h>
 #include <look/imgui_compat.h>
-#include <model/utf8.h>
+#include <text/utf8.h>
 
 namespace fettle::console {
 

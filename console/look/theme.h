@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include <model/highlight.h>
-#include <model/log.h>
+#include <text/highlight.h>
+#include <text/log.h>
 
 namespace fettle::console {
 

@@ -1,7 +1,7 @@
 // The console as a layer: opening, closing, selection, and links in the log.
 
 #include <fettle/console/console.h>
-#include <model/last_value.h>
+#include <observed/last_value.h>
 
 #include <algorithm>
 

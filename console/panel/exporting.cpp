@@ -5,7 +5,7 @@
 #include <fettle/property/exception_text.h>
 
 #include <look/theme.h>
-#include <model/plot_table.h>
+#include <observed/plot_table.h>
 #include <panel/state.h>
 
 namespace fettle::console {

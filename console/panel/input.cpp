@@ -5,7 +5,7 @@
 
 #include <fettle/property/exception_text.h>
 
-#include <inspector/pick.h>
+#include <in_game/pick.h>
 #include <inspector/several.h>
 #include <panel/state.h>
 

@@ -6,9 +6,9 @@
 
 #include <fettle/property/exception_text.h>
 
-#include <model/last_value.h>
-#include <model/utf8.h>
+#include <observed/last_value.h>
 #include <panel/state.h>
+#include <text/utf8.h>
 
 namespace fettle::console {
 

@@ -8,7 +8,7 @@
 
 #include <fettle/property/exception_text.h>
 
-#include <inspector/outline.h>
+#include <in_game/outline.h>
 #include <look/fields.h>
 #include <look/imgui_compat.h>
 #include <look/theme.h>

@@ -1,4 +1,4 @@
-#include <model/last_value.h>
+#include <observed/last_value.h>
 #include <panel/observing.h>
 
 #include <algorithm>

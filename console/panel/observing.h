@@ -13,10 +13,10 @@
 #include <fettle/property/tree.h>
 #include <fettle/script/observed.h>
 
-#include <model/breaks.h>
-#include <model/log.h>
-#include <model/prompt.h>
-#include <model/trace.h>
+#include <observed/breaks.h>
+#include <observed/trace.h>
+#include <prompt/prompt.h>
+#include <text/log.h>
 
 namespace fettle::console {
 

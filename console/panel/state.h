@@ -8,19 +8,19 @@
 
 #include <fettle/console/console.h>
 
-#include <inspector/context_menu.h>
-#include <inspector/ghosts.h>
+#include <in_game/context_menu.h>
+#include <in_game/ghosts.h>
+#include <in_game/onion_skins.h>
 #include <inspector/inspector.h>
-#include <inspector/onion_skins.h>
 #include <look/imgui_backend.h>
-#include <model/comparison.h>
-#include <model/history.h>
-#include <model/log.h>
-#include <model/prompt.h>
-#include <model/rect.h>
-#include <model/settings.h>
+#include <look/rect.h>
+#include <observed/comparison.h>
 #include <panel/held_keys.h>
 #include <panel/observing.h>
+#include <prompt/history.h>
+#include <prompt/prompt.h>
+#include <settings/settings.h>
+#include <text/log.h>
 #include <views/compare_view.h>
 #include <views/frame_view.h>
 #include <views/log_view.h>

@@ -8,8 +8,8 @@
 #include <fettle/property/tree.h>
 
 #include <look/pen.h>
-#include <model/comparison.h>
-#include <model/rect.h>
+#include <look/rect.h>
+#include <observed/comparison.h>
 
 namespace fettle::console {
 

@@ -11,7 +11,7 @@
 #include <fettle/app/frame_log.h>
 #include <fettle/property/tree.h>
 
-#include <model/rect.h>
+#include <look/rect.h>
 
 namespace fettle::console {
 

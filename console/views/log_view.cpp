@@ -7,7 +7,7 @@
 #include <fettle/property/value.h>
 
 #include <look/theme.h>
-#include <model/utf8.h>
+#include <text/utf8.h>
 
 namespace fettle::console {
 

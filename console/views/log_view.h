@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include <model/highlight.h>
-#include <model/log.h>
+#include <text/highlight.h>
+#include <text/log.h>
 
 namespace fettle::console {
 

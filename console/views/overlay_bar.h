@@ -8,7 +8,7 @@
 
 #include <fettle/property/tree.h>
 
-#include <model/rect.h>
+#include <look/rect.h>
 
 namespace fettle::console {
 

@@ -5,8 +5,8 @@
 
 #include <look/imgui_compat.h>
 #include <look/theme.h>
-#include <model/highlight.h>
-#include <model/utf8.h>
+#include <text/highlight.h>
+#include <text/utf8.h>
 
 namespace fettle::console {
 

@@ -4,8 +4,8 @@
 
 #include <imgui.h>
 
-#include <model/prompt.h>
-#include <model/rect.h>
+#include <look/rect.h>
+#include <prompt/prompt.h>
 
 namespace fettle::console {
 

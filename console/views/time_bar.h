@@ -14,9 +14,9 @@
 #include <fettle/console/interpreter.h>
 #include <fettle/property/tree.h>
 
-#include <model/branches.h>
-#include <model/rect.h>
-#include <model/time_marks.h>
+#include <look/rect.h>
+#include <observed/branches.h>
+#include <observed/time_marks.h>
 
 namespace fettle::console {
 

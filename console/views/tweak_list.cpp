@@ -4,7 +4,7 @@
 #include <ctime>
 
 #include <look/theme.h>
-#include <model/utf8.h>
+#include <text/utf8.h>
 
 namespace fettle::console {
 

@@ -12,7 +12,7 @@
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/script/runtime.h>
 
-#include <model/rect.h>
+#include <look/rect.h>
 
 namespace fettle::console {
 

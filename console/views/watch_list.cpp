@@ -6,7 +6,7 @@
 
 #include <look/fields.h>
 #include <look/theme.h>
-#include <model/utf8.h>
+#include <text/utf8.h>
 
 namespace fettle::console {
 

@@ -9,8 +9,8 @@
 
 #include <fettle/property/tree.h>
 
-#include <model/rect.h>
-#include <model/trace.h>
+#include <look/rect.h>
+#include <observed/trace.h>
 
 namespace fettle::console {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <look/extra_glyphs.h>
-#include <model/utf8.h>
+#include <text/utf8.h>
 #include "catch.h"
 #include "rig.h"
 

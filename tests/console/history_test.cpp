@@ -1,4 +1,4 @@
-#include <model/history.h>
+#include <prompt/history.h>
 
 #include <sys/stat.h>
 #include <unistd.h>

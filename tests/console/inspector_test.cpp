@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include <inspector/bit_field.h>
+#include <editing/bit_field.h>
 #include <inspector/instance_tree.h>
 #include "catch.h"
 #include "rig.h"

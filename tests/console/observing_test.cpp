@@ -4,7 +4,7 @@
 #include <fstream>
 #include <map>
 
-#include <model/plot_table.h>
+#include <observed/plot_table.h>
 #include <set>
 
 #include "catch.h"

@@ -1,6 +1,6 @@
 // The signature of the call that is being typed.
 
-#include <model/signature_help.h>
+#include <prompt/signature_help.h>
 #include "catch.h"
 #include "rig.h"
 

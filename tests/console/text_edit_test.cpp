@@ -1,6 +1,6 @@
-#include <model/text_edit.h>
+#include <prompt/text_edit.h>
 
-#include <model/utf8.h>
+#include <text/utf8.h>
 #include "catch.h"
 
 namespace text_edit_test {

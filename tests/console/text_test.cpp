@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include <model/highlight.h>
-#include <model/log.h>
+#include <text/highlight.h>
+#include <text/log.h>
 #include "catch.h"
 
 namespace text_test {

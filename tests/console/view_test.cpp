@@ -10,7 +10,7 @@
 #include <utility>
 
 #include <look/theme.h>
-#include <model/utf8.h>
+#include <text/utf8.h>
 #include "catch.h"
 #include "rig.h"
 

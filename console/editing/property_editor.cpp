@@ -1,0 +1,472 @@
+#include <editing/property_editor.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+
+#include <fettle/property/exception_text.h>
+
+#include <editing/bit_field.h>
+#include <look/theme.h>
+
+namespace fettle::console {
+
+using property::Handle;
+using property::List;
+using property::Property;
+using property::Type;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+constexpr float label_share = 0.40f;
+constexpr int visible_elements = 12;
+
+Value zero_of(Type type) {
+    switch (type) {
+        case Type::boolean:
+            return Value(false);
+        case Type::integer:
+            return Value(0);
+        case Type::number:
+            return Value(0.0);
+        case Type::text:
+            return Value("");
+        case Type::vec2:
+            return Value(Vec2(0, 0));
+        case Type::color:
+            return Value(property::Color{});
+        case Type::list:
+            return Value(List{});
+        default:
+            return Value();
+    }
+}
+
+bool small_button(const char* id, const char* sign, const char* tip) {
+    float side = ImGui::GetFrameHeight();
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    bool pressed = ImGui::InvisibleButton(id, ImVec2(side, side));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    bool hovered = ImGui::IsItemHovered();
+    if (hovered) {
+        list.AddRectFilled(at, ImVec2(at.x + side, at.y + side), palette::hover,
+                           ImGui::GetStyle().FrameRounding);
+        ImGui::SetTooltip("%s", tip);
+    }
+    ImVec2 middle(at.x + (side - text_width(sign)) / 2,
+                  at.y + (side - ImGui::GetTextLineHeight()) / 2);
+    draw_text(list, middle, hovered ? palette::accent : palette::dim, sign);
+    return pressed;
+}
+
+}  // namespace
+
+Rect PropertyEditor::widget_rect(const Property& property) const {
+    auto found = widgets_.find(&property);
+    return found == widgets_.end() ? Rect() : found->second;
+}
+
+std::string PropertyEditor::problem(const Property& property) const {
+    auto found = problems_.find(&property);
+    return found == problems_.end() ? std::string() : found->second;
+}
+
+// --- The row
+// --------------------------------------------------------------------------------------------------------
+
+bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bold) {
+    if (problems_of_ != instance) forget();
+    problems_of_ = instance;
+    edited_ = false;
+    Target target{instance, &property};
+    const float whole = ImGui::GetContentRegionAvail().x;
+    const float available = whole - gutter_width(whole);
+    bool tall = property.type == Type::list || property.any_type;
+    bool plain = !tall && mixed_.others().empty() && !problems_.contains(&property) &&
+                 tree_.formula_count() == 0;
+    if (plain && !ImGui::IsRectVisible(ImVec2(whole, ImGui::GetFrameHeight()))) {
+        ImGui::Dummy(ImVec2(whole, ImGui::GetFrameHeight()));
+        return false;
+    }
+    ImGui::PushID(&property);
+    float start = ImGui::GetCursorPosX();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    float label_width = std::floor(available * label_share);
+    bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
+    const property::Formula* formula = tree_.formula(instance, property);
+    std::string source = formula != nullptr ? formula->source : std::string();
+    std::string wrong = formula != nullptr ? tree_.problem(instance, property) : std::string();
+    // A value that the simulation writes differs from the default without being set, unless its
+    // module can tell (`overridden`): a mass that was set.
+    const bool computed = property.simulated && property.binding.overridden == nullptr;
+    const bool set = formula != nullptr || (!computed && tree_.overridden(instance, property));
+    const bool resettable = !property.read_only && !ad_hoc && set;
+    bool gone = false;
+    std::string mixed;
+    gutter(target, ImVec2(corner.x + available, corner.y), whole - available);
+    ImGui::SetCursorScreenPos(corner);
+    label(target, label_width, resettable, formula != nullptr, bold);
+    ImGui::SameLine(start + label_width);
+    try {
+        // If a formula fails, its last valid value is shown, and the error below it.
+        Value value =
+            formula != nullptr ? tree_.peek(instance, property) : tree_.get(instance, property);
+        mixed = mixed_.look(tree_, property, value);
+        float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+        ImGui::BeginGroup();
+        if (!formula_line(target, source, available - label_width - button))
+            widget(target, value, available - label_width - button);
+        ImGui::EndGroup();
+        widgets_[&property] = item_rect();
+        if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(1) && menu)
+            menu(tree_.path(instance, property));
+        if (resettable || ad_hoc) {
+            ImGui::SameLine(start + available - ImGui::GetFrameHeight());
+            gone = reset_button(target);
+        }
+    } catch (const std::exception& error) {
+        problems_[&property] = property::exception_text(error);
+    }
+    const bool settled = fields_.take_settled();
+    if (const std::string expression = fields_.take_formula(); !expression.empty())
+        define_formula(target, expression);
+    if (std::string typed = fields_.take_problem(); !typed.empty()) {
+        problems_[&property] = typed;
+        edited_ = true;  // an expression ran, which may have changed anything
+    } else if (settled && !edited_) {
+        problems_.erase(&property);  // typing ended with the value that there was
+    }
+    if (!gone) {
+        mixed_line(start + label_width, mixed);
+        if (formula_of_ != &property) {
+            remark(start + label_width, palette::note, source.empty() ? source : "is " + source);
+            if (!source.empty() && ImGui::IsItemClicked(0)) begin_formula(property);
+        }
+        remark(start + label_width, palette::error, wrong);
+        remark(start + label_width, palette::error, problem(property));
+    }
+    ImGui::PopID();
+    return edited_;
+}
+
+void PropertyEditor::remark(float left, ImU32 color, const std::string& text) {
+    if (text.empty()) return;
+    ImGui::SetCursorPosX(left);
+    ImGui::PushTextWrapPos(0);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    text_line(wrapped(text, ImGui::GetContentRegionAvail().x));
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+}
+
+/// Always one line: values that change all the time must not move the rows below.
+void PropertyEditor::mixed_line(float left, const std::string& text) {
+    if (text.empty()) return;
+    ImGui::SetCursorPosX(left);
+    const float room = ImGui::GetContentRegionAvail().x;
+    draw_text_fit(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), palette::dim, text,
+                  room);
+    ImGui::Dummy(ImVec2(std::max(1.0f, room), ImGui::GetTextLineHeight()));
+    if (ImGui::IsItemHovered() && text_width(text) > room) ImGui::SetTooltip("%s", text.c_str());
+}
+
+void PropertyEditor::label(const Target& target, float width, bool overridden, bool formula,
+                           ImFont* bold) {
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    float mark = ImGui::GetFontSize() * 0.7f;
+    ImGui::Dummy(ImVec2(width - ImGui::GetStyle().ItemSpacing.x, ImGui::GetFrameHeight()));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    float y = at.y + ImGui::GetStyle().FramePadding.y;
+    const bool may_be = !target.property->read_only && define && ImGui::IsItemHovered();
+    const bool on_mark = ImGui::IsItemHovered() && ImGui::GetIO().MousePos.x < at.x + 2 * mark;
+    if (formula || may_be)
+        draw_text(list, ImVec2(at.x - mark * 0.1f, y),
+                  formula || on_mark ? palette::note : palette::faint, "ƒ");
+    else if (overridden)
+        list.AddCircleFilled(ImVec2(at.x + mark * 0.35f, at.y + ImGui::GetFrameHeight() / 2),
+                             ImGui::GetFontSize() * 0.14f, palette::accent);
+    ImU32 color = target.property->read_only ? palette::dim : palette::text;
+    const FontScope font(fonts().sans);
+    float room = width - mark - ImGui::GetStyle().ItemSpacing.x;
+    // The fields of a vector have no room for the unit.
+    if (target.property->type == Type::vec2 && !target.property->unit.empty()) {
+        const float unit = text_width(target.property->unit);
+        draw_text(list, ImVec2(at.x + mark + room - unit, y), palette::dim, target.property->unit);
+        room -= unit + text_width(" ");
+    }
+    draw_text_fit(list, ImVec2(at.x + mark, y), color, target.property->name, room);
+    if (!ImGui::IsItemHovered()) return;
+    if (ImGui::IsMouseClicked(1) && menu) menu(tree_.path(target.instance, *target.property));
+    // A double click on the name does the same: the sign is small.
+    if (may_be && ((on_mark && ImGui::IsMouseClicked(0)) || ImGui::IsMouseDoubleClicked(0)))
+        begin_formula(*target.property);
+    if (fields_.typing()) return;  // a tooltip could cover the field
+    const FontScope mono(fonts().mono);
+    tooltip(target, bold);
+}
+
+bool PropertyEditor::reset_button(const Target& target) {
+    if (target.property->binding.kind == property::BindingKind::ad_hoc) {
+        if (!small_button("remove", "×", "remove this property")) return false;
+        attempt(target, [&] { tree_.remove_ad_hoc(target.instance, target.property->name); });
+        return !problems_.contains(target.property);
+    }
+    std::string tip =
+        "back to " + tree_.text(target.property->default_value, target.property->precision());
+    if (target.property->binding.reset != nullptr) tip = "back to what its owner computes";
+    if (small_button("reset", "↺", tip.c_str()))
+        attempt(target, [&] {
+            edit_all(target, "reset " + target.property->name + " of all selected",
+                     [&](Handle instance, const Property& property) {
+                         tree_.reset(instance, property);
+                     });
+        });
+    return false;
+}
+
+// --- Widgets
+// --------------------------------------------------------------------------------------------------------
+
+void PropertyEditor::widget(const Target& target, const Value& value, float width) {
+    Type type = value.is_nil() || target.property->any_type ? value.type() : target.property->type;
+    // References can be followed even if they are read-only.
+    bool greyed = target.property->read_only && type != Type::reference && type != Type::list;
+    ImGui::BeginDisabled(greyed);
+    switch (type) {
+        case Type::nil:
+            nil(target, width);
+            break;
+        case Type::boolean:
+            boolean(target, value);
+            break;
+        case Type::integer:
+        case Type::number:
+            number(target, value, width);
+            break;
+        case Type::text:
+            if (target.property->enumerators.empty())
+                text(target, value, width);
+            else
+                enumerator(target, value, width);
+            break;
+        case Type::vec2:
+            vector(target, value, width);
+            break;
+        case Type::color:
+            color(target, value, width);
+            break;
+        case Type::reference:
+            editable_reference(target, value.reference(), width);
+            break;
+        case Type::list:
+            list(target, value, width);
+            break;
+    }
+    ImGui::EndDisabled();
+}
+
+NumberLook PropertyEditor::look_of(const Property& property) {
+    NumberLook look;
+    look.unit = property.unit;
+    look.range = property.range;
+    look.precision = property.precision();
+    return look;
+}
+
+void PropertyEditor::boolean(const Target& target, const Value& value) {
+    bool checked = value.boolean();
+    if (ImGui::Checkbox("##value", &checked)) write(target, Value(checked));
+}
+
+void PropertyEditor::number(const Target& target, const Value& value, float width) {
+    if (target.property->bits && value.is(Type::integer)) {
+        if (const auto changed = bit_field(value.integer(), width)) write(target, Value(*changed));
+        return;
+    }
+    NumberLook look = look_of(*target.property);
+    look.integer = value.is(Type::integer);
+    auto changed = fields_.number("##value", value.as_double(), look, width);
+    if (!changed) return;
+    bool whole = look.integer && *changed == std::floor(*changed) && std::abs(*changed) < 9e15;
+    write(target, whole ? Value(static_cast<std::int64_t>(*changed)) : Value(*changed));
+}
+
+void PropertyEditor::text(const Target& target, const Value& value, float width) {
+    auto changed = fields_.text("##value", value.text(), width);
+    if (!changed) return;
+    if (define && changed->starts_with("is "))
+        define_formula(target, changed->substr(3));
+    else
+        write(target, Value(*changed));
+}
+
+void PropertyEditor::enumerator(const Target& target, const Value& value, float width) {
+    ImGui::SetNextItemWidth(width);
+    if (!ImGui::BeginCombo("##value", widget_text(value.text()).c_str())) return;
+    for (const std::string& name : target.property->enumerators) {
+        bool current = name == value.text();
+        if (ImGui::Selectable(widget_text(name).c_str(), current)) write(target, Value(name));
+        if (current) ImGui::SetItemDefaultFocus();
+    }
+    ImGui::EndCombo();
+}
+
+std::optional<Vec2> PropertyEditor::vector_fields(const Target& target, Vec2 value, float width,
+                                                  bool one_row) {
+    NumberLook look = look_of(*target.property);
+    look.unit = {};
+    float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    float half = std::floor((width - gap) / 2);
+    const bool beside =
+        one_row || half >= text_width("x -0.0000") + 2 * ImGui::GetStyle().FramePadding.x;
+    look.label = "x";
+    auto x = fields_.number("##x", value.x, look, beside ? half : width);
+    if (beside) ImGui::SameLine(0, gap);
+    look.label = "y";
+    auto y = fields_.number("##y", value.y, look, beside ? width - gap - half : width);
+    if (!x && !y) return std::nullopt;
+    return Vec2(x.value_or(value.x), y.value_or(value.y));
+}
+
+void PropertyEditor::vector(const Target& target, const Value& value, float width) {
+    if (auto changed = vector_fields(target, value.vec2(), width, false))
+        write(target, Value(*changed));
+}
+
+void PropertyEditor::color(const Target& target, const Value& value, float width) {
+    property::Color c = value.color();
+    std::array<float, 4> channels = {c.r, c.g, c.b, c.a};
+    ImGui::SetNextItemWidth(width);
+    int flags = ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_AlphaPreviewHalf |
+                ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_PickerHueWheel;
+    if (ImGui::ColorEdit4("##value", channels.data(), flags))
+        write(target, Value(property::Color{channels[0], channels[1], channels[2], channels[3]}));
+}
+
+void PropertyEditor::reference(Handle to, float width) {
+    bool alive = tree_.alive(to);
+    std::string name = alive ? tree_.path(to) : to ? "(deleted)" : "none";
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    bool clicked =
+        ImGui::InvisibleButton("link", ImVec2(std::max(1.0f, width), ImGui::GetFrameHeight()));
+    bool hovered = alive && ImGui::IsItemHovered();
+    ImVec2 text(at.x, at.y + ImGui::GetStyle().FramePadding.y);
+    draw_text_fit(*ImGui::GetWindowDrawList(), text, alive ? palette::path : palette::dim, name,
+                  width);
+    if (hovered) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        float y = std::round(text.y + ImGui::GetTextLineHeight()) - 1;
+        float end = text.x + std::min(width, text_width(name));
+        ImGui::GetWindowDrawList()->AddLine(ImVec2(text.x, y), ImVec2(end, y), palette::path);
+    }
+    if (clicked && alive && follow) follow(to);
+}
+
+void PropertyEditor::editable_reference(const Target& target, Handle to, float width) {
+    if (target.property->read_only || target.property->any_type) {
+        reference(to, width);
+        return;
+    }
+    float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    reference(to, width - button);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (auto chosen = references_.draw(*target.property, to))
+        write(target, *chosen ? Value(*chosen) : Value());
+}
+
+void PropertyEditor::nil(const Target& target, float width) {
+    Type type = target.property->type;
+    if (type == Type::reference) {
+        editable_reference(target, {}, width);
+        return;
+    }
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("nil");
+    if (target.property->read_only || type == Type::nil) return;
+    ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x * 2);
+    if (width > 0 && low_button("set")) write(target, zero_of(type));
+}
+
+// --- Lists
+// ----------------------------------------------------------------------------------------------------------
+
+void PropertyEditor::list(const Target& target, const Value& value, float width) {
+    const List& elements = value.list();
+    std::string head =
+        elements.size() == 1 ? "1 value" : std::to_string(elements.size()) + " values";
+    int flags = ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_FramePadding |
+                ImGuiTreeNodeFlags_SpanAvailWidth;
+    if (!ImGui::TreeNodeEx("##list", flags, "%s", head.c_str())) return;
+    float row = ImGui::GetFrameHeightWithSpacing();
+    auto count = static_cast<int>(elements.size());
+    ImGui::BeginChild("elements",
+                      ImVec2(width, row * static_cast<float>(std::min(count, visible_elements))));
+    float inner = ImGui::GetContentRegionAvail().x;
+    ImGuiListClipper clipper;
+    clipper.Begin(count, row);
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            ImGui::PushID(i);
+            element(target, elements, static_cast<std::size_t>(i), inner);
+            ImGui::PopID();
+        }
+    ImGui::EndChild();
+    if (target.property->read_only) return;
+    if (low_button("+ add")) {
+        List longer = elements;
+        Type type = target.property->element;
+        longer.push_back(!longer.empty() ? longer.back()
+                                         : zero_of(type == Type::nil ? Type::number : type));
+        write(target, Value(std::move(longer)));
+    }
+}
+
+void PropertyEditor::element(const Target& target, const List& elements, std::size_t index,
+                             float width) {
+    bool fixed = target.property->read_only;
+    float remove = fixed ? 0 : ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    std::string number = std::to_string(index + 1);
+    float digits = text_width(std::to_string(elements.size())) + ImGui::GetStyle().ItemSpacing.x;
+    float start = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", number.c_str());
+    ImGui::SameLine(start + digits);
+    float room = width - digits - remove;
+    const Value& old = elements[index];
+    std::optional<Value> changed;
+    bool gone = false;
+    if (old.is(Type::reference)) {
+        reference(old.reference(), room);
+    } else {
+        ImGui::BeginDisabled(fixed);
+        if (old.is(Type::vec2)) {
+            if (auto v = vector_fields(target, old.vec2(), room, true)) changed = Value(*v);
+        } else if (old.is_numeric()) {
+            NumberLook look = look_of(*target.property);
+            look.integer = old.is(Type::integer);
+            if (auto v = fields_.number("##value", old.as_double(), look, room))
+                changed = look.integer ? Value(static_cast<std::int64_t>(*v)) : Value(*v);
+        } else if (old.is(Type::text)) {
+            if (auto v = fields_.text("##value", old.text(), room)) changed = Value(*v);
+        } else {
+            text_line(tree_.text(old, target.property->precision()));
+        }
+        ImGui::EndDisabled();
+    }
+    if (!fixed) {
+        ImGui::SameLine(start + width - ImGui::GetFrameHeight());
+        gone = small_button("remove", "×", "remove this value");
+    }
+    if (!changed && !gone) return;
+    List edited = elements;
+    if (gone)
+        edited.erase(edited.begin() + static_cast<std::ptrdiff_t>(index));
+    else
+        edited[index] = *changed;
+    write(target, Value(std::move(edited)));
+}
+
+}  // namespace fettle::console

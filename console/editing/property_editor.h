@@ -1,0 +1,140 @@
+#pragma once
+// One property as a row: name, the widget for its type, its error, and a button that restores the
+// default. Values are read while the row is visible, and written through the tree like any edit.
+
+#include <imgui.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include <fettle/property/tree.h>
+
+#include <editing/mixed_values.h>
+#include <editing/reference_picker.h>
+#include <look/fields.h>
+#include <look/rect.h>
+
+namespace fettle::console {
+
+class PropertyEditor {
+  public:
+    explicit PropertyEditor(property::Tree& tree) : tree_(tree), references_(tree) {}
+    ~PropertyEditor() { end_drag(); }
+    PropertyEditor(const PropertyEditor&) = delete;
+
+    /// Called when a reference is clicked.
+    std::function<void(property::Handle)> follow;
+    /// Makes an expression the formula of the property with that path. Returns why it is refused,
+    /// or
+    /// "".
+    std::function<std::string(const std::string& path, const std::string& expression)> define;
+    /// Called with the path of a property that was clicked with the right button.
+    std::function<void(const std::string& path)> menu;
+
+    /// Called when the last writer of the property with that path is clicked.
+    std::function<void(const property::Cause&, const std::string& path)> go_to_write;
+    /// The rectangle of the last writer in the last frame; empty if it was not visible.
+    Rect gutter_rect(const property::Property& property) const;
+    /// Begins typing a formula in the row of a property of the shown instance.
+    void begin_formula(const property::Property& property) { formula_begins_ = &property; }
+
+    /// Edits go to these instances, too, as far as they have the property.
+    void also_edit(const std::vector<property::Handle>& others, std::uint64_t revision) {
+        mixed_.compare_with(others, revision);
+    }
+    /// True if something was edited; then other properties may not exist any more.
+    bool draw(property::Handle instance, const property::Property& property, ImFont* bold);
+    /// Must be called once per frame, before and after all rows.
+    void begin_frame();
+    /// Ends a running drag, which becomes a step of undo. Must be called when the editor is hidden.
+    void end_drag();
+    void end_frame() { fields_.end_frame(); }
+    /// The rectangle of the property's widget in the last frame; empty if it was not visible.
+    Rect widget_rect(const property::Property& property) const;
+    bool about_to_type() const { return fields_.about_to_type(); }
+    /// Forgets the shown errors, because another instance is edited.
+    void forget() {
+        problems_.clear();
+        formula_of_ = nullptr;
+    }
+    std::size_t problems() const { return problems_.size(); }
+    /// Why the last edit of a property of the shown instance was refused; "" if it was not.
+    std::string problem(const property::Property& property) const;
+
+    Fields& fields() { return fields_; }
+
+  private:
+    struct Target {
+        property::Handle instance;
+        const property::Property* property;
+    };
+    void label(const Target& target, float width, bool overridden, bool formula, ImFont* bold);
+    void tooltip(const Target& target, ImFont* bold);
+    /// True if the property does not exist any more.
+    bool reset_button(const Target& target);
+    /// Draws a line of text below the widget.
+    void remark(float left, ImU32 color, const std::string& text);
+    void mixed_line(float left, const std::string& text);
+    /// Width of the column with the last writer: a text, or a mark if there is no room for one.
+    static float gutter_width(float available);
+    static constexpr float wide_enough = 40;  // font heights
+    void gutter(const Target& target, ImVec2 at, float width);
+    void widget(const Target& target, const property::Value& value, float width);
+    /// The line for a formula, in place of the widget. False if no formula is typed here.
+    bool formula_line(const Target& target, const std::string& source, float width);
+    /// Defines a formula for the instance and the other selected ones.
+    void define_formula(const Target& target, const std::string& expression);
+    void boolean(const Target& target, const property::Value& value);
+    void number(const Target& target, const property::Value& value, float width);
+    void text(const Target& target, const property::Value& value, float width);
+    void enumerator(const Target& target, const property::Value& value, float width);
+    void vector(const Target& target, const property::Value& value, float width);
+    void color(const Target& target, const property::Value& value, float width);
+    /// Draws a link to an instance; `editable_reference` adds a list to choose another one.
+    void reference(property::Handle to, float width);
+    void editable_reference(const Target& target, property::Handle to, float width);
+    void nil(const Target& target, float width);
+    void list(const Target& target, const property::Value& value, float width);
+    void element(const Target& target, const property::List& elements, std::size_t index,
+                 float width);
+    /// The new vector if one of its two fields changed. Where both do not fit side by side, they
+    /// are one above the other, unless they must be in `one_row`.
+    std::optional<property::Vec2> vector_fields(const Target& target, property::Vec2 value,
+                                                float width, bool one_row);
+    static NumberLook look_of(const property::Property& property);
+    void write(const Target& target, const property::Value& value);
+    /// Runs an edit; the text of its exception is shown below the row.
+    void attempt(const Target& target, const std::function<void()>& edit);
+
+    /// Runs an edit for the instance and for the others, as one step of undo.
+    void edit_all(const Target& target, const std::string& name,
+                  const std::function<void(property::Handle, const property::Property&)>& edit);
+
+    property::Value edited(property::Handle instance, const property::Property& property,
+                           const property::Value& before, const property::Value& after) const;
+
+    property::Tree& tree_;
+    MixedValues mixed_;
+    Fields fields_;
+    ReferencePicker references_;
+    // The property whose formula is typed, and the one for which typing begins in this frame.
+    const property::Property *formula_of_ = nullptr, *formula_begins_ = nullptr;
+    bool edited_ = false;
+    bool dragging_ = false;
+    std::unordered_map<const property::Property*, std::string> problems_;
+    property::Handle problems_of_;
+    std::unordered_map<const property::Property*, Rect> widgets_, gutters_;
+};
+
+/// The descriptor in one line: "number · kg · 0 to inf · default 1".
+std::string describe(const property::Tree& tree, const property::Property& property);
+
+/// Who wrote: "main.lua:30", "console, step 412", "physics".
+std::string writer_text(const property::Cause& cause);
+/// File and line of a place in a script; no file for other places.
+std::pair<std::string, int> script_place(const std::string& where);
+
+}  // namespace fettle::console

@@ -1,0 +1,234 @@
+#include <observed/comparison.h>
+#include <observed/last_value.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
+#include <fettle/property/path.h>
+#include <fettle/property/pose.h>
+#include <fettle/property/spelling.h>
+
+#include <observed/branches.h>
+
+namespace fettle::console {
+
+using property::Handle;
+using property::Type;
+using property::Value;
+
+namespace {
+
+Value value_of_time(const property::Tree& tree, const char* name) {
+    const Handle time = tree.child(tree.root(), "time");
+    const property::Property* const property = time ? tree.find(time, name) : nullptr;
+    return property != nullptr ? last_value(tree, time, *property) : Value();
+}
+
+/// The topmost instances with a position: bodies and sprites, not what belongs to them.
+std::vector<Handle> placed(const property::Tree& tree) {
+    std::vector<Handle> all;
+    const auto visit = [&](const auto& self, Handle top) -> void {
+        for (Handle each = tree.first_child(top); each; each = tree.next_sibling(each)) {
+            const property::Property* const position = tree.find(each, "position");
+            if (position != nullptr && (position->type == Type::vec2 || position->any_type))
+                all.push_back(each);
+            else
+                self(self, each);
+        }
+    };
+    visit(visit, tree.root());
+    return all;
+}
+
+std::string meters(double length) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f m", length);
+    return text;
+}
+
+}  // namespace
+
+const Comparison::Pose* Comparison::Moment::find(Handle instance) const {
+    const auto place = std::ranges::find(poses, instance, &Pose::instance);
+    return place == poses.end() ? nullptr : &*place;
+}
+
+void Comparison::ask(const std::string& path, const Value& value, double seconds) {
+    const property::Place place = property::resolve(tree_, path);
+    if (place.property == nullptr)
+        throw property::Error(property::ErrorKind::wrong_type,
+                              "ab: " + path + " is an instance: expected a property");
+    if (place.property->read_only)
+        throw property::Error(property::ErrorKind::rejected, "ab: " + path + " is read-only");
+    if (!(seconds >= 0.1 && seconds <= 60))
+        throw property::Error(
+            property::ErrorKind::out_of_range,
+            "ab: " + property::number_text(seconds) + " seconds: expected a time from 0.1 to 60");
+    end();
+    asked_ = {path, value, seconds};
+}
+
+void Comparison::ask_branch(const std::string& name) {
+    const std::vector<OtherBranch> all = other_branches(tree_);
+    const auto other = name.empty() ? (all.empty() ? all.end() : std::prev(all.end()))
+                                    : std::ranges::find(all, name, &OtherBranch::name);
+    if (other == all.end()) {
+        std::vector<std::string> names;
+        for (const OtherBranch& each : all) names.push_back(each.name);
+        throw property::Error(
+            property::ErrorKind::unknown_name,
+            "compare_branch: " +
+                (all.empty()
+                     ? std::string("there are no other branches of the past")
+                     : "there is no branch \"" + name + "\"" + property::suggestion(name, names)));
+    }
+    end();
+    asked_branch_ = AskedBranch{other->name, other->fork, other->newest};
+}
+
+void Comparison::end() {
+    asked_.reset();
+    asked_branch_.reset();
+    a_.clear();
+    b_.clear();
+}
+
+std::int64_t Comparison::first_step(const Asked& asked) const {
+    const Value dt = value_of_time(tree_, "dt"), oldest = value_of_time(tree_, "oldest");
+    const auto here = static_cast<std::int64_t>(tree_.step());
+    double steps = std::round(asked.seconds / (dt.is(Type::number) ? dt.number() : 1.0 / 60));
+    const auto poses = static_cast<double>(std::max<std::size_t>(1, placed(tree_).size()));
+    steps = std::min(steps, std::max(1.0, static_cast<double>(most_poses) / poses));
+    const std::int64_t first = here - static_cast<std::int64_t>(steps);
+    return std::max(first, oldest.is(Type::integer) ? oldest.integer() : 0);
+}
+
+Comparison::Moment Comparison::moment(std::int64_t step) const {
+    Moment made{step, {}};
+    for (const Handle instance : placed(tree_)) {
+        const auto at = property::place_below(tree_, instance, false, 1);
+        if (at) made.poses.push_back({instance, at->origin, std::atan2(at->x.y, at->x.x)});
+    }
+    return made;
+}
+
+void Comparison::between_frames(const Review& review, const RepeatWith& repeat_with,
+                                const ReviewBranch& other) {
+    if (asked_) compare_change(review, repeat_with);
+    if (asked_branch_) compare_branches(review, other);
+}
+
+void Comparison::compare_change(const Review& review, const RepeatWith& repeat_with) {
+    const Asked asked = *std::exchange(asked_, std::nullopt);
+    const std::int64_t first = first_step(asked);
+    if (!review || !repeat_with || first >= static_cast<std::int64_t>(tree_.step()))
+        return log_.error("ab: there is no past to compare with");
+    std::string written;
+    const auto change = [&] {
+        const property::Tree::CauseScope cause(tree_, property::Writer::console);
+        property::set(tree_, asked.path, asked.value);
+        written = tree_.text(property::get(tree_, asked.path));
+    };
+    try {
+        repeat_with(first, change, [&](std::int64_t step) { b_.push_back(moment(step)); });
+        review(first, [&](std::int64_t step) { a_.push_back(moment(step)); });
+    } catch (const std::exception& error) {
+        end();
+        return log_.error("ab: " + property::exception_text(error));
+    }
+    cut_to_common_steps();
+    original_ = "as it was";
+    change_ = asked.path + " = " + written;
+    ++number_;
+    tell_difference("ab " + change_);
+}
+
+/// Only moments that both have are compared.
+void Comparison::cut_to_common_steps() {
+    if (!shown()) return end();
+    const std::int64_t first = std::max(a_.front().step, b_.front().step);
+    const std::int64_t last = std::min(a_.back().step, b_.back().step);
+    for (auto* side : {&a_, &b_})
+        std::erase_if(*side,
+                      [&](const Moment& each) { return each.step < first || each.step > last; });
+}
+
+void Comparison::compare_branches(const Review& review, const ReviewBranch& other) {
+    const AskedBranch asked = *std::exchange(asked_branch_, std::nullopt);
+    if (!review || !other) return log_.error("compare_branch: this game keeps no past");
+    const std::int64_t here = static_cast<std::int64_t>(tree_.step());
+    const auto poses = static_cast<std::int64_t>(std::max<std::size_t>(1, placed(tree_).size()));
+    const std::int64_t steps = std::max<std::int64_t>(1, most_poses / poses);
+    const std::int64_t last = std::min({here, asked.newest, asked.fork + steps});
+    if (last <= asked.fork)
+        return log_.error("compare_branch: the game is at step " + std::to_string(here) +
+                          ", before the branches part after step " + std::to_string(asked.fork));
+    NotedValues of_a, of_b;
+    const auto into = [&](std::vector<Moment>& side, NotedValues& values) {
+        return [&, last](std::int64_t step) {
+            if (step <= last) side.push_back(moment(step));
+            if (step == last) values = NotedValues(tree_);
+        };
+    };
+    try {
+        other(asked.name, asked.fork, into(b_, of_b));
+        review(asked.fork, into(a_, of_a));
+    } catch (const std::exception& error) {
+        end();
+        return log_.error("compare_branch: " + property::exception_text(error));
+    }
+    cut_to_common_steps();
+    if (!shown()) return log_.error("compare_branch: the branches have no step in common");
+    original_ = "branch " + value_of_time(tree_, "branch").text();
+    change_ = "branch " + asked.name;
+    ++number_;
+    tell_difference("A " + original_ + ", B " + change_);
+    tell_values(of_a, of_b);
+}
+
+/// Lists values that differ and do not come from the simulation.
+void Comparison::tell_values(const NotedValues& a, const NotedValues& b) {
+    constexpr std::size_t most_lines = 20;
+    const std::vector<std::string> lines = differences(tree_, a, b);
+    for (std::size_t i = 0; i < std::min(lines.size(), most_lines); ++i) tell(lines[i]);
+    if (lines.size() > most_lines)
+        tell("… " + std::to_string(lines.size() - most_lines) + " more differences");
+    if (!a.complete() || !b.complete())
+        tell("only the first " + std::to_string(NotedValues::most) + " values were compared");
+}
+
+/// Says how many instances end elsewhere, and which one is the farthest.
+void Comparison::tell_difference(const std::string& what) {
+    if (!shown()) return;
+    std::size_t moved = 0, only_one = 0;
+    const Pose* farthest = nullptr;
+    double most = 0;
+    for (const Pose& pose : b_.back().poses) {
+        const Pose* const other = a_.back().find(pose.instance);
+        if (other == nullptr) {
+            ++only_one;
+            continue;
+        }
+        const double way = (pose.position - other->position).length();
+        if (way > apart) ++moved;
+        if (way > most) most = way, farthest = &pose;
+    }
+    std::string line = what + " since step " + std::to_string(a_.front().step) + ": " +
+                       std::to_string(moved) + " of " + std::to_string(b_.back().poses.size()) +
+                       " end elsewhere";
+    if (moved > 0 && tree_.alive(farthest->instance))
+        line += ", " + tree_.path(farthest->instance) + " by " + meters(most);
+    if (only_one > 0) line += "; " + std::to_string(only_one) + " exist in B only";
+    tell(line);
+}
+
+void Comparison::tell(const std::string& line) {
+    log_.note(line);
+    if (found) found(line);
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,94 @@
+#pragma once
+// The game twice: the last seconds as they were (A) and with one property changed from their
+// beginning on (B); or the present branch of the past (A) and another one (B).
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+#include <observed/noted_values.h>
+#include <text/log.h>
+
+namespace fettle::console {
+
+class Comparison {
+  public:
+    using Look = std::function<void(std::int64_t step)>;
+    using Review = std::function<void(std::int64_t from, const Look& look)>;
+    using RepeatWith = std::function<void(std::int64_t from, const std::function<void()>& change,
+                                          const Look& look)>;
+    using ReviewBranch =
+        std::function<void(const std::string& branch, std::int64_t from, const Look& look)>;
+    static constexpr std::size_t most_poses = 1'000'000;  // of one side
+    static constexpr double apart = 0.01;                 // m; nearer poses count as the same
+
+    struct Pose {
+        property::Handle instance;
+        property::Vec2 position{0, 0};  // m
+        double angle = 0;               // rad
+    };
+    struct Moment {
+        std::int64_t step = 0;
+        std::vector<Pose> poses;  // in the order of the tree
+        const Pose* find(property::Handle instance) const;
+    };
+
+    Comparison(property::Tree& tree, Log& log) : tree_(tree), log_(log) {}
+
+    /// Receives what was found, in addition to the log; optional.
+    std::function<void(const std::string& line)> found;
+
+    /// Compares at the next `between_frames`. Throws Error for a path that names no writable
+    /// property, and for another time than 0.1 to 60 s.
+    void ask(const std::string& path, const property::Value& value, double seconds);
+    /// Compares the present branch of the past with another one, "" is the one that was left last.
+    /// Throws Error(unknown_name) if there is no such branch.
+    void ask_branch(const std::string& name);
+    void end();
+    void between_frames(const Review& review, const RepeatWith& repeat_with,
+                        const ReviewBranch& other);
+
+    /// Whether there is something to show.
+    bool shown() const { return !a_.empty() && !b_.empty(); }
+    const std::vector<Moment>& a() const { return a_; }
+    const std::vector<Moment>& b() const { return b_; }
+    /// What A is: "as it was", or the name of a branch.
+    const std::string& original() const { return original_; }
+    /// "world.ball.mass = 3 kg", or the name of a branch
+    const std::string& change() const { return change_; }
+    /// Counts the comparisons.
+    int number() const { return number_; }
+
+  private:
+    struct Asked {
+        std::string path;
+        property::Value value;
+        double seconds;
+    };
+    struct AskedBranch {
+        std::string name;
+        std::int64_t fork, newest;  // steps
+    };
+    void compare_change(const Review& review, const RepeatWith& repeat_with);
+    void compare_branches(const Review& review, const ReviewBranch& other);
+    void cut_to_common_steps();
+    std::int64_t first_step(const Asked& asked) const;
+    Moment moment(std::int64_t step) const;
+    void tell_difference(const std::string& what);
+    void tell_values(const NotedValues& a, const NotedValues& b);
+    void tell(const std::string& line);
+
+    property::Tree& tree_;
+    Log& log_;
+    std::optional<Asked> asked_;
+    std::optional<AskedBranch> asked_branch_;
+    std::vector<Moment> a_, b_;
+    std::string original_, change_;
+    int number_ = 0;
+};
+
+}  // namespace fettle::console
