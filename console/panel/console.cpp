@@ -38,12 +38,14 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
       history(options.history_file),
       prompt(interpreter, log, history, clipboard),
       ui(clipboard),
-      log_view(log),
-      prompt_view(prompt),
       inspector(tree),
-      tweak_list(options.tweaks),
       context_menu(tree),
-      observing(tree, log, prompt) {
+      observing(tree, log, prompt),
+      views{.log_view = LogView(log),
+            .prompt_view = PromptView(prompt),
+            .time_bar = TimeBar(tree, interpreter, time_marks),
+            .tweak_list = TweakList(options.tweaks),
+            .overlay_bar = OverlayBar(tree)} {
     connect();
     if (interpreter.limit_memory)
         interpreter.limit_memory(
@@ -68,7 +70,7 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
             return time_marks.unbookmark(name);
         };
         functions.bookmarks = [this] { return time_marks.bookmarks(); };
-        functions.play_back = [this](double seconds) { time_bar.play_back(seconds); };
+        functions.play_back = [this](double seconds) { views.time_bar.play_back(seconds); };
         functions.share = options.share;
         if (options.replay) functions.exec = {};
         interpreter.serve(std::move(functions));
@@ -79,11 +81,13 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
 }
 
 void Console::State::connect() {
-    log_view.is_link = [this](std::string_view path) { return is_link(path); };
-    log_view.follow = [this](std::string_view path, bool insert) { follow_link(path, insert); };
-    tweak_list.evaluate = interpreter.evaluate;
-    tweak_list.say = [this](const std::string& line) { log.note(line); };
-    tweak_list.follow = [this](std::string_view path) {
+    views.log_view.is_link = [this](std::string_view path) { return is_link(path); };
+    views.log_view.follow = [this](std::string_view path, bool insert) {
+        follow_link(path, insert);
+    };
+    views.tweak_list.evaluate = interpreter.evaluate;
+    views.tweak_list.say = [this](const std::string& line) { log.note(line); };
+    views.tweak_list.follow = [this](std::string_view path) {
         if (is_link(path)) follow_link(path, false);
     };
     inspector.chosen = [this](Handle instance) { instance ? choose(instance) : choose_all({}); };
@@ -104,16 +108,16 @@ void Console::State::connect() {
     inspector.editor().go_to_write = [this](const property::Cause& cause, const std::string& path) {
         go_to_write(cause, path);
     };
-    log_view.menu = [this](std::string_view path) { context_menu.open(std::string(path)); };
-    log_view.take_file = [this](const std::string& file) {
+    views.log_view.menu = [this](std::string_view path) { context_menu.open(std::string(path)); };
+    views.log_view.take_file = [this](const std::string& file) {
         clipboard->write(file);
         log.note("its path is in the clipboard");
     };
-    log_view.unfold = [this](std::size_t index) { log.unfold(index); };
+    views.log_view.unfold = [this](std::size_t index) { log.unfold(index); };
     inspector.menu =
         inspector.editor().menu = [this](const std::string& path) { context_menu.open(path); };
-    context_menu.run = watch_list.run =
-        plot_view.run = [this](const std::string& command) { run(command); };
+    context_menu.run = views.watch_list.run =
+        views.plot_view.run = [this](const std::string& command) { run(command); };
     inspector.run = context_menu.run;
     inspector.say = [this](const std::string& problem) { log.error(problem); };
     context_menu.select_class = [this](const property::Class& wanted) {
@@ -128,19 +132,20 @@ void Console::State::connect() {
     };
     context_menu.insert = inspector.insert;
     context_menu.copy = [this](const std::string& text) { clipboard->write(text); };
-    watch_list.follow = tweak_list.follow;
-    watch_list.menu = log_view.menu;
+    views.watch_list.follow = views.tweak_list.follow;
+    views.watch_list.menu = views.log_view.menu;
     observing.found = comparison.found = options.found;
-    compare_view.close = [this] { comparison.end(); };
-    time_bar.run = context_menu.run;
-    time_bar.insert = [this](const std::string& before, const std::string& after) {
+    views.compare_view.close = [this] { comparison.end(); };
+    views.time_bar.run = context_menu.run;
+    views.time_bar.insert = [this](const std::string& before, const std::string& after) {
         TextEdit& edit = prompt.edit();
         edit.insert(before + after);
         edit.place(edit.cursor() - after.size(), false);
     };
     observing.on_break = [this](const std::string& line) { time_marks.stop(line); };
-    plot_view.go_to = frame_view.go_to = [this](std::int64_t step) { time_bar.go_to(step); };
-    frame_view.close = [this] { show_overlay("timings", false); };
+    views.plot_view.go_to =
+        views.frame_view.go_to = [this](std::int64_t step) { views.time_bar.go_to(step); };
+    views.frame_view.close = [this] { show_overlay("timings", false); };
 }
 
 bool Console::State::shows(std::string_view overlay) const {
@@ -163,7 +168,7 @@ void Console::State::show_overlay(std::string_view overlay, bool on) {
 
 void Console::State::run(const std::string& command) {
     prompt.run(command);
-    log_view.scroll_to_end();
+    views.log_view.scroll_to_end();
 }
 
 void Console::State::open(bool opened) {
@@ -174,46 +179,46 @@ void Console::State::open(bool opened) {
 /// Any code may set `console.open` and `console.pauses`, so the settings are read every time.
 void Console::State::follow_settings() {
     bool opened = is_open();
-    if (opened && !was_open && !greeted) {
-        greeted = true;
+    if (opened && !status.was_open && !status.greeted) {
+        status.greeted = true;
         log.note("any Lua · Tab completes · path? explains · click a body to edit it");
     }
-    if (!opened && was_open) {
+    if (!opened && status.was_open) {
         keep_layout();
         prompt.close_menu();
         ui.release_all();
-        fed_button = fed_key = fed_text = false;
-        panel_rect = inspector_rect = {};
-        time_bar.hide();
-        watch_list.hide();
-        plot_view.hide();
-        frame_view.hide();
-        compare_view.hide();
+        input.fed_button = input.fed_key = input.fed_text = false;
+        screen.panel_rect = screen.inspector_rect = {};
+        views.time_bar.hide();
+        views.watch_list.hide();
+        views.plot_view.hide();
+        views.frame_view.hide();
+        views.compare_view.hide();
         ghosts.forget();
         inspector.editor().end_drag();
-        popup_open = false;
+        screen.popup_open = false;
     }
     find_selected_again();
-    was_open = opened;
+    status.was_open = opened;
     pause_time(opened && settings.flag("pauses"));
 }
 
 void Console::State::pause_time(bool paused) {
-    if (paused == pausing) return;
+    if (paused == status.pausing) return;
     Handle time;
     const property::Property* property = pause_property(tree, time);
     if (property == nullptr) return;
     property::Tree::CauseScope cause(tree, property::Writer::module);
-    if (paused) time_was_paused = last_value(tree, time, *property).boolean();
-    if (!time_was_paused) tree.set(time, *property, Value(paused));
-    pausing = paused;
+    if (paused) status.time_was_paused = last_value(tree, time, *property).boolean();
+    if (!status.time_was_paused) tree.set(time, *property, Value(paused));
+    status.pausing = paused;
 }
 
 void Console::State::choose(Handle instance) {
     if (!tree.alive(instance)) return;
     bool fresh = inspector.selected() != instance;
     inspector.select(instance);
-    selected_path = tree.path(instance);
+    status.selected_path = tree.path(instance);
     if (interpreter.set_it) interpreter.set_it(instance);
     std::string line = "it = " + tree.path(instance);
     if (fresh || log.lines().empty() || log.lines().back().text != line) log.note(line);
@@ -222,7 +227,7 @@ void Console::State::choose(Handle instance) {
 void Console::State::choose_all(const std::vector<Handle>& instances) {
     if (instances.empty()) {
         inspector.deselect();
-        selected_path.clear();
+        status.selected_path.clear();
         if (interpreter.set_it) interpreter.set_it({});
         return log.note("nothing is selected");
     }
@@ -230,19 +235,19 @@ void Console::State::choose_all(const std::vector<Handle>& instances) {
     const std::vector<Handle> all = inspector.selection();
     if (all.empty()) return;
     if (all.size() == 1) return choose(all.front());
-    selected_path = tree.path(all.back());
+    status.selected_path = tree.path(all.back());
     if (interpreter.set_it) interpreter.set_it(all.back());
-    log.note(std::to_string(all.size()) + " selected, it = " + selected_path);
+    log.note(std::to_string(all.size()) + " selected, it = " + status.selected_path);
 }
 
 void Console::State::find_selected_again() {
     if (tree.alive(inspector.selected())) {
-        selected_path = tree.path(inspector.selected());
+        status.selected_path = tree.path(inspector.selected());
         return;
     }
-    if (!inspector.selected() || selected_path.empty()) return;
+    if (!inspector.selected() || status.selected_path.empty()) return;
     try {
-        const property::Place place = property::resolve(tree, selected_path);
+        const property::Place place = property::resolve(tree, status.selected_path);
         if (place.property != nullptr) return;
         inspector.select(place.instance);
         if (interpreter.set_it) interpreter.set_it(place.instance);
@@ -286,7 +291,7 @@ void Console::State::go_to_write(const property::Cause& cause, const std::string
                        text.substr(begin, end - begin));
         begin = end + 1;
     }
-    log_view.scroll_to_end();
+    views.log_view.scroll_to_end();
 }
 
 bool Console::State::is_link(std::string_view path) const {
@@ -331,7 +336,7 @@ void Console::after_step() {
 void Console::between_frames() {
     State& s = *state_;
     s.restore_observed();
-    if (s.was_open) property::prepare_explanations(s.tree, s.inspector.selected());
+    if (s.status.was_open) property::prepare_explanations(s.tree, s.inspector.selected());
     s.observing.between_frames(s.options.review);
     s.export_plots();
     s.ghosts.watch(s.settings.flag("ghosts"));
@@ -341,11 +346,11 @@ void Console::between_frames() {
 }
 float Console::covered_below() const {
     const State& s = *state_;
-    float top = s.height;
-    for (const Rect& rect :
-         {s.time_bar.rect(), s.watch_list.rect(), s.plot_view.rect(), s.frame_view.rect()})
-        if (s.was_open && !rect.empty()) top = std::min(top, rect.low.y);
-    return std::max(0.0f, s.height - top);
+    float top = s.screen.height;
+    for (const Rect& rect : {s.views.time_bar.rect(), s.views.watch_list.rect(),
+                             s.views.plot_view.rect(), s.views.frame_view.rect()})
+        if (s.status.was_open && !rect.empty()) top = std::min(top, rect.low.y);
+    return std::max(0.0f, s.screen.height - top);
 }
 
 bool Console::handle(const app::InputEvent& event) {
@@ -355,11 +360,11 @@ bool Console::handle(const app::InputEvent& event) {
 void Console::draw(app::Surface& surface, double seconds) {
     State& s = *state_;
     constexpr float largest = 32768;  // px; a layout of infinite size has no place for anything
-    s.width = std::min(surface.width(), largest);
-    s.height = std::min(surface.height(), largest);
+    s.screen.width = std::min(surface.width(), largest);
+    s.screen.height = std::min(surface.height(), largest);
     s.follow_settings();
-    s.time_bar.play_on(seconds);
-    if (!s.was_open) return;
+    s.views.time_bar.play_on(seconds);
+    if (!s.status.was_open) return;
     s.frame(seconds);
     s.ui.draw(surface);
 }

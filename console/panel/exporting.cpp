@@ -38,7 +38,7 @@ std::string Console::State::export_table() {
     if (!options.write_file)
         throw property::Error(property::ErrorKind::rejected,
                               "export_plot: this run writes no files");
-    return options.write_file("csv", csv_of(observing.plots(), time_bar.times().dt));
+    return options.write_file("csv", csv_of(observing.plots(), views.time_bar.times().dt));
 }
 
 std::string Console::State::export_picture() {
@@ -60,7 +60,7 @@ void Console::State::draw_plot_alone(app::Surface& surface) {
         for (int i = 0; i < 2; ++i) {
             alone.begin_frame(w, h, 0, picture_font);
             draw_part([&] {
-                const TimeBar::Times now = time_bar.times();
+                const TimeBar::Times now = views.time_bar.times();
                 view.draw(ImVec2(0, h), ImVec2(w, h), h, tree, observing.plots(),
                           {now.step, now.oldest, now.newest, now.dt}, 1);
             });

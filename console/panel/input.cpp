@@ -19,8 +19,8 @@ bool Console::State::handle(const InputEvent& event) {
     if (event.kind == EventKind::key_pressed || event.kind == EventKind::key_released) {
         // The event of a modifier may have the state before it.
         const bool down = event.kind == EventKind::key_pressed;
-        shift_held = event.name.ends_with("_shift") ? down : event.shift;
-        control_held = event.name.ends_with("_control") ? down : event.control;
+        input.shift_held = event.name.ends_with("_shift") ? down : event.shift;
+        input.control_held = event.name.ends_with("_control") ? down : event.control;
     }
     switch (event.kind) {
         case EventKind::key_pressed:
@@ -44,11 +44,11 @@ bool Console::State::handle(const InputEvent& event) {
 
 void Console::State::lose_focus() {
     ui.release_all();
-    keys.clear();
-    buttons.clear();
-    box.reset();
-    shift_held = control_held = false;
-    swallow_text = false;
+    input.keys.clear();
+    input.buttons.clear();
+    input.box.reset();
+    input.shift_held = input.control_held = false;
+    input.swallow_text = false;
 }
 
 // --- Keyboard
@@ -58,20 +58,21 @@ void Console::State::lose_focus() {
 bool Console::State::press_key(const InputEvent& event) {
     bool bare = !event.shift && !event.control && !event.alt;
     if (bare && event.name == settings.text("key")) {
-        swallow_text = true;
+        input.swallow_text = true;
         if (event.repeated) return true;
-        keys.press(event.name, HeldKeys::Owner::console);
+        input.keys.press(event.name, HeldKeys::Owner::console);
         open(!is_open());
         return true;
     }
-    swallow_text = false;
+    input.swallow_text = false;
     if (run_key(event)) return true;
-    if (!was_open) {
-        keys.press(event.name, HeldKeys::Owner::game);
+    if (!status.was_open) {
+        input.keys.press(event.name, HeldKeys::Owner::game);
         return false;
     }
-    if (keys.held_by_game(event.name)) return true;  // auto-repeat of a key that the game holds
-    keys.press(event.name, HeldKeys::Owner::console);
+    if (input.keys.held_by_game(event.name))
+        return true;  // auto-repeat of a key that the game holds
+    input.keys.press(event.name, HeldKeys::Owner::console);
     if (widgets_have_keyboard()) {
         feed(event);
     } else {
@@ -84,26 +85,26 @@ bool Console::State::press_key(const InputEvent& event) {
 bool Console::State::run_key(const InputEvent& event) {
     const bool function_key = event.name.size() > 1 && event.name[0] == 'f' &&
                               event.name[1] >= '0' && event.name[1] <= '9';
-    if (was_open && !function_key) return false;
+    if (status.was_open && !function_key) return false;
     const std::string command = observing.command_of_key(event.name);
-    if (command.empty() || keys.held_by_game(event.name)) return false;
-    keys.press(event.name, HeldKeys::Owner::console);
+    if (command.empty() || input.keys.held_by_game(event.name)) return false;
+    input.keys.press(event.name, HeldKeys::Owner::console);
     if (!event.repeated) run(command);
-    swallow_text = !was_open;  // the character that the key types
+    input.swallow_text = !status.was_open;  // the character that the key types
     return true;
 }
 
 bool Console::State::release_key(const InputEvent& event) {
-    if (event.name == settings.text("key")) swallow_text = false;
-    HeldKeys::Owner owner = keys.release(event.name);
-    if (was_open) feed(event);
-    if (owner == HeldKeys::Owner::none) return was_open;
+    if (event.name == settings.text("key")) input.swallow_text = false;
+    HeldKeys::Owner owner = input.keys.release(event.name);
+    if (status.was_open) feed(event);
+    if (owner == HeldKeys::Owner::none) return status.was_open;
     return owner == HeldKeys::Owner::console;
 }
 
 bool Console::State::type_text(const InputEvent& event) {
-    if (swallow_text) return true;
-    if (!was_open) return false;
+    if (input.swallow_text) return true;
+    if (!status.was_open) return false;
     if (event.character == U'`' && settings.text("key") == "grave") return true;
     // Control and a letter give a control character, which widgets and the prompt do not use.
     if (event.character < 0x20 || event.character == 0x7f) return true;
@@ -117,32 +118,32 @@ bool Console::State::type_text(const InputEvent& event) {
 bool Console::State::widgets_have_keyboard() {
     // A press that no frame has processed yet may give a field the keyboard. A clicked field gets
     // the keyboard one frame later.
-    if (fed_button) frame(0);
+    if (input.fed_button) frame(0);
     for (int i = 0; i < 3 && inspector.about_to_type(); ++i) frame(0);
     ui.activate();
-    return width > 0 && (ImGui::IsAnyItemActive() || popup_open);
+    return screen.width > 0 && (ImGui::IsAnyItemActive() || screen.popup_open);
 }
 
 void Console::State::prompt_key(const InputEvent& event) {
     Key key{event.name, event.control, event.shift, event.alt};
     bool copies = key.control && (key.name == "c" || key.name == "insert");
-    if (copies && !prompt.edit().selecting() && log_view.selecting()) {
-        clipboard->write(log_view.selected());
+    if (copies && !prompt.edit().selecting() && views.log_view.selecting()) {
+        clipboard->write(views.log_view.selected());
         return;
     }
     const bool listed = settings.flag("tweaks");
     const std::size_t before = log.lines().size() + log.dropped();
     if (prompt.key(key)) {
         const bool printed = log.lines().size() + log.dropped() != before;
-        if (key.name == "enter" || printed) log_view.scroll_to_end();
+        if (key.name == "enter" || printed) views.log_view.scroll_to_end();
         // The output of a command is shown in place of the list that was there before.
         if (listed && printed) settings.set("tweaks", property::Value(false));
         return;
     }
     if (key.name == "page_up" || key.name == "page_down")
-        log_view.scroll_pages(key.name == "page_up" ? -1.0f : 1.0f);
-    else if (key.name == "escape" && log_view.selecting())
-        log_view.clear_selection();
+        views.log_view.scroll_pages(key.name == "page_up" ? -1.0f : 1.0f);
+    else if (key.name == "escape" && views.log_view.selecting())
+        views.log_view.clear_selection();
     else if (key.name == "escape")
         open(false);
 }
@@ -151,66 +152,68 @@ void Console::State::prompt_key(const InputEvent& event) {
 // ----------------------------------------------------------------------------------------------------------
 
 bool Console::State::over_windows(float x, float y) const {
-    return popup_open || panel_rect.contains(x, y) || inspector_rect.contains(x, y) ||
-           time_bar.rect().contains(x, y) || watch_list.rect().contains(x, y) ||
-           plot_view.rect().contains(x, y) || frame_view.rect().contains(x, y) ||
-           compare_view.rect().contains(x, y) || prompt_view.menu_rect().contains(x, y);
+    return screen.popup_open || screen.panel_rect.contains(x, y) ||
+           screen.inspector_rect.contains(x, y) || views.time_bar.rect().contains(x, y) ||
+           views.watch_list.rect().contains(x, y) || views.plot_view.rect().contains(x, y) ||
+           views.frame_view.rect().contains(x, y) || views.compare_view.rect().contains(x, y) ||
+           views.prompt_view.menu_rect().contains(x, y);
 }
 
 bool Console::State::mouse(const InputEvent& event) {
-    bool over = was_open && over_windows(event.x, event.y);
+    bool over = status.was_open && over_windows(event.x, event.y);
     switch (event.kind) {
         case EventKind::mouse_moved:
-            if (box) {
-                box->to_x = event.x;
-                box->to_y = event.y;
+            if (input.box) {
+                input.box->to_x = event.x;
+                input.box->to_y = event.y;
                 return true;
             }
             feed(event);
-            return buttons.any_of_console() || (over && !buttons.any_of_game());
+            return input.buttons.any_of_console() || (over && !input.buttons.any_of_game());
         case EventKind::wheel:
             if (over) feed(event);
             return over;
         case EventKind::mouse_pressed:
-            keys_to_selection = false;
+            input.keys_to_selection = false;
             if (over) {
-                buttons.press(event.name, HeldKeys::Owner::console);
+                input.buttons.press(event.name, HeldKeys::Owner::console);
                 feed(event);
                 return true;
             }
-            if (was_open && (event.name == "left" || event.name == "right") && options.to_world &&
-                settings.flag("picks") && click_game(event.x, event.y, event.name == "right")) {
-                buttons.press(event.name, HeldKeys::Owner::console);
+            if (status.was_open && (event.name == "left" || event.name == "right") &&
+                options.to_world && settings.flag("picks") &&
+                click_game(event.x, event.y, event.name == "right")) {
+                input.buttons.press(event.name, HeldKeys::Owner::console);
                 return true;
             }
-            buttons.press(event.name, HeldKeys::Owner::game);
+            input.buttons.press(event.name, HeldKeys::Owner::game);
             return false;
         default:
             break;
     }
-    if (event.name == "left" && box) end_box();
-    HeldKeys::Owner owner = buttons.release(event.name);
+    if (event.name == "left" && input.box) end_box();
+    HeldKeys::Owner owner = input.buttons.release(event.name);
     if (owner == HeldKeys::Owner::game) return false;
     feed(event);
     return owner == HeldKeys::Owner::console || over;
 }
 
 void Console::State::end_box() {
-    const Box drawn = *std::exchange(box, std::nullopt);
+    const DrawnBox drawn = *std::exchange(input.box, std::nullopt);
     try {
         const std::vector<property::Handle> inside =
             in_box(tree, options.to_world(drawn.from_x, drawn.from_y),
                    options.to_world(drawn.to_x, drawn.to_y));
         if (inside.empty()) return;
         choose_all(inside);
-        keys_to_selection = true;
+        input.keys_to_selection = true;
     } catch (const std::exception& error) {
         log.error(property::exception_text(error));
     }
 }
 
 bool Console::State::selection_key(const InputEvent& event) {
-    if (!keys_to_selection || !options.to_world) return false;
+    if (!input.keys_to_selection || !options.to_world) return false;
     const std::vector<property::Handle> all = inspector.selection();
     if (all.empty() || event.name.ends_with("_shift") || event.name.ends_with("_control"))
         return false;
@@ -234,21 +237,21 @@ bool Console::State::selection_key(const InputEvent& event) {
         inspector.delete_selection();
         return true;
     }
-    keys_to_selection = false;  // the person types
+    input.keys_to_selection = false;  // the person types
     return false;
 }
 
 /// The game never gets the left button here, and gets the right button only where no body is.
 bool Console::State::click_game(float x, float y, bool menu) {
-    if (!menu && shift_held) {
-        box = Box{x, y, x, y};
+    if (!menu && input.shift_held) {
+        input.box = DrawnBox{x, y, x, y};
         return true;
     }
     try {
         const property::Handle found = pick(tree, options.to_world(x, y));
         if (!found) return !menu;
-        keys_to_selection = true;
-        if (!menu && control_held) {
+        input.keys_to_selection = true;
+        if (!menu && input.control_held) {
             inspector.toggle(found);
             choose_all(inspector.selection());
             return true;
@@ -271,12 +274,12 @@ bool Console::State::click_game(float x, float y, bool menu) {
 void Console::State::feed(const InputEvent& event) {
     bool key = event.kind == EventKind::key_pressed || event.kind == EventKind::key_released;
     bool text = event.kind == EventKind::text;
-    bool separate = fed_button || fed_key || (fed_text && !text);
-    if (separate && was_open) frame(0);
-    fed_key = fed_key || key;
-    fed_text = fed_text || text;
-    fed_button = fed_button || event.kind == EventKind::mouse_pressed ||
-                 event.kind == EventKind::mouse_released;
+    bool separate = input.fed_button || input.fed_key || (input.fed_text && !text);
+    if (separate && status.was_open) frame(0);
+    input.fed_key = input.fed_key || key;
+    input.fed_text = input.fed_text || text;
+    input.fed_button = input.fed_button || event.kind == EventKind::mouse_pressed ||
+                       event.kind == EventKind::mouse_released;
     ui.feed(event);
 }
 

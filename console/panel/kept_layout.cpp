@@ -49,7 +49,7 @@ void Console::State::take_settings(const Layout& layout) {
 
 /// Restores the pins and plots of the last run, once the game is loaded.
 void Console::State::restore_observed() {
-    if (std::exchange(restored, true) || !interpreter.evaluate || options.replay) return;
+    if (std::exchange(status.restored, true) || !interpreter.evaluate || options.replay) return;
     std::vector<std::string> commands;
     for (const std::string& text : options.layout.pins) commands.push_back(call_of("pin", {text}));
     if (!options.layout.plots.empty()) commands.push_back(call_of("plot", options.layout.plots));
@@ -72,7 +72,7 @@ Layout Console::State::layout() const {
 
 void Console::State::keep_layout() {
     // Until the pins of the last run are restored, nothing is kept.
-    if (!options.keep_layout || !restored) return;
+    if (!options.keep_layout || !status.restored) return;
     try {
         options.keep_layout(layout());
     } catch (const std::exception& error) {

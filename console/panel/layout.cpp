@@ -31,10 +31,10 @@ constexpr float least_plot = 9, least_list = 4, least_frames = 7, least_inspecto
 }  // namespace
 
 void Console::State::frame(double seconds) {
-    if (building || !(width > 0) || !(height > 0)) return;  // also NaN
-    building = true;
-    fed_button = fed_key = fed_text = false;
-    ui.begin_frame(width, height, seconds,
+    if (screen.building || !(screen.width > 0) || !(screen.height > 0)) return;  // also NaN
+    screen.building = true;
+    input.fed_button = input.fed_key = input.fed_text = false;
+    ui.begin_frame(screen.width, screen.height, seconds,
                    std::clamp(std::round(settings.number("font_size") * settings.number("scale")),
                               6.0f, 96.0f));
     float cell = ImGui::CalcTextSize("MMMMMMMM").x / 8;
@@ -43,20 +43,21 @@ void Console::State::frame(double seconds) {
     float right = 0;
     if (inspector_is_beside()) {
         right = inspector_width() + margin;
-        draw_part([&] { draw_inspector(width - right, inspector_width()); });
+        draw_part([&] { draw_inspector(screen.width - right, inspector_width()); });
     }
-    draw_part([&] { draw_panel(width - 2 * margin - right, panel_height(), cell); });
+    draw_part([&] { draw_panel(screen.width - 2 * margin - right, panel_height(), cell); });
     draw_part([&] { draw_time_bar(right); });
     draw_part([&] { draw_observed(right); });
     draw_part([&] { draw_frames(right); });
     draw_part([&] { draw_comparison(right, seconds); });
     if (!inspector_is_beside()) draw_part([&] { draw_inspector_below(); });
-    draw_part([&] { prompt_view.draw_menu(cell, ui.bold()); });
+    draw_part([&] { views.prompt_view.draw_menu(cell, ui.bold()); });
     draw_part([&] { context_menu.draw(); });
-    popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    screen.popup_open =
+        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     ui.end_frame();
-    ui.navigate_with_keys(popup_open);
-    building = false;
+    ui.navigate_with_keys(screen.popup_open);
+    screen.building = false;
 }
 
 void Console::State::draw_outlines() {
@@ -73,10 +74,12 @@ void Console::State::draw_outlines() {
 }
 
 void Console::State::draw_box() {
-    if (!box) return;
+    if (!input.box) return;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const ImVec2 low(std::min(box->from_x, box->to_x), std::min(box->from_y, box->to_y));
-    const ImVec2 high(std::max(box->from_x, box->to_x), std::max(box->from_y, box->to_y));
+    const ImVec2 low(std::min(input.box->from_x, input.box->to_x),
+                     std::min(input.box->from_y, input.box->to_y));
+    const ImVec2 high(std::max(input.box->from_x, input.box->to_x),
+                      std::max(input.box->from_y, input.box->to_y));
     list.AddRectFilled(low, high, with_alpha(palette::accent, 0.12f));
     list.AddRect(low, high, palette::accent);
 }
@@ -92,19 +95,20 @@ void Console::State::draw_part(const std::function<void()>& part) {
         problem = property::exception_text();
     }
     recovery.recover();
-    if (problem != part_problem) log.error("console: " + problem);
-    part_problem = problem;
+    if (problem != screen.part_problem) log.error("console: " + problem);
+    screen.part_problem = problem;
 }
 
 /// In a narrow window the inspector is below the panel, so that there is room for a command.
 bool Console::State::inspector_is_beside() {
     return settings.flag("inspector") &&
-           width - inspector_width() - 3 * margin >= least_panel * ImGui::GetFontSize();
+           screen.width - inspector_width() - 3 * margin >= least_panel * ImGui::GetFontSize();
 }
 
 /// In pixels of the screen: it grows with the text.
 float Console::State::inspector_width() {
-    return std::min(settings.number("inspector_width") * settings.number("scale"), width * 0.6f);
+    return std::min(settings.number("inspector_width") * settings.number("scale"),
+                    screen.width * 0.6f);
 }
 
 /// The panel covers nothing that is below it, and nothing covers the prompt, unless the window is
@@ -112,33 +116,35 @@ float Console::State::inspector_width() {
 float Console::State::panel_height() {
     const float em = ImGui::GetFontSize();
     float below = 2 * margin;
-    if (settings.flag("time_bar") && time_bar.available()) below += time_bar.height() + margin;
+    if (settings.flag("time_bar") && views.time_bar.available())
+        below += views.time_bar.height() + margin;
     const bool plotted = !observing.plots().empty();
     if (plotted) below += least_plot * em + margin;
-    if (!observing.pins().empty() && (!plotted || width < stacked_below * em))
+    if (!observing.pins().empty() && (!plotted || screen.width < stacked_below * em))
         below += least_list * em + margin;
     if (options.frames != nullptr && shows("timings")) below += least_frames * em + margin;
-    const float most = std::min(height - 2 * margin, std::max(height - below, least_height * em));
-    return std::max(1.0f, std::min(settings.number("height") * height, most));
+    const float most =
+        std::min(screen.height - 2 * margin, std::max(screen.height - below, least_height * em));
+    return std::max(1.0f, std::min(settings.number("height") * screen.height, most));
 }
 
 /// The lowest place that is free above what is at the lower edge.
 float Console::State::free_above() const {
-    float low = height - margin;
-    for (const Rect& rect :
-         {time_bar.rect(), watch_list.rect(), plot_view.rect(), frame_view.rect()})
+    float low = screen.height - margin;
+    for (const Rect& rect : {views.time_bar.rect(), views.watch_list.rect(), views.plot_view.rect(),
+                             views.frame_view.rect()})
         if (!rect.empty()) low = std::min(low, rect.low.y - margin);
     return low;
 }
 
 /// Draws the time bar along the lower edge, beside the inspector if that reaches down so far.
 void Console::State::draw_time_bar(float right) {
-    if (!settings.flag("time_bar") || !time_bar.available()) return time_bar.hide();
-    const float low = height - margin;
-    if (inspector_rect.high.y < low - time_bar.height()) right = 0;
+    if (!settings.flag("time_bar") || !views.time_bar.available()) return views.time_bar.hide();
+    const float low = screen.height - margin;
+    if (screen.inspector_rect.high.y < low - views.time_bar.height()) right = 0;
     time_marks.look();
-    time_bar.draw(ImVec2(margin, low), width - 2 * margin - right, settings.number("opacity"),
-                  ui.bold());
+    views.time_bar.draw(ImVec2(margin, low), screen.width - 2 * margin - right,
+                        settings.number("opacity"), ui.bold());
 }
 
 /// Draws what lies over the game and under the windows.
@@ -155,40 +161,44 @@ void Console::State::draw_in_game() {
 
 /// Draws two runs between the panel and what is at the lower edge.
 void Console::State::draw_comparison(float right, double seconds) {
-    if (!comparison.shown() || !options.to_world) return compare_view.hide();
+    if (!comparison.shown() || !options.to_world) return views.compare_view.hide();
     const float low = free_above();
-    if (inspector_rect.high.y < panel_rect.high.y + 2 * margin) right = 0;
-    const property::Vec2 a = options.to_world(0, height), b = options.to_world(width, 0);
-    compare_view.draw(
-        {ImVec2(margin, panel_rect.high.y + margin), ImVec2(width - margin - right, low)}, tree,
-        comparison, {a.min(b), a.max(b)}, seconds,
-        time_bar.available() ? time_bar.times().dt : 1.0 / 60);
+    if (screen.inspector_rect.high.y < screen.panel_rect.high.y + 2 * margin) right = 0;
+    const property::Vec2 a = options.to_world(0, screen.height),
+                         b = options.to_world(screen.width, 0);
+    views.compare_view.draw({ImVec2(margin, screen.panel_rect.high.y + margin),
+                             ImVec2(screen.width - margin - right, low)},
+                            tree, comparison, {a.min(b), a.max(b)}, seconds,
+                            views.time_bar.available() ? views.time_bar.times().dt : 1.0 / 60);
 }
 
 /// Draws the times of the last frames above what is observed.
 void Console::State::draw_frames(float right) {
-    if (options.frames == nullptr || !shows("timings")) return frame_view.hide();
-    float low = height - margin;
-    for (const Rect& rect : {time_bar.rect(), watch_list.rect(), plot_view.rect()})
+    if (options.frames == nullptr || !shows("timings")) return views.frame_view.hide();
+    float low = screen.height - margin;
+    for (const Rect& rect :
+         {views.time_bar.rect(), views.watch_list.rect(), views.plot_view.rect()})
         if (!rect.empty()) low = std::min(low, rect.low.y - margin);
-    const float room = low - panel_rect.high.y - margin;
+    const float room = low - screen.panel_rect.high.y - margin;
     const float tall =
         std::min(FrameView::height(), std::max(room, least_frames * ImGui::GetFontSize()));
-    if (inspector_rect.high.y < low - tall) right = 0;
-    const double dt = time_bar.available() ? time_bar.times().dt : 1.0 / 60;
-    frame_view.draw(ImVec2(margin, low), ImVec2(std::max(120.0f, width - 2 * margin - right), tall),
-                    tree, *options.frames, dt, settings.number("opacity"));
+    if (screen.inspector_rect.high.y < low - tall) right = 0;
+    const double dt = views.time_bar.available() ? views.time_bar.times().dt : 1.0 / 60;
+    views.frame_view.draw(ImVec2(margin, low),
+                          ImVec2(std::max(120.0f, screen.width - 2 * margin - right), tall), tree,
+                          *options.frames, dt, settings.number("opacity"));
 }
 
 /// Draws the watch list and the plot above the time bar.
 void Console::State::draw_observed(float right) {
     observing.look();
-    const float low = time_bar.rect().empty() ? height - margin : time_bar.rect().low.y - margin;
-    float room = low - panel_rect.high.y - margin;
+    const float low = views.time_bar.rect().empty() ? screen.height - margin
+                                                    : views.time_bar.rect().low.y - margin;
+    float room = low - screen.panel_rect.high.y - margin;
     if (options.frames != nullptr && shows("timings"))
         room -= least_frames * ImGui::GetFontSize() + margin;
-    if (inspector_rect.high.y < low - room) right = 0;
-    const float wide = width - 2 * margin - right, em = ImGui::GetFontSize();
+    if (screen.inspector_rect.high.y < low - room) right = 0;
+    const float wide = screen.width - 2 * margin - right, em = ImGui::GetFontSize();
     const bool pinned = !observing.pins().empty(), plotted = !observing.plots().empty();
     const float opacity = settings.number("opacity");
     // Side by side, unless both would be too narrow for their values.
@@ -196,18 +206,18 @@ void Console::State::draw_observed(float right) {
     float list = 0;
     if (pinned)
         list = stacked ? wide : std::min(wide, plotted ? std::min(28 * em, wide * 0.5f) : 34 * em);
-    watch_list.draw(ImVec2(margin, low), list, std::max(room, least_list * em), tree,
-                    observing.pins(), opacity);
-    const bool under = pinned && stacked && !watch_list.rect().empty();
-    const float bottom = under ? watch_list.rect().low.y - margin : low;
+    views.watch_list.draw(ImVec2(margin, low), list, std::max(room, least_list * em), tree,
+                          observing.pins(), opacity);
+    const bool under = pinned && stacked && !views.watch_list.rect().empty();
+    const float bottom = under ? views.watch_list.rect().low.y - margin : low;
     const float left = margin + (pinned && !stacked ? list + margin : 0);
     const float plot_room = std::max(room - (low - bottom), least_plot * em);
-    const TimeBar::Times now = time_bar.times();
-    plot_view.draw(ImVec2(left, bottom),
-                   ImVec2(std::max(12 * em, wide - (left - margin)),
-                          std::clamp(plot_room * 0.6f, least_plot * em, 16 * em)),
-                   plot_room, tree, observing.plots(), {now.step, now.oldest, now.newest, now.dt},
-                   opacity);
+    const TimeBar::Times now = views.time_bar.times();
+    views.plot_view.draw(ImVec2(left, bottom),
+                         ImVec2(std::max(12 * em, wide - (left - margin)),
+                                std::clamp(plot_room * 0.6f, least_plot * em, 16 * em)),
+                         plot_room, tree, observing.plots(),
+                         {now.step, now.oldest, now.newest, now.dt}, opacity);
 }
 
 // --- The panel
@@ -218,25 +228,25 @@ void Console::State::draw_panel(float panel_width, float panel_height, float cel
     ImGui::SetNextWindowSize(ImVec2(std::max(80.0f, panel_width), panel_height));
     ImGui::SetNextWindowBgAlpha(settings.number("opacity"));
     ImGui::Begin("##console", nullptr, panel_flags);
-    panel_rect = window_rect();
+    screen.panel_rect = window_rect();
     draw_title(cell);
-    if (settings.flag("overlays")) overlay_bar.draw();
-    float prompt_height = prompt_view.height(panel_height);
+    if (settings.flag("overlays")) views.overlay_bar.draw();
+    float prompt_height = views.prompt_view.height(panel_height);
     float log_height =
         ImGui::GetContentRegionAvail().y - prompt_height - ImGui::GetStyle().ItemSpacing.y * 2;
-    if (tweak_list.available() && settings.flag("tweaks"))
-        tweak_list.draw(std::max(1.0f, log_height));
+    if (views.tweak_list.available() && settings.flag("tweaks"))
+        views.tweak_list.draw(std::max(1.0f, log_height));
     else
         draw_log(std::max(1.0f, log_height), cell);
     ImGui::Spacing();
-    prompt_view.draw(prompt_height, cell, !ImGui::IsAnyItemActive());
+    views.prompt_view.draw(prompt_height, cell, !ImGui::IsAnyItemActive());
     draw_height_handle();
     ImGui::End();
 }
 
 void Console::State::draw_log(float log_height, float cell) {
-    log_view.filter(settings.text("filter"));
-    log_view.draw(log_height, cell);
+    views.log_view.filter(settings.text("filter"));
+    views.log_view.draw(log_height, cell);
 }
 
 /// The field that filters the log, in the title.
@@ -253,7 +263,7 @@ void Console::State::draw_filter(float& right, float em) {
     if (input_line("##filter", "filter the log", text, 0))
         settings.set("filter", property::Value(text));
     ImGui::PopStyleVar();
-    filter_rect = item_rect();
+    screen.filter_rect = item_rect();
     right -= ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::SetCursorScreenPos(start);
 }
@@ -290,17 +300,17 @@ void Console::State::draw_title(float cell) {
     bool shown = settings.flag("inspector"), pauses = settings.flag("pauses");
     if (title_button("inspector", shown, right)) settings.set("inspector", property::Value(!shown));
     if (title_button("pause", pauses, right)) settings.set("pauses", property::Value(!pauses));
-    if (overlay_bar.available()) {
-        const int lit = overlay_bar.lit();
+    if (views.overlay_bar.available()) {
+        const int lit = views.overlay_bar.lit();
         const std::string label =
             lit == 0 ? "overlays###overlays" : "overlays " + std::to_string(lit) + "###overlays";
         const bool listed = settings.flag("overlays");
         if (title_button(label.c_str(), listed, right))
             settings.set("overlays", property::Value(!listed));
     }
-    if (tweak_list.available()) {
+    if (views.tweak_list.available()) {
         const bool listed = settings.flag("tweaks");
-        const std::size_t open = tweak_list.open_count();
+        const std::size_t open = views.tweak_list.open_count();
         const std::string label =
             open == 0 ? "tweaks###tweaks" : "tweaks " + std::to_string(open) + "###tweaks";
         if (title_button(label.c_str(), listed, right))
@@ -329,19 +339,21 @@ void Console::State::draw_title(float cell) {
         draw_text(list, ImVec2(right - hint_width - cell, at.y + 1), palette::faint, hints);
     ImGui::Dummy(ImVec2(content, button_height() + 2));
     ImVec2 line = ImGui::GetCursorScreenPos();
-    list.AddLine(ImVec2(panel_rect.low.x, line.y - 2), ImVec2(panel_rect.high.x, line.y - 2),
-                 palette::line);
+    list.AddLine(ImVec2(screen.panel_rect.low.x, line.y - 2),
+                 ImVec2(screen.panel_rect.high.x, line.y - 2), palette::line);
     ImGui::Dummy(ImVec2(1, 1));
 }
 
 void Console::State::draw_height_handle() {
     ImVec2 before = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos(ImVec2(panel_rect.low.x, panel_rect.high.y - handle_size));
-    ImGui::InvisibleButton("height", ImVec2(panel_rect.high.x - panel_rect.low.x, handle_size));
+    ImGui::SetCursorScreenPos(
+        ImVec2(screen.panel_rect.low.x, screen.panel_rect.high.y - handle_size));
+    ImGui::InvisibleButton("height",
+                           ImVec2(screen.panel_rect.high.x - screen.panel_rect.low.x, handle_size));
     if (ImGui::IsItemHovered() || ImGui::IsItemActive())
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.y != 0) {
-        float share = (ImGui::GetIO().MousePos.y - panel_rect.low.y) / height;
+        float share = (ImGui::GetIO().MousePos.y - screen.panel_rect.low.y) / screen.height;
         settings.set("height", property::Value(std::clamp<double>(share, 0.15, 1)));
     }
     ImGui::SetCursorScreenPos(before);
@@ -354,11 +366,11 @@ void Console::State::draw_height_handle() {
 void Console::State::draw_inspector(float left, float inspector_width) {
     ImGui::SetNextWindowPos(ImVec2(left, margin));
     // If nothing is selected, there is only the outline, and the game is visible below it.
-    float tall = tree.alive(inspector.selected()) ? height : panel_height() + 2 * margin;
+    float tall = tree.alive(inspector.selected()) ? screen.height : panel_height() + 2 * margin;
     ImGui::SetNextWindowSize(ImVec2(inspector_width, tall - 2 * margin));
     ImGui::SetNextWindowBgAlpha(settings.number("opacity"));
     ImGui::Begin("##inspector", nullptr, panel_flags);
-    inspector_rect = window_rect();
+    screen.inspector_rect = window_rect();
     inspector.draw(ui.bold());
     draw_width_handle();
     ImGui::End();
@@ -367,16 +379,16 @@ void Console::State::draw_inspector(float left, float inspector_width) {
 /// Draws the inspector in the room between the panel and what is at the lower edge, if there is
 /// enough.
 void Console::State::draw_inspector_below() {
-    const float top = panel_rect.high.y + margin, room = free_above() - top;
+    const float top = screen.panel_rect.high.y + margin, room = free_above() - top;
     if (!settings.flag("inspector") || room < least_inspector * ImGui::GetFontSize()) {
-        inspector_rect = {};
+        screen.inspector_rect = {};
         return inspector.editor().end_drag();
     }
     ImGui::SetNextWindowPos(ImVec2(margin, top));
-    ImGui::SetNextWindowSize(ImVec2(width - 2 * margin, room));
+    ImGui::SetNextWindowSize(ImVec2(screen.width - 2 * margin, room));
     ImGui::SetNextWindowBgAlpha(settings.number("opacity"));
     ImGui::Begin("##inspector", nullptr, panel_flags);
-    inspector_rect = window_rect();
+    screen.inspector_rect = window_rect();
     inspector.draw(ui.bold());
     ImGui::End();
 }
@@ -384,16 +396,17 @@ void Console::State::draw_inspector_below() {
 void Console::State::draw_width_handle() {
     // The whole edge: a window cuts off what is drawn in the half of its padding.
     const float thick = std::max(handle_size, ImGui::GetStyle().WindowPadding.x);
-    ImGui::PushClipRect(inspector_rect.low, inspector_rect.high, false);
-    ImGui::SetCursorScreenPos(inspector_rect.low);
-    ImGui::InvisibleButton("width", ImVec2(thick, inspector_rect.high.y - inspector_rect.low.y));
+    ImGui::PushClipRect(screen.inspector_rect.low, screen.inspector_rect.high, false);
+    ImGui::SetCursorScreenPos(screen.inspector_rect.low);
+    ImGui::InvisibleButton(
+        "width", ImVec2(thick, screen.inspector_rect.high.y - screen.inspector_rect.low.y));
     ImGui::PopClipRect();
     if (ImGui::IsItemHovered() || ImGui::IsItemActive())
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0) {
-        float wide = inspector_rect.high.x - ImGui::GetIO().MousePos.x;
+        float wide = screen.inspector_rect.high.x - ImGui::GetIO().MousePos.x;
         const float scale = settings.number("scale");
-        const float most = std::min(2000.0f, width * 0.6f / scale);
+        const float most = std::min(2000.0f, screen.width * 0.6f / scale);
         settings.set("inspector_width", property::Value(std::clamp<double>(
                                             wide / scale, 200, std::max(200.0f, most))));
     }

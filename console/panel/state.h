@@ -43,6 +43,53 @@ class MemoryClipboard : public app::Clipboard {
     std::string text_;
 };
 
+/// What the console draws, in the order of its panel.
+struct Views {
+    LogView log_view;
+    PromptView prompt_view;
+    TimeBar time_bar;
+    TweakList tweak_list;
+    WatchList watch_list{};
+    PlotView plot_view{};
+    FrameView frame_view{};
+    CompareView compare_view{};
+    OverlayBar overlay_bar;
+};
+
+/// A box that is drawn in the game, in pixels.
+struct DrawnBox {
+    float from_x = 0, from_y = 0, to_x = 0, to_y = 0;
+};
+
+/// What the player holds down, and which events wait for the next frame.
+struct Input {
+    HeldKeys keys, buttons;
+    bool shift_held = false, control_held = false;
+    std::optional<DrawnBox> box;
+    bool keys_to_selection = false;  // the last click was into the game
+    bool swallow_text = false;       // the character of the toggle key follows and is dropped
+    bool fed_button = false, fed_key = false, fed_text = false;  // since the last frame
+};
+
+/// The surface, and where the windows are on it.
+struct Screen {
+    float width = 0, height = 0;  // of the surface; 0 before the first draw
+    Rect panel_rect, inspector_rect, filter_rect;
+    bool popup_open = false;
+    bool building = false;     // a frame is being built; no other may begin inside it
+    std::string part_problem;  // the last one in the log
+};
+
+/// What the console has done in this run, and what it has seen.
+struct Status {
+    bool was_open = false;
+    bool greeted = false;
+    bool pausing = false;  // the console has paused the game's time
+    bool time_was_paused = false;
+    bool restored = false;      // what was pinned and plotted in earlier runs
+    std::string selected_path;  // of the selected instance when it was last seen
+};
+
 struct Console::State {
     State(property::Tree& tree, Interpreter interpreter, Options options);
 
@@ -135,44 +182,17 @@ struct Console::State {
     History history;
     Prompt prompt;
     ImGuiBackend ui;
-    LogView log_view;
-    PromptView prompt_view;
     Inspector inspector;
     TimeMarks time_marks{tree};
-    TimeBar time_bar{tree, interpreter, time_marks};
-    TweakList tweak_list;
     ContextMenu context_menu;
     Observing observing;
-    WatchList watch_list;
-    PlotView plot_view;
-    FrameView frame_view;
     Comparison comparison{tree, log};
-    CompareView compare_view;
-    OverlayBar overlay_bar{tree};
     Ghosts ghosts{tree};
     OnionSkins onion_skins{tree};
-
-    std::string selected_path;  // of the selected instance when it was last seen
-    HeldKeys keys, buttons;
-    bool shift_held = false, control_held = false;
-    struct Box {
-        float from_x = 0, from_y = 0, to_x = 0, to_y = 0;  // pixels
-    };
-    std::optional<Box> box;          // being drawn in the game
-    bool keys_to_selection = false;  // the last click was into the game
-    bool was_open = false;
-    bool swallow_text = false;  // the character of the toggle key follows and is dropped
-    bool greeted = false;
-    bool pausing = false;  // the console has paused the game's time
-    bool time_was_paused = false;
-
-    float width = 0, height = 0;  // of the surface; 0 before the first draw
-    Rect panel_rect, inspector_rect, filter_rect;
-    bool restored = false;  // what was pinned and plotted in earlier runs
-    bool popup_open = false;
-    bool fed_button = false, fed_key = false, fed_text = false;  // since the last frame
-    std::string part_problem;                                    // the last one in the log
-    bool building = false;  // a frame is being built; no other may begin inside it
+    Views views;
+    Input input;
+    Screen screen;
+    Status status;
 };
 
 }  // namespace fettle::console

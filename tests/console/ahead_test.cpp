@@ -250,7 +250,7 @@ TEST_CASE_METHOD(AheadRig, "a button of the row of overlays switches its propert
     edit("console.overlays", true, property::Writer::console);
     draw(2);
     save("overlays");
-    const auto& bar = state().overlay_bar;
+    const auto& bar = state().views.overlay_bar;
     REQUIRE_FALSE(bar.button("contacts").empty());
     REQUIRE_FALSE(bar.button("onion_skins").empty());
     const ImVec2 at = bar.button("contacts").middle();
@@ -269,10 +269,10 @@ TEST_CASE_METHOD(AheadRig, "the buttons of overlays stay inside of a narrow pane
     edit("console.overlays", true, property::Writer::console);
     edit("console.inspector_width", 800.0, property::Writer::console);
     draw(3);
-    const auto& bar = state().overlay_bar;
+    const auto& bar = state().views.overlay_bar;
     for (const char* name : {"contacts", "onion_skins", "timings"}) {
         CHECK_FALSE(bar.button(name).empty());
-        CHECK(bar.button(name).high.x <= state().panel_rect.high.x);
+        CHECK(bar.button(name).high.x <= state().screen.panel_rect.high.x);
     }
 }
 
@@ -285,7 +285,8 @@ TEST_CASE_METHOD(AheadRig,
     state().run("world.ball.mass");
     state().choose(tree.child(tree.child(tree.root(), "world"), "ball"));
     for (int i = 0; i < 3; ++i) console.draw(small, 1.0 / 60);
-    const console::Rect panel = state().panel_rect, inspector = state().inspector_rect;
+    const console::Rect panel = state().screen.panel_rect,
+                        inspector = state().screen.inspector_rect;
     CHECK(panel.high.x - panel.low.x > 380);
     REQUIRE_FALSE(inspector.empty());
     CHECK(inspector.low.y >= panel.high.y);
@@ -298,8 +299,8 @@ TEST_CASE_METHOD(AheadRig, "times of frames never cover the prompt") {
     edit("console.scale", 2.0, property::Writer::console);
     edit("console.height", 1.0, property::Writer::console);
     draw(3);
-    CHECK(state().panel_rect.high.y <= state().frame_view.rect().low.y);
-    CHECK(state().panel_rect.high.y - state().panel_rect.low.y > 150);
+    CHECK(state().screen.panel_rect.high.y <= state().views.frame_view.rect().low.y);
+    CHECK(state().screen.panel_rect.high.y - state().screen.panel_rect.low.y > 150);
 }
 
 // --- Times of frames
@@ -329,17 +330,17 @@ TEST_CASE_METHOD(AheadRig, "the times of frames are shown and lead to the worst 
             {.ms = {.scripts = 2, .modules = modules, .draw = 1}, .frame = i, .step = 1000 + i});
         (void)log.complete(16.7);
     }
-    CHECK(state().frame_view.rect().empty());
+    CHECK(state().views.frame_view.rect().empty());
     property::set(tree, "view.show.timings", Value(true));
     draw(3);
     save("frame_times");
-    const auto& view = state().frame_view;
+    const auto& view = state().views.frame_view;
     REQUIRE_FALSE(view.rect().empty());
     REQUIRE(view.shown());
     CHECK(view.shown()->frame == 200);
     CHECK(console::worst_frame(log)->step == 1120);
     std::int64_t went = 0;
-    state().frame_view.go_to = [&](std::int64_t step) { went = step; };
+    state().views.frame_view.go_to = [&](std::int64_t step) { went = step; };
     const ImVec2 worst = view.worst_button().middle();
     click(worst.x, worst.y);
     draw(2);

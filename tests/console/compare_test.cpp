@@ -75,7 +75,7 @@ TEST_CASE_METHOD(CompareRig, "both runs are shown side by side and play again an
     console.between_frames();
     draw(2);
     save("compare");
-    const auto& view = state().compare_view;
+    const auto& view = state().views.compare_view;
     REQUIRE_FALSE(view.rect().empty());
     CHECK(view.shown() == 60);  // the end first
     draw(80);
@@ -180,7 +180,7 @@ TEST_CASE_METHOD(TwoBranches, "two branches are compared from where they part wi
     CHECK(logged("world.ball.mass: A 1 kg, B 3 kg"));
     draw(3);
     save("two_branches");
-    CHECK_FALSE(state().compare_view.rect().empty());
+    CHECK_FALSE(state().views.compare_view.rect().empty());
     CHECK_THROWS_WITH(runs().ask_branch("heawy"),
                       "compare_branch: there is no branch \"heawy\" (did you mean \"heavy\"?)");
     now = 50;

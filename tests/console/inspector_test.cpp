@@ -261,11 +261,11 @@ TEST_CASE("an enumerator is chosen from its list") {
     ImVec2 at = rig.widget("type");
     rig.click(at.x, at.y);
     rig.draw(2);
-    REQUIRE(rig.state().popup_open);
+    REQUIRE(rig.state().screen.popup_open);
     rig.click(at.x, at.y + 24);  // the first entry of the list below the field
     rig.draw(2);
     CHECK(rig.value("world.ball.type") == Value("static"));
-    CHECK_FALSE(rig.state().popup_open);
+    CHECK_FALSE(rig.state().screen.popup_open);
 }
 
 TEST_CASE("bits are words in their field and boxes in its list") {
@@ -283,17 +283,17 @@ TEST_CASE("bits are words in their field and boxes in its list") {
     };
     rig.click(at.x, at.y);
     rig.draw(2);
-    REQUIRE(rig.state().popup_open);
+    REQUIRE(rig.state().screen.popup_open);
     rig.click(at.x, at.y + 26);  // a box of the first row
     rig.draw(2);
     CHECK(std::popcount(bits()) == 63);
     CHECK((~bits() & 0xff) != 0);
-    CHECK(rig.state().popup_open);  // several may be changed
+    CHECK(rig.state().screen.popup_open);  // several may be changed
     rig.click(at.x, at.y + 26);
     rig.draw(2);
     CHECK(rig.value("world.ball.mask") == Value(-1));
     rig.key("escape");
-    CHECK_FALSE(rig.state().popup_open);
+    CHECK_FALSE(rig.state().screen.popup_open);
     CHECK(rig.console.is_open());
 }
 
@@ -302,10 +302,10 @@ TEST_CASE("Escape closes an open list and keeps the console open") {
     ImVec2 at = rig.widget("type");
     rig.click(at.x, at.y);
     rig.draw(2);
-    REQUIRE(rig.state().popup_open);
+    REQUIRE(rig.state().screen.popup_open);
     rig.key("escape");
     rig.draw(2);
-    CHECK_FALSE(rig.state().popup_open);
+    CHECK_FALSE(rig.state().screen.popup_open);
     CHECK(rig.console.is_open());
     CHECK(rig.value("world.ball.type") == Value("dynamic"));
 }
@@ -315,7 +315,7 @@ TEST_CASE("a reference is chosen from the instances of the required class") {
     ImVec2 at = rig.widget("target", 1.0f);
     rig.click(at.x - 8, at.y);
     rig.draw(2);
-    REQUIRE(rig.state().popup_open);
+    REQUIRE(rig.state().screen.popup_open);
     rig.type("crat");
     rig.draw();
     rig.key("enter");

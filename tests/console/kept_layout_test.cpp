@@ -108,7 +108,7 @@ TEST_CASE("the log shows only lines with the text of the filter") {
     run.lua->print("a coin was taken");
     run.lua->state().log.note("WALL");
     run.frame();
-    const auto rows = [&] { return run.lua->state().log_view.shown_rows(); };
+    const auto rows = [&] { return run.lua->state().views.log_view.shown_rows(); };
     const std::size_t all = rows().size();
     property::set(run.tree, "console.filter", Value("wall"));
     run.frame();
@@ -121,7 +121,7 @@ TEST_CASE("the log shows only lines with the text of the filter") {
     run.frame();
     CHECK(rows().size() == all + 2);
     // By typing into the field of the title.
-    const ImVec2 field = run.lua->state().filter_rect.middle();
+    const ImVec2 field = run.lua->state().screen.filter_rect.middle();
     for (const auto kind : {app::EventKind::mouse_moved, app::EventKind::mouse_pressed,
                             app::EventKind::mouse_released}) {
         app::InputEvent event;

@@ -148,13 +148,13 @@ TEST_CASE("a pinned value is shown with its unit and followed from the kept past
     CHECK(rig.pins().size() == 1);
     rig.run("pin world.ball.mass * 2");
     rig.show();
-    CHECK_FALSE(rig.lua.state().watch_list.rect().empty());
-    rig.click_at(rig.lua.state().watch_list.button(1).middle());
+    CHECK_FALSE(rig.lua.state().views.watch_list.rect().empty());
+    rig.click_at(rig.lua.state().views.watch_list.button(1).middle());
     REQUIRE(rig.pins().size() == 1);
     rig.run("unpin()");
     CHECK(rig.pins().empty());
     rig.show();
-    CHECK(rig.lua.state().watch_list.rect().empty());
+    CHECK(rig.lua.state().views.watch_list.rect().empty());
 }
 
 TEST_CASE("a pinned value that fails shows why and comes back") {
@@ -180,12 +180,12 @@ TEST_CASE("a plot shows the past and a click goes to that moment") {
     CHECK(rig.plots()[0].samples().front().step == 0);
     CHECK(rig.plots()[1].samples().back().x == 0);
     rig.show();
-    const console::Rect area = rig.lua.state().plot_view.area();
+    const console::Rect area = rig.lua.state().views.plot_view.area();
     REQUIRE_FALSE(area.empty());
     rig.click_at(area.middle());
     CHECK(rig.went_to == Approx(50).margin(2));
     CHECK(rig.value("time.paused") == Value(true));
-    rig.click_at(rig.lua.state().plot_view.close_button().middle());
+    rig.click_at(rig.lua.state().views.plot_view.close_button().middle());
     CHECK(rig.plots().empty());
     rig.run("plot world.ball.label");
     CHECK(rig.text().find("neither a number, a vector nor a boolean") != std::string::npos);
@@ -395,9 +395,9 @@ TEST_CASE("a plot is written as a table and as a picture") {
     CHECK(rig.text().find("the disk is full") != std::string::npos);
     // By the menu of the right mouse button.
     rig.show();
-    rig.click_at(rig.lua.state().plot_view.area().middle(), "right");
+    rig.click_at(rig.lua.state().views.plot_view.area().middle(), "right");
     rig.show(2);
-    const console::Rect entry = rig.lua.state().plot_view.entry("Export as PNG");
+    const console::Rect entry = rig.lua.state().views.plot_view.entry("Export as PNG");
     REQUIRE_FALSE(entry.empty());
     rig.click_at(entry.middle());
     rig.lua.between_frames();

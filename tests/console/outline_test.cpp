@@ -93,8 +93,8 @@ TEST_CASE_METHOD(Haunted,
     key("enter");
     CHECK(value("world.ball.mass") == property::Value(4.0));
     draw();
-    CHECK_FALSE(state().prompt_view.rect().empty());
-    CHECK_FALSE(state().inspector_rect.empty());
+    CHECK_FALSE(state().views.prompt_view.rect().empty());
+    CHECK_FALSE(state().screen.inspector_rect.empty());
     CHECK(surface.faults() == 0);
 }
 

@@ -70,8 +70,8 @@ TEST_CASE("when a search is cleared the tree shows the selected instance again")
         last = rig.tree.create(rig.tree.class_named("Body"), world, "b" + std::to_string(i));
     rig.key("grave");
     rig.draw(3);
-    const ImVec2 field(rig.state().inspector_rect.low.x + 60,
-                       rig.state().inspector_rect.low.y + 18);
+    const ImVec2 field(rig.state().screen.inspector_rect.low.x + 60,
+                       rig.state().screen.inspector_rect.low.y + 18);
     rig.click(field.x, field.y);
     rig.type("b299");
     rig.draw(3);

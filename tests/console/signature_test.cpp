@@ -65,16 +65,16 @@ TEST_CASE("the signature is shown while arguments are typed") {
         lua.draw(rig.surface, 1.0 / 60);
     };
     type("rewind");
-    CHECK(lua.state().prompt_view.signature_rect().empty());
+    CHECK(lua.state().views.prompt_view.signature_rect().empty());
     type("(");
-    CHECK_FALSE(lua.state().prompt_view.signature_rect().empty());
+    CHECK_FALSE(lua.state().views.prompt_view.signature_rect().empty());
     const auto shown = lua.state().prompt.signature();
     REQUIRE(shown);
     CHECK(shown->text.starts_with("rewind(seconds"));
     CHECK(shown->text.substr(shown->parameter.begin,
                              shown->parameter.end - shown->parameter.begin) == "seconds");
     type("2)");
-    CHECK(lua.state().prompt_view.signature_rect().empty());
+    CHECK(lua.state().views.prompt_view.signature_rect().empty());
     CHECK(rig.surface.faults() == 0);
 }
 

@@ -65,7 +65,7 @@ struct Bar {
         rig.key("grave");
         rig.draw(3);
     }
-    console::TimeBar& bar() { return rig.state().time_bar; }
+    console::TimeBar& bar() { return rig.state().views.time_bar; }
     void click(const console::Rect& place) { rig.click(place.middle().x, place.middle().y); }
     bool paused() { return rig.value("time.paused").boolean(); }
 };
@@ -76,7 +76,7 @@ TEST_CASE("the time bar is shown if the game has a timeline") {
     Rig without;
     without.key("grave");
     without.draw(3);
-    CHECK(without.state().time_bar.rect().empty());
+    CHECK(without.state().views.time_bar.rect().empty());
     Bar with;
     CHECK_FALSE(with.bar().rect().empty());
     with.rig.state().settings.set("time_bar", Value(false));

@@ -35,7 +35,7 @@ struct TweakedRig : Place, Rig {
         property::set(tree, path, value);
     }
     void press(int row, const char* label) {
-        const Rect at = state().tweak_list.button(row, label);
+        const Rect at = state().views.tweak_list.button(row, label);
         REQUIRE_FALSE(at.empty());
         click(at.middle().x, at.middle().y);
         draw(3);
@@ -47,7 +47,7 @@ struct TweakedRig : Place, Rig {
 TEST_CASE("a click in the list of tweaks keeps or drops the tweak") {
     TweakedRig rig;
     REQUIRE(rig.tweaks->list().size() == 2);
-    CHECK(rig.state().tweak_list.open_count() == 2);
+    CHECK(rig.state().views.tweak_list.open_count() == 2);
     rig.save("tweaks");
     CHECK(rig.surface.faults() == 0);
     rig.press(1, "drop");
@@ -59,8 +59,8 @@ TEST_CASE("a click in the list of tweaks keeps or drops the tweak") {
     rig.press(0, "keep");
     CHECK(rig.logged("kept 1 tweak in main.tweaks.json"));
     CHECK(rig.tweaks->list()[0].kept);
-    CHECK(rig.state().tweak_list.button(0, "keep").empty());
-    CHECK(rig.state().tweak_list.open_count() == 0);
+    CHECK(rig.state().views.tweak_list.button(0, "keep").empty());
+    CHECK(rig.state().views.tweak_list.open_count() == 0);
     CHECK(rig.value("world.ball.angle") == Value(0.5));
     std::ifstream file(rig.folder.path / "main.tweaks.json");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -98,7 +98,7 @@ TEST_CASE("tweaks of an earlier run are applied again from the list as one edit"
     rig.draw(3);
     const double before = rig.value("world.ball.mass").number();
     CHECK(before != 5);
-    const Rect at = rig.state().tweak_list.button(-1, "make all again");
+    const Rect at = rig.state().views.tweak_list.button(-1, "make all again");
     REQUIRE_FALSE(at.empty());
     rig.click(at.middle().x, at.middle().y);
     rig.draw(3);
@@ -117,8 +117,8 @@ TEST_CASE("a console without a journal shows no list of tweaks") {
     rig.key("grave");
     property::set(rig.tree, "console.tweaks", true);
     rig.draw(3);
-    CHECK_FALSE(rig.state().tweak_list.available());
-    CHECK(rig.state().log_view.line_height() > 0);
+    CHECK_FALSE(rig.state().views.tweak_list.available());
+    CHECK(rig.state().views.log_view.line_height() > 0);
 }
 
 }  // namespace tweaks_test

@@ -29,9 +29,9 @@ namespace {
 /// Pixel position of a character in the last row of a line of the log.
 ImVec2 log_position(Rig& rig, std::size_t lines_from_end, float column) {
     rig.draw(2);
-    float line = rig.state().log_view.line_height();
-    ImVec2 corner = rig.state().log_view.text_end();
-    return ImVec2(corner.x + (column + 2) * rig.state().log_view.cell(),
+    float line = rig.state().views.log_view.line_height();
+    ImVec2 corner = rig.state().views.log_view.text_end();
+    return ImVec2(corner.x + (column + 2) * rig.state().views.log_view.cell(),
                   corner.y - (static_cast<float>(lines_from_end) + 0.5f) * line);
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("text in the log selected with a drag is copied") {
     CHECK(rig.clipboard.text == "line\nsecond");
     rig.key("escape");
     CHECK(rig.console.is_open());
-    CHECK_FALSE(rig.state().log_view.selecting());
+    CHECK_FALSE(rig.state().views.log_view.selecting());
 }
 
 TEST_CASE("a double click in the log selects a word") {
@@ -71,7 +71,7 @@ TEST_CASE("a double click in the log selects a word") {
     rig.click(at.x, at.y);
     rig.click(at.x, at.y);
     rig.draw();
-    CHECK(rig.state().log_view.selected() == "some");
+    CHECK(rig.state().views.log_view.selected() == "some");
 }
 
 TEST_CASE("a path in the log is a link to its instance") {
@@ -104,19 +104,19 @@ TEST_CASE("the log scrolls by pages and returns to the end with the next command
     rig.key("grave");
     for (int i = 0; i < 500; ++i) rig.console.print("line " + std::to_string(i));
     rig.draw(3);
-    float end = rig.state().log_view.scrolled();
+    float end = rig.state().views.log_view.scrolled();
     CHECK(end > 1000);
     rig.key("page_up");
     rig.draw(2);
-    CHECK(rig.state().log_view.scrolled() < end - 50);
-    float up = rig.state().log_view.scrolled();
+    CHECK(rig.state().views.log_view.scrolled() < end - 50);
+    float up = rig.state().views.log_view.scrolled();
     rig.console.print("more");
     rig.draw(2);
-    CHECK(rig.state().log_view.scrolled() == Approx(up));  // the lines that are shown stay
+    CHECK(rig.state().views.log_view.scrolled() == Approx(up));  // the lines that are shown stay
     rig.type("world.ball.mass");
     rig.key("enter");
     rig.draw(3);
-    CHECK(rig.state().log_view.scrolled() > end);
+    CHECK(rig.state().views.log_view.scrolled() > end);
 }
 
 TEST_CASE("long lines are wrapped and any text can be drawn") {
@@ -143,7 +143,7 @@ TEST_CASE("the caret is below the place that it marks where the source line is w
     error.column = static_cast<int>(error.source_line.find("boll")) + 1;
     rig.console.report(error);
     rig.draw(3);
-    const auto rows = rig.state().log_view.shown_rows();
+    const auto rows = rig.state().views.log_view.shown_rows();
     std::string above, marked;
     for (std::size_t i = 1; i < rows.size(); ++i)
         if (rows[i].find('^') != std::string::npos) {
@@ -161,7 +161,7 @@ TEST_CASE("wrapped rows of a table begin below its last column") {
     rig.draw(3);
     rig.console.print("  :apply_force   " + std::string(40, 'a') + " " + std::string(60, 'b'));
     rig.draw(3);
-    const auto rows = rig.state().log_view.shown_rows();
+    const auto rows = rig.state().views.log_view.shown_rows();
     CHECK(rows.back().find("bbb") == rows[rows.size() - 2].find("aaa"));
 }
 
@@ -186,7 +186,7 @@ TEST_CASE("a click opens folded output") {
     for (int i = 0; i < 70; ++i) lines.push_back("line " + std::to_string(i));
     rig.state().log.output(lines);
     rig.draw(3);
-    const auto& view = rig.state().log_view;
+    const auto& view = rig.state().views.log_view;
     rig.click(view.text_end().x + 4 * view.cell(), view.text_end().y - view.line_height() / 2);
     rig.draw(3);
     CHECK(rig.logged("line 69"));
@@ -197,18 +197,18 @@ TEST_CASE("the text grows by a factor") {
     Rig rig;
     rig.key("grave");
     rig.draw(3);
-    const float cell = rig.state().log_view.cell();
+    const float cell = rig.state().views.log_view.cell();
     property::set(rig.tree, "console.scale", Value(2.0));
     rig.draw(3);
-    CHECK(rig.state().log_view.cell() == Approx(2 * cell).margin(1));
+    CHECK(rig.state().views.log_view.cell() == Approx(2 * cell).margin(1));
     // What is measured in text grows with it, as long as there is room beside the panel.
     property::set(rig.tree, "console.scale", Value(1.25));
     rig.draw(3);
     const auto wide = [&] {
-        return rig.state().inspector_rect.high.x - rig.state().inspector_rect.low.x;
+        return rig.state().screen.inspector_rect.high.x - rig.state().screen.inspector_rect.low.x;
     };
     CHECK(wide() == Approx(1.25 * 380).margin(2));
-    const float edge = rig.state().inspector_rect.low.x;
+    const float edge = rig.state().screen.inspector_rect.low.x;
     rig.drag(edge + 2, 200, edge + 52, 200);
     rig.draw(2);
     CHECK(wide() == Approx(1.25 * 380 - 50).margin(4));
@@ -223,7 +223,7 @@ TEST_CASE("what can be clicked in the title is high enough") {
     property::set(rig.tree, "console.font_size", Value(10.0));
     rig.key("grave");
     rig.draw(3);
-    const Rect& field = rig.state().filter_rect;
+    const Rect& field = rig.state().screen.filter_rect;
     CHECK(field.high.y - field.low.y >= 16);
 }
 
@@ -258,14 +258,14 @@ TEST_CASE("changes of the size properties take effect at once") {
     Rig rig;
     rig.key("grave");
     rig.draw(2);
-    float before = rig.state().panel_rect.high.y;
+    float before = rig.state().screen.panel_rect.high.y;
     property::set(rig.tree, "console.height", Value(0.8));
     rig.draw();
-    CHECK(rig.state().panel_rect.high.y > before + 100);
+    CHECK(rig.state().screen.panel_rect.high.y > before + 100);
     property::set(rig.tree, "console.inspector", Value(false));
     rig.draw();
-    CHECK(rig.state().inspector_rect.empty());
-    CHECK(rig.state().panel_rect.high.x > 1200);
+    CHECK(rig.state().screen.inspector_rect.empty());
+    CHECK(rig.state().screen.panel_rect.high.x > 1200);
     property::set(rig.tree, "console.font_size", Value(24.0));
     rig.draw();
     CHECK(rig.state().ui.font_size() == 24);
@@ -276,10 +276,10 @@ TEST_CASE("the lower edge of the panel is dragged") {
     Rig rig;
     rig.key("grave");
     rig.draw(2);
-    float y = rig.state().panel_rect.high.y - 2;
+    float y = rig.state().screen.panel_rect.high.y - 2;
     rig.drag(300, y, 300, y + 100);
     rig.draw();
-    CHECK(rig.state().panel_rect.high.y == Approx(y + 100).margin(8));
+    CHECK(rig.state().screen.panel_rect.high.y == Approx(y + 100).margin(8));
 }
 
 TEST_CASE("the console draws on another surface and on tiny ones") {
@@ -366,7 +366,7 @@ TEST_CASE("a candidate is chosen with the mouse") {
     rig.type("world.ball.f");
     rig.key("tab");
     rig.draw(2);
-    auto rect = rig.state().prompt_view.menu_rect();
+    auto rect = rig.state().views.prompt_view.menu_rect();
     REQUIRE_FALSE(rect.empty());
     std::string second = rig.state().prompt.menu().candidates()[1].completion.text;
     float row = rig.state().ui.font_size() + 5;
@@ -381,8 +381,8 @@ TEST_CASE("the mouse sets the cursor and selects in the prompt") {
     rig.key("grave");
     rig.type("world.ball.mass");
     rig.draw(2);
-    auto rect = rig.state().prompt_view.rect();
-    float cell = rig.state().log_view.cell();
+    auto rect = rig.state().views.prompt_view.rect();
+    float cell = rig.state().views.log_view.cell();
     float x = rect.low.x + 6 + 2 * cell;
     rig.drag(x + 6 * cell, rect.middle().y, x + 10 * cell, rect.middle().y);
     CHECK(rig.state().prompt.edit().selected() == "ball");
