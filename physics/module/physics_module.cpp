@@ -100,7 +100,7 @@ void PhysicsModule::attach(property::Tree& tree) {
         hosting_.reset();
         throw;
     }
-    tree.create(*hosting_->world_class, tree.root(), world_name);
+    tree.create(*hosting_->classes.world, tree.root(), world_name);
 }
 
 /// Throws if the module is used before it was attached.
@@ -179,18 +179,18 @@ std::uint64_t PhysicsModule::hash() const {
 }
 
 physics::World& PhysicsModule::world(Handle instance) {
-    if (hosting().tree.class_of(instance).is_a(*hosting().world_class))
+    if (hosting().tree.class_of(instance).is_a(*hosting().classes.world))
         return hosting().world(hosting().tree.row(instance));
     return hosting().world_at(hosting().world_above(instance))->world;
 }
 
 physics::Body PhysicsModule::body(Handle instance) {
-    require_class(hosting(), instance, *hosting().body_class);
+    require_class(hosting(), instance, *hosting().classes.body);
     return hosting().body(hosting().tree.row(instance));
 }
 
 physics::Shape PhysicsModule::shape(Handle instance) {
-    require_class(hosting(), instance, *hosting().shape_class);
+    require_class(hosting(), instance, *hosting().classes.shape);
     return hosting().shape(hosting().tree.row(instance));
 }
 

@@ -316,9 +316,9 @@ void define_body(Hosting& hosting) {
         lifecycle_of<&Hosting::create_body, &Hosting::place_body, &Hosting::destroy_body>(hosting);
     body.lifecycle.pose = drawn_pose;
     const property::Class& defined = hosting.tree.define(std::move(body));
-    hosting.body_class = &defined;
-    hosting.woke = defined.event("woke");
-    hosting.slept = defined.event("slept");
+    hosting.classes.body = &defined;
+    hosting.declared.woke = defined.event("woke");
+    hosting.declared.slept = defined.event("slept");
     hosting.note_pair_events(defined, &PairEvent::of_body);
     explain_bodies(hosting, defined);
 }

@@ -106,11 +106,13 @@ std::vector<Event> contact_events(std::string_view of) {
 }
 
 void Hosting::note_pair_events(const property::Class& defined, const Event* PairEvent::*of) {
-    for (const auto& [event, name] :
-         {std::pair(&contact_begin, "contact_begin"),
-          std::pair(&contact_persist, "contact_persist"), std::pair(&before_solve, "before_solve"),
-          std::pair(&contact_end, "contact_end"), std::pair(&contact_hit, "contact_hit"),
-          std::pair(&sensor_begin, "sensor_begin"), std::pair(&sensor_end, "sensor_end")})
+    for (const auto& [event, name] : {std::pair(&declared.contact_begin, "contact_begin"),
+                                      std::pair(&declared.contact_persist, "contact_persist"),
+                                      std::pair(&declared.before_solve, "before_solve"),
+                                      std::pair(&declared.contact_end, "contact_end"),
+                                      std::pair(&declared.contact_hit, "contact_hit"),
+                                      std::pair(&declared.sensor_begin, "sensor_begin"),
+                                      std::pair(&declared.sensor_end, "sensor_end")})
         event->*of = defined.event(name);
 }
 
@@ -140,7 +142,7 @@ void Hosting::emit_pair(const PairEvent& event, const Party& self, const Party& 
         add_rest(values);
         tree.emit(to, which, std::move(values));
     };
-    if (tree.alive(self.body) && tree.class_of(self.body).is_a(*body_class))
+    if (tree.alive(self.body) && tree.class_of(self.body).is_a(*classes.body))
         emit(self.body, *event.of_body);
     emit(self.shape, *event.of_shape);
 }
@@ -169,14 +171,14 @@ void Hosting::report(HostedWorld& hosted) {
     const auto all = [](std::vector<Value>& to, const auto& e, float side) {
         add_impact(to, e, side);
     };
-    pair(contact_end, events.contact_end, nothing);
-    pair(contact_begin, events.contact_begin, all);
-    pair(contact_persist, events.contact_persist, all);
-    pair(contact_hit, events.contact_hit, all);
-    sensed(sensor_end, events.sensor_end);
-    sensed(sensor_end, std::exchange(hosted.left, {}));
-    sensed(sensor_begin, events.sensor_begin);
-    sensed(sensor_begin, std::exchange(hosted.entered, {}));
+    pair(declared.contact_end, events.contact_end, nothing);
+    pair(declared.contact_begin, events.contact_begin, all);
+    pair(declared.contact_persist, events.contact_persist, all);
+    pair(declared.contact_hit, events.contact_hit, all);
+    sensed(declared.sensor_end, events.sensor_end);
+    sensed(declared.sensor_end, std::exchange(hosted.left, {}));
+    sensed(declared.sensor_begin, events.sensor_begin);
+    sensed(declared.sensor_begin, std::exchange(hosted.entered, {}));
     const auto each = [&](const Event& event, const std::vector<physics::BodyId>& bodies) {
         if (event.listeners == 0) return;
         for (const physics::BodyId id : bodies)
@@ -184,8 +186,8 @@ void Hosting::report(HostedWorld& hosted) {
                 tree.alive(self) && tree.listens(self, event))
                 tree.emit(self, event, {});
     };
-    each(*woke, events.woke);
-    each(*slept, events.slept);
+    each(*declared.woke, events.woke);
+    each(*declared.slept, events.slept);
     const auto strained = [&](const Event& event, const auto& reported) {
         for (const auto& e : reported) {
             const physics::Joint joint = hosted.world.joint(e.joint);
@@ -194,8 +196,8 @@ void Hosting::report(HostedWorld& hosted) {
                 tree.emit(self, event, {to_value(e.force), to_value(e.torque)});
         }
     };
-    strained(*loaded, events.joint_loaded);
-    strained(*broke, events.joint_broke);
+    strained(*declared.loaded, events.joint_loaded);
+    strained(*declared.broke, events.joint_broke);
     hosted.departed_bodies.clear();
     hosted.departed_shapes.clear();
 }

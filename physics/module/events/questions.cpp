@@ -52,11 +52,11 @@ std::vector<Event> world_events() {
 /// This wakes no body.
 void Hosting::follow_listeners() {
     Wanted wanted;
-    wanted.hits = contact_hit.has_handlers();
-    wanted.persisting = contact_persist.has_handlers();
-    wanted.before_solve = before_solve.has_handlers();
-    wanted.mixing = mix_surfaces->listeners != 0;
-    wanted.filter = filter_pair->listeners != 0;
+    wanted.hits = declared.contact_hit.has_handlers();
+    wanted.persisting = declared.contact_persist.has_handlers();
+    wanted.before_solve = declared.before_solve.has_handlers();
+    wanted.mixing = declared.mix_surfaces->listeners != 0;
+    wanted.filter = declared.filter_pair->listeners != 0;
     if (wanted == wanted_) return;
     const Wanted before = std::exchange(wanted_, wanted);
     for (const auto& hosted : worlds_)
@@ -113,16 +113,16 @@ void Hosting::ask_before_solve(HostedWorld& hosted, physics::ContactEdit& contac
             contact.restitution = from_value<float>(values[8]);
             contact.enabled = from_value<bool>(values[9]);
         };
-        if (self.body && tree.alive(self.body) && tree.class_of(self.body).is_a(*body_class))
-            ask_one(self.body, *before_solve.of_body);
-        ask_one(self.shape, *before_solve.of_shape);
+        if (self.body && tree.alive(self.body) && tree.class_of(self.body).is_a(*classes.body))
+            ask_one(self.body, *declared.before_solve.of_body);
+        ask_one(self.shape, *declared.before_solve.of_shape);
     };
     ask_side(a, b, 1.0f);
     ask_side(b, a, -1.0f);
 }
 
 void Hosting::ask_mixing(HostedWorld& hosted, physics::ContactEdit& contact) {
-    if (!tree.listens(hosted.self, *mix_surfaces)) return;
+    if (!tree.listens(hosted.self, *declared.mix_surfaces)) return;
     const Party a = party(hosted, contact.shape_a.body().id(), contact.shape_a.id());
     const Party b = party(hosted, contact.shape_b.body().id(), contact.shape_b.id());
     std::vector<Value> values = {
@@ -138,7 +138,7 @@ void Hosting::ask_mixing(HostedWorld& hosted, physics::ContactEdit& contact) {
         to_value(contact.restitution),
         to_value(contact.surface_speed),
     };
-    property::ask(tree, hosted.self, *mix_surfaces, values, 8);
+    property::ask(tree, hosted.self, *declared.mix_surfaces, values, 8);
     contact.friction = from_value<float>(values[8]);
     contact.restitution = from_value<float>(values[9]);
     contact.surface_speed = from_value<float>(values[10]);
@@ -146,11 +146,11 @@ void Hosting::ask_mixing(HostedWorld& hosted, physics::ContactEdit& contact) {
 
 bool Hosting::ask_filter(HostedWorld& hosted, const physics::Shape& one,
                          const physics::Shape& other) {
-    if (!hosted.self || !tree.listens(hosted.self, *filter_pair)) return true;
+    if (!hosted.self || !tree.listens(hosted.self, *declared.filter_pair)) return true;
     const Party a = party(hosted, one.body().id(), one.id());
     const Party b = party(hosted, other.body().id(), other.id());
     std::vector<Value> values = {a.shape, b.shape, a.body, b.body, true};
-    property::ask(tree, hosted.self, *filter_pair, values, 4);
+    property::ask(tree, hosted.self, *declared.filter_pair, values, 4);
     return from_value<bool>(values[4]);
 }
 

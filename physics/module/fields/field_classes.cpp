@@ -120,7 +120,7 @@ void define_field(Hosting& hosting) {
              }),
          .bits = true},
     };
-    hosting.abstract_classes.push_back(&hosting.tree.define(std::move(field)));
+    hosting.classes.abstract.push_back(&hosting.tree.define(std::move(field)));
 }
 
 template <class Force>

@@ -36,13 +36,13 @@ Hosting::Hosting(property::Tree& in, property::SnapshotPart& part)
 
 std::uint32_t Hosting::world_above(Handle instance) const {
     for (Handle at = tree.parent(instance); at; at = tree.parent(at))
-        if (tree.class_of(at).is_a(*world_class)) return world_number(tree.row(at));
+        if (tree.class_of(at).is_a(*classes.world)) return world_number(tree.row(at));
     return limbo;
 }
 
 Handle Hosting::body_above(Handle instance) const {
     for (Handle at = tree.parent(instance); at; at = tree.parent(at))
-        if (tree.class_of(at).is_a(*body_class)) return at;
+        if (tree.class_of(at).is_a(*classes.body)) return at;
     return {};
 }
 

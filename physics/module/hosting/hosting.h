@@ -92,6 +92,21 @@ struct PairEvent {
     bool has_handlers() const { return of_body->listeners != 0 || of_shape->listeners != 0; }
 };
 
+/// The events that the classes declare.
+struct DeclaredEvents {
+    PairEvent contact_begin, contact_persist, contact_end, contact_hit, sensor_begin, sensor_end;
+    PairEvent before_solve;
+    const property::Event *mix_surfaces = nullptr, *filter_pair = nullptr;  // of worlds
+    const property::Event *woke = nullptr, *slept = nullptr;                // of bodies
+    const property::Event *broke = nullptr, *loaded = nullptr;              // of joints
+};
+
+struct HostedClasses {
+    const property::Class *world = nullptr, *body = nullptr, *shape = nullptr;
+    const property::Class* statistics = nullptr;
+    std::vector<const property::Class*> abstract;  // their objects have no kind
+};
+
 class Hosting {
   public:
     /// `part`: the module as a part of snapshots.
@@ -225,23 +240,12 @@ class Hosting {
     /// Length of the last step, s; functions that make steps of a copy use it.
     double last_dt = 1.0 / 60;
 
-    const property::Class* world_class = nullptr;
-    const property::Class* body_class = nullptr;
-    const property::Class* shape_class = nullptr;
-    const property::Class* statistics_class = nullptr;
-    std::vector<const property::Class*> abstract_classes;  // their objects have no kind
-    std::array<property::Value, 3> type_names;             // by physics::BodyType
+    HostedClasses classes;
+    std::array<property::Value, 3> type_names;  // by physics::BodyType
 
-    PairEvent contact_begin, contact_persist, contact_end, contact_hit, sensor_begin, sensor_end;
-    PairEvent before_solve;
+    DeclaredEvents declared;
     /// Stores the events of the class of bodies, or of shapes.
     void note_pair_events(const property::Class& defined, const property::Event* PairEvent::*of);
-    const property::Event* mix_surfaces = nullptr;  // an event of worlds, as the next two
-    const property::Event* filter_pair = nullptr;
-    const property::Event* woke = nullptr;
-    const property::Event* slept = nullptr;
-    const property::Event* broke = nullptr;
-    const property::Event* loaded = nullptr;
 
   private:
     std::unique_ptr<HostedWorld> make_world(std::uint32_t number);

@@ -14,7 +14,7 @@ namespace fettle::physics_module {
 
 void Hosting::require_concrete(Handle self) const {
     const property::Class& of = tree.class_of(self);
-    if (std::ranges::find(abstract_classes, &of) != abstract_classes.end())
+    if (std::ranges::find(classes.abstract, &of) != classes.abstract.end())
         throw property::Error(property::ErrorKind::bad_structure,
                               of.name() +
                                   ": it cannot be made: it is what several classes have in "
@@ -35,7 +35,7 @@ Row Hosting::create_world(Handle self) {
     worlds_[number]->self = self;
     listen(*worlds_[number], {});
     const Row row = make_row(number, 0);
-    tree.set_row(tree.create(*statistics_class, self, "step"), row);
+    tree.set_row(tree.create(*classes.statistics, self, "step"), row);
     return row;
 }
 

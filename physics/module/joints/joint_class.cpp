@@ -92,9 +92,9 @@ void define_joint(Hosting& hosting) {
                                  "Torque of the joint in the step, besides that of the force."}},
                      .doc = "Its force or torque was larger than report_force or report_torque."}};
     const property::Class& defined = hosting.tree.define(std::move(joint));
-    hosting.abstract_classes.push_back(&defined);
-    hosting.broke = defined.event("broke");
-    hosting.loaded = defined.event("loaded");
+    hosting.classes.abstract.push_back(&defined);
+    hosting.declared.broke = defined.event("broke");
+    hosting.declared.loaded = defined.event("loaded");
 }
 
 template <std::size_t Side>
@@ -138,7 +138,7 @@ void define_pair_joint(Hosting& hosting) {
         flag("collide", false, "True if the two bodies collide with each other.",
              setting<&Joint::collide, &Joint::set_collide>(hosting)),
     };
-    hosting.abstract_classes.push_back(&hosting.tree.define(std::move(pair)));
+    hosting.classes.abstract.push_back(&hosting.tree.define(std::move(pair)));
 }
 
 void define_mouse_joint(Hosting& hosting) {

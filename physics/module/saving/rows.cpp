@@ -45,18 +45,18 @@ class Rows {
 
     bool fits(Handle self, const Class& is, Row row) {
         Seen& seen = note(self);
-        if (is.is_a(*hosting_.world_class))
+        if (is.is_a(*hosting_.classes.world))
             return slot_of(row) == 0 && world_number(row) != limbo &&
                    objects_.worlds[world_number(row)] != nullptr &&
                    objects_.selves[world_number(row)] == self;
-        if (is.is_a(*hosting_.statistics_class))
+        if (is.is_a(*hosting_.classes.statistics))
             return slot_of(row) == 0 && objects_.worlds[world_number(row)] != nullptr;
-        if (is.is_a(*hosting_.body_class)) {
+        if (is.is_a(*hosting_.classes.body)) {
             seen.is_body = true;
             return is_whose(bodies_, row, self, 0);
         }
         const auto& lifecycle = is.lifecycle();
-        if (is.is_a(*hosting_.shape_class)) {
+        if (is.is_a(*hosting_.classes.shape)) {
             const auto* kind = static_cast<const ShapeKind*>(lifecycle.context);
             return is.creatable() && kind != nullptr &&
                    is_whose(shapes_, row, self, kind->geometry.index());

@@ -215,8 +215,8 @@ void define_shape(Hosting& hosting) {
     shape.events = contact_events("shape");
     shape.lifecycle = shape_lifecycle(hosting.kinds.front());
     const property::Class& defined = hosting.tree.define(std::move(shape));
-    hosting.shape_class = &defined;
-    hosting.abstract_classes.push_back(&defined);
+    hosting.classes.shape = &defined;
+    hosting.classes.abstract.push_back(&defined);
     hosting.note_pair_events(defined, &PairEvent::of_shape);
 }
 

@@ -162,8 +162,8 @@ std::vector<physics::Shape> shapes_of(Hosting& hosting, const Value& value, cons
     const Handle instance = value.reference();
     const property::Class& is = hosting.tree.class_of(instance);
     const Row row = hosting.tree.row(instance);
-    if (is.is_a(*hosting.shape_class)) return {hosting.shape(row)};
-    if (is.is_a(*hosting.body_class)) return hosting.body(row).shapes();
+    if (is.is_a(*hosting.classes.shape)) return {hosting.shape(row)};
+    if (is.is_a(*hosting.classes.body)) return hosting.body(row).shapes();
     throw std::invalid_argument(std::string(what) + ": expected a shape or a body, got " +
                                 property::with_article(is.name()));
 }

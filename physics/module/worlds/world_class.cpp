@@ -205,7 +205,7 @@ void define_step_statistics(Hosting& hosting) {
         statistic<&S::sleep_ms>(h, "sleep_ms", "Time to find resting bodies."),
         statistic<&S::total_ms>(h, "total_ms", "Time of the whole step."),
     };
-    hosting.statistics_class = &hosting.tree.define(std::move(statistics));
+    hosting.classes.statistics = &hosting.tree.define(std::move(statistics));
 }
 
 void define_world(Hosting& hosting) {
@@ -222,9 +222,9 @@ void define_world(Hosting& hosting) {
         lifecycle_of<&Hosting::create_world, &Hosting::place_world, &Hosting::destroy_world>(
             hosting);
     world.lifecycle.draw_over = draw_world_overlays;
-    hosting.world_class = &hosting.tree.define(std::move(world));
-    hosting.mix_surfaces = hosting.world_class->event("mix_surfaces");
-    hosting.filter_pair = hosting.world_class->event("filter_pair");
+    hosting.classes.world = &hosting.tree.define(std::move(world));
+    hosting.declared.mix_surfaces = hosting.classes.world->event("mix_surfaces");
+    hosting.declared.filter_pair = hosting.classes.world->event("filter_pair");
 }
 
 }  // namespace fettle::physics_module
