@@ -148,24 +148,25 @@ class Motion {
         const auto setting = [&](const char* name, float value, const char* unit) {
             return path_ + "." + name + " = " + text(to_value(value)) + " " + unit;
         };
-        const std::string walk = setting("walk", record.walk, "m/s");
-        if (record.climbing != 0)
+        const std::string walk = setting("walk", record.settings.walk, "m/s");
+        if (record.settings.climbing != 0)
             return {"it climbs (" + path_ + ".climbing), with " + walk + " and " +
-                    setting("climb", record.climb, "m/s")};
-        if (record.on_ground != 0) {
+                    setting("climb", record.settings.climb, "m/s")};
+        if (record.result.on_ground != 0) {
             lines_.push_back("it walks on ground, with " + walk + ", by at most " +
-                             setting("acceleration", record.acceleration, "m/s\xC2\xB2"));
-            const physics::Vec2 ground(record.ground_x, record.ground_y);
+                             setting("acceleration", record.settings.acceleration, "m/s\xC2\xB2"));
+            const physics::Vec2 ground(record.result.ground_x, record.result.ground_y);
             if (ground != physics::Vec2{}) say(path_ + ".ground_velocity: + ", ground);
         } else {
-            lines_.push_back("it is in the air, with " + walk + ", by at most " +
-                             setting("air_acceleration", record.air_acceleration, "m/s\xC2\xB2"));
+            lines_.push_back(
+                "it is in the air, with " + walk + ", by at most " +
+                setting("air_acceleration", record.settings.air_acceleration, "m/s\xC2\xB2"));
             largest_ = 0;
             forces(static_cast<float>(hosting_.last_dt) * body_.gravity_scale() * world_.gravity(),
                    {}, {});
         }
-        if (record.on_wall != 0) lines_.push_back("a wall stops it (" + path_ + ".on_wall)");
-        if (record.on_ceiling != 0)
+        if (record.result.on_wall != 0) lines_.push_back("a wall stops it (" + path_ + ".on_wall)");
+        if (record.result.on_ceiling != 0)
             lines_.push_back("a ceiling stops it (" + path_ + ".on_ceiling)");
         return std::move(lines_);
     }

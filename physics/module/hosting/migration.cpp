@@ -109,8 +109,9 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     if (color) target.body_colors.set(fresh.index(), color);
     if (MoverRecord mover = hosted(from).movers.get(slot_of(from)); mover.slot != 0) {
         hosted(from).movers.forget(slot_of(from));
-        mover.on_ground = 0;
-        mover.ground = mover.dropped = mover.bumped = mover.was_ground = {};
+        mover.result.on_ground = 0;
+        mover.result.ground = mover.result.dropped = mover.events.bumped =
+            mover.events.was_ground = {};
         mover.sensors = {};
         target.movers.set(fresh.index(), mover);
     }

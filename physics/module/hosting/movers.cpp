@@ -10,14 +10,15 @@ namespace fettle::physics_module {
 
 physics::MoverDef definition(const MoverRecord& record, const physics::Body& body) {
     physics::MoverDef def;
-    def.radius = std::clamp(record.radius, 0.01f, 500.0f);
-    const float wanted = record.crouched != 0 ? record.crouch_height : record.height;
+    def.radius = std::clamp(record.settings.radius, 0.01f, 500.0f);
+    const float wanted =
+        record.result.crouched != 0 ? record.settings.crouch_height : record.settings.height;
     def.height = std::clamp(wanted, 2.0f * def.radius, 1000.0f);
     def.up = body.world_vector({0.0f, 1.0f});
-    def.max_slope = std::clamp(record.max_slope, 0.0f, 1.5f);
-    def.step_height = std::clamp(record.step_height, 0.0f, 1000.0f);
-    def.snap = std::clamp(record.snap, 0.0f, 1000.0f);
-    def.push_force = std::clamp(record.push_force, 0.0f, 1e9f);
+    def.max_slope = std::clamp(record.settings.max_slope, 0.0f, 1.5f);
+    def.step_height = std::clamp(record.settings.step_height, 0.0f, 1000.0f);
+    def.snap = std::clamp(record.settings.snap, 0.0f, 1000.0f);
+    def.push_force = std::clamp(record.settings.push_force, 0.0f, 1e9f);
     def.mass = std::clamp(body.mass(), 0.0f, 1e6f);
     def.ledges = record.ledges;
     def.body = body.id();
@@ -62,19 +63,24 @@ bool is_within(float value, float least, float most) {
     return value >= least && value <= most;
 }
 
-/// True if writes could have made the settings, and steps the state.
-bool is_sound(const MoverRecord& r) {
+/// True if writes could have made them.
+bool are_sound(const MoverSettings& s) {
     constexpr float largest = std::numeric_limits<float>::max();
-    const float state[] = {r.velocity_x, r.velocity_y, r.shown_x,      r.shown_y,  r.place_x,
-                           r.place_y,    r.normal_x,   r.normal_y,     r.ground_x, r.ground_y,
-                           r.bump_x,     r.bump_y,     r.landing_speed};
-    return is_within(r.radius, 0.01f, 500.0f) && is_within(r.height, 0.02f, 1000.0f) &&
-           is_within(r.crouch_height, 0.02f, 1000.0f) && is_within(r.max_slope, 0.0f, 1.5f) &&
-           is_within(r.step_height, 0.0f, 1000.0f) && is_within(r.snap, 0.0f, 1000.0f) &&
-           is_within(r.push_force, 0.0f, 1e9f) && is_within(r.walk, -largest, largest) &&
-           is_within(r.climb, -largest, largest) && is_within(r.acceleration, 0.0f, largest) &&
-           is_within(r.air_acceleration, 0.0f, largest) &&
-           std::all_of(std::begin(state), std::end(state),
+    return is_within(s.radius, 0.01f, 500.0f) && is_within(s.height, 0.02f, 1000.0f) &&
+           is_within(s.crouch_height, 0.02f, 1000.0f) && is_within(s.max_slope, 0.0f, 1.5f) &&
+           is_within(s.step_height, 0.0f, 1000.0f) && is_within(s.snap, 0.0f, 1000.0f) &&
+           is_within(s.push_force, 0.0f, 1e9f) && is_within(s.walk, -largest, largest) &&
+           is_within(s.climb, -largest, largest) && is_within(s.acceleration, 0.0f, largest) &&
+           is_within(s.air_acceleration, 0.0f, largest);
+}
+
+/// True if steps could have made it.
+bool is_sound(const MoverResult& result, const MoverEvents& events) {
+    const float numbers[] = {
+        result.velocity_x, result.velocity_y, result.shown_x,      result.shown_y,  result.place_x,
+        result.place_y,    result.normal_x,   result.normal_y,     result.ground_x, result.ground_y,
+        events.bump_x,     events.bump_y,     events.landing_speed};
+    return std::all_of(std::begin(numbers), std::end(numbers),
                        [](float x) { return is_within(x, -1e9f, 1e9f); });
 }
 
@@ -83,7 +89,8 @@ bool is_sound(const MoverRecord& r) {
 bool are_sound(const std::vector<MoverRecord>& records) {
     std::uint64_t last = 0;
     for (const MoverRecord& record : records) {
-        if (record.slot <= last || record.slot >= max_slots || !is_sound(record)) return false;
+        if (record.slot <= last || record.slot >= max_slots) return false;
+        if (!are_sound(record.settings) || !is_sound(record.result, record.events)) return false;
         last = record.slot;
     }
     return true;
@@ -109,7 +116,7 @@ Row Hosting::create_mover(Handle self) {
         {.type = physics::BodyType::kinematic_body, .mass = 80.0f, .user_data = pack(self)});
     const Row row = row_of(number, made);
     const MoverRecord record;
-    made.add(capsule(record.radius, record.height), {.hit_events = wanted_.hits});
+    made.add(capsule(record.settings.radius, record.settings.height), {.hit_events = wanted_.hits});
     in.movers.set(made.index(), record);
     return row;
 }

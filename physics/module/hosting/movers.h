@@ -9,18 +9,20 @@
 
 namespace fettle::physics_module {
 
-/// Saved byte by byte, so it has no gaps between its members.
-struct MoverRecord {
-    std::uint64_t slot = 0;  // of its body; 0: none
-    std::uint64_t ledges = 0;
-    // Settings.
+// These structs are saved byte by byte, so they have no gaps between their members.
+
+/// What games set.
+struct MoverSettings {
     float radius = 0.4f, height = 1.8f, crouch_height = 0.9f;  // m
     float max_slope = 0.87f, step_height = 0.3f, snap = 0.25f;
     float push_force = 600.0f;
     float walk = 0.0f, climb = 0.0f;                       // m/s
     float acceleration = 60.0f, air_acceleration = 20.0f;  // m/s²
     std::uint32_t crouch = 0, climbing = 0;
-    // State.
+};
+
+/// How the mover was after its last step.
+struct MoverResult {
     std::uint32_t crouched = 0, on_ground = 0, on_wall = 0, on_ceiling = 0, crushed = 0;
     float velocity_x = 0.0f, velocity_y = 0.0f;  // relative to the ground, m/s
     float shown_x = 0.0f, shown_y = 0.0f;        // velocity that the body was given
@@ -28,11 +30,22 @@ struct MoverRecord {
     float normal_x = 0.0f, normal_y = 0.0f;      // of the ground
     float ground_x = 0.0f, ground_y = 0.0f;      // velocity of the ground
     physics::ShapeId ground, dropped;
-    // What happened in the step, for its events.
+};
+
+/// What happened in the step, for its events.
+struct MoverEvents {
     std::uint32_t happened = 0;
     float landing_speed = 0.0f;
     float bump_x = 0.0f, bump_y = 0.0f;  // normal of what it bumped against
     physics::ShapeId bumped, was_ground;
+};
+
+struct MoverRecord {
+    std::uint64_t slot = 0;  // of its body; 0: none
+    std::uint64_t ledges = 0;
+    MoverSettings settings;
+    MoverResult result;
+    MoverEvents events;
     // Sensors in which it is. The library reports sensors to dynamic bodies only.
     std::array<physics::ShapeId, 8> sensors;
 };

@@ -19,27 +19,28 @@ MoverRecord record_of(Hosting& hosting, Row row) {
 }
 
 /// A number of the record.
-template <float MoverRecord::*Member, bool of_capsule = false>
+template <float MoverSettings::*Member, bool of_capsule = false>
 Binding setting_of(Hosting& hosting) {
     return accessor(
-        hosting, [](Hosting& h, Row row) { return to_value(record_of(h, row).*Member); },
+        hosting, [](Hosting& h, Row row) { return to_value(record_of(h, row).settings.*Member); },
         [](Hosting& h, Row row, const Value& value) {
             const Hosting::Doing doing(h);
             MoverRecord record = record_of(h, row);
-            record.*Member = from_value<float>(value);
+            record.settings.*Member = from_value<float>(value);
             h.hosted(row).movers.set(slot_of(row), record);
             if constexpr (of_capsule) adapt_capsule(h.hosted(row), slot_of(row));
         });
 }
 
-template <std::uint32_t MoverRecord::*Member, bool of_capsule = false>
+template <std::uint32_t MoverSettings::*Member, bool of_capsule = false>
 Binding switch_of(Hosting& hosting) {
     return accessor(
-        hosting, [](Hosting& h, Row row) { return to_value(record_of(h, row).*Member != 0); },
+        hosting,
+        [](Hosting& h, Row row) { return to_value(record_of(h, row).settings.*Member != 0); },
         [](Hosting& h, Row row, const Value& value) {
             const Hosting::Doing doing(h);
             MoverRecord record = record_of(h, row);
-            record.*Member = value.boolean();
+            record.settings.*Member = value.boolean();
             h.hosted(row).movers.set(slot_of(row), record);
             if constexpr (of_capsule) adapt_capsule(h.hosted(row), slot_of(row));
         });
@@ -89,18 +90,18 @@ std::vector<Property> form(Hosting& h) {
     return {
         within({.min = 0.01, .max = 500},
                number("radius", widen(0.4f, 0).x, "m", "Radius of its capsule: half its width.",
-                      setting_of<&MoverRecord::radius, true>(h))),
+                      setting_of<&MoverSettings::radius, true>(h))),
         within({.min = 0.02, .max = 1000},
                number("height", widen(1.8f, 0).x, "m",
                       "Height while it stands; at least twice the radius is used. Its position is "
                       "at its feet.",
-                      setting_of<&MoverRecord::height, true>(h))),
+                      setting_of<&MoverSettings::height, true>(h))),
         within({.min = 0.02, .max = 1000},
                number("crouch_height", widen(0.9f, 0).x, "m", "Height while it crouches.",
-                      setting_of<&MoverRecord::crouch_height, true>(h))),
+                      setting_of<&MoverSettings::crouch_height, true>(h))),
         flag("crouch", false,
              "True: it crouches. After false it stands up as soon as there is room: `crouched`.",
-             switch_of<&MoverRecord::crouch, true>(h)),
+             switch_of<&MoverSettings::crouch, true>(h)),
     };
 }
 
@@ -108,18 +109,18 @@ std::vector<Property> control(Hosting& h) {
     return {
         number("walk", 0, "m/s",
                "Target speed along the ground, to its right; negative to its left.",
-               setting_of<&MoverRecord::walk>(h)),
+               setting_of<&MoverSettings::walk>(h)),
         number("climb", 0, "m/s", "Speed upwards while it climbs.",
-               setting_of<&MoverRecord::climb>(h)),
+               setting_of<&MoverSettings::climb>(h)),
         simulated(flag("climbing", false,
                        "True if it is on a ladder: gravity does not act, and it moves by walk and "
                        "climb.",
-                       switch_of<&MoverRecord::climbing>(h))),
+                       switch_of<&MoverSettings::climbing>(h))),
         amount("acceleration", 60, "m/s\xC2\xB2", "Acceleration to the speed `walk` on the ground.",
-               setting_of<&MoverRecord::acceleration>(h)),
+               setting_of<&MoverSettings::acceleration>(h)),
         amount("air_acceleration", 20, "m/s\xC2\xB2",
                "Acceleration to the speed `walk` in the air.",
-               setting_of<&MoverRecord::air_acceleration>(h)),
+               setting_of<&MoverSettings::air_acceleration>(h)),
     };
 }
 
@@ -128,17 +129,17 @@ std::vector<Property> limits(Hosting& h) {
         within({.min = 0, .max = 1.5},
                number("max_slope", widen(0.87f, 0).x, "rad",
                       "Steepest ground on which it stands; steeper ground is a wall.",
-                      setting_of<&MoverRecord::max_slope>(h))),
+                      setting_of<&MoverSettings::max_slope>(h))),
         within({.min = 0, .max = 1000},
                number("step_height", widen(0.3f, 0).x, "m", "Height of the steps that it climbs.",
-                      setting_of<&MoverRecord::step_height>(h))),
+                      setting_of<&MoverSettings::step_height>(h))),
         within({.min = 0, .max = 1000},
                number("snap", 0.25, "m",
                       "It stays on ground that falls away by at most this in a step of time.",
-                      setting_of<&MoverRecord::snap>(h))),
+                      setting_of<&MoverSettings::snap>(h))),
         within({.min = 0, .max = 1e9},
                number("push_force", 600, "N", "Greatest force with which it pushes bodies.",
-                      setting_of<&MoverRecord::push_force>(h))),
+                      setting_of<&MoverSettings::push_force>(h))),
         {.name = "ledges",
          .type = Type::integer,
          .default_value = 0,
@@ -172,8 +173,9 @@ std::vector<Property> limits(Hosting& h) {
 
 Value body_below(Hosting& hosting, Row row, const MoverRecord& record) {
     HostedWorld& in = hosting.hosted(row);
-    if (record.on_ground == 0 || !in.world.is_valid(record.ground)) return Value(Handle{});
-    const physics::Body body = in.world.shape(record.ground).body();
+    if (record.result.on_ground == 0 || !in.world.is_valid(record.result.ground))
+        return Value(Handle{});
+    const physics::Body body = in.world.shape(record.result.ground).body();
     const Handle owner = body ? hosting.instance_of(body.user_data()) : Handle{};
     return owner ? owner : in.self;
 }
@@ -183,7 +185,7 @@ std::vector<Property> state(Hosting& h) {
         reading(
             h,
             {.name = "on_ground", .type = Type::boolean, .doc = "True if it stands on the ground."},
-            [](Hosting&, Row, const MoverRecord& r) { return Value(r.on_ground != 0); }),
+            [](Hosting&, Row, const MoverRecord& r) { return Value(r.result.on_ground != 0); }),
         reading(h,
                 {.name = "ground",
                  .type = Type::reference,
@@ -196,7 +198,7 @@ std::vector<Property> state(Hosting& h) {
                  .doc = "Direction away from the ground; zero in the air.",
                  .single_precision = true},
                 [](Hosting&, Row, const MoverRecord& r) -> Value {
-                    return widen(r.normal_x, r.normal_y);
+                    return widen(r.result.normal_x, r.result.normal_y);
                 }),
         reading(h,
                 {.name = "ground_velocity",
@@ -205,19 +207,19 @@ std::vector<Property> state(Hosting& h) {
                  .doc = "Velocity of the ground below its feet.",
                  .single_precision = true},
                 [](Hosting&, Row, const MoverRecord& r) -> Value {
-                    return widen(r.ground_x, r.ground_y);
+                    return widen(r.result.ground_x, r.result.ground_y);
                 }),
         reading(h, {.name = "on_wall", .type = Type::boolean, .doc = "True if a wall stopped it."},
-                [](Hosting&, Row, const MoverRecord& r) { return Value(r.on_wall != 0); }),
+                [](Hosting&, Row, const MoverRecord& r) { return Value(r.result.on_wall != 0); }),
         reading(
             h,
             {.name = "on_ceiling", .type = Type::boolean, .doc = "True if a ceiling stopped it."},
-            [](Hosting&, Row, const MoverRecord& r) { return Value(r.on_ceiling != 0); }),
+            [](Hosting&, Row, const MoverRecord& r) { return Value(r.result.on_ceiling != 0); }),
         reading(h,
                 {.name = "crouched",
                  .type = Type::boolean,
                  .doc = "True if it has the height for crouching."},
-                [](Hosting&, Row, const MoverRecord& r) { return Value(r.crouched != 0); }),
+                [](Hosting&, Row, const MoverRecord& r) { return Value(r.result.crouched != 0); }),
     };
 }
 
@@ -228,9 +230,9 @@ Result jump(void* context, property::Tree&, Handle, Row row, std::span<const Val
     const physics::Vec2 up = body.world_vector({0.0f, 1.0f});
     physics::Vec2 velocity = body.velocity();
     velocity += (float_argument(a[0]) - velocity.dot(up)) * up;
-    if (record.on_ground != 0)
-        velocity += physics::Vec2(record.ground_x, record.ground_y).dot(up) * up;
-    record.climbing = 0;
+    if (record.result.on_ground != 0)
+        velocity += physics::Vec2(record.result.ground_x, record.result.ground_y).dot(up) * up;
+    record.settings.climbing = 0;
     h.hosted(row).movers.set(slot_of(row), record);
     h.set_velocity(row, velocity);
     return Value();
@@ -243,11 +245,11 @@ Result drop(void* context, property::Tree&, Handle, Row row, std::span<const Val
     MoverRecord record = record_of(h, row);
     physics::Mover mover(definition(record, h.body(row)), h.body(row).position());
     physics::MoverState state = mover.state();
-    state.ground = record.ground;
-    state.on_ground = record.on_ground != 0;
+    state.ground = record.result.ground;
+    state.on_ground = record.result.on_ground != 0;
     mover.set_state(state);
     if (!mover.drop(in.world)) return Value(false);
-    record.dropped = mover.state().dropped;
+    record.result.dropped = mover.state().dropped;
     in.movers.set(slot_of(row), record);
     return Value(true);
 }

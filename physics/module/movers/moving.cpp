@@ -21,28 +21,28 @@ physics::Mover mover_of(const MoverRecord& record, const physics::Body& body) {
     physics::Mover mover(definition(record, body), body.position());
     physics::MoverState state;
     state.position = body.position();
-    state.ground_normal = {record.normal_x, record.normal_y};
-    state.ground = record.ground;
-    state.dropped = record.dropped;
-    state.on_ground = record.on_ground != 0;
-    state.climbing = record.climbing != 0;
+    state.ground_normal = {record.result.normal_x, record.result.normal_y};
+    state.ground = record.result.ground;
+    state.dropped = record.result.dropped;
+    state.on_ground = record.result.on_ground != 0;
+    state.climbing = record.settings.climbing != 0;
     mover.set_state(state);
     return mover;
 }
 
 /// Something else moved the body: it does not ride on what was below it.
-bool was_moved(const MoverRecord& record, const Vec2& position) {
-    const Vec2 off = position - Vec2(record.place_x, record.place_y);
+bool was_moved(const MoverResult& result, const Vec2& position) {
+    const Vec2 off = position - Vec2(result.place_x, result.place_y);
     return off.length() > 0.01f + 1e-5f * position.length();
 }
 
 /// The velocity relative to the ground. If the velocity of the body was written since the last
 /// step, it is the written one.
-Vec2 relative_velocity(const MoverRecord& record, const physics::Body& body) {
+Vec2 relative_velocity(const MoverResult& result, const physics::Body& body) {
     const Vec2 now = body.velocity();
-    if (now.x == record.shown_x && now.y == record.shown_y)
-        return {record.velocity_x, record.velocity_y};
-    return record.on_ground != 0 ? Vec2(now - Vec2(record.ground_x, record.ground_y)) : now;
+    if (now.x == result.shown_x && now.y == result.shown_y)
+        return {result.velocity_x, result.velocity_y};
+    return result.on_ground != 0 ? Vec2(now - Vec2(result.ground_x, result.ground_y)) : now;
 }
 
 float approached(float from, float to, float most) {
@@ -54,52 +54,52 @@ Vec2 wanted_velocity(const MoverRecord& record, const physics::Body& body, const
                      float dt) {
     const Vec2 right = aside(up);
     const float limit = 1e4f;  // m/s
-    const float walk = std::clamp(record.walk, -limit, limit);
-    const float climb = std::clamp(record.climb, -limit, limit);
-    if (record.climbing != 0) return walk * right + climb * up;
-    const Vec2 before = relative_velocity(record, body);
-    const bool stands = record.on_ground != 0;
-    const float rate = stands ? record.acceleration : record.air_acceleration;
+    const float walk = std::clamp(record.settings.walk, -limit, limit);
+    const float climb = std::clamp(record.settings.climb, -limit, limit);
+    if (record.settings.climbing != 0) return walk * right + climb * up;
+    const Vec2 before = relative_velocity(record.result, body);
+    const bool stands = record.result.on_ground != 0;
+    const float rate = stands ? record.settings.acceleration : record.settings.air_acceleration;
     const float along = approached(before.dot(right), walk, rate * dt);
     Vec2 wanted = along * right + before.dot(up) * up;
     if (!stands) wanted += dt * body.gravity_scale() * body.world().gravity();
     return {std::clamp(wanted.x, -limit, limit), std::clamp(wanted.y, -limit, limit)};
 }
 
-void note_events(MoverRecord& record, const MoverRecord& before, const physics::Moved& moved,
+void note_events(MoverEvents& events, const MoverResult& before, const physics::Moved& moved,
                  float fall) {
-    record.happened = 0;
+    events.happened = 0;
     if (moved.on_ground && before.on_ground == 0) {
-        record.happened |= landed;
-        record.landing_speed = std::max(0.0f, fall);
+        events.happened |= landed;
+        events.landing_speed = std::max(0.0f, fall);
     }
-    if (!moved.on_ground && before.on_ground != 0) record.happened |= left_ground;
-    record.was_ground = before.ground;
+    if (!moved.on_ground && before.on_ground != 0) events.happened |= left_ground;
+    events.was_ground = before.ground;
     const bool wall = moved.hit_wall && before.on_wall == 0;
     const bool ceiling = moved.hit_ceiling && before.on_ceiling == 0;
     if (wall || ceiling) {
-        record.happened |= bumped;
-        record.bump_x = moved.wall_normal.x;
-        record.bump_y = moved.wall_normal.y;
-        record.bumped = moved.wall.id();
+        events.happened |= bumped;
+        events.bump_x = moved.wall_normal.x;
+        events.bump_y = moved.wall_normal.y;
+        events.bumped = moved.wall.id();
     }
-    if (moved.crushed && before.crushed == 0) record.happened |= crushed;
+    if (moved.crushed && before.crushed == 0) events.happened |= crushed;
 }
 
-void store(MoverRecord& record, const physics::Mover& mover, const physics::Moved& moved) {
+void store(MoverResult& to, const physics::Mover& mover, const physics::Moved& moved) {
     const physics::MoverState& state = mover.state();
-    record.on_ground = moved.on_ground;
-    record.on_wall = moved.hit_wall;
-    record.on_ceiling = moved.hit_ceiling;
-    record.crushed = moved.crushed;
-    record.ground = state.ground;
-    record.dropped = state.dropped;
-    record.normal_x = state.ground_normal.x;
-    record.normal_y = state.ground_normal.y;
-    record.ground_x = moved.ground_velocity.x;
-    record.ground_y = moved.ground_velocity.y;
-    record.place_x = state.position.x;
-    record.place_y = state.position.y;
+    to.on_ground = moved.on_ground;
+    to.on_wall = moved.hit_wall;
+    to.on_ceiling = moved.hit_ceiling;
+    to.crushed = moved.crushed;
+    to.ground = state.ground;
+    to.dropped = state.dropped;
+    to.normal_x = state.ground_normal.x;
+    to.normal_y = state.ground_normal.y;
+    to.ground_x = moved.ground_velocity.x;
+    to.ground_y = moved.ground_velocity.y;
+    to.place_x = state.position.x;
+    to.place_y = state.position.y;
 }
 
 /// The slots of the live movers; a damaged save may contain others.
@@ -156,35 +156,36 @@ void sense_one(HostedWorld& in, std::uint32_t slot) {
 }
 
 /// Gravity lifts it off the ground; it keeps the velocity of the ground.
-void leave_ground(MoverRecord& record) {
-    if (record.on_ground == 0) return;
-    record.velocity_x += record.ground_x;
-    record.velocity_y += record.ground_y;
-    record.on_ground = 0;
-    record.ground = {};
+void leave_ground(MoverResult& result) {
+    if (result.on_ground == 0) return;
+    result.velocity_x += result.ground_x;
+    result.velocity_y += result.ground_y;
+    result.on_ground = 0;
+    result.ground = {};
 }
 
 void move_one(HostedWorld& in, std::uint32_t slot, float dt) {
     physics::Body body = in.world.body({slot, in.world.body_generation(slot)});
     if (body.type() != physics::BodyType::kinematic_body || !body.enabled()) {
         MoverRecord record = in.movers.get(slot);
-        record.on_ground = record.on_wall = record.on_ceiling = record.happened = 0;
-        record.ground = {};
+        record.result.on_ground = record.result.on_wall = record.result.on_ceiling =
+            record.events.happened = 0;
+        record.result.ground = {};
         in.movers.set(slot, record);
         return;
     }
     adapt_capsule(in, slot);
     MoverRecord record = in.movers.get(slot);
-    if (was_moved(record, body.position())) {
-        record.on_ground = 0;
-        record.ground = {};
+    if (was_moved(record.result, body.position())) {
+        record.result.on_ground = 0;
+        record.result.ground = {};
     }
     const MoverRecord before = record;
     const Vec2 up = body.world_vector({0.0f, 1.0f});
     const Vec2 gravity = body.gravity_scale() * body.world().gravity();
     const bool rises = gravity.dot(up) > 1e-3f * gravity.length();
-    if (rises) leave_ground(record);
-    const bool stands = record.on_ground != 0;
+    if (rises) leave_ground(record.result);
+    const bool stands = record.result.on_ground != 0;
     const Vec2 wanted = wanted_velocity(record, body, up, dt);
     physics::Mover mover = mover_of(record, body);
     if (rises) {
@@ -193,21 +194,21 @@ void move_one(HostedWorld& in, std::uint32_t slot, float dt) {
         mover.set_state(state);
     }
     const physics::Moved moved = mover.move(in.world, wanted, dt);
-    store(record, mover, moved);
-    note_events(record, before, moved, -wanted.dot(up));
+    store(record.result, mover, moved);
+    note_events(record.events, before.result, moved, -wanted.dot(up));
 
     // In the air the velocity is absolute, and on the ground relative to it.
     Vec2 left = moved.velocity;
-    if (stands) left += Vec2(before.ground_x, before.ground_y);
+    if (stands) left += Vec2(before.result.ground_x, before.result.ground_y);
     if (moved.on_ground) left -= moved.ground_velocity;
     if (moved.on_ground) left -= left.dot(up) * up;
-    record.velocity_x = left.x;
-    record.velocity_y = left.y;
+    record.result.velocity_x = left.x;
+    record.result.velocity_y = left.y;
     const Vec2 shown = moved.motion / dt;
     if (body.velocity() != shown) body.set_velocity(shown);
     const Vec2 given = body.velocity();
-    record.shown_x = given.x;
-    record.shown_y = given.y;
+    record.result.shown_x = given.x;
+    record.result.shown_y = given.y;
     in.movers.set(slot, record);
 }
 
@@ -227,11 +228,11 @@ void adapt_capsule(HostedWorld& hosted, std::uint32_t slot) {
     physics::Shape shape = capsule_of(body);
     if (!shape) return;
     MoverRecord record = hosted.movers.get(slot);
-    const bool crouches = record.crouch != 0;
+    const bool crouches = record.settings.crouch != 0;
     const physics::Vec2 top = shape.to();
     const float now = top.y + shape.rounding();
     MoverRecord changed = record;
-    changed.crouched = crouches;
+    changed.result.crouched = crouches;
     const physics::MoverDef def = definition(changed, body);
     if (def.height > now + 1e-4f) {
         physics::MoverDef small = def;
@@ -239,7 +240,7 @@ void adapt_capsule(HostedWorld& hosted, std::uint32_t slot) {
         physics::Mover mover(small, body.position());
         if (!mover.fits(hosted.world, def.height)) return;
     }
-    if (changed.crouched != record.crouched) hosted.movers.set(slot, changed);
+    if (changed.result.crouched != record.result.crouched) hosted.movers.set(slot, changed);
     const physics::Segment wanted = capsule(def.radius, def.height);
     if (wanted.to != top || wanted.rounding != shape.rounding()) shape.set_geometry(wanted);
 }
@@ -264,10 +265,10 @@ void report_movers(Hosting& hosting, HostedWorld& hosted) {
     std::vector<Told> all;
     for (const std::uint32_t slot : slots_of(hosted)) {
         MoverRecord record = hosted.movers.get(slot);
-        if (record.happened == 0) continue;
+        if (record.events.happened == 0) continue;
         const physics::Body body = hosted.world.body({slot, hosted.world.body_generation(slot)});
         all.push_back({hosting.instance_of(body.user_data()), record});
-        record.happened = 0;
+        record.events.happened = 0;
         hosted.movers.set(slot, record);
     }
     // All instances are found first: a handler may delete any of them.
@@ -279,16 +280,20 @@ void report_movers(Hosting& hosting, HostedWorld& hosted) {
     std::vector<Event> events;
     for (const auto& [mover, record] : all) {
         if (!mover) continue;
-        const auto below = instances_of(hosting, hosted, record.ground);
-        const auto left = instances_of(hosting, hosted, record.was_ground);
-        const auto [other, other_shape] = instances_of(hosting, hosted, record.bumped);
-        if (record.happened & left_ground) events.push_back({mover, "left_ground", {left.first}});
-        if (record.happened & landed)
-            events.push_back({mover, "landed", {below.first, to_value(record.landing_speed)}});
-        if (record.happened & bumped)
+        const auto below = instances_of(hosting, hosted, record.result.ground);
+        const auto left = instances_of(hosting, hosted, record.events.was_ground);
+        const auto [other, other_shape] = instances_of(hosting, hosted, record.events.bumped);
+        if (record.events.happened & left_ground)
+            events.push_back({mover, "left_ground", {left.first}});
+        if (record.events.happened & landed)
             events.push_back(
-                {mover, "bumped", {other, other_shape, widen(record.bump_x, record.bump_y)}});
-        if (record.happened & crushed) events.push_back({mover, "crushed", {}});
+                {mover, "landed", {below.first, to_value(record.events.landing_speed)}});
+        if (record.events.happened & bumped)
+            events.push_back(
+                {mover,
+                 "bumped",
+                 {other, other_shape, widen(record.events.bump_x, record.events.bump_y)}});
+        if (record.events.happened & crushed) events.push_back({mover, "crushed", {}});
     }
     for (Event& event : events) {
         if (!hosting.tree.alive(event.mover)) continue;
