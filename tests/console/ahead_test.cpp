@@ -312,7 +312,7 @@ TEST_CASE_METHOD(AheadRig, "no bars of frames are behind the time that a frame h
     }
     property::set(tree, "view.show.timings", Value(true));
     draw(3);
-    const console::Rect bars = state().frame_view.bars();
+    const console::Rect bars = state().views.frame_view.bars();
     const float line = bars.high.y - (bars.high.y - bars.low.y) / 100 * (1000.0f / 60);
     const auto pixel = [&](float x, float y) {
         const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(surface.width());

@@ -69,9 +69,9 @@ TEST_CASE("a click in the list of tweaks keeps or drops the tweak") {
 
 TEST_CASE("a row of the list of tweaks stays in its place when the one above it is kept") {
     TweakedRig rig;
-    const float before = rig.state().tweak_list.button(1, "keep").low.y;
+    const float before = rig.state().views.tweak_list.button(1, "keep").low.y;
     rig.press(0, "keep");
-    CHECK(rig.state().tweak_list.button(1, "keep").low.y == before);
+    CHECK(rig.state().views.tweak_list.button(1, "keep").low.y == before);
 }
 
 TEST_CASE("a command shows its output in place of the list of tweaks") {

@@ -172,7 +172,7 @@ TEST_CASE("a column of a table that begins behind the middle of the log has rows
     rig.console.print("  " + std::string(70, 'n') + "   " + std::string(60, 'a') + " " +
                       std::string(60, 'b'));
     rig.draw(3);
-    const auto rows = rig.state().log_view.shown_rows();
+    const auto rows = rig.state().views.log_view.shown_rows();
     CHECK(rows[rows.size() - 3] == "  " + std::string(70, 'n') + "   ");
     CHECK(rows[rows.size() - 2] == "    " + std::string(60, 'a') + " ");
     CHECK(rows.back() == "    " + std::string(60, 'b'));
