@@ -172,7 +172,7 @@ void draw_names(const property::Tree& tree, physics::World& world, Painter& pain
         const Vec2 at = Frame(world, body.index(), alpha).point(body.center());
         const Handle self = unpack(body.user_data());
         if (!painter.sees(at, at) || !tree.alive(self)) continue;
-        const std::string name = tree.name(self);
+        const std::string name(tree.get(self, "name").text());  // a guest has no name()
         if (places.take(at, name)) property::draw_label(painter, at, name, height, {1, 1, 1, 1});
     }
 }
