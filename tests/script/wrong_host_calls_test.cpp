@@ -67,6 +67,28 @@ TEST_CASE("a game with an empty path is a file that cannot be read") {
     CHECK_THROWS_AS(stage.runtime->load("/nowhere/at/all"), fettle::property::FileError);
 }
 
+TEST_CASE("an exception of no known type of a function of the host is an error with a text") {
+    Stage stage;
+    stage.runtime->add_function("spill", [](auto) -> fettle::property::Value { throw 3; });
+    std::string said;
+    stage.runtime->on_print([&](std::string_view line) { said += line; });
+    CHECK(stage.runtime->run("local ok, text = pcall(spill) print(text)", "main.lua"));
+    CHECK(said == "main.lua:1: an exception of no known type");
+}
+
+TEST_CASE("a function of the host has a name and a function") {
+    Stage stage;
+    CHECK(error_of([&] { stage.runtime->add_function("spill", {}); }) ==
+          "add_function: spill: expected a function, got an empty one");
+    for (const char* wrong : {"", "a b", "end"}) {
+        CHECK_THAT(error_of([&] {
+                       stage.runtime->add_function(wrong,
+                                                   [](auto) { return fettle::property::Value(); });
+                   }),
+                   contains("expected a name as in Lua"));
+    }
+}
+
 TEST_CASE("a function for commands that destroys the tree ends the command") {
     Stage stage;
     stage.runtime->on_command([&](std::string_view) { stage.tree.reset(); });
