@@ -77,6 +77,16 @@ const std::vector<DividedPart>& divided_parts() {
              {"joints", {"constraints", "state", "checks", "solver", "world"}},
              {"standalone", {"geometry", "collision", "forms", "distance", "checks"}},
          }},
+        {"physics_c",
+         "bindings/c/",
+         {"include"},
+         {
+             {"calls", {}},
+             {"geometry", {"calls"}},
+             {"objects", {"calls"}},
+             {"joints", {"calls"}},
+             {"world", {"calls"}},
+         }},
         // The public `PhysicsModule`, which uses all rooms, is not in a room.
         {"physics_module",
          "physics/module/",

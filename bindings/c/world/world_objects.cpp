@@ -1,6 +1,6 @@
 #include <fettle/physics_c/world.h>
 
-#include "calls.h"
+#include <calls/calls.h>
 
 using namespace fettle::physics;
 using namespace fettle::physics_c;

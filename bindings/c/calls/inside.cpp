@@ -1,4 +1,4 @@
-#include "inside.h"
+#include <calls/inside.h>
 
 #include <cstdio>
 #include <deque>

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "calls.h"
+#include <calls/calls.h>
 
 namespace fettle::physics_c {
 

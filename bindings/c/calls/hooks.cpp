@@ -4,7 +4,7 @@
 
 #include <mutex>
 
-#include "calls.h"
+#include <calls/calls.h>
 
 namespace fettle::physics_c {
 namespace {

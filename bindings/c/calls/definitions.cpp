@@ -1,6 +1,6 @@
 #include <fettle/physics_c/definitions.h>
 
-#include "calls.h"
+#include <calls/calls.h>
 
 namespace fettle::physics_c {
 

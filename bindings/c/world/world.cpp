@@ -3,7 +3,7 @@
 #include <cmath>
 #include <span>
 
-#include "calls.h"
+#include <calls/calls.h>
 
 using namespace fettle::physics;
 using namespace fettle::physics_c;

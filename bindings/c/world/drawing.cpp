@@ -1,6 +1,6 @@
 #include <fettle/physics_c/drawing.h>
 
-#include "calls.h"
+#include <calls/calls.h>
 
 namespace fettle::physics_c {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "inside.h"
+#include <calls/inside.h>
 
 #include <fettle/physics/physics.h>
 

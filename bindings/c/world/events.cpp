@@ -1,6 +1,6 @@
 #include <fettle/physics_c/events.h>
 
-#include "calls.h"
+#include <calls/calls.h>
 
 namespace fettle::physics_c {
 

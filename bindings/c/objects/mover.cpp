@@ -2,7 +2,7 @@
 
 #include <fettle/physics/mover.h>
 
-#include "calls.h"
+#include <calls/calls.h>
 
 namespace fettle::physics_c {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <type_traits>
 
-#include "convert.h"
-#include "inside.h"
+#include <calls/convert.h>
+#include <calls/inside.h>
 
 // How a function in C calls the library: arguments are checked, a handle is made of the id, the
 // result is converted, and every exception becomes a code and a message.

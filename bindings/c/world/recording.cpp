@@ -2,7 +2,7 @@
 
 #include <fettle/physics/recording.h>
 
-#include "calls.h"
+#include <calls/calls.h>
 
 struct fettle_replay {
     fettle::physics::Replay replay;

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "calls.h"
+#include <calls/calls.h>
 
 namespace fettle::physics_c {
 

@@ -1,4 +1,4 @@
-#include "calls.h"
+#include <calls/calls.h>
 
 #include <fettle/physics_c/sliding_joints.h>
 

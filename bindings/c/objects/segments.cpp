@@ -1,6 +1,6 @@
 #include <fettle/physics_c/shape.h>
 
-#include "calls.h"
+#include <calls/calls.h>
 
 // Surfaces of single segments of a chain.
 

@@ -1,4 +1,4 @@
-#include "convert.h"
+#include <calls/convert.h>
 
 #include <cstdio>
 

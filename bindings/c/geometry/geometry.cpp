@@ -1,6 +1,6 @@
 #include <type_traits>
 
-#include "calls.h"
+#include <calls/calls.h>
 
 namespace fettle::physics_c {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "calls.h"
+#include <calls/calls.h>
 
 // Geometry without a world.
 
