@@ -60,11 +60,11 @@ std::string axis_name(std::string_view stick, int component) {
 void Input::State::press_raw(Gamepad& gamepad, std::size_t button, bool down) {
     gamepad.buttons[button] = down;
     queue_switch({.kind = Act::Kind::gamepad_button,
-                  .name = gamepad_button_columns[button].name,
+                  .name = contexts.buttons[button].name,
                   .down = down,
                   .gamepad = number_of(gamepad)},
                  gamepad.taken_buttons[button], down ? "gamepad_pressed" : "gamepad_released",
-                 {number_of(gamepad), gamepad_button_columns[button].name});
+                 {number_of(gamepad), contexts.buttons[button].name});
     const auto is_this = [button](const PadSource& source) {
         return source.kind == PadSource::Kind::button && source.index == static_cast<int>(button);
     };
@@ -90,7 +90,7 @@ void Input::State::press_named(Gamepad& gamepad, std::size_t button, bool down) 
     if (source.kind == PadSource::Kind::button) {
         const auto raw = static_cast<std::size_t>(source.index);
         if (gamepad.buttons[raw] != down)
-            tree.set(gamepad.instance, "button_" + gamepad_button_columns[raw].name, down);
+            tree.set(gamepad.instance, "button_" + contexts.buttons[raw].name, down);
     } else if (source.kind == PadSource::Kind::hat) {
         const HatPart part = hat_part(source.index);
         Vec2 pad = gamepad.sticks[hat_stick];
@@ -200,7 +200,7 @@ void Input::State::connect(Gamepad& gamepad, bool connected) {
     const Handle self = gamepad.instance;
     for (const std::string_view stick : gamepad_stick_names) tree.set(self, stick, Vec2(0, 0));
     for (const std::string_view trigger : gamepad_trigger_names) tree.set(self, trigger, 0.0);
-    for (const GamepadButton& button : gamepad_button_columns)
+    for (const GamepadButton& button : contexts.buttons)
         tree.set(self, "button_" + button.name, false);
     for (const std::string_view name : gamepad_button_names) tree.set(self, name, false);
 }

@@ -289,21 +289,21 @@ void Input::State::define_mouse(Handle input) {
 
 void Input::State::define_gamepads(Handle input) {
     std::vector<Property> properties{connected(*this)};
-    for (std::size_t i = 0; i < gamepad_sticks.size(); ++i) {
-        gamepad_sticks[i] = {this, i};
-        properties.push_back(stick(gamepad_sticks[i]));
+    for (std::size_t i = 0; i < contexts.sticks.size(); ++i) {
+        contexts.sticks[i] = {this, i};
+        properties.push_back(stick(contexts.sticks[i]));
     }
-    for (std::size_t i = 0; i < gamepad_triggers.size(); ++i) {
-        gamepad_triggers[i] = {this, i};
-        properties.push_back(trigger(gamepad_triggers[i]));
+    for (std::size_t i = 0; i < contexts.triggers.size(); ++i) {
+        contexts.triggers[i] = {this, i};
+        properties.push_back(trigger(contexts.triggers[i]));
     }
-    for (std::size_t i = 0; i < gamepad_button_columns.size(); ++i) {
-        gamepad_button_columns[i] = {this, i, std::to_string(i + 1)};
-        properties.push_back(gamepad_button(gamepad_button_columns[i]));
+    for (std::size_t i = 0; i < contexts.buttons.size(); ++i) {
+        contexts.buttons[i] = {this, i, std::to_string(i + 1)};
+        properties.push_back(gamepad_button(contexts.buttons[i]));
     }
-    for (std::size_t i = 0; i < named_buttons.size(); ++i) {
-        named_buttons[i] = {this, i};
-        properties.push_back(named_button(named_buttons[i]));
+    for (std::size_t i = 0; i < contexts.named.size(); ++i) {
+        contexts.named[i] = {this, i};
+        properties.push_back(named_button(contexts.named[i]));
     }
     properties.push_back(mapping_property(*this));
     const property::Class& gamepad_class =

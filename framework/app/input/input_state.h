@@ -70,6 +70,13 @@ struct Input::State {
         State* state = nullptr;
         std::size_t index = 0;
     };
+    /// Contexts of the properties of each gamepad.
+    struct GamepadContexts {
+        std::array<GamepadAxis, gamepad_stick_names.size()> sticks{};
+        std::array<GamepadAxis, gamepad_trigger_names.size()> triggers{};
+        std::array<GamepadButton, gamepad_buttons> buttons{};
+        std::array<NamedButton, gamepad_button_names.size()> named{};
+    };
     struct Call {
         std::string_view callback;
         std::vector<property::Value> arguments;
@@ -111,10 +118,7 @@ struct Input::State {
     std::vector<Switch> keys{};
     std::array<Switch, mouse_button_names.size()> buttons{};
     std::array<Gamepad, gamepad_count> gamepads{};
-    std::array<GamepadAxis, gamepad_stick_names.size()> gamepad_sticks{};
-    std::array<GamepadAxis, gamepad_trigger_names.size()> gamepad_triggers{};
-    std::array<GamepadButton, gamepad_buttons> gamepad_button_columns{};
-    std::array<NamedButton, gamepad_button_names.size()> named_buttons{};
+    GamepadContexts contexts{};
     property::Handle input_instance{}, actions_instance{};
     const property::Class* action_class = nullptr;
     const property::Class* actions_class = nullptr;

@@ -90,11 +90,11 @@ Value Audio::State::value(Handle of, const Property& property) const {
 }
 
 bool Audio::State::is_source(Handle instance) const {
-    return instance && tree.class_of(instance).is_a(*source_class);
+    return instance && tree.class_of(instance).is_a(*classes.source);
 }
 
 bool Audio::State::is_music(Handle instance) const {
-    return instance && tree.class_of(instance).is_a(*music_class);
+    return instance && tree.class_of(instance).is_a(*classes.music);
 }
 
 Handle Audio::State::source_of(Handle voice) const {
@@ -103,7 +103,7 @@ Handle Audio::State::source_of(Handle voice) const {
 }
 
 double Audio::State::duration(Handle source) const {
-    if (tree.class_of(source).is_a(*synth_class)) return synth_parameters(source).duration();
+    if (tree.class_of(source).is_a(*classes.synth)) return synth_parameters(source).duration();
     const Source& row = sources[tree.row(source)];
     return row.sound == nullptr ? 0 : row.sound->duration();
 }
@@ -182,7 +182,7 @@ void Audio::State::cross_fade(Handle voice, double fade) {
 Handle Audio::State::play(Handle source, const Play& how) {
     const bool streams = is_music(source);
     if (duration(source) <= 0)
-        throw std::invalid_argument(tree.class_of(source).is_a(*synth_class)
+        throw std::invalid_argument(tree.class_of(source).is_a(*classes.synth)
                                         ? "attack, sustain and decay are all 0: it has no length"
                                         : "it has no file to play: set `file`");
     double fade = how.fade.is_nil() ? 0 : how.fade.number();
@@ -195,7 +195,7 @@ Handle Audio::State::play(Handle source, const Play& how) {
     std::int64_t order = 1;
     for (const Handle voice : voices)
         order = std::max(order, tree.peek(voice, *of_voice.order).integer() + 1);
-    const Handle voice = tree.create(*voice_class, source);
+    const Handle voice = tree.create(*classes.voice, source);
     try {
         const auto set = [&](const Property* property, const Value& to) {
             if (!to.is_nil()) tree.set(voice, *property, to);

@@ -37,6 +37,17 @@ struct Audio::State {
         const property::Property *fade, *fade_to, *fade_time, *order, *over, *pauses;
     };
 
+    struct SynthProperties {
+        const property::Property *wave, *seed, *low_pass;
+        std::vector<const property::Property*> numbers;
+    };
+    struct BusProperties {
+        const property::Property *volume, *muted, *pauses;
+    };
+    struct Classes {
+        const property::Class *source, *sound, *music, *synth, *voice, *bus;
+    };
+
     // Values of stored properties; if a formula fails, its last valid one.
     double number(property::Handle of, const property::Property& property) const;
     property::Value value(property::Handle of, const property::Property& property) const;
@@ -75,14 +86,12 @@ struct Audio::State {
     SoundFiles files;
 
     property::Handle service{}, buses{};
-    const property::Class *source_class = nullptr, *sound_class = nullptr, *music_class = nullptr;
-    const property::Class *synth_class = nullptr, *voice_class = nullptr, *bus_class = nullptr;
+    Classes classes{};
     SourceProperties of_source{};
     VoiceProperties of_voice{};
-    const property::Property *of_music_fade = nullptr, *synth_wave = nullptr, *synth_seed = nullptr;
-    const property::Property* synth_low_pass = nullptr;
-    const property::Property *bus_volume = nullptr, *bus_muted = nullptr, *bus_pauses = nullptr;
-    std::vector<const property::Property*> synth_numbers_of{};
+    SynthProperties of_synth{};
+    BusProperties of_bus{};
+    const property::Property* of_music_fade = nullptr;
 
     std::vector<Source> sources{};  // by row
     std::vector<property::Row> free_rows{};

@@ -37,19 +37,19 @@ std::optional<Vec2> Audio::State::place(Handle voice, Handle source) const {
 
 Handle Audio::State::bus_of(Handle source) const {
     const Handle bus = tree.child(buses, sources[tree.row(source)].bus);
-    return bus && tree.class_of(bus).is_a(*bus_class) ? bus : Handle{};
+    return bus && tree.class_of(bus).is_a(*classes.bus) ? bus : Handle{};
 }
 
 bool Audio::State::ignores_pause(Handle voice) const {
     if (!value(voice, *of_voice.pauses).boolean()) return true;
     const Handle source = source_of(voice), bus = source ? bus_of(source) : Handle{};
-    return bus && !value(bus, *bus_pauses).boolean();
+    return bus && !value(bus, *of_bus.pauses).boolean();
 }
 
 double Audio::State::bus_loudness(Handle source) const {
     const Handle bus = bus_of(source);
     if (!bus) return 1;
-    return value(bus, *bus_muted).boolean() ? 0 : number(bus, *bus_volume);
+    return value(bus, *of_bus.muted).boolean() ? 0 : number(bus, *of_bus.volume);
 }
 
 Stereo Audio::State::loudness(Handle voice, Handle source) const {
@@ -86,7 +86,7 @@ std::vector<Heard> Audio::State::heard(bool halted) const {
                           : 0,
             .loudness = loudness(voice, source),
             .loops = value(source, *of_source.loop).boolean()};
-        if (tree.class_of(source).is_a(*synth_class)) {
+        if (tree.class_of(source).is_a(*classes.synth)) {
             const auto [found, is_new] = known.try_emplace(source.index);
             if (is_new) found->second = synth_parameters(source);
             one.synth = found->second;

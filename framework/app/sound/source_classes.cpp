@@ -252,7 +252,7 @@ void define_audio(State& state) {
         tree.define({.name = "Buses",
                      .doc = "The buses of a game. Add your own: `audio.buses.speech = Bus {}`.",
                      .creatable = false});
-    state.bus_class = &tree.define(
+    state.classes.bus = &tree.define(
         {.name = "Bus",
          .doc = "A group of sounds with a volume of its own. It acts below `audio.buses`.",
          .properties = {{.name = "volume",
@@ -269,17 +269,18 @@ void define_audio(State& state) {
                          .default_value = true,
                          .doc = "Whether its sounds pause with the game (time.paused). Off, they "
                                 "go on in real time."}}});
-    state.bus_volume = state.bus_class->property("volume");
-    state.bus_muted = state.bus_class->property("muted");
-    state.bus_pauses = state.bus_class->property("pauses");
+    state.of_bus.volume = state.classes.bus->property("volume");
+    state.of_bus.muted = state.classes.bus->property("muted");
+    state.of_bus.pauses = state.classes.bus->property("pauses");
     state.service = tree.create(audio, tree.root(), "audio");
     state.buses = tree.create(buses, state.service, "buses");
-    for (const char* name : {"effects", "music"}) tree.create(*state.bus_class, state.buses, name);
+    for (const char* name : {"effects", "music"})
+        tree.create(*state.classes.bus, state.buses, name);
 }
 
 void define_sources(State& state) {
     Tree& tree = state.tree;
-    state.source_class = &tree.define(
+    state.classes.source = &tree.define(
         {.name = "SoundSource",
          .doc = "What can be played. Its voices are below it while they sound.",
          .creatable = false,
@@ -292,15 +293,15 @@ void define_sources(State& state) {
                                  .reference_class = "Voice"}},
                      .doc = "A voice has played to its end. Not for one that was stopped."}},
          .lifecycle = {.context = &state, .create = make_source, .destroy = end_source}});
-    const property::Class& of = *state.source_class;
+    const property::Class& of = *state.classes.source;
     state.of_source = {of.property("volume"),   of.property("pitch"), of.property("loop"),
                        of.property("position"), of.property("range"), of.property("max_voices")};
-    state.sound_class = &tree.define(
+    state.classes.sound = &tree.define(
         {.name = "Sound",
          .base = "SoundSource",
          .doc = "A sound from a file, kept decoded: for effects, which may sound many at once.",
          .properties = {file_property(state)}});
-    state.music_class = &tree.define(
+    state.classes.music = &tree.define(
         {.name = "Music",
          .base = "SoundSource",
          .doc = "Music from a file, decoded while it plays. One of a bus sounds at a time: another "
@@ -322,7 +323,7 @@ void define_sources(State& state) {
                          .default_value = "music",
                          .doc = "The name of the bus in `audio.buses` whose volume applies to it, "
                                 "too."}}});
-    state.of_music_fade = state.music_class->property("fade");
+    state.of_music_fade = state.classes.music->property("fade");
 }
 
 }  // namespace fettle::app

@@ -120,10 +120,10 @@ std::vector<Property> properties_of_synths(Audio::State& state) {
                        state,
                        [](Audio::State& s, Row row) {
                            const Handle synth = s.sources[row].self;
-                           return s.number(synth, *s.synth_low_pass);
+                           return s.number(synth, *s.of_synth.low_pass);
                        },
                        [](Audio::State& s, Row row, const Value& value) {
-                           s.tree.set(s.sources[row].self, *s.synth_low_pass, value);
+                           s.tree.set(s.sources[row].self, *s.of_synth.low_pass, value);
                        }),
                    .transient = true,
                    .derives_from = {"low_pass"}});
@@ -136,7 +136,7 @@ void mutate(Audio::State& state, Handle synth, double amount) {
         throw std::invalid_argument("there is no game with random numbers here");
     std::size_t index = 0;
     for (const SynthNumber& number : synth_numbers()) {
-        const Property& property = *state.synth_numbers_of[index++];
+        const Property& property = *state.of_synth.numbers[index++];
         const double by = state.audio.random(), chance = state.audio.random();
         if (chance < 0.5) continue;
         const double change = (2 * by - 1) * amount;
@@ -212,7 +212,7 @@ std::vector<property::Method> methods_of_synths(Audio::State& state) {
 }  // namespace
 
 void define_synth(Audio::State& state) {
-    state.synth_class = &state.tree.define(
+    state.classes.synth = &state.tree.define(
         {.name = "Synth",
          .base = "SoundSource",
          .doc = "A sound from parameters, without a file. `Synth.coin()`, `jump`, `hit`, "
@@ -220,21 +220,21 @@ void define_synth(Audio::State& state) {
                 "at once, also in voices that sound.",
          .properties = properties_of_synths(state),
          .methods = methods_of_synths(state)});
-    state.synth_wave = state.synth_class->property("wave");
-    state.synth_low_pass = state.synth_class->property("low_pass");
-    state.synth_seed = state.synth_class->property("seed");
+    state.of_synth.wave = state.classes.synth->property("wave");
+    state.of_synth.low_pass = state.classes.synth->property("low_pass");
+    state.of_synth.seed = state.classes.synth->property("seed");
     for (const SynthNumber& number : synth_numbers())
-        state.synth_numbers_of.push_back(state.synth_class->property(number.name));
+        state.of_synth.numbers.push_back(state.classes.synth->property(number.name));
 }
 
 SynthParameters Audio::State::synth_parameters(Handle synth) const {
     SynthParameters all;
-    const int wave = synth_wave->enumerator_index(value(synth, *synth_wave).text());
+    const int wave = of_synth.wave->enumerator_index(value(synth, *of_synth.wave).text());
     all.wave = static_cast<Wave>(std::max(wave, 0));
-    all.seed = value(synth, *synth_seed).integer();
+    all.seed = value(synth, *of_synth.seed).integer();
     std::size_t index = 0;
     for (const SynthNumber& each : synth_numbers())
-        all.*each.member = number(synth, *synth_numbers_of[index++]);
+        all.*each.member = number(synth, *of_synth.numbers[index++]);
     return all;
 }
 
@@ -246,11 +246,11 @@ void set_preset(Audio::State& state, Handle synth, const std::string& name) {
         throw std::invalid_argument("there is no preset \"" + name + "\"" +
                                     property::suggestion(name, names));
     }
-    state.tree.set(synth, *state.synth_wave,
+    state.tree.set(synth, *state.of_synth.wave,
                    wave_names[static_cast<std::size_t>(found->values.wave)]);
     std::size_t index = 0;
     for (const SynthNumber& each : synth_numbers())
-        state.tree.set(synth, *state.synth_numbers_of[index++], found->values.*each.member);
+        state.tree.set(synth, *state.of_synth.numbers[index++], found->values.*each.member);
 }
 
 std::string_view Audio::library() {

@@ -96,7 +96,7 @@ void end_voice(void* context, Tree&, Handle self, Row) {
 }  // namespace
 
 void define_voice(Audio::State& state) {
-    state.voice_class = &state.tree.define(
+    state.classes.voice = &state.tree.define(
         {.name = "Voice",
          .doc = "One sounding of a Sound, Music or Synth; `play` makes it. It ends with the sound, "
                 "in simulation time.",
@@ -119,7 +119,7 @@ void define_voice(Audio::State& state) {
          .events = {{.name = "finished", .doc = "It has played to its end."}},
          .lifecycle = {
              .context = &state, .create = make_voice, .place = place_voice, .destroy = end_voice}});
-    const property::Class& of = *state.voice_class;
+    const property::Class& of = *state.classes.voice;
     state.of_voice = {of.property("volume"),  of.property("pitch"),     of.property("time"),
                       of.property("playing"), of.property("position"),  of.property("fade"),
                       of.property("fade_to"), of.property("fade_time"), of.property("order"),
