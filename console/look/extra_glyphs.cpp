@@ -1,12 +1,11 @@
 #include <look/extra_glyphs.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <utility>
+
+#include <fettle/property/storage/font_files.h>
 
 #include <look/imgui_compat.h>
 #include <text/utf8.h>
@@ -14,21 +13,6 @@
 namespace fettle::console {
 
 namespace {
-
-/// Debian's folders first, then folders of other systems with the same fonts.
-constexpr std::array<const char*, 12> font_folders = {
-    "/usr/share/fonts/truetype/dejavu",
-    "/usr/share/fonts/TTF",
-    "/usr/share/fonts/dejavu",
-    "/usr/share/fonts/dejavu-sans-mono-fonts",
-    "/usr/share/fonts/truetype/droid",
-    "/usr/share/fonts/truetype/wqy",
-    "/usr/share/fonts/truetype/noto",
-    "/usr/share/fonts/noto",
-    "/usr/share/fonts/google-noto-color-emoji-fonts",
-    "/usr/share/fonts/opentype/noto",
-    "/usr/share/fonts/noto-cjk",
-    "/usr/share/fonts/truetype/ancient-scripts"};
 
 constexpr ImWchar glyphs[] = {0x0020, 0x024f, 0x0370, 0x04ff, 0x2000, 0x214f, 0x2190, 0x22ff,
                               0x2500, 0x25ff, 0x2600, 0x27bf, 0xfffd, 0xfffd, 0};
@@ -56,17 +40,6 @@ bool may_need_stand_in(std::string_view text) {
 }
 
 }  // namespace
-
-std::string font_file(const char* name) {
-    std::vector<std::filesystem::path> all(font_folders.begin(), font_folders.end());
-    if (const char* const own = std::getenv("FETTLE_FONTS")) all.insert(all.begin(), own);
-    for (const std::filesystem::path& folder : all) {
-        std::filesystem::path file = folder / name;
-        std::error_code error;
-        if (std::filesystem::is_regular_file(file, error)) return file.string();
-    }
-    return {};
-}
 
 const ImWchar* ExtraGlyphs::always() {
     return glyphs;
@@ -155,7 +128,7 @@ void ExtraGlyphs::prepare() {
 }
 
 void ExtraGlyphs::add_file(ImFontAtlas& atlas, const char* file, float size, float cell) {
-    const std::string found = font_file(file);
+    const std::string found = property::font_file(file);
     if (found.empty()) return;
     for (const bool wide : {false, true}) {
         const std::vector<ImWchar>& ranges = wide ? wide_ : narrow_;

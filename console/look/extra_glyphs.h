@@ -71,8 +71,4 @@ class ExtraGlyphs {
     std::vector<char32_t> stand_for_;  // the character of each stand-in
 };
 
-/// The file of a font by its name, "" if it is not installed. A packaged game brings its fonts
-/// along, in the folder FETTLE_FONTS.
-std::string font_file(const char* name);
-
 }  // namespace fettle::console

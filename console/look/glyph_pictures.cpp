@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string>
 
+#include <fettle/property/storage/font_files.h>
+
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
@@ -100,7 +102,7 @@ struct GlyphPictures::Faces {
     Faces(const Faces&) = delete;
 
     FT_Face open(const char* name) const {
-        const std::string file = font_file(name);
+        const std::string file = property::font_file(name);
         FT_Face face = nullptr;
         if (file.empty() || FT_New_Face(library, file.c_str(), 0, &face) != 0) return nullptr;
         return face;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include <fettle/property/storage/font_files.h>
+
 #include <look/imgui_compat.h>
 #include <look/theme.h>
 
@@ -13,7 +15,7 @@ namespace {
 
 /// `cell`: the width of its characters, 0 if they have several widths.
 ImFont* add_font(ImFontAtlas& atlas, ExtraGlyphs& extra, const char* name, float size, float cell) {
-    std::string file = font_file(name);
+    std::string file = property::font_file(name);
     if (file.empty()) return nullptr;
     ImFontConfig config;
     config.OversampleH = 1;  // whole pixels keep a fixed-width font sharp

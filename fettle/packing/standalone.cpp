@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include <fettle/property/storage/font_files.h>
+
 #include <files/game_path.h>
 
 namespace fettle::program {
@@ -53,12 +55,9 @@ std::vector<fs::path> libraries() {
 /// The fonts of texts and of the console.
 std::vector<fs::path> fonts() {
     std::vector<fs::path> all;
-    std::error_code error;
     for (const char* name :
          {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSansMono.ttf", "DejaVuSansMono-Bold.ttf"})
-        if (const fs::path file = fs::path("/usr/share/fonts/truetype/dejavu") / name;
-            fs::exists(file, error))
-            all.push_back(file);
+        if (const fs::path file = property::font_file(name); !file.empty()) all.push_back(file);
     return all;
 }
 

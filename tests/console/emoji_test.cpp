@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include <fettle/property/storage/font_files.h>
+
 #include <look/extra_glyphs.h>
 #include <text/utf8.h>
 #include "catch.h"
@@ -27,7 +29,7 @@ std::vector<Pixel> picture(const char* text) {
 }
 
 bool installed(const char* font) {
-    return !console::font_file(font).empty();
+    return !property::font_file(font).empty();
 }
 
 }  // namespace

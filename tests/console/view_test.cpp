@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fettle/property/storage/font_files.h>
+
 #include <look/theme.h>
 #include <text/utf8.h>
 #include "catch.h"
@@ -441,7 +443,7 @@ TEST_CASE("a window that an exception leaves open is ended and the console goes 
 }
 
 TEST_CASE("Chinese and Japanese letters are drawn in two cells each") {
-    if (console::font_file("DroidSansFallbackFull.ttf").empty()) return;  // it is not installed
+    if (property::font_file("DroidSansFallbackFull.ttf").empty()) return;  // it is not installed
     const auto picture = [](const char* text) {
         Rig rig;
         rig.key("grave");

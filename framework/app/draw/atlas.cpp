@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
+#include <string>
 #include <vector>
+
+#include <fettle/property/storage/font_files.h>
 
 namespace fettle::app {
 
@@ -85,24 +86,10 @@ std::optional<Patch> Atlas::place(unsigned width, unsigned height) {
 void Atlas::load_fonts() {
     static constexpr std::array<const char*, 3> files{"DejaVuSans.ttf", "DejaVuSans-Bold.ttf",
                                                       "DejaVuSansMono.ttf"};
-    static constexpr const char* folders[] = {
-        "/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/dejavu-sans-fonts",
-        "/usr/share/fonts/dejavu",          "/usr/share/fonts/TTF",
-        "/usr/local/share/fonts/dejavu",    "/Library/Fonts",
-        "/opt/homebrew/share/fonts",        "C:/Windows/Fonts"};
-    // A packaged game brings its fonts along.
-    std::vector<std::filesystem::path> all(std::begin(folders), std::end(folders));
-    if (const char* const own = std::getenv("FETTLE_FONTS")) all.insert(all.begin(), own);
     for (std::size_t i = 0; i < files.size(); ++i) {
-        for (const std::filesystem::path& folder : all) {
-            const std::filesystem::path file = folder / files[i];
-            std::error_code ignored;
-            if (!std::filesystem::is_regular_file(file, ignored)) continue;
-            auto font = std::make_unique<sf::Font>();
-            if (!sfml::load(*font, file.string())) continue;
-            fonts_[i] = std::move(font);
-            break;
-        }
+        auto font = std::make_unique<sf::Font>();
+        const std::string file = property::font_file(files[i]);
+        if (!file.empty() && sfml::load(*font, file)) fonts_[i] = std::move(font);
     }
 }
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
+
+#include <fettle/property/storage/font_files.h>
 
 namespace fettle::visuals {
 namespace {
@@ -17,22 +17,10 @@ constexpr std::array<std::string_view, 3> font_endings{".ttf", ".otf", ".ttc"};
 
 /// The file of a font that the system has; empty if it has none of that name.
 std::string system_font(const std::string& name) {
-    static constexpr const char* folders[] = {
-        "/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/dejavu-sans-fonts",
-        "/usr/share/fonts/dejavu",          "/usr/share/fonts/TTF",
-        "/usr/local/share/fonts/dejavu",    "/Library/Fonts",
-        "/opt/homebrew/share/fonts",        "C:/Windows/Fonts"};
-    // A packaged game brings its fonts along.
-    std::vector<std::filesystem::path> all(std::begin(folders), std::end(folders));
-    if (const char* const own = std::getenv("FETTLE_FONTS")) all.insert(all.begin(), own);
-    for (const std::filesystem::path& folder : all) {
-        std::ifstream in(folder / name, std::ios::binary);
-        if (!in) continue;
-        std::ostringstream content;
-        content << in.rdbuf();
-        return content.str();
-    }
-    return {};
+    std::ifstream in(property::font_file(name), std::ios::binary);
+    std::ostringstream content;
+    if (in) content << in.rdbuf();
+    return content.str();
 }
 
 }  // namespace
