@@ -124,7 +124,7 @@ fettle_code fettle_console_set_clipboard(fettle_hosted* hosted, fettle_clipboard
                                          fettle_clipboard_write write, void* user) {
     return with(__func__, hosted, [&](Game& game) {
         (void)game.needed_console();
-        game.read_clipboard = {read, user};
-        game.write_clipboard = {write, user};
+        game.callbacks.read_clipboard = {read, user};
+        game.callbacks.write_clipboard = {write, user};
     });
 }

@@ -12,7 +12,7 @@ class HostClipboard : public app::Clipboard {
   public:
     explicit HostClipboard(Game& game) : game_(game) {}
     std::string read() override {
-        const auto asked = game_.read_clipboard;
+        const auto asked = game_.callbacks.read_clipboard;
         if (asked.function == nullptr) return kept_;
         std::string text;
         game_.call_out([&] {
@@ -22,7 +22,7 @@ class HostClipboard : public app::Clipboard {
     }
     void write(std::string_view text) override {
         kept_ = text;
-        const auto told = game_.write_clipboard;
+        const auto told = game_.callbacks.write_clipboard;
         if (told.function == nullptr) return;
         game_.call_out([&] { told.function(told.user, std::string(text).c_str()); });
     }
@@ -100,7 +100,7 @@ void Game::listen() {
     });
     lua.on_print([this](std::string_view text) {
         if (console) console->print(text);
-        const auto told = print;
+        const auto told = callbacks.print;
         if (told.function == nullptr) return;
         try {
             call_out([&] { told.function(told.user, std::string(text).c_str()); });
@@ -165,7 +165,7 @@ void Game::report(const script::ScriptError& error) {
 
 void Game::note(const std::string& text) {
     if (open && console) console->note(text);
-    if (!open || problem.function == nullptr) {
+    if (!open || callbacks.problem.function == nullptr) {
         constexpr std::size_t most = 100;
         if (early_notes.size() < most) early_notes.push_back(text);
         return;
@@ -191,7 +191,7 @@ void Game::tell_early_notes() {
 }
 
 void Game::tell_problem(const script::ScriptError& error) {
-    const auto told = problem;
+    const auto told = callbacks.problem;
     if (told.function == nullptr) return;
     const fettle_hosted_problem found{.message = error.message.c_str(),
                                       .file = error.file.c_str(),

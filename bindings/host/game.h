@@ -34,6 +34,14 @@ struct Callback {
     void* user = nullptr;
 };
 
+/// The functions of the caller.
+struct Callbacks {
+    Callback<fettle_print_callback> print;
+    Callback<fettle_problem_callback> problem;
+    Callback<fettle_clipboard_read> read_clipboard;
+    Callback<fettle_clipboard_write> write_clipboard;
+};
+
 class Game;
 
 /// A method of a class that the caller has defined.
@@ -64,10 +72,7 @@ class Game {
     TriangleSurface surface;
     std::optional<property::Transform> view;  // world to pixels; none: the view of the game
 
-    Callback<fettle_print_callback> print;
-    Callback<fettle_problem_callback> problem;
-    Callback<fettle_clipboard_read> read_clipboard;
-    Callback<fettle_clipboard_write> write_clipboard;
+    Callbacks callbacks;
     std::vector<HeldProperty> held;
     std::vector<std::uint32_t> released;  // places in `held`
     std::unordered_map<fettle_connection, property::Connection> connections;

@@ -94,13 +94,13 @@ fettle_code fettle_hosted_destroy(fettle_hosted* hosted) {
 }
 
 fettle_code fettle_hosted_on_print(fettle_hosted* hosted, fettle_print_callback print, void* user) {
-    return with(__func__, hosted, [&](Game& game) { game.print = {print, user}; });
+    return with(__func__, hosted, [&](Game& game) { game.callbacks.print = {print, user}; });
 }
 
 fettle_code fettle_hosted_on_problem(fettle_hosted* hosted, fettle_problem_callback problem,
                                      void* user) {
     return with(__func__, hosted, [&](Game& game) {
-        game.problem = {problem, user};
+        game.callbacks.problem = {problem, user};
         if (problem != nullptr) game.tell_early_notes();
     });
 }
