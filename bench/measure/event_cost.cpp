@@ -12,7 +12,7 @@
 namespace fettle::bench {
 namespace {
 
-constexpr int warm_up = 30;             // steps until the boxes are at rest
+constexpr int steps_to_rest = 30;       // steps until the boxes are at rest
 constexpr int timings = 15;             // of each kind, in turns
 constexpr int events_a_timing = 40000;  // minimum
 
@@ -39,7 +39,7 @@ class Listened {
             game.tree.on(
                 body, *body.event("contact_persist"),
                 [this](const property::Occurrence& o) { heard_ += o.record.values.size(); });
-        measured_steps(engine_, warm_up);
+        measured_steps(engine_, steps_to_rest);
     }
     double ms(int steps) {
         const ThreadClock clock;
