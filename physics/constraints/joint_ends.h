@@ -2,6 +2,7 @@
 
 #include <constraints/solver_body.h>
 
+#include <cmath>
 #include <cstdint>
 
 // Data of all types of joints during solving. A joint has rows: directions in which it holds, or in
@@ -19,11 +20,20 @@ struct JointStep {
     float inverse_h = 0.0f;
     float impulse_ratio = 1.0f;  ///< to the last sub-step: scales warm starting
     Softness rigid;              ///< softness of rigid rows
-    /// What a point is farther apart is not corrected at once, m.
+    /// A wider gap is closed as fast as this one, m.
     float greatest_gap = 1e30f;
 
-    float corrected(float gap) const { return clamp(gap, -greatest_gap, greatest_gap); }
-    Vec2 corrected(Vec2 gap) const { return {corrected(gap.x), corrected(gap.y)}; }
+    /// The softness with which a row closes a gap. If the gap is too wide, the correction and what
+    /// the row yields are scaled alike: this limits the speed, and the force is still in proportion
+    /// to the gap. If only the speed were limited, a greater force would draw the joint apart
+    /// without end.
+    Softness softness(float gap) const {
+        gap = std::abs(gap);
+        if (gap <= greatest_gap) return rigid;
+        const float share = greatest_gap / gap;
+        return {share * rigid.bias_rate, rigid.mass_scale, share * rigid.impulse_scale};
+    }
+    Softness softness(Vec2 gap) const { return softness(max(std::abs(gap.x), std::abs(gap.y))); }
 };
 
 /// Rotates a vector by an angle in the Cayley form, c = (1-t²)/(1+t²), s = 2t/(1+t²) with t =

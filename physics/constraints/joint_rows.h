@@ -31,13 +31,11 @@ struct Spring {
 /// A row that keeps an error at 0. `velocity` is that of the error. Returns the change of
 /// `impulse`.
 template <bool biased>
-float push_rigid(float& impulse, float mass, float velocity, float error, const JointStep& step) {
+float push_rigid(float& impulse, float mass, float velocity, float error, const Softness& soft) {
     float change = -mass * velocity;
-    if constexpr (biased) {
-        const Softness& soft = step.rigid;
+    if constexpr (biased)
         change = -mass * soft.mass_scale * (velocity + soft.bias_rate * error) -
                  soft.impulse_scale * impulse;
-    }
     impulse += change;
     return change;
 }

@@ -144,8 +144,8 @@ struct DistanceConstraint {
     template <bool biased>
     void hold(SolverBody& a, SolverBody& b, float error, const JointStep& step) {
         line.push(ends, a, b,
-                  push_rigid<biased>(impulses.along, line.mass, line.velocity(a, b),
-                                     step.corrected(error), step));
+                  push_rigid<biased>(impulses.along, line.mass, line.velocity(a, b), error,
+                                     step.softness(error)));
     }
     template <bool biased>
     void limit(SolverBody& a, SolverBody& b, float distance, const JointStep& step) {

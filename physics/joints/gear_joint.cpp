@@ -46,7 +46,7 @@ struct GearConstraint {
     template <bool biased>
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
         const float velocity = b.angular_velocity - ratio * a.angular_velocity;
-        mesh(a, b, push_rigid<biased>(impulses.angle, mass, velocity, error(a, b), step));
+        mesh(a, b, push_rigid<biased>(impulses.angle, mass, velocity, error(a, b), step.rigid));
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         rows.hold(Jacobian::turning(ends, ratio), error(a, b), impulses.angle);

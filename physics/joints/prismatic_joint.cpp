@@ -80,10 +80,11 @@ struct PrismaticConstraint {
         float v1 = across.velocity(a, b), v2 = b.angular_velocity - a.angular_velocity;
         float scale = 1.0f, rest = 0.0f;
         if (biased) {
-            v1 += step.rigid.bias_rate * step.corrected(rail.offset);
+            const Softness soft = step.softness(rail.offset);
+            v1 += soft.bias_rate * rail.offset;
             v2 += step.rigid.bias_rate * (ends.angle_now(a, b) - reference);
-            scale = step.rigid.mass_scale;
-            rest = step.rigid.impulse_scale;
+            scale = soft.mass_scale;
+            rest = soft.impulse_scale;
         }
         const float inverse = inverse_or_zero(k11 * k22 - k12 * k12);
         const float p1 = -scale * inverse * (k22 * v1 - k12 * v2) - rest * impulses.rail.across;

@@ -73,8 +73,8 @@ struct Rail {
     void solve_across(RailImpulses& impulses, const JointEnds& ends, SolverBody& a, SolverBody& b,
                       const JointStep& step) const {
         across.push(ends, a, b,
-                    push_rigid<biased>(impulses.across, across.mass, across.velocity(a, b),
-                                       step.corrected(offset), step));
+                    push_rigid<biased>(impulses.across, across.mass, across.velocity(a, b), offset,
+                                       step.softness(offset)));
     }
     void write_rows(RailImpulses& impulses, const JointEnds& ends, RowWriter& rows) const {
         coordinate.write_rows(impulses.along, along.mass, translation, along.jacobian(ends), rows);

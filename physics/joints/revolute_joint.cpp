@@ -59,11 +59,8 @@ struct RevoluteConstraint {
     void solve(SolverBody& a, SolverBody& b, const JointStep& step) {
         if (angle.acts_biased()) solve_angle<true>(a, b, step);
         // The bodies have not moved since the last relax pass, or since the start of the step.
-        const Softness& soft = step.rigid;
-        // As `JointStep::corrected` does, but in fewer instructions: most joints are of this type.
-        const float most = step.greatest_gap;
-        Vec2 gap = ends.gap(a, b);
-        gap = {max(min(gap.x, most), -most), max(min(gap.y, most), -most)};
+        const Vec2 gap = ends.gap(a, b);
+        const Softness soft = step.softness(gap);
         const Vec2 velocity = ends.velocity(a, b) + soft.bias_rate * gap;
         push_point(a, b,
                    -(soft.mass_scale * (mass * velocity) + soft.impulse_scale * impulses.point));

@@ -99,10 +99,12 @@ struct WeldConstraint {
         float w = b.angular_velocity - a.angular_velocity;
         float scale = 1.0f, rest = 0.0f;
         if (biased) {
-            v = v + step.rigid.bias_rate * step.corrected(ends.gap(a, b));
+            const Vec2 gap = ends.gap(a, b);
+            const Softness soft = step.softness(gap);
+            v = v + soft.bias_rate * gap;
             w += step.rigid.bias_rate * (ends.angle_now(a, b) - reference);
-            scale = step.rigid.mass_scale;
-            rest = step.rigid.impulse_scale;
+            scale = soft.mass_scale;
+            rest = soft.impulse_scale;
         }
         const float ia = a.inverse_inertia, ib = b.inverse_inertia;
         if (!rigid_angle || angular_mass == 0.0f) {

@@ -34,7 +34,7 @@ struct LoadSettings {
     int sweeps;   ///< in each pass
     float speed;  ///< at which a gap is closed at most, m/s
 };
-constexpr LoadSettings settings_of_load[JointScratch::loads] = {{0.0f, 60.0f, 0.25f, 1, 4.0f},
+constexpr LoadSettings settings_of_load[JointScratch::loads] = {{0.0f, 60.0f, 0.25f, 1, 2.0f},
                                                                 {10.0f, 120.0f, 0.5f, 4, 16.0f},
                                                                 {100.0f, 240.0f, 1.0f, 16, 64.0f}};
 
