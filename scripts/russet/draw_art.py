@@ -465,7 +465,7 @@ def backdrop(number, above, below, hills, kind):
         def height(x):
             h = sum(a * math.sin(2 * math.pi * k * x / 384 + p) for k, p, a in waves)
             if kind == "ice" or number == 6:
-                h = abs((x * (3 + layer) / 128 + layer * 0.4) % 2 - 1) * 34 - 12 + h * 0.4
+                h = abs((x * (2 + layer) / 96 + layer * 0.4) % 2 - 1) * 34 - 12 + h * 0.4      # whole peaks: it repeats
             return 138 - layer * 22 + h
 
         for x in range(384):
