@@ -11,6 +11,7 @@
 
 namespace fullscreen_test {
 
+using fettle::test::available;
 using fettle::test::GameWindow;
 using fettle::test::missing_tools;
 namespace fs = std::filesystem;
@@ -35,6 +36,43 @@ TEST_CASE("F11 and Alt and Enter change between fullscreen and the window") {
     game.key("s");
     CHECK(game.prints("resized\t500\t300"));
     CHECK(game.prints("screen\tvec(500, 300)"));
+}
+
+TEST_CASE("Alt and Enter change to fullscreen and back under a window manager") {
+    std::string missing = missing_tools();
+    if (!available("openbox")) missing += missing.empty() ? "openbox" : " and openbox";
+    if (!missing.empty()) {
+        std::cout << "SKIPPED: " << missing << " not found\n";
+        return;
+    }
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "main.lua")
+        << "view.window:watch('fullscreen', function(on) print('fullscreen', on) end)\n"
+           "print('ready')\n";
+    GameWindow game(folder.path, {}, "openbox");
+    REQUIRE(game.prints("ready"));
+    REQUIRE(game.eventually([&] { return !game.active_window().empty(); }));
+    // The window that is opened gets the keyboard only after the keys have been let go.
+    std::size_t seen = 0;
+    const auto prints_next = [&](const std::string& text) {
+        return game.eventually([&] {
+            const std::size_t at = game.printed().find(text, seen);
+            if (at != std::string::npos) seen = at + text.size();
+            return at != std::string::npos;
+        });
+    };
+    for (const char* change : {"true", "false", "true", "false"}) {
+        CAPTURE(change);
+        const std::string before = game.active_window();
+        game.key("alt+Return");
+        const bool changes = prints_next(std::string("fullscreen\t") + change);
+        INFO(game.printed());
+        REQUIRE(changes);
+        REQUIRE(game.eventually([&] {
+            const std::string now = game.active_window();
+            return !now.empty() && now != before;
+        }));
+    }
 }
 
 TEST_CASE("a size that a game sets when it begins stays") {

@@ -27,8 +27,11 @@ std::string missing_tools() {
     return missing;
 }
 
-GameWindow::GameWindow(const fs::path& game) {
+GameWindow::GameWindow(const fs::path& game, const std::map<std::string, std::string>& environment,
+                       const std::string& window_manager) {
     start_display();
+    if (!window_manager.empty())
+        manager_ = Process({window_manager}, environment_, folder_ / "manager");
     environment_["XDG_STATE_HOME"] = (folder_ / "state").string();
     environment_["XDG_DATA_HOME"] = (folder_ / "data").string();
     environment_["WAYLAND_DISPLAY"] = "";
@@ -39,7 +42,9 @@ GameWindow::GameWindow(const fs::path& game) {
         fs::copy(game, folder_ / "game", fs::copy_options::recursive);
         command.push_back((folder_ / "game").string());
     }
-    program_ = Process(command, environment_, folder_ / "printed");
+    std::map<std::string, std::string> all = environment;
+    all.insert(environment_.begin(), environment_.end());
+    program_ = Process(command, all, folder_ / "printed");
     fs::path found = folder_ / "windows";
     bool shown = eventually([&] {
         fs::remove(found);
@@ -57,6 +62,7 @@ GameWindow::GameWindow(const fs::path& game) {
 
 GameWindow::~GameWindow() {
     program_.end();
+    manager_.end();
     display_.end();
 }
 
@@ -75,6 +81,12 @@ void GameWindow::start_display() {
         throw std::runtime_error("no virtual display came up\n" + read_file(folder_ / "display"));
     std::string name = read_file(number);
     environment_["DISPLAY"] = ":" + name.substr(0, name.find('\n'));
+}
+
+std::string GameWindow::active_window() const {
+    const fs::path found = folder_ / "active";
+    fs::remove(found);
+    return run({"xdotool", "getactivewindow"}, environment_, found) == 0 ? read_file(found) : "";
 }
 
 void GameWindow::xdotool(const std::vector<std::string>& arguments) const {

@@ -19,10 +19,16 @@ std::string missing_tools();
 
 class GameWindow {
   public:
-    /// Starts a virtual display and `fettle run GAME` in it; without a game, the gallery. Throws
-    /// std::runtime_error if either does not start.
-    explicit GameWindow(const std::filesystem::path& game);
+    /// Starts a virtual display and `fettle run GAME` in it; without a game, the gallery.
+    /// `environment` is added to that of the program. Throws std::runtime_error if either does not
+    /// start.
+    explicit GameWindow(const std::filesystem::path& game,
+                        const std::map<std::string, std::string>& environment = {},
+                        const std::string& window_manager = "");
     ~GameWindow();
+
+    /// The window to which a window manager gives the keyboard; "" if there is none.
+    std::string active_window() const;
 
     /// Key names of xdotool: "grave", "Return", "ctrl+a".
     void key(const std::string& name);
@@ -50,7 +56,7 @@ class GameWindow {
     TemporaryFolder temporary_;
     const std::filesystem::path& folder_ = temporary_.path;
     std::map<std::string, std::string> environment_;
-    Process display_, program_;
+    Process display_, manager_, program_;
 };
 
 }  // namespace fettle::test

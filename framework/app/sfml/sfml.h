@@ -32,8 +32,10 @@ class NoMessages {
     std::streambuf* before_;
 };
 
-/// The name of a key; "" if it has none. sfml_events.cpp defines this function and the next two.
+/// The name of a key; "" if it has none. sfml_events.cpp defines this function and the next four.
 std::string key_name(sf::Keyboard::Key key);
+/// Whether a finger is on the key of this name, whichever window has the keyboard.
+bool is_down(const std::string& key);
 std::string button_name(sf::Mouse::Button button);
 /// Sets name and delta of an axis event. `position`: percent, y down positive.
 void set_axis(InputEvent& event, sf::Joystick::Axis axis, float position);

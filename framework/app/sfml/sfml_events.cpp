@@ -67,6 +67,14 @@ std::string key_name(sf::Keyboard::Key key) {
     return {};
 }
 
+bool is_down(const std::string& key) {
+    for (int code = 0; code < static_cast<int>(sf::Keyboard::KeyCount); ++code)
+        if (const auto each = static_cast<sf::Keyboard::Key>(code);
+            key_name(each) == key && sf::Keyboard::isKeyPressed(each))
+            return true;
+    return false;
+}
+
 std::string button_name(sf::Mouse::Button button) {
     switch (button) {
         case sf::Mouse::Button::Left:

@@ -177,7 +177,7 @@ class SfmlWindow : public Window {
     Clipboard& clipboard() override { return clipboard_; }
 
     bool poll(InputEvent& event) override {
-        if (poll_gamepads(event)) return true;
+        if (poll_gamepads(event) || poll_let_go(event)) return true;
         do {
             if (!sfml::poll(window_, event)) return poll_size(event);
         } while (is_size_of_opening(event));
@@ -246,6 +246,7 @@ class SfmlWindow : public Window {
         told_ = {0, 0};  // the game learns the size of a window that was opened again
         opened_ = std::nullopt;
         reopened_ = true;
+        keyboard_elsewhere_ = true;
     }
     /// The library reports gamepads only that are plugged in while the window is open.
     bool poll_gamepads(InputEvent& event) {
@@ -259,6 +260,20 @@ class SfmlWindow : public Window {
             return true;
         }
         return false;
+    }
+    /// A key that is let go while the window is opened again is told to neither window.
+    bool poll_let_go(InputEvent& event) {
+        if (!keyboard_elsewhere_) return false;
+        const auto let_go = std::ranges::find_if_not(down_, sfml::is_down);
+        if (let_go == down_.end()) {
+            keyboard_elsewhere_ = !window_.hasFocus();
+            return false;
+        }
+        event = {};
+        event.kind = EventKind::key_released;
+        event.name = *let_go;
+        down_.erase(let_go);
+        return true;
     }
     void show_cursor() {
         // The window uses the cursor until it gets another one.
@@ -306,6 +321,7 @@ class SfmlWindow : public Window {
     SystemClipboard clipboard_;
     Pacer pacer_;
     std::set<std::string> down_;
+    bool keyboard_elsewhere_ = false;  // the window was opened and has not had the keyboard yet
     bool keep_frame_ = false;
 };
 
