@@ -82,10 +82,11 @@ void WorldLock::unlock() {
 
 void WorldLock::finish() {
     const WorldSelf& self = *self_;
-    if (weight_ == WorldSelf::middle && self.thrown_)
-        std::rethrow_exception(std::exchange(self.thrown_, nullptr));
-    if (self.orphaned()) self.throw_orphaned();
-    unlock();
+    std::exception_ptr thrown;
+    if (weight_ == WorldSelf::middle) thrown = std::exchange(self.thrown_, nullptr);
+    if (!thrown && self.orphaned()) self.throw_orphaned();
+    unlock();  // functions of `after_step` run after an exception, too, and may edit
+    if (thrown) std::rethrow_exception(thrown);
 }
 
 }  // namespace fettle::physics::detail

@@ -1,4 +1,6 @@
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "catch.h"
@@ -73,6 +75,17 @@ TEST_CASE("all functions are called even if one throws") {
     REQUIRE(calls == 1);
     REQUIRE(world.statistics().steps == 1);
     REQUIRE_NOTHROW(world.step(frame));
+}
+
+TEST_CASE("a function may edit the world after a step in which a callback threw") {
+    World world;
+    add_heap(world);
+    world.set_before_solve([](ContactEdit&) { throw std::runtime_error("callback"); });
+    std::optional<Body> made;
+    world.after_step([&] { made = world.create_body(); });
+    REQUIRE_THROWS_WITH(world.step(frame), "callback");
+    REQUIRE(made.has_value());
+    REQUIRE_FALSE(world.locked());
 }
 
 TEST_CASE("a function may destroy the world and the later ones are not called") {
