@@ -14,7 +14,6 @@
 #include <fettle/property/history.h>
 #include <fettle/property/tree.h>
 
-#include <guards/lifetime.h>
 #include <structure/structure.h>
 
 #include "transactions.h"
