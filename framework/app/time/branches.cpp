@@ -54,13 +54,13 @@ void Timeline::keep_branch() {
         return;
     }
     for (Other& other : others_)
-        if (other.fork > here_) {
-            other.fork = here_;
+        if (other.fork > place_.here) {
+            other.fork = place_.here;
             weigh(other);
         }
     Other left{.name = clock_.branch,
                .named = std::exchange(named_, false),
-               .fork = here_,
+               .fork = place_.here,
                .keyframes = keyframes_,
                .steps = steps_,
                .tail = std::move(tail_)};
@@ -160,12 +160,12 @@ void Timeline::exchange_with(Other& other) {
     std::swap(keyframes_, other.keyframes);
     std::swap(steps_, other.steps);
     std::swap(tail_, other.tail);
-    edits_ = broken_ = {};
-    failed_ = -1;
-    logged_ = logged_since_ = 0;
+    edits_ = failure_.broken = {};
+    failure_.step = -1;
+    bytes_.logged = bytes_.logged_since = 0;
     for (const auto& step : steps_) {
-        logged_ += step->bytes;
-        if (step->number > keyframes_.back().step) logged_since_ += step->bytes;
+        bytes_.logged += step->bytes;
+        if (step->number > keyframes_.back().step) bytes_.logged_since += step->bytes;
     }
     clock_.oldest = keyframes_.front().step;
     clock_.newest = newest();

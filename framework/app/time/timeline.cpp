@@ -47,7 +47,7 @@ Timeline::Timeline(property::Tree& tree, Clock& clock, std::function<void(double
       clock_(clock),
       step_modules_(std::move(step_modules)),
       jumps_(std::make_unique<Jumps>(tree)),
-      spacing_(min_spacing) {}
+      pace_{.spacing = min_spacing} {}
 
 Timeline::~Timeline() = default;
 
@@ -67,9 +67,9 @@ void Timeline::forget_all() {
     keyframes_.clear();
     steps_.clear();
     others_.clear();
-    tail_ = edits_ = broken_ = {};
-    logged_ = logged_since_ = 0;
-    spacing_ = min_spacing;
+    tail_ = edits_ = failure_.broken = {};
+    bytes_.logged = bytes_.logged_since = 0;
+    pace_.spacing = min_spacing;
     clock_.oldest = clock_.newest = clock_.step;
 }
 
@@ -77,27 +77,27 @@ void Timeline::forget_all() {
 /// step.
 void Timeline::share_room() {
     const auto room = static_cast<std::size_t>(clock_.rewind_memory * 1048576.0);
-    if (room == room_) return;
-    room_ = room;
+    if (room == bytes_.room) return;
+    bytes_.room = room;
     tree_.set_history_limit(std::min(room / 4, max_history));
 }
 
 bool Timeline::there_is_room() const {
-    return no_room_at_ < 0 || room_ > no_room_ || clock_.step >= no_room_at_ + retry_interval ||
-           clock_.step < no_room_at_;
+    return bytes_.no_room_at < 0 || bytes_.room > bytes_.no_room ||
+           clock_.step >= bytes_.no_room_at + retry_interval || clock_.step < bytes_.no_room_at;
 }
 
 void Timeline::begin_log() {
     log_ = std::make_unique<property::WriteLog>(tree_);
-    log_->set_limit(room_ / 8);
+    log_->set_limit(bytes_.room / 8);
 }
 
 void Timeline::begin_step() {
-    in_step_ = true;
-    failed_ = -1;
+    place_.in_step = true;
+    failure_.step = -1;
     share_room();
-    stepping_ = on() && there_is_room();
-    if (!stepping_) {
+    place_.stepping = on() && there_is_room();
+    if (!place_.stepping) {
         if (log_ != nullptr) forget_all();
         clock_.oldest = clock_.newest = clock_.step;
         return;
@@ -107,47 +107,47 @@ void Timeline::begin_step() {
         begin_log();
         skip_changes();
     }
-    log_->set_limit(room_ / 8);
+    log_->set_limit(bytes_.room / 8);
     if (keyframes_.empty()) {
-        here_ = clock_.step;
+        place_.here = clock_.step;
         take_keyframe();
     }
-    begun_ = now();
+    pace_.begun = now();
     // A step from here replaces the later steps, which become another branch.
-    if (here_ < newest()) {
+    if (place_.here < newest()) {
         keep_branch();
-        drop_after(here_);
+        drop_after(place_.here);
         tail_ = std::exchange(edits_, {});
-        broken_ = {};
+        failure_.broken = {};
     }
     open_ = {};
 }
 
 void Timeline::modules_step(double dt) {
-    if (!stepping_) return;
+    if (!place_.stepping) return;
     // A step that failed is followed by the next one unless one went back in between.
-    open_ = std::move(broken_);
+    open_ = std::move(failure_.broken);
     for (Piece& piece : tail_.before) open_.before.push_back(std::move(piece));
     open_.bytes += tail_.bytes;
-    tail_ = broken_ = {};
+    tail_ = failure_.broken = {};
     open_.dt = dt;
     note(open_, open_.before.emplace_back());
 }
 
 void Timeline::end_step() {
-    in_step_ = false;
-    if (!std::exchange(stepping_, false)) {
+    place_.in_step = false;
+    if (!std::exchange(place_.stepping, false)) {
         clock_.oldest = clock_.newest = clock_.step;
         return;
     }
-    open_.number = here_ = clock_.step;
+    open_.number = place_.here = clock_.step;
     note(open_, open_.after);
     if (too_much(open_)) return restart();
     open_.bytes += sizeof(Step) + step_overhead;
-    logged_ += open_.bytes;
-    logged_since_ += open_.bytes;
+    bytes_.logged += open_.bytes;
+    bytes_.logged_since += open_.bytes;
     steps_.push_back(std::make_shared<Step>(std::move(open_)));
-    worked_ += now() - begun_;
+    pace_.worked += now() - pace_.begun;
     if (keyframe_is_due()) take_keyframe();
     trim();
     clock_.oldest = oldest();
@@ -155,31 +155,31 @@ void Timeline::end_step() {
 }
 
 void Timeline::leave_step() {
-    in_step_ = false;
-    const bool broken = std::exchange(stepping_, false);
-    if (log_ == nullptr || (!broken && failed_ != clock_.step)) return;
-    Step& of = broken ? broken_ : tail_;
+    place_.in_step = false;
+    const bool broken = std::exchange(place_.stepping, false);
+    if (log_ == nullptr || (!broken && failure_.step != clock_.step)) return;
+    Step& of = broken ? failure_.broken : tail_;
     note(of, of.before.emplace_back());
-    failed_pieces_ = tail_.before.size();
+    failure_.pieces = tail_.before.size();
     if (too_much(of)) restart();
 }
 
 void Timeline::note_failure() {
-    if (in_step_) failed_ = clock_.step;
+    if (place_.in_step) failure_.step = clock_.step;
 }
 
 bool Timeline::go_before_failure() {
-    const std::int64_t failed = std::exchange(failed_, -1);
-    if (in_step_ || failed < 0 || clock_.step != failed || !keeps()) return false;
+    const std::int64_t failed = std::exchange(failure_.step, -1);
+    if (place_.in_step || failed < 0 || clock_.step != failed || !keeps()) return false;
     settle();
-    if (here_ == failed) {  // a handler failed after the modules had stepped
+    if (place_.here == failed) {  // a handler failed after the modules had stepped
         bool edited = false;
-        for (std::size_t i = failed_pieces_; i < tail_.before.size(); ++i)
+        for (std::size_t i = failure_.pieces; i < tail_.before.size(); ++i)
             edited = edited || !tail_.before[i].writes.empty();
         if (edited || failed <= oldest()) return false;
         travel(failed - 1);
     } else {
-        travel(here_);
+        travel(place_.here);
     }
     return true;
 }
@@ -200,7 +200,7 @@ void Timeline::skip_changes() {
 }
 
 bool Timeline::too_much(const Step& step) const {
-    return step.bytes > room_ / 2 || step.after.writes.too_much ||
+    return step.bytes > bytes_.room / 2 || step.after.writes.too_much ||
            std::any_of(step.before.begin(), step.before.end(),
                        [](const Piece& piece) { return piece.writes.too_much; });
 }
@@ -210,7 +210,7 @@ void Timeline::restart() {
     const std::int64_t step = clock_.step;
     forget_all();
     begin_log();
-    here_ = step;
+    place_.here = step;
     take_keyframe();
     trim();
     clock_.oldest = clock_.newest = step;
@@ -222,7 +222,7 @@ void Timeline::take_keyframe() {
     Snapshot taken = tree_.snapshot(std::move(room.buffer.bytes));
     (void)log_->take();  // these writes are in the snapshot
     if (packer_ == nullptr) packer_ = std::make_unique<Packer>();
-    Keyframe frame{.step = here_,
+    Keyframe frame{.step = place_.here,
                    .payload = nullptr,
                    .memories = taken.memories(),
                    .held = taken.held(),
@@ -232,12 +232,12 @@ void Timeline::take_keyframe() {
     // The first state is often before any contact, so later states need more memory.
     const std::size_t later = keyframes_.empty() ? 3 * room.buffer.bytes.size() : 0;
     frame.payload =
-        std::make_shared<PackedBytes>(std::move(room.buffer), later <= room_ / 4 ? later : 0);
+        std::make_shared<PackedBytes>(std::move(room.buffer), later <= bytes_.room / 4 ? later : 0);
     packer_->pack(frame.payload);
     keyframes_.push_back(std::move(frame));
-    logged_since_ = 0;
-    cost_ = now() - before;
-    worked_ = 0;
+    bytes_.logged_since = 0;
+    pace_.cost = now() - before;
+    pace_.worked = 0;
 }
 
 /// Returns the memory of the latest packed state for the next keyframe and frees that of the
@@ -258,9 +258,10 @@ Timeline::Room Timeline::room_of_packed() {
 /// game. It is also due after many writes, because then older log entries can be dropped.
 bool Timeline::keyframe_is_due() const {
     const Keyframe& last = keyframes_.back();
-    const std::int64_t since = here_ - last.step;
-    return since >= max_spacing || (since >= spacing_ && worked_ * share_ >= cost_) ||
-           logged_since_ > std::max(room_ / 8, last.payload->plain_size());
+    const std::int64_t since = place_.here - last.step;
+    return since >= max_spacing ||
+           (since >= pace_.spacing && pace_.worked * pace_.share >= pace_.cost) ||
+           bytes_.logged_since > std::max(bytes_.room / 8, last.payload->plain_size());
 }
 
 // Handles a snapshot that other code has restored. The next steps start from there; steps before
@@ -273,26 +274,26 @@ void Timeline::note_jump() {
     else
         drop_after(step - 1);
     if (log_ == nullptr) begin_log();
-    tail_ = edits_ = broken_ = {};
-    failed_ = -1;
-    here_ = step;
+    tail_ = edits_ = failure_.broken = {};
+    failure_.step = -1;
+    place_.here = step;
     take_keyframe();
     keyframes_.back().jumped_to = true;
 }
 
 void Timeline::drop(Steps::iterator step) {
-    logged_ -= (*step)->bytes;
+    bytes_.logged -= (*step)->bytes;
     steps_.erase(step);
 }
 
 void Timeline::drop_after(std::int64_t step) {
     while (!keyframes_.empty() && keyframes_.back().step > step) keyframes_.pop_back();
     while (!steps_.empty() && steps_.back()->number > step) drop(std::prev(steps_.end()));
-    logged_since_ = 0;
+    bytes_.logged_since = 0;
     for (auto each = steps_.rbegin();
          each != steps_.rend() && (keyframes_.empty() || (*each)->number > keyframes_.back().step);
          ++each)
-        logged_since_ += (*each)->bytes;
+        bytes_.logged_since += (*each)->bytes;
 }
 
 void Timeline::drop_oldest() {
@@ -303,10 +304,10 @@ void Timeline::drop_oldest() {
 
 /// Halves the number of keyframes. The kept time stays the same, but going to a step takes longer.
 void Timeline::thin_out() {
-    spacing_ *= 2;
+    pace_.spacing *= 2;
     std::deque<Keyframe> kept;
     for (Keyframe& frame : keyframes_)
-        if (kept.empty() || frame.jumped_to || frame.step - kept.back().step >= spacing_)
+        if (kept.empty() || frame.jumped_to || frame.step - kept.back().step >= pace_.spacing)
             kept.push_back(std::move(frame));
     keyframes_ = std::move(kept);
 }
@@ -315,18 +316,18 @@ void Timeline::trim() {
     while (keyframes_.size() > 1 && keyframes_[1].step <= newest() - limit_of(clock_))
         drop_oldest();
     trim_branches();
-    const std::size_t room = room_ - std::min(room_, tree_.history_bytes());
+    const std::size_t room = bytes_.room - std::min(bytes_.room, tree_.history_bytes());
     while (!others_.empty() && memory() > room) drop_branch();
     while (keyframes_.size() > 1 && memory() > room) {
-        if (spacing_ < max_spacing && keyframes_.size() > 2 && logged_ < room / 2)
+        if (pace_.spacing < max_spacing && keyframes_.size() > 2 && bytes_.logged < room / 2)
             thin_out();
         else
             drop_oldest();
     }
-    no_room_at_ = -1;
+    bytes_.no_room_at = -1;
     if (memory() <= room) return;
-    no_room_at_ = clock_.step;
-    no_room_ = room_;
+    bytes_.no_room_at = clock_.step;
+    bytes_.no_room = bytes_.room;
     forget_all();
 }
 
@@ -335,7 +336,7 @@ void Timeline::trim() {
 std::int64_t Timeline::oldest() const {
     if (keyframes_.empty()) return clock_.step;
     const std::int64_t offered = std::max(newest() - limit_of(clock_), clock_.oldest);
-    return std::max(keyframes_.front().step, std::min(offered, here_));
+    return std::max(keyframes_.front().step, std::min(offered, place_.here));
 }
 
 Timeline::KeptSteps Timeline::kept_steps() const {
@@ -366,7 +367,7 @@ std::size_t Timeline::forgotten() const {
 }
 
 std::size_t Timeline::memory() const {
-    std::size_t sum = logged_ + tail_.bytes + edits_.bytes + broken_.bytes +
+    std::size_t sum = bytes_.logged + tail_.bytes + edits_.bytes + failure_.broken.bytes +
                       (log_ != nullptr ? log_->memory() : 0);
     for (const Keyframe& frame : keyframes_) sum += frame.memory();
     for (const Other& other : others_) sum += other.memory();

@@ -29,11 +29,12 @@ void Timeline::require(std::int64_t step) const {
 }
 
 void Timeline::require_between_steps(const char* what) const {
-    if (in_step_ || jumps_->travelling)
-        throw property::Error(property::ErrorKind::bad_structure,
-                              std::string(what) +
-                                  (in_step_ ? " in the middle of a step" : " while time travels") +
-                                  ": wait for the next barrier between steps");
+    if (place_.in_step || jumps_->travelling)
+        throw property::Error(
+            property::ErrorKind::bad_structure,
+            std::string(what) +
+                (place_.in_step ? " in the middle of a step" : " while time travels") +
+                ": wait for the next barrier between steps");
 }
 
 void Timeline::go_to(std::int64_t step) {
@@ -66,7 +67,7 @@ void Timeline::review(std::int64_t from, const std::function<void(std::int64_t s
     require_between_steps("the past cannot be looked at");
     settle();
     if (!keeps()) return;
-    const std::int64_t here = here_;
+    const std::int64_t here = place_.here;
     auto frame = std::prev(keyframes_.end());
     while (frame != keyframes_.begin() && (frame->step > here || frame->step > from) &&
            !(frame->step <= here && frame->jumped_to))
@@ -82,7 +83,7 @@ void Timeline::repeat_with(std::int64_t from, const std::function<void()>& chang
     require_between_steps("the past cannot be looked at");
     settle();
     require(from);
-    const std::int64_t here = here_;
+    const std::int64_t here = place_.here;
     auto frame = std::prev(keyframes_.end());
     while (frame != keyframes_.begin() && (frame->step > here || frame->step > from)) --frame;
     look_elsewhere(*frame, [&] {
@@ -101,7 +102,7 @@ void Timeline::repeat_with(std::int64_t from, const std::function<void()>& chang
 /// Restores a keyframe, calls `repeat`, and returns to where the tree was, also if `repeat` throws;
 /// then throws its exception.
 void Timeline::look_elsewhere(const Keyframe& frame, const std::function<void()>& repeat) {
-    const std::int64_t here = here_;
+    const std::int64_t here = place_.here;
     auto back = std::prev(keyframes_.end());
     while (back != keyframes_.begin() && back->step > here) --back;
     std::exception_ptr problem;
@@ -136,21 +137,21 @@ void Timeline::redo(const Step& step) {
 void Timeline::settle() {
     note_jump();
     if (log_ == nullptr) return;
-    Step& since = here_ == newest() ? tail_ : edits_;
+    Step& since = place_.here == newest() ? tail_ : edits_;
     note(since, since.before.emplace_back());
     // Time and random numbers after a step that failed are those of that step.
-    if (!broken_.before.empty()) since.before.back().changes.clear();
+    if (!failure_.broken.before.empty()) since.before.back().changes.clear();
     if (too_much(since)) restart();
 }
 
 void Timeline::travel(std::int64_t step) {
-    edits_ = broken_ = {};
-    failed_ = -1;
+    edits_ = failure_.broken = {};
+    failure_.step = -1;
     const auto frame =
         std::prev(std::upper_bound(keyframes_.begin(), keyframes_.end(), step,
                                    [](std::int64_t s, const Keyframe& k) { return s < k.step; }));
     replay(*frame, step, {});
-    returned_ = step < newest();
+    place_.returned = step < newest();
 }
 
 /// Restores the keyframe and repeats the steps behind it up to `step`; calls `look`, if given,
@@ -171,7 +172,7 @@ void Timeline::replay(const Keyframe& frame, std::int64_t step,
                 for (const Piece& piece : edits_.before) redo(piece);
                 return;
             }
-            for (const Step* each : {&broken_, &tail_})
+            for (const Step* each : {&failure_.broken, &tail_})
                 for (const Piece& piece : each->before) redo(piece);
         });
     } catch (...) {
@@ -179,7 +180,7 @@ void Timeline::replay(const Keyframe& frame, std::int64_t step,
         if (jumps_->arrived) restart();
         throw;
     }
-    here_ = step;
+    place_.here = step;
     clock_.step = step;
     skip_changes();
 }

@@ -67,7 +67,7 @@ class Timeline {
 
     /// Whether an earlier step than the newest was gone to since the last call. The tree is then as
     /// right after that step.
-    bool take_return() { return std::exchange(returned_, false); }
+    bool take_return() { return std::exchange(place_.returned, false); }
 
     /// Calls `look` for the kept steps from `from` on, in order, up to the present one, with the
     /// tree in the state after that step. At the end the tree is as it was, bit for bit; as after
@@ -112,7 +112,7 @@ class Timeline {
 
     /// The share of the time of the game's steps that keyframes may take, 0.01 by default; a
     /// smaller share makes going to a step slower.
-    void set_share(double share) { share_ = share; }
+    void set_share(double share) { pace_.share = share; }
 
     /// Drops all steps.
     void clear();
@@ -169,6 +169,35 @@ class Timeline {
         std::int64_t newest() const;
         std::size_t memory() const;
     };
+    /// The last step in which a script failed.
+    struct Failure {
+        std::int64_t step = -1;  // -1: none
+        std::size_t pieces = 0;  // of `tail_` at its end
+        Step broken;             // the newest step, as far as it was made; `before` only
+    };
+    /// Where the tree is, and whether a step is being made.
+    struct Place {
+        std::int64_t here = 0;  // the step that the tree is at
+        bool returned = false;  // for `take_return`
+        bool in_step = false;
+        bool stepping = false;  // in a step: changes are logged
+    };
+    /// The memory of the past.
+    struct Bytes {
+        std::size_t logged = 0;        // of `steps_`
+        std::size_t logged_since = 0;  // of these since the last keyframe
+        std::size_t room = 0;          // that the past and the history may use
+        std::size_t no_room = 0;       // the room when it was less than one keyframe needs
+        std::int64_t no_room_at = -1;  // the last step at which it was; -1: none
+    };
+    /// How often keyframes are made.
+    struct Pace {
+        double share = 0.01;       // of the time of steps
+        std::int64_t spacing = 0;  // steps from one keyframe to the next
+        double begun = 0;          // s, at the start of the step
+        double worked = 0;         // s, duration of the steps since the last keyframe
+        double cost = 0;           // s, duration of making the last keyframe
+    };
     class FETTLE_APP_PRIVATE Jumps;
     class FETTLE_APP_PRIVATE Travelling;
 
@@ -220,24 +249,11 @@ class Timeline {
     bool named_ = false;         // the present branch, by a person
     Step tail_;  // after the newest step, while the tree is at an earlier one; `before` only
     Step open_;
-    bool returned_ = false;
-    Step edits_;   // at an earlier step than the newest, before the next step; `before` only
-    Step broken_;  // the newest step, as far as it was made before it failed; `before` only
-    bool in_step_ = false;
-    bool stepping_ = false;          // in a step: changes are logged
-    std::int64_t here_ = 0;          // the step that the tree is at
-    std::int64_t failed_ = -1;       // the step in which a script failed; -1: none
-    std::size_t failed_pieces_ = 0;  // pieces of `tail_` at its end
-    std::int64_t spacing_ = 0;       // steps from one keyframe to the next
-    std::size_t logged_ = 0;         // bytes of `steps_`
-    std::size_t logged_since_ = 0;   // bytes of these since the last keyframe
-    std::size_t room_ = 0;           // bytes that the past and the history may use
-    std::int64_t no_room_at_ = -1;   // last step without room for one keyframe; -1: none
-    std::size_t no_room_ = 0;        // the room at that step, bytes
-    double share_ = 0.01;
-    double begun_ = 0;   // s, at the start of the step
-    double worked_ = 0;  // s, duration of the steps since the last keyframe
-    double cost_ = 0;    // s, duration of making the last keyframe
+    Step edits_;  // at an earlier step than the newest, before the next step; `before` only
+    Failure failure_;
+    Place place_;
+    Bytes bytes_;
+    Pace pace_;
 };
 
 }  // namespace fettle::app
