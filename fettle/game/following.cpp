@@ -48,7 +48,7 @@ Session::Followed Session::follow_files() {
 
 Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
     // A game whose main.lua has failed has no state to keep.
-    if (!loaded_) return Followed::restart;
+    if (!run_.loaded) return Followed::restart;
     const auto begin = std::chrono::steady_clock::now();
     const fs::path folder = folder_of(options_.game);
     std::vector<std::string> names;
@@ -67,16 +67,16 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
     for (const std::string& line : result.notes) note(line);
     if (!result.done) {
         tell_error(*result.error);
-        if (error_over_) error_over_(&*result.error);
+        if (receivers_.error_over) receivers_.error_over(&*result.error);
         return Followed::failed;
     }
-    if (error_over_) error_over_(nullptr);
+    if (receivers_.error_over) receivers_.error_over(nullptr);
     // The top level of the new code has set volumes and keys again, as at the start of the game.
     if (code) follow_preferences(*preferences_, interface_);
     const std::chrono::duration<double, std::milli> lasted =
         std::chrono::steady_clock::now() - begin;
     note("reloaded " + join(names) + " in " + std::to_string(std::lround(lasted.count())) + " ms");
-    failed_ = false;
+    run_.failed = false;
     if (loop_->halted() && loop_->retry())
         note("step " + std::to_string(services_->clock.step + 1) + " runs again");
     return Followed::changed;

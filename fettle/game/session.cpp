@@ -40,7 +40,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
                  std::function<void(const script::ScriptError&)> errors,
                  const app::Recording* replayed)
     : options_(options),
-      errors_(std::move(errors)),
+      receivers_{.errors = std::move(errors)},
       replayed_(replayed),
       assets_(files_, folder_of(options.game), assets()),
       modules_(without_modules_in_sandbox(options), options.modules),
@@ -94,7 +94,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     loop_->after_barrier([this] {
         tweaks_->barrier();
 #ifdef FETTLE_WITH_CONSOLE
-        if (std::exchange(stepped_, false) && console_) console_->after_step();
+        if (std::exchange(run_.stepped, false) && console_) console_->after_step();
 #endif
     });
     add_modules();
@@ -107,7 +107,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
 /// From now on messages go to stderr only, because the console ends before objects that report to
 /// it.
 Session::~Session() {
-    ending_ = true;
+    run_.ending = true;
 }
 
 /// A recording notes the files that the run reads; a replay gets the recorded content instead.
@@ -192,16 +192,16 @@ std::unique_ptr<property::Store> Session::new_store(KeptFile which,
 }
 
 void Session::note(const std::string& text) {
-    if (output_)
-        output_(text);
+    if (receivers_.output)
+        receivers_.output(text);
     else
         tell(text);
     if (listener_) listener_->print(text);
-    if (ending_) return;
+    if (run_.ending) return;
     if (console_)
         console_->note(text);
     else
-        early_notes_.push_back(text);
+        run_.early_notes.push_back(text);
 }
 
 void Session::add_modules() {
@@ -211,7 +211,7 @@ void Session::add_modules() {
                     .report =
                         [this, m] {
                             m->report(tree_);
-                            stepped_ = true;
+                            run_.stepped = true;
                         },
                     .hash = [m] { return m->hash(); }});
     loop_->add({.name = std::string(visuals_.name()),
@@ -318,7 +318,7 @@ void Session::make_console(app::Clipboard* clipboard) {
     if (!options_.headless) options.history_file = console::default_history_file();
     take_players_console(options);
     console_ = std::make_unique<ConsoleLayer>(tree_, *runtime_, std::move(options));
-    for (const std::string& text : early_notes_) console_->note(text);
+    for (const std::string& text : run_.early_notes) console_->note(text);
     if (options_.listen) console_->listen(true);
 #endif
 }
@@ -394,9 +394,9 @@ void Session::start() {
     if (console_ && options_.replay.empty()) loop_->add(*console_);
 #endif
     follow_preferences(*preferences_, interface_);
-    loaded_ = runtime_->load(options_.game);
-    if (!loaded_ && !runtime_->interrupted()) failed_ = true;
-    if (loaded_) open_moment();
+    run_.loaded = runtime_->load(options_.game);
+    if (!run_.loaded && !runtime_->interrupted()) run_.failed = true;
+    if (run_.loaded) open_moment();
     if (follows_files()) watch_.changed(files_.seen());
     tweaks_->game_loaded();
     if (const std::size_t open = tweaks_->open_earlier(); open > 0 && replayed_ == nullptr)
@@ -405,10 +405,10 @@ void Session::start() {
              " not made again yet: tweaks() lists " + (open == 1 ? "it" : "them") +
              ", reapply_tweaks(\"**\") makes " + (open == 1 ? "it" : "them") + " again");
     for (const std::string& chunk : options_.evals) {
-        if (loop_->stopped() || failed_) return;
-        if (!runtime_->run(chunk, "eval") && !runtime_->interrupted()) failed_ = true;
+        if (loop_->stopped() || run_.failed) return;
+        if (!runtime_->run(chunk, "eval") && !runtime_->interrupted()) run_.failed = true;
     }
-    if (test_ && !loop_->stopped() && !failed_ && !test_->start()) failed_ = true;
+    if (test_ && !loop_->stopped() && !run_.failed && !test_->start()) run_.failed = true;
     if (recorder_) recorder_->begin(tree_, *loop_);
 }
 
@@ -424,8 +424,8 @@ void Session::print_said(const std::string& text) {
 }
 
 void Session::print_outside(std::string_view text) {
-    if (output_)
-        output_(text);
+    if (receivers_.output)
+        receivers_.output(text);
     else
         print_line(text);
     if (!options_.headless) std::fflush(stdout);
@@ -443,9 +443,9 @@ void Session::run_at(std::uint64_t step) {
 /// recording contains them like typed commands.
 void Session::type_what_is_due() {
     const std::uint64_t next = loop_->lived() + 1;
-    if (next == typed_) return;
+    if (next == run_.typed) return;
     // A frame in a window may have made several steps.
-    const std::uint64_t before = std::exchange(typed_, next);
+    const std::uint64_t before = std::exchange(run_.typed, next);
     for (const auto& [when, command] : options_.console) {
         if (when <= before || when > next || loop_->stopped()) continue;
         print_said("› " + command);
@@ -458,18 +458,18 @@ void Session::type_what_is_due() {
 void Session::fail(const script::ScriptError& error) {
     // Not an error of the game: its scripts were stopped to end the run.
     if (runtime_->interrupted()) {
-        if (std::exchange(interruption_, error.message) != error.message)
+        if (std::exchange(run_.interruption, error.message) != error.message)
             tell("in " + error.context + ": " + error.message);
         return;
     }
-    failed_ = true;
+    run_.failed = true;
     tell_error(error);
     loop_->halt();
-    if (errors_) errors_(error);
+    if (receivers_.errors) receivers_.errors(error);
 }
 
 void Session::tell_error(const script::ScriptError& error) {
-    if (!output_) tell_lines(app::error_text(error));
+    if (!receivers_.output) tell_lines(app::error_text(error));
     if (listener_) listener_->print(app::error_text(error));
     if (console_) console_->report(error);
 }
@@ -479,7 +479,7 @@ std::string Session::recording_problem() const {
 }
 
 int Session::exit_status() const {
-    if (failed_) return script_error;
+    if (run_.failed) return script_error;
     return runtime_->quit_status().value_or(success);
 }
 

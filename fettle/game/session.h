@@ -66,7 +66,9 @@ class Session {
     TestDriver* test() { return test_.get(); }
     /// Receives what the game prints, and notes, in place of the terminal. Errors are then given to
     /// `errors` only.
-    void on_output(std::function<void(std::string_view)> sink) { output_ = std::move(sink); }
+    void on_output(std::function<void(std::string_view)> sink) {
+        receivers_.output = std::move(sink);
+    }
     /// Pixels at the lower edge of the window that the console covers.
     float covered_below() const;
     /// Whether the game is at an earlier step than the newest.
@@ -77,7 +79,7 @@ class Session {
     void add_layer(app::Layer& layer);
     /// The exit status; it depends on errors and quit().
     int exit_status() const;
-    bool failed() const { return failed_; }
+    bool failed() const { return run_.failed; }
 
     /// The result of reading changed files. `restart`: main.lua had failed
     /// when the game began, so the game must begin again.
@@ -87,7 +89,7 @@ class Session {
     Followed follow_files();
     /// Receives the error of changed files, and null when they have none.
     void on_error_over(std::function<void(const script::ScriptError*)> sink) {
-        error_over_ = std::move(sink);
+        receivers_.error_over = std::move(sink);
     }
     /// Why the recording of the run is incomplete; "" if it is complete or if there is none.
     std::string recording_problem() const;
@@ -124,8 +126,25 @@ class Session {
     void fail(const script::ScriptError& error);
     void tell_error(const script::ScriptError& error);
 
+    /// Functions that get what the session says.
+    struct Receivers {
+        std::function<void(const script::ScriptError&)> errors{};
+        std::function<void(std::string_view)> output{};
+        std::function<void(const script::ScriptError*)> error_over{};
+    };
+    /// What has happened in the run.
+    struct Run {
+        bool loaded = false;                   // main.lua and start() had no error
+        std::vector<std::string> early_notes;  // notes from before the console existed
+        std::uint64_t typed = 0;               // the last step whose --console commands were run
+        bool stepped = false;  // the modules have made a step, which is not delivered yet
+        bool failed = false;
+        bool ending = false;
+        std::string interruption;  // the last message about stopped scripts
+    };
+
     const RunOptions& options_;
-    std::function<void(const script::ScriptError&)> errors_;
+    Receivers receivers_;
     const app::Recording* replayed_;  // null unless the run is a replay
     property::GameFiles files_;
     property::Assets assets_;
@@ -147,16 +166,8 @@ class Session {
     std::unique_ptr<Listener> listener_;  // while console.listen is set
     std::unique_ptr<TestDriver> test_;
     std::unique_ptr<app::Recorder> recorder_;
-    std::function<void(std::string_view)> output_;
-    std::function<void(const script::ScriptError*)> error_over_;
     FileWatch watch_;
-    bool loaded_ = false;                   // main.lua and start() had no error
-    std::vector<std::string> early_notes_;  // notes from before the console existed
-    std::uint64_t typed_ = 0;               // the last step whose --console commands were run
-    bool stepped_ = false;  // the modules have made a step, which is not delivered yet
-    bool failed_ = false;
-    bool ending_ = false;
-    std::string interruption_;  // the last message about stopped scripts
+    Run run_;
 };
 
 }  // namespace fettle::program
