@@ -337,8 +337,8 @@ bool Session::looks_back() const {
 
 void Session::travel(int steps) {
     const app::Clock& clock = services_->clock;
-    if (!clock.go_to || clock.newest <= clock.oldest) return;
-    clock.go_to(std::clamp(clock.step + steps, clock.oldest, clock.newest));
+    if (!clock.travel.go_to || clock.newest <= clock.oldest) return;
+    clock.travel.go_to(std::clamp(clock.step + steps, clock.oldest, clock.newest));
 }
 
 void Session::select(const std::vector<property::Handle>& instances) {

@@ -119,7 +119,7 @@ TEST_CASE("a journey in time that was ordered from a loop ends with it") {
     script::Runtime runtime(tree, {});
     auto loop = std::make_unique<Loop>(tree, runtime, services);
     for (int i = 0; i < 5; ++i) loop->turn();
-    services.clock.go_to(2);
+    services.clock.travel.go_to(2);
     loop.reset();
     CHECK_NOTHROW(tree.barrier());
     CHECK(services.clock.step == 5);

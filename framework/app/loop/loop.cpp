@@ -88,7 +88,7 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
     services_.audio.random = [this] { return runtime_life_.expired() ? 0.5 : runtime_.random(); };
     runtime_.on_rewind([this](double seconds) { timeline_.rewind(seconds); });
     // `ordered` ends with this function, which the destructor removes: then the orders are void.
-    services_.clock.go_to = [this, ordered = std::make_shared<char>()](std::int64_t step) {
+    services_.clock.travel.go_to = [this, ordered = std::make_shared<char>()](std::int64_t step) {
         // The caller can catch this error. At the barrier, fewer steps may be kept, so the loop
         // goes to the nearest.
         timeline_.require(step);
@@ -96,8 +96,9 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
             if (!held.expired()) timeline_.go_near(step);
         });
     };
-    services_.clock.branches = [this] { return timeline_.branches(); };
-    services_.clock.name_branch = [this](const std::string& branch, const std::string& name) {
+    services_.clock.travel.branches = [this] { return timeline_.branches(); };
+    services_.clock.travel.name_branch = [this](const std::string& branch,
+                                                const std::string& name) {
         timeline_.name_branch(branch, name);
     };
     const auto at_barrier = [this, ordered = std::make_shared<char>()](auto what) {
@@ -109,16 +110,13 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
             });
         };
     };
-    services_.clock.switch_to = at_barrier(&Timeline::switch_to);
-    services_.clock.forget_branch = at_barrier(&Timeline::forget_branch);
+    services_.clock.travel.switch_to = at_barrier(&Timeline::switch_to);
+    services_.clock.travel.forget_branch = at_barrier(&Timeline::forget_branch);
 }
 
 Loop::~Loop() {
     if (!runtime_life_.expired()) runtime_.on_rewind({});
-    services_.clock.go_to = {};
-    services_.clock.branches = {};
-    services_.clock.switch_to = services_.clock.forget_branch = {};
-    services_.clock.name_branch = {};
+    services_.clock.travel = {};
     services_.audio.random = {};
 }
 

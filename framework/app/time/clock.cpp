@@ -118,7 +118,7 @@ property::Method travelling(Clock& clock, property::Method method) {
     method.call = [](void* context, property::Tree& tree, property::Handle, property::Row,
                      Arguments arguments) -> property::Result {
         const Clock& of = *static_cast<Clock*>(context);
-        if (!of.go_to) throw std::invalid_argument("this game has no timeline");
+        if (!of.travel.go_to) throw std::invalid_argument("this game has no timeline");
         return Call(of, tree, arguments);
     };
     return method;
@@ -136,13 +136,13 @@ const std::vector<property::Field> branch_fields = {
 
 property::Result go_to(const Clock& of, property::Tree& tree, Arguments arguments) {
     tree.require_changeable("go to another step");
-    of.go_to(arguments[0].integer());
+    of.travel.go_to(arguments[0].integer());
     return property::Value();
 }
 
 property::Result branches(const Clock& of, property::Tree&, Arguments) {
     std::vector<property::Record> all;
-    for (const Branch& branch : of.branches())
+    for (const Branch& branch : of.travel.branches())
         all.push_back({&branch_fields,
                        {property::Value(branch.name), property::Value(branch.fork),
                         property::Value(branch.newest)}});
@@ -151,18 +151,19 @@ property::Result branches(const Clock& of, property::Tree&, Arguments) {
 
 property::Result switch_to(const Clock& of, property::Tree& tree, Arguments arguments) {
     tree.require_changeable("go to another branch");
-    of.switch_to(arguments[0].text());
+    of.travel.switch_to(arguments[0].text());
     return property::Value();
 }
 
 property::Result name_branch(const Clock& of, property::Tree&, Arguments arguments) {
-    of.name_branch(arguments[1].is_nil() ? of.branch : arguments[1].text(), arguments[0].text());
+    of.travel.name_branch(arguments[1].is_nil() ? of.branch : arguments[1].text(),
+                          arguments[0].text());
     return property::Value();
 }
 
 property::Result forget_branch(const Clock& of, property::Tree& tree, Arguments arguments) {
     tree.require_changeable("forget a branch");
-    of.forget_branch(arguments[0].text());
+    of.travel.forget_branch(arguments[0].text());
     return property::Value();
 }
 
@@ -308,13 +309,13 @@ void Clock::require_usable() const {
 }
 
 void Clock::advance() {
-    if (dt != origin_dt_) {
-        origin_ = now;
-        origin_step_ = step;
-        origin_dt_ = dt;
+    if (dt != origin_.dt) {
+        origin_.now = now;
+        origin_.step = step;
+        origin_.dt = dt;
     }
     ++step;
-    now = origin_ + static_cast<double>(step - origin_step_) * dt;
+    now = origin_.now + static_cast<double>(step - origin_.step) * dt;
 }
 
 struct ClockPart::State {
@@ -325,15 +326,15 @@ struct ClockPart::State {
 };
 
 ClockPart::State ClockPart::state() const {
-    return {clock_.step, clock_.now, clock_.origin_, clock_.origin_step_, clock_.origin_dt_};
+    return {clock_.step, clock_.now, clock_.origin_.now, clock_.origin_.step, clock_.origin_.dt};
 }
 
 void ClockPart::set(const State& state) {
     clock_.step = state.step;
     clock_.now = state.now;
-    clock_.origin_ = state.origin;
-    clock_.origin_step_ = state.origin_step;
-    clock_.origin_dt_ = state.origin_dt;
+    clock_.origin_.now = state.origin;
+    clock_.origin_.step = state.origin_step;
+    clock_.origin_.dt = state.origin_dt;
 }
 
 property::Memory ClockPart::save(property::ByteWriter& to) const {

@@ -21,6 +21,14 @@ struct Branch {
     std::int64_t newest = 0;  ///< its last step
 };
 
+/// Going to other steps and branches, where there is a timeline (Timeline); otherwise empty.
+struct Travel {
+    std::function<void(std::int64_t step)> go_to{};
+    std::function<std::vector<Branch>()> branches{};  // besides the present one
+    std::function<void(const std::string&branch)> switch_to{}, forget_branch{};
+    std::function<void(const std::string& branch, const std::string& name)> name_branch{};
+};
+
 struct Clock {
     // Settings that any code may write; a frame or a turn with an unusable one throws
     // (`require_usable`).
@@ -45,12 +53,8 @@ struct Clock {
     std::int64_t newest = 0;
     Timings timings{};  // smoothed
     FrameLog frames{};
-    std::function<void(std::int64_t step)> go_to{};  // goes to a step, where that is possible
-    std::string branch = "1";                        // the name of the present branch
-    // For the other branches, where there is a timeline (Timeline).
-    std::function<std::vector<Branch>()> branches{};
-    std::function<void(const std::string&branch)> switch_to{}, forget_branch{};
-    std::function<void(const std::string& branch, const std::string& name)> name_branch{};
+    std::string branch = "1";  // the name of the present branch
+    Travel travel{};
 
     /// One fixed step passes.
     void advance();
@@ -61,9 +65,12 @@ struct Clock {
   private:
     friend class ClockPart;
     // Time is a multiple of dt from the last change of dt, so that 60 steps of 1/60 s are 1 s.
-    double origin_ = 0;
-    std::int64_t origin_step_ = 0;
-    double origin_dt_ = 0;
+    struct Origin {
+        double now = 0;
+        std::int64_t step = 0;
+        double dt = 0;
+    };
+    Origin origin_{};
 };
 
 /// Simulation time in snapshots. Settings of users are saved by value; `paused` is not part of a
