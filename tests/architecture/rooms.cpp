@@ -116,7 +116,7 @@ const std::vector<DividedPart>& divided_parts() {
              {"change", {"values", "classes", "instances", "guards", "writes"}},
              {"formulas", {"values", "instances", "guards", "change"}},
              {"structure", {"values", "instances", "guards", "change", "formulas"}},
-             {"history", {"values", "instances", "guards", "change", "structure"}},
+             {"history", {"values", "instances", "change", "structure"}},
              {"tree",
               {"values", "classes", "instances", "guards", "change", "formulas", "structure",
                "history"}},
