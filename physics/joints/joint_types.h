@@ -116,7 +116,9 @@ class JointFunctions {
         SolverBody bodies[2];
         for (SolverBody& body : bodies) body.inverse_mass = body.inverse_inertia = 1.0f;
         c.warm_start(bodies[0], bodies[1]);
-        return {bodies[side].velocity, bodies[side].angular_velocity};
+        const Vec2 push = bodies[side].velocity,
+                   lever = side == 0 ? c.ends.lever_a : c.ends.lever_b;
+        return {push, bodies[side].angular_velocity, length(push) * length(lever)};
     }
 
     static void write_rows(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows) {
@@ -134,14 +136,14 @@ class JointFunctions {
             if constexpr (requires { &Constraint::moves_bodies; })
                 array.drives[i] = c.moves_bodies(bodies[c.ends.a], bodies[c.ends.b]);
             JointRecord& joint = objects.joints[array.joints[i]];
-            const auto [push, twist] = c.load();
+            const JointLoad load = c.load();
             // The next step begins with these impulses, so an overflow would never disappear.
-            if (std::isfinite(push.x + push.y + twist))
+            if (std::isfinite(load.push.x + load.push.y + load.twist))
                 joint.impulses.become(c.impulses);
             else
                 joint.impulses = {};
-            joint.force = bounded(step.inverse_h * push, greatest_impulse);
-            joint.torque = bounded(step.inverse_h * twist, greatest_impulse);
+            joint.force = bounded(step.inverse_h * load.push, greatest_impulse);
+            joint.torque = bounded(step.inverse_h * load.twist, greatest_impulse);
         }
     }
 };

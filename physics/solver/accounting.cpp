@@ -133,6 +133,7 @@ void begin_joint(const JointKind& kind, const JointArray& array, size_t k,
     const JointLoad load = kind.load_on(array, k, sum.known, side);
     sum.now_impulse = load.push;
     sum.now_twist = load.twist;
+    sum.now_moment = load.moment;
 }
 
 /// Adds what a pass has changed, at the present levers.
@@ -144,6 +145,7 @@ void follow_joint(const JointKind& kind, const JointArray& array, size_t k,
     sum.known = now;
     sum.now_impulse = sum.now_impulse + (all.push - old.push);
     sum.now_twist += all.twist - old.twist;
+    sum.now_moment = std::max(sum.now_moment, all.moment);
 }
 
 void add_joints(VelocitySums& sums, const SolverInput& input) {
@@ -153,7 +155,7 @@ void add_joints(VelocitySums& sums, const SolverInput& input) {
                    follow_joint(kind, array, k, sum, side);
                    sum.impulse = sum.impulse + sum.now_impulse;
                    sum.twist += sum.now_twist;
-                   sums.turn.size += std::fabs(sum.now_twist);
+                   sums.turn.size += std::fabs(sum.now_twist) + sum.now_moment;
                    begin_joint(kind, array, k, sum, side);
                });
 }

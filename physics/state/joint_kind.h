@@ -21,6 +21,9 @@ struct JointRange {
 struct JointLoad {
     Vec2 push;
     float twist = 0.0f;
+    /// Push times lever: rounding errors of the twist are small compared with it, even if the push
+    /// goes through the center of mass. Only in `load_on`.
+    float moment = 0.0f;
 };
 
 using JointImpulses = decltype(JointRecord::impulses);

@@ -35,6 +35,7 @@ struct VelocitySums {
         decltype(JointRecord::impulses) known{};
         Vec2 now_impulse = {};
         float now_twist = 0.0f;
+        float now_moment = 0.0f;  ///< the greatest push times its lever
     };
     /// The same as for the velocity, for the angular velocity.
     struct OfTurn {
