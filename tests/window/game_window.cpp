@@ -30,8 +30,7 @@ std::string missing_tools() {
 GameWindow::GameWindow(const fs::path& game, const std::map<std::string, std::string>& environment,
                        const std::string& window_manager) {
     start_display();
-    if (!window_manager.empty())
-        manager_ = Process({window_manager}, environment_, folder_ / "manager");
+    if (!window_manager.empty()) start_manager(window_manager);
     environment_["XDG_STATE_HOME"] = (folder_ / "state").string();
     environment_["XDG_DATA_HOME"] = (folder_ / "data").string();
     environment_["WAYLAND_DISPLAY"] = "";
@@ -83,10 +82,25 @@ void GameWindow::start_display() {
     environment_["DISPLAY"] = ":" + name.substr(0, name.find('\n'));
 }
 
+// A window that is opened while the manager starts may be left out by it, and is then never shown.
+void GameWindow::start_manager(const std::string& name) {
+    manager_ = Process({name}, environment_, folder_ / "manager");
+    const bool up = eventually([&] {
+        return run({"xdotool", "get_num_desktops"}, environment_, folder_ / "desktops") == 0;
+    });
+    if (!up) throw std::runtime_error(name + " did not start\n" + read_file(folder_ / "manager"));
+}
+
 std::string GameWindow::active_window() const {
-    const fs::path found = folder_ / "active";
-    fs::remove(found);
-    return run({"xdotool", "getactivewindow"}, environment_, found) == 0 ? read_file(found) : "";
+    const auto ask = [&](std::vector<std::string> command) {
+        const fs::path found = folder_ / "active";
+        fs::remove(found);
+        command.insert(command.begin(), "xdotool");
+        return run(command, environment_, found) == 0 ? read_file(found) : "";
+    };
+    // The manager names the window before that has the keyboard.
+    const std::string active = ask({"getactivewindow"});
+    return active == ask({"getwindowfocus", "-f"}) ? active : "";
 }
 
 void GameWindow::xdotool(const std::vector<std::string>& arguments) const {

@@ -51,6 +51,7 @@ class GameWindow {
 
   private:
     void start_display();
+    void start_manager(const std::string& name);
     void xdotool(const std::vector<std::string>& arguments) const;
 
     TemporaryFolder temporary_;
