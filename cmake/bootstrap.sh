@@ -108,9 +108,11 @@ run_apt() {
     shift
     local as_root=()
     is_root || as_root=(sudo -n)
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o APT::Status-Fd=1 \
-        -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 -y --no-install-recommends "$@" \
-        </dev/null 2>>"$log" | tee -a "$log" | apt_progress || status=$?
+    # Apt closes the file of its status for dpkg: were that the standard output, scripts of packages that
+    # print anything would fail. The shell opens it, since sudo passes on no files but the first three.
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c 'exec apt-get "$@" 3>&1 >&2' apt-get \
+        -o APT::Status-Fd=3 -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 -y \
+        --no-install-recommends "$@" </dev/null 2>>"$log" | tee -a "$log" | apt_progress || status=$?
     return "$status"
 }
 
@@ -147,7 +149,7 @@ ensure_packages() {
     if ! run_apt "$log" install "${names[@]}"; then
         # Old package lists name versions that the mirror no longer has.
         if ((updated)) || ! run_apt "$log" update || ! run_apt "$log" install "${names[@]}"; then
-            grep -E '^(E|W):' "$log" >&2 || tail -n 20 "$log" >&2
+            grep -E '^(E:|W:|dpkg: error|/var/lib/dpkg/)' "$log" >&2 || tail -n 20 "$log" >&2
             complain "apt-get could not install them; its whole output is in $log"
             exit 2
         fi

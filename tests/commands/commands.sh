@@ -220,6 +220,20 @@ exit 100"
     expect_output "E: no space left"
 }
 
+case_the_scripts_of_packages_may_print() {
+    : >"$installed"
+    # Like apt, it closes the file of its status before a script of a package runs.
+    pretend apt-get <<<"#!/bin/sh
+status=\$(echo \"\$*\" | sed 's/.*Status-Fd=\([0-9]*\).*/\1/')
+eval \"echo pmstatus:compiler:50:half >&\$status\"
+eval \"exec \$status>&-\"
+printf 'Regenerating... ' || { echo 'E: the script failed' >&2; exit 100; }
+echo install >>'$asked'"
+    run "$project/check"
+    expect_status 0
+    expect_asked "install"
+}
+
 case_elsewhere_than_debian_the_packages_are_listed() {
     # Only these tools: no dpkg-query, no apt-get.
     mkdir "$work/tools"

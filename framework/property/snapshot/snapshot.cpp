@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fettle/property/error.h>
+#include <fettle/property/question.h>
 #include <fettle/property/restoring.h>
 
 #include <tree/state.h>
@@ -137,6 +138,8 @@ Snapshot Tree::snapshot() const {
 
 Snapshot Tree::snapshot(std::vector<std::byte> room) const {
     state_->underway.require_all_rows("take a snapshot");
+    const Inquiry inquiry(state_->tree, "a snapshot",
+                          "is being taken: the functions that it calls cannot");
     std::vector<std::byte> payload = std::move(room);
     payload.clear();
     payload.reserve(state_->snapshots.size + state_->snapshots.size / 8);
