@@ -62,6 +62,38 @@ TEST_CASE("a function that receives errors may replace itself") {
     CHECK(reported == text + "!");
 }
 
+TEST_CASE("a getter that edits the tree while a snapshot is taken is refused") {
+    static Tree* of = nullptr;
+    static std::string wanted;
+    Tree tree;
+    of = &tree;
+    wanted.clear();
+    ClassDescriptor spawner{.name = "Spawner"};
+    Property spawned{.name = "spawned"};
+    spawned.binding.kind = BindingKind::accessor;
+    spawned.binding.get = [](void*, Row) -> Value {
+        if (wanted == "create") of->create(of->object_class(), of->root());
+        if (wanted == "delete") of->destroy(of->child(of->root(), "other"));
+        if (wanted == "write") of->set_or_add(of->root(), "own", 1.0);
+        if (wanted == "define") of->define(ClassDescriptor{.name = "Other"});
+        return 1.0;
+    };
+    spawned.binding.set = [](void*, Row, const Value&) {};
+    spawner.properties = {spawned};
+    tree.create(tree.define(std::move(spawner)), tree.root());
+    tree.create(tree.object_class(), tree.root(), "other");
+    for (const std::string what : {"create", "delete", "write", "define"}) {
+        wanted = what;
+        INFO(what);
+        CHECK_THAT(message_of([&] { tree.snapshot(); }),
+                   contains("a snapshot is being taken: the functions that it calls cannot"));
+    }
+    wanted.clear();
+    tree.restore(tree.snapshot());
+    CHECK(tree.size() == 3);
+    CHECK(tree.find_class("Other") == nullptr);
+}
+
 TEST_CASE("a setter that a formula calls cannot restore a snapshot") {
     Tree tree;
     static Tree* of;
