@@ -108,8 +108,8 @@ run_apt() {
     shift
     local as_root=()
     is_root || as_root=(sudo -n)
-    # Apt closes the file of its status for dpkg: were that the standard output, scripts of packages that
-    # print anything would fail. The shell opens it, since sudo passes on no files but the first three.
+    # Apt closes the file descriptor of its status before it starts dpkg. If that were the standard output, a
+    # script of a package that prints would fail. The inner shell opens descriptor 3: sudo passes on only 0 to 2.
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c 'exec apt-get "$@" 3>&1 >&2' apt-get \
         -o APT::Status-Fd=3 -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 -y \
         --no-install-recommends "$@" </dev/null 2>>"$log" | tee -a "$log" | apt_progress || status=$?

@@ -222,7 +222,7 @@ exit 100"
 
 case_the_scripts_of_packages_may_print() {
     : >"$installed"
-    # Like apt, it closes the file of its status before a script of a package runs.
+    # Like apt, it closes the file descriptor of its status before a script of a package runs.
     pretend apt-get <<<"#!/bin/sh
 status=\$(echo \"\$*\" | sed 's/.*Status-Fd=\([0-9]*\).*/\1/')
 eval \"echo pmstatus:compiler:50:half >&\$status\"

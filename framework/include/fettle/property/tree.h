@@ -384,6 +384,7 @@ class Tree {
     /// itself. `what` is passed back by `SnapshotPart::refresh`.
     void refreshing(SnapshotPart& part, std::uint64_t what);
     /// The whole state: instances, values, formulas, the history of edits, the step, and the parts.
+    /// It is an `Inquiry`: getters and parts that are called cannot change the tree.
     Snapshot snapshot() const;
     /// Like `snapshot`, but written into `room`, which the snapshot keeps. For many snapshots, pass
     /// the memory of an old one (`Snapshot::take_payload`): getting new pages from the system takes
