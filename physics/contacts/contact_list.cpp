@@ -20,9 +20,9 @@ void create_contact(const ContactList& list, const WorldDef& settings, uint32_t 
     remix(objects, settings, c);
     for (uint32_t side = 0; side < 2; ++side) {
         BodyRecord& body = objects.bodies[side == 0 ? c.body_a : c.body_b];
-        link_edge(body.first_contact, slot << 1 | side,
+        link_edge(body.lists.first_contact, slot << 1 | side,
                   [&](uint32_t edge) -> ListEdge& { return objects.contact_edge(edge); });
-        ++body.contact_count;
+        ++body.lists.contact_count;
     }
     list.pairs.insert(shape_a, shape_b, slot);
     if (objects.bodies[c.body_a].solver_index != 0 || objects.bodies[c.body_b].solver_index != 0)
@@ -36,9 +36,9 @@ void destroy_contact(const ContactList& list, uint32_t slot) {
     if (c.awake_index != none) remove_awake_contact(objects, list.active, slot);
     for (uint32_t side = 0; side < 2; ++side) {
         BodyRecord& body = objects.bodies[side == 0 ? c.body_a : c.body_b];
-        unlink_edge(body.first_contact, slot << 1 | side,
+        unlink_edge(body.lists.first_contact, slot << 1 | side,
                     [&](uint32_t edge) -> ListEdge& { return objects.contact_edge(edge); });
-        --body.contact_count;
+        --body.lists.contact_count;
     }
     list.pairs.erase(c.shape_a, c.shape_b);
     c = {};

@@ -144,7 +144,7 @@ void remove_crowded_pairs(ObjectState& objects, PairScratch& scratch) {
         const uint32_t decider = decider_of_pair(pair);
         if (decider == none || objects.shapes[decider].crowded) continue;
         const uint32_t found = finds[decider];
-        if (found + objects.bodies[objects.forms[decider].body].contact_count <= most_decided)
+        if (found + objects.bodies[objects.forms[decider].body].lists.contact_count <= most_decided)
             continue;
         if (found <= most_decided && found + decided_contacts(objects, decider) <= most_decided)
             continue;

@@ -26,8 +26,9 @@ bool keeps_apart(const JointRecord& joint) {
 
 bool joint_forbids_contact(const ObjectState& objects, uint32_t body_a, uint32_t body_b) {
     const std::vector<BodyRecord>& bodies = objects.bodies;
-    if (bodies[body_a].joint_count > bodies[body_b].joint_count) std::swap(body_a, body_b);
-    for (uint32_t edge = bodies[body_a].first_joint; edge != none;) {
+    if (bodies[body_a].lists.joint_count > bodies[body_b].lists.joint_count)
+        std::swap(body_a, body_b);
+    for (uint32_t edge = bodies[body_a].lists.first_joint; edge != none;) {
         const JointRecord& joint = objects.joints[edge >> 1];
         if (joint.bodies[~edge & 1] == body_b && keeps_apart(joint)) return true;
         edge = joint.edges[edge & 1].next;

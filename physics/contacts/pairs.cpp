@@ -137,7 +137,7 @@ void prefetch_pair(const ObjectState& objects, const PairSet& pairs, uint64_t pa
     const auto a = uint32_t(pair), b = uint32_t(pair >> 32);
     for (const uint32_t shape : {a, b}) {
         __builtin_prefetch(&objects.shapes[shape]);
-        __builtin_prefetch(&objects.bodies[objects.forms[shape].body].first_contact, 1);
+        __builtin_prefetch(&objects.bodies[objects.forms[shape].body].lists.first_contact, 1);
     }
     pairs.prefetch(a, b);
 }

@@ -10,7 +10,10 @@ namespace {
 
 /// The side, 0 or 1, whose body has fewer contacts.
 uint32_t shorter_list(const ObjectState& objects, const ContactRecord& c) {
-    return objects.bodies[c.body_a].contact_count < objects.bodies[c.body_b].contact_count ? 0 : 1;
+    return objects.bodies[c.body_a].lists.contact_count <
+                   objects.bodies[c.body_b].lists.contact_count
+               ? 0
+               : 1;
 }
 
 bool same_pair(const ObjectState& objects, const ContactRecord& c, const ContactRecord& d) {
@@ -36,7 +39,7 @@ uint32_t touching_elsewhere(const ObjectState& objects, uint32_t slot) {
     // The search begins at its own place in the list, because contacts that are created or
     // destroyed together are near each other.
     if (!objects.any_contact(own.next, none, touches))
-        objects.any_contact(objects.bodies[body].first_contact, slot, touches);
+        objects.any_contact(objects.bodies[body].lists.first_contact, slot, touches);
     return found;
 }
 
@@ -98,8 +101,8 @@ void set_touching(const Touching& touching, uint32_t slot, bool begins) {
     ContactRecord& c = objects.contacts[slot];
     c.touching = begins;
     if (!c.sensor) {
-        objects.bodies[c.body_a].touching += begins ? 1u : ~0u;  // ± 1, modulo 2³²
-        objects.bodies[c.body_b].touching += begins ? 1u : ~0u;
+        objects.bodies[c.body_a].lists.touching += begins ? 1u : ~0u;  // ± 1, modulo 2³²
+        objects.bodies[c.body_b].lists.touching += begins ? 1u : ~0u;
     }
     if (!is_of_outline(objects, c)) {
         if (begins) begin_touch(touching, slot);
@@ -154,8 +157,8 @@ bool touch(const ObjectState& objects, uint32_t shape_a, uint32_t shape_b) {
         return false;
     const BodyRecord& a = objects.bodies[objects.forms[shape_a].body];
     const BodyRecord& b = objects.bodies[objects.forms[shape_b].body];
-    const BodyRecord& shorter = a.contact_count < b.contact_count ? a : b;
-    return objects.any_contact(shorter.first_contact, none, [&](uint32_t slot) {
+    const BodyRecord& shorter = a.lists.contact_count < b.lists.contact_count ? a : b;
+    return objects.any_contact(shorter.lists.first_contact, none, [&](uint32_t slot) {
         const ContactRecord& c = objects.contacts[slot];
         const uint32_t e = objects.named_shape(c.shape_a), f = objects.named_shape(c.shape_b);
         return c.touching && ((e == shape_a && f == shape_b) || (e == shape_b && f == shape_a));
@@ -166,10 +169,11 @@ bool reports_for_pair(const ObjectState& objects, uint32_t slot) {
     const ContactRecord& c = objects.contacts[slot];
     if (!is_of_outline(objects, c)) return true;
     const uint32_t body = shorter_list(objects, c) == 0 ? c.body_a : c.body_b;
-    return !objects.any_contact(objects.bodies[body].first_contact, none, [&](uint32_t other) {
-        const ContactRecord& d = objects.contacts[other];
-        return other < slot && d.touching && !d.disabled && same_pair(objects, c, d);
-    });
+    return !objects.any_contact(
+        objects.bodies[body].lists.first_contact, none, [&](uint32_t other) {
+            const ContactRecord& d = objects.contacts[other];
+            return other < slot && d.touching && !d.disabled && same_pair(objects, c, d);
+        });
 }
 
 }  // namespace fettle::physics::detail

@@ -20,13 +20,13 @@ void link_shape(ObjectState& objects, uint32_t shape, uint32_t body) {
     ShapeRecord& record = objects.shapes[shape];
     BodyRecord& owner = objects.bodies[body];
     objects.forms[shape].body = body;
-    record.previous = owner.last_shape;
+    record.previous = owner.lists.last_shape;
     record.next = none;
-    if (owner.last_shape != none)
-        objects.shapes[owner.last_shape].next = shape;
+    if (owner.lists.last_shape != none)
+        objects.shapes[owner.lists.last_shape].next = shape;
     else
-        owner.first_shape = shape;
-    owner.last_shape = shape;
+        owner.lists.first_shape = shape;
+    owner.lists.last_shape = shape;
 }
 
 }  // namespace
@@ -89,19 +89,19 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
     record.gravity_scale = def.gravity_scale;
     record.linear_damping = def.linear_damping;
     record.angular_damping = def.angular_damping;
-    record.force = def.force;
-    record.torque = def.torque;
-    record.locked_x = def.locked_x;
-    record.locked_y = def.locked_y;
-    record.locked_rotation = def.locked_rotation;
-    record.can_sleep = def.can_sleep;
-    record.bullet = def.bullet;
+    record.load.force = def.force;
+    record.load.torque = def.torque;
+    record.flags.locked_x = def.locked_x;
+    record.flags.locked_y = def.locked_y;
+    record.flags.locked_rotation = def.locked_rotation;
+    record.flags.can_sleep = def.can_sleep;
+    record.flags.bullet = def.bullet;
     e.objects.bullets += def.bullet;
-    record.given_mass = def.mass.value_or(not_given);
-    record.given_inertia = def.inertia.value_or(not_given);
-    if (def.center) record.given_center = record.local_center = *def.center;
+    record.given.mass = def.mass.value_or(not_given);
+    record.given.inertia = def.inertia.value_or(not_given);
+    if (def.center) record.given.center = record.local_center = *def.center;
     record.user_data = def.user_data;
-    record.disabled = !def.enabled;
+    record.flags.disabled = !def.enabled;
     if (def.sleep_speed || def.max_speed < infinity) {
         BodyTraits& traits = traits_of(e.objects, slot);
         traits.sleep_speed = def.sleep_speed.value_or(not_given);
@@ -123,7 +123,7 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
     if (record.mobility != Mobility::fixed || keeps_motion(record)) {
         state.velocity = def.velocity;
         state.angular_velocity = def.angular_velocity;
-        if (record.disabled) return slot;
+        if (record.flags.disabled) return slot;
         if (!def.awake && e.settings.sleeping) {
             // A body that was never awake causes no sleep event and gets an island of its own at
             // once.
@@ -131,7 +131,7 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
             remove_awake(e.objects, e.active, slot);
             put_to_sleep(e.activity, only);
             e.activity.events.slept.pop_back();
-            record.never_awake = true;
+            record.flags.never_awake = true;
             state.velocity = def.velocity;  // stored until it wakes
             state.angular_velocity = def.angular_velocity;
         }
@@ -143,17 +143,17 @@ void destroy_body(const Editing& e, uint32_t body) {
     ObjectState& objects = e.objects;
     wake_for_edit(e.activity, body);
     wake_touching(e.activity, body);
-    while (objects.bodies[body].first_joint != none)
-        destroy_joint(e, objects.bodies[body].first_joint >> 1);
+    while (objects.bodies[body].lists.first_joint != none)
+        destroy_joint(e, objects.bodies[body].lists.first_joint >> 1);
     destroy_contacts_of_body(e.contacts, body);
-    while (objects.bodies[body].first_shape != none)
-        destroy_shape(e, objects.bodies[body].first_shape);
+    while (objects.bodies[body].lists.first_shape != none)
+        destroy_shape(e, objects.bodies[body].lists.first_shape);
     if (objects.bodies[body].solver_index != 0) remove_awake(objects, e.active, body);
     leave_island(objects, body);
     if (objects.bodies[body].traits != none)
         objects.trait_slots.give_back(objects.traits, objects.bodies[body].traits);
     objects.kinematic_bodies -= objects.bodies[body].mobility == Mobility::kinematic;
-    objects.bullets -= objects.bodies[body].bullet;
+    objects.bullets -= objects.bodies[body].flags.bullet;
     objects.body_slots.give_back(objects.bodies, body);
     e.columns.body_generations[body] = 0;
 }
@@ -272,7 +272,7 @@ void destroy_shape(const Editing& e, uint32_t shape) {
 
 void attach_shape(const Editing& e, uint32_t shape, uint32_t body) {
     if (e.objects.forms[shape].body != none) detach_shape(e, shape);
-    if (!e.objects.bodies[body].never_awake) wake_for_edit(e.activity, body);
+    if (!e.objects.bodies[body].flags.never_awake) wake_for_edit(e.activity, body);
     link_shape(e.objects, shape, body);
     if (!e.objects.is_solid(shape))
         e.objects.for_each_solid(shape, [&](uint32_t part) { link_shape(e.objects, part, body); });
@@ -304,11 +304,11 @@ void unlink_shape(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t s
     if (record.previous != none)
         objects.shapes[record.previous].next = record.next;
     else
-        owner.first_shape = record.next;
+        owner.lists.first_shape = record.next;
     if (record.next != none)
         objects.shapes[record.next].previous = record.previous;
     else
-        owner.last_shape = record.previous;
+        owner.lists.last_shape = record.previous;
     record.previous = record.next = none;
     objects.forms[shape].body = none;
 }

@@ -39,12 +39,12 @@ void mark_geometry(ObjectState& objects, ActiveLists& active, uint32_t shape) {
 }
 
 void mark_mass(ObjectState& objects, ActiveLists& active, uint32_t body) {
-    objects.bodies[body].mass_dirty = true;
+    objects.bodies[body].flags.mass_dirty = true;
     list_body(objects, active, body);
 }
 
 void mark_placement(ObjectState& objects, ActiveLists& active, uint32_t body) {
-    objects.bodies[body].placement_dirty = true;
+    objects.bodies[body].flags.placement_dirty = true;
     list_body(objects, active, body);
 }
 
@@ -139,7 +139,7 @@ void update_mobility(const Editing& e, uint32_t body) {
     if (record.type == BodyType::static_body) mobility = Mobility::fixed;
     if (record.type == BodyType::dynamic_body && !(record.mass < float(greatest_mass)))
         mobility = Mobility::fixed;
-    if (record.disabled) mobility = Mobility::fixed;
+    if (record.flags.disabled) mobility = Mobility::fixed;
     if (mobility == record.mobility) return;
 
     wake_for_edit(e.activity, body);
@@ -150,7 +150,7 @@ void update_mobility(const Editing& e, uint32_t body) {
     record.mobility = mobility;
     if (mobility == Mobility::fixed) {
         if (record.solver_index != 0) remove_awake(e.objects, e.active, body);
-        if (!record.disabled) stop(e.columns.states[body]);
+        if (!record.flags.disabled) stop(e.columns.states[body]);
         e.columns.previous[body] = {e.columns.states[body].position, e.columns.states[body].angle};
     } else if (record.solver_index == 0) {
         add_awake(e.objects, e.active, body);
@@ -163,15 +163,15 @@ void update_mobility(const Editing& e, uint32_t body) {
 
 void refresh_placement(const Editing& e, uint32_t body) {
     BodyRecord& record = e.objects.bodies[body];
-    if (!record.placement_dirty) return;
-    record.placement_dirty = false;
+    if (!record.flags.placement_dirty) return;
+    record.flags.placement_dirty = false;
     const BodyState& state = e.columns.states[body];
     const Rotation q = {state.cosine, state.sine};
     record.center = state.position + rotate(q, record.local_center);
-    for (uint32_t s = record.first_shape; s != none; s = e.objects.shapes[s].next) {
+    for (uint32_t s = record.lists.first_shape; s != none; s = e.objects.shapes[s].next) {
         if (!e.objects.is_solid(s)) continue;
         place_shape(e.objects, e.broad_phase.boxes, s, q, state.angle);
-        if (record.disabled) continue;
+        if (record.flags.disabled) continue;
         set_proxy(e.objects, e.broad_phase, s);
         mark_moved(e.objects, e.broad_phase, s);
     }
@@ -188,13 +188,13 @@ void keep_no_manifold(ObjectState& objects, uint32_t body) {
 void set_body_enabled(const Editing& e, uint32_t body, bool enabled) {
     ObjectState& objects = e.objects;
     BodyRecord& record = objects.bodies[body];
-    if (record.disabled == !enabled) return;
+    if (record.flags.disabled == !enabled) return;
     wake_for_edit(e.activity, body);
     wake_touching(e.activity, body);
-    record.disabled = !enabled;
+    record.flags.disabled = !enabled;
     if (!enabled) {
         destroy_contacts_of_body(e.contacts, body);
-        for (uint32_t s = record.first_shape; s != none; s = objects.shapes[s].next) {
+        for (uint32_t s = record.lists.first_shape; s != none; s = objects.shapes[s].next) {
             if (!objects.is_solid(s)) continue;
             remove_proxy(objects, e.broad_phase, s);
             objects.set_crowded(s, false);
@@ -285,7 +285,7 @@ struct ShapeMass {
 
 ShapeMass mass_of_shapes(const ObjectState& objects, const BodyRecord& body) {
     ShapeMass sum;
-    for (uint32_t s = body.first_shape; s != none; s = objects.shapes[s].next) {
+    for (uint32_t s = body.lists.first_shape; s != none; s = objects.shapes[s].next) {
         if (objects.shapes[s].owner != none) continue;  // parts are processed with their owner
         const ShapeRecord& shape = objects.shapes[s];
         const double part = double(shape.area) * double(shape.surface.density);
@@ -301,7 +301,7 @@ ShapeMass mass_of_shapes(const ObjectState& objects, const BodyRecord& body) {
 /// The inertia of the shapes about a point (body coordinates).
 double inertia_about(const ObjectState& objects, const BodyRecord& body, double x, double y) {
     double inertia = 0.0;
-    for (uint32_t s = body.first_shape; s != none; s = objects.shapes[s].next) {
+    for (uint32_t s = body.lists.first_shape; s != none; s = objects.shapes[s].next) {
         const ShapeRecord& shape = objects.shapes[s];
         if (shape.owner != none) continue;
         const double dx = double(shape.centroid.x) - x, dy = double(shape.centroid.y) - y;
@@ -314,7 +314,7 @@ double inertia_about(const ObjectState& objects, const BodyRecord& body, double 
 /// Notes how far the solid shapes reach from a point (body coordinates), and how thin they are.
 void measure_shapes(const ObjectState& objects, Vec2 center, BodyRecord& body) {
     float extent = 0.0f, thickness = infinity;
-    for (uint32_t s = body.first_shape; s != none; s = objects.shapes[s].next) {
+    for (uint32_t s = body.lists.first_shape; s != none; s = objects.shapes[s].next) {
         if (!objects.is_solid(s)) continue;
         const ShapeRecord& shape = objects.shapes[s];
         const ShapeForm& form = objects.forms[s];
@@ -343,16 +343,16 @@ void measure_shapes(const ObjectState& objects, Vec2 center, BodyRecord& body) {
 void refresh_edited_mass(const Editing& e, uint32_t body) {
     ObjectState& objects = e.objects;
     BodyRecord& record = objects.bodies[body];
-    for (uint32_t s = record.first_shape; s != none; s = objects.shapes[s].next)
+    for (uint32_t s = record.lists.first_shape; s != none; s = objects.shapes[s].next)
         refresh_shape(e, s);
-    if (!record.mass_dirty) return;
-    record.mass_dirty = false;
+    if (!record.flags.mass_dirty) return;
+    record.flags.mass_dirty = false;
     ++record.rebuilds;
 
     auto [mass, cx, cy] = mass_of_shapes(objects, record);
-    if (is_given(record.given_center.x)) {
-        cx = record.given_center.x;
-        cy = record.given_center.y;
+    if (is_given(record.given.center.x)) {
+        cx = record.given.center.x;
+        cy = record.given.center.y;
     }
     const Vec2 local_center = {float(cx), float(cy)};
     // Only bodies that move need their size, and a static body may have many shapes.
@@ -363,14 +363,14 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
         measure_shapes(objects, local_center, record);
     double inertia = inertia_about(objects, record, cx, cy);
     const bool weightless = !(mass > 0.0);
-    if (is_given(record.given_mass)) {
-        const double wanted = double(record.given_mass);
+    if (is_given(record.given.mass)) {
+        const double wanted = double(record.given.mass);
         if (std::isfinite(wanted)) inertia = weightless ? 0.0 : inertia * (wanted / mass);
         mass = wanted;
     } else if (weightless && record.type == BodyType::dynamic_body) {
         mass = 1.0;
     }
-    if (is_given(record.given_inertia)) inertia = double(record.given_inertia);
+    if (is_given(record.given.inertia)) inertia = double(record.given.inertia);
 
     const BodyState& state = e.columns.states[body];
     const Position old_center = record.center;
@@ -388,8 +388,9 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     update_mobility(e, body);
     const bool moves = record.mobility == Mobility::dynamic;
     record.inverse_mass =
-        moves && !(record.locked_x && record.locked_y) ? bounded_inverse(mass) : 0.0f;
-    record.inverse_inertia = moves && !record.locked_rotation ? bounded_inverse(inertia) : 0.0f;
+        moves && !(record.flags.locked_x && record.flags.locked_y) ? bounded_inverse(mass) : 0.0f;
+    record.inverse_inertia =
+        moves && !record.flags.locked_rotation ? bounded_inverse(inertia) : 0.0f;
 }
 
 }  // namespace fettle::physics::detail

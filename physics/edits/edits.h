@@ -70,7 +70,7 @@ uint32_t create_body(const Editing& editing, const BodyDef& def);
 void destroy_body(const Editing& editing, uint32_t body);
 /// True for a disabled body that would move: it stores its velocity until it is enabled.
 inline bool keeps_motion(const BodyRecord& body) {
-    return body.disabled && body.type != BodyType::static_body &&
+    return body.flags.disabled && body.type != BodyType::static_body &&
            (body.type == BodyType::kinematic_body || body.mass < infinity);
 }
 /// Computes its mass and mobility at once. A disabled body keeps its velocity.

@@ -11,16 +11,16 @@ namespace {
 
 void link_joint(ObjectState& objects, uint32_t joint, uint32_t side) {
     BodyRecord& body = objects.bodies[objects.joints[joint].bodies[side]];
-    link_edge(body.first_joint, joint << 1 | side,
+    link_edge(body.lists.first_joint, joint << 1 | side,
               [&](uint32_t edge) -> ListEdge& { return objects.joint_edge(edge); });
-    ++body.joint_count;
+    ++body.lists.joint_count;
 }
 
 void unlink_joint(ObjectState& objects, uint32_t joint, uint32_t side) {
     BodyRecord& body = objects.bodies[objects.joints[joint].bodies[side]];
-    unlink_edge(body.first_joint, joint << 1 | side,
+    unlink_edge(body.lists.first_joint, joint << 1 | side,
                 [&](uint32_t edge) -> ListEdge& { return objects.joint_edge(edge); });
-    --body.joint_count;
+    --body.lists.joint_count;
 }
 
 /// Called after an edit: contacts between the two bodies end, or their pairs are searched.
@@ -28,7 +28,8 @@ void refilter_joint(const Editing& e, uint32_t joint) {
     ObjectState& objects = e.objects;
     uint32_t a = objects.joints[joint].bodies[0], b = objects.joints[joint].bodies[1];
     if (a == 0 || b == 0) return;
-    if (objects.bodies[a].contact_count > objects.bodies[b].contact_count) std::swap(a, b);
+    if (objects.bodies[a].lists.contact_count > objects.bodies[b].lists.contact_count)
+        std::swap(a, b);
     if (joint_forbids_contact(objects, a, b)) {
         objects.for_each_contact(a, [&](uint32_t contact) {
             if (objects.other_body(contact, a) == b) destroy_contact(e.contacts, contact);
@@ -36,7 +37,8 @@ void refilter_joint(const Editing& e, uint32_t joint) {
         return;
     }
     for (uint32_t body : {a, b}) {
-        for (uint32_t s = objects.bodies[body].first_shape; s != none; s = objects.shapes[s].next)
+        for (uint32_t s = objects.bodies[body].lists.first_shape; s != none;
+             s = objects.shapes[s].next)
             mark_moved(objects, e.broad_phase, s);
     }
 }

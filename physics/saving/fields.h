@@ -100,18 +100,28 @@ void fields(auto& io, Some<BodyState> auto& s) {
 void fields(auto& io, Some<RestPose> auto& s) {
     fields_of<RestPose>(io, s.center, s.angle);
 }
+void fields(auto& io, Some<Load> auto& s) {
+    fields_of<Load>(io, s.force, s.torque);
+}
+void fields(auto& io, Some<BodyFlags> auto& s) {
+    fields_of<BodyFlags>(io, s.locked_x, s.locked_y, s.locked_rotation, s.can_sleep, s.bullet,
+                         s.never_awake, s.mass_dirty, s.placement_dirty, s.disabled);
+}
+void fields(auto& io, Some<BodyLists> auto& s) {
+    fields_of<BodyLists>(io, s.first_shape, s.last_shape, s.first_contact, s.contact_count,
+                         s.touching, s.island, s.next, s.first_joint, s.joint_count);
+}
+void fields(auto& io, Some<GivenMass> auto& s) {
+    fields_of<GivenMass>(io, s.mass, s.inertia, s.center);
+}
 void fields(auto& io, Some<BodyRecord> auto& s) {
     Mobility mobility = s.mobility;  // these two are parts of one byte
     uint8_t listed = s.listed;
     fields_of<BodyRecord>(io, s.center, s.local_center, s.inverse_mass, s.inverse_inertia,
-                          s.gravity_scale, s.linear_damping, s.angular_damping, s.force, s.torque,
-                          s.step_force, s.step_torque, s.angle_rest, s.extent, s.thickness,
-                          s.sleep_time, s.solver_index, mobility, listed, s.type, s.locked_x,
-                          s.locked_y, s.locked_rotation, s.can_sleep, s.bullet, s.never_awake,
-                          s.mass_dirty, s.placement_dirty, s.disabled, s.first_shape, s.last_shape,
-                          s.first_contact, s.contact_count, s.touching, s.island, s.next,
-                          s.first_joint, s.joint_count, s.mass, s.inertia, s.given_mass,
-                          s.given_inertia, s.given_center, s.rebuilds, s.traits, s.user_data);
+                          s.gravity_scale, s.linear_damping, s.angular_damping, s.load, s.step_load,
+                          s.angle_rest, s.extent, s.thickness, s.sleep_time, s.solver_index,
+                          mobility, listed, s.type, s.flags, s.lists, s.mass, s.inertia, s.given,
+                          s.rebuilds, s.traits, s.user_data);
     if constexpr (!std::is_const_v<std::remove_reference_t<decltype(s)>>) {
         s.mobility = mobility;
         s.listed = listed;

@@ -82,15 +82,15 @@ void check_bodies(const WorldState& w, Findings& findings) {
                              body.type <= BodyType::dynamic_body &&
                              body.solver_index <= w.awake_bodies.size() &&
                              optional_index(body.traits, w.traits.size()) && body.listed <= 1 &&
-                             optional_index(body.island, w.islands.size()),
+                             optional_index(body.lists.island, w.islands.size()),
                          "a body");
-        findings.require(
-            optional_index(body.last_shape, shapes) &&
-                shape_lists.ends(body.first_shape, [&](uint32_t s) { return w.shapes[s].next; }),
-            "the shapes of a body");
-        findings.require(edges_end(contact_lists, body.first_contact, w.contact_links),
+        findings.require(optional_index(body.lists.last_shape, shapes) &&
+                             shape_lists.ends(body.lists.first_shape,
+                                              [&](uint32_t s) { return w.shapes[s].next; }),
+                         "the shapes of a body");
+        findings.require(edges_end(contact_lists, body.lists.first_contact, w.contact_links),
                          "the contacts of a body");
-        findings.require(edges_end(joint_lists, body.first_joint, w.joints),
+        findings.require(edges_end(joint_lists, body.lists.first_joint, w.joints),
                          "the joints of a body");
     }
     findings.require(free_ones_end(w.body_slots, w.bodies), "free bodies");
@@ -200,11 +200,12 @@ void check_proxies(const WorldState& w, Findings& findings) {
     // created again before.
     std::vector<bool> edited(w.bodies.size());
     for (const uint32_t b : w.edited_bodies)
-        if (b < edited.size()) edited[b] = w.bodies[b].listed != 0 && w.bodies[b].placement_dirty;
+        if (b < edited.size())
+            edited[b] = w.bodies[b].listed != 0 && w.bodies[b].flags.placement_dirty;
     for (size_t b = 0; b < w.bodies.size(); ++b) {
         const BodyRecord& body = w.bodies[b];
         if (body.solver_index == 0 || edited[b]) continue;
-        for (uint32_t s = body.first_shape; s != none; s = w.shapes[s].next) {
+        for (uint32_t s = body.lists.first_shape; s != none; s = w.shapes[s].next) {
             const ShapeRecord& shape = w.shapes[s];
             findings.require(
                 !w.is_solid(s) || (shape.proxy != Tree::none && shape.tree != Mobility::fixed),
@@ -235,7 +236,7 @@ void check_contacts(const WorldState& w, Findings& findings) {
     findings.require(w.pairs.is_walkable(uint32_t(n)), "the pairs");
     // Checks that every contact in a list of a body or of awake contacts is in use.
     for (const BodyRecord& body : w.bodies)
-        for (uint32_t e = body.first_contact; e != none;
+        for (uint32_t e = body.lists.first_contact; e != none;
              e = w.contact_links[e >> 1].edges[e & 1].next)
             findings.require(w.contacts[e >> 1].shape_a != none, "the contacts of a body");
     for (size_t i = 0; i < w.awake_contacts.size(); ++i) {
@@ -291,9 +292,9 @@ void check_lists(const WorldState& w, Findings& findings) {
     findings.require(w.strips.is_valid(), "the strips");
     ListWalk sleepers_of_islands(bodies);
     for (const Island& island : w.islands)
-        findings.require(
-            sleepers_of_islands.ends(island.first, [&](uint32_t i) { return w.bodies[i].next; }),
-            "an island");
+        findings.require(sleepers_of_islands.ends(
+                             island.first, [&](uint32_t i) { return w.bodies[i].lists.next; }),
+                         "an island");
     findings.require(free_ones_end(w.island_slots, w.islands), "free islands");
     const WorldDef& s = w.settings;
     findings.require(s.substeps >= 1 && s.substeps <= 64 && s.friction_mix <= MixRule::geometric &&
@@ -304,13 +305,13 @@ void check_lists(const WorldState& w, Findings& findings) {
     size_t sleepers = 0;
     for (uint32_t i = 0; i < w.islands.size(); ++i) {
         w.for_each_asleep(i, [&](uint32_t body) {
-            findings.require(w.bodies[body].island == i, "an island");
+            findings.require(w.bodies[body].lists.island == i, "an island");
             ++sleepers;
         });
     }
     for (const BodyRecord& body : w.bodies) {
-        findings.require(!body.asleep() || body.island != none, "a sleeping body");
-        sleepers -= body.island != none;
+        findings.require(!body.asleep() || body.lists.island != none, "a sleeping body");
+        sleepers -= body.lists.island != none;
     }
     findings.require(sleepers == 0, "an island");
     // Checks that each awake body stores its index in the list.

@@ -117,19 +117,20 @@ Fault check_bodies(const WorldState& data) {
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {
         const BodyRecord& record = data.bodies[body];
         if (data.body_generations[body] == 0) {
-            if (record.solver_index != 0 || record.first_shape != none ||
-                record.first_contact != none || record.first_joint != none)
+            if (record.solver_index != 0 || record.lists.first_shape != none ||
+                record.lists.first_contact != none || record.lists.first_joint != none)
                 return "body " + number(body) + " is destroyed but still linked";
             continue;
         }
         live += body != 0;
-        if (record.disabled && (record.mobility != Mobility::fixed || record.first_contact != none))
+        if (record.flags.disabled &&
+            (record.mobility != Mobility::fixed || record.lists.first_contact != none))
             return "body " + number(body) + " is disabled but takes part";
-        bullets += record.bullet;
+        bullets += record.flags.bullet;
         kinematic += record.mobility == Mobility::kinematic;
-        if ((record.mass_dirty || record.placement_dirty) && !record.listed)
+        if ((record.flags.mass_dirty || record.flags.placement_dirty) && !record.listed)
             return "body " + number(body) + " is out of date but not listed";
-        if (record.island == none && record.next != none)
+        if (record.lists.island == none && record.lists.next != none)
             return "body " + number(body) + " is in no island and before another one";
         if (!moves_as_its_type(record))
             return "body " + number(body) + " moves otherwise than its type";
@@ -137,14 +138,14 @@ Fault check_bodies(const WorldState& data) {
             ++awake;
             if (record.mobility == Mobility::fixed)
                 return "body " + number(body) + " is awake and cannot move";
-            if (record.island != none)
+            if (record.lists.island != none)
                 return "body " + number(body) + " is awake and in a sleeping island";
             if (record.solver_index > data.awake_bodies.size() ||
                 data.awake_bodies[record.solver_index - 1] != body)
                 return "body " + number(body) + " is not where it is listed";
         } else if (record.asleep()) {
             ++asleep;
-            if (record.island == none) return "body " + number(body) + " sleeps in no island";
+            if (record.lists.island == none) return "body " + number(body) + " sleeps in no island";
         }
     }
     if (live != data.body_slots.count || kinematic != data.kinematic_bodies ||
@@ -162,7 +163,7 @@ Fault check_bodies(const WorldState& data) {
 /// True for what collides, unless an edit has listed it, which gives it a proxy.
 bool needs_proxy(const WorldState& data, uint32_t shape) {
     const uint32_t body = data.forms[shape].body;
-    return body != none && data.is_solid(shape) && !data.bodies[body].disabled &&
+    return body != none && data.is_solid(shape) && !data.bodies[body].flags.disabled &&
            !data.bodies[body].listed && !data.shapes[shape].listed;
 }
 
@@ -210,7 +211,7 @@ Fault check_shapes(const WorldState& data) {
             continue;
         }
         ++proxies;
-        if (data.forms[shape].body != none && data.bodies[data.forms[shape].body].disabled)
+        if (data.forms[shape].body != none && data.bodies[data.forms[shape].body].flags.disabled)
             return "shape " + number(shape) + " is in a tree, and its body is disabled";
         const Tree& tree = record.tree == Mobility::fixed ? data.fixed_tree : data.moving_tree;
         if (tree.item(record.proxy) != shape || data.forms[shape].body == none)
@@ -222,13 +223,13 @@ Fault check_shapes(const WorldState& data) {
         return std::string("a tree holds shapes that do not exist");
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {
         uint32_t previous = none;
-        for (uint32_t s = data.bodies[body].first_shape; s != none; s = data.shapes[s].next) {
+        for (uint32_t s = data.bodies[body].lists.first_shape; s != none; s = data.shapes[s].next) {
             if (data.forms[s].body != body || data.shapes[s].previous != previous)
                 return "shape " + number(s) + " is listed in another body";
             previous = s;
             ++listed;
         }
-        if (data.bodies[body].last_shape != previous)
+        if (data.bodies[body].lists.last_shape != previous)
             return "body " + number(body) + " has a broken list of shapes";
     }
     if (crowded != data.crowded_shapes) return std::string("the number of crowded shapes is wrong");
@@ -278,15 +279,15 @@ Fault check_contacts(const WorldState& data) {
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {
         const BodyRecord& record = data.bodies[body];
         const uint32_t count = degree(
-            record.first_contact,
+            record.lists.first_contact,
             body, [&](uint32_t slot) -> auto& { return data.contact_links[slot]; },
             [&](uint32_t slot, uint32_t side) {
                 const ContactRecord& c = data.contacts[slot];
                 return c.shape_a == none ? none : side == 0 ? c.body_a : c.body_b;
             });
-        if (count != record.contact_count)
+        if (count != record.lists.contact_count)
             return "body " + number(body) + " has a broken list of contacts";
-        if (touching[body] != record.touching)
+        if (touching[body] != record.lists.touching)
             return "body " + number(body) + " miscounts what it touches";
         edges += count;
     }
@@ -320,12 +321,12 @@ Fault check_joints(const WorldState& data) {
     if (awake != 0) return std::string("the lists of awake joints are too long");
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {
         const uint32_t count = degree(
-            data.bodies[body].first_joint,
+            data.bodies[body].lists.first_joint,
             body, [&](uint32_t joint) -> auto& { return data.joints[joint]; },
             [&](uint32_t joint, uint32_t side) {
                 return data.joint_generations[joint] == 0 ? none : data.joints[joint].bodies[side];
             });
-        if (count != data.bodies[body].joint_count)
+        if (count != data.bodies[body].lists.joint_count)
             return "body " + number(body) + " has a broken list of joints";
         edges += count;
     }

@@ -46,10 +46,10 @@ void require(bool holds, const char* what, size_t slot) {
 // --- Bodies
 
 void check(const BodyRecord& body, const RestPose& rest, size_t slot) {
-    const bool given = (!is_given(body.given_mass) || body.given_mass > 0.0f) &&
-                       (!is_given(body.given_inertia) || body.given_inertia > 0.0f) &&
-                       is_given(body.given_center.x) == is_given(body.given_center.y) &&
-                       (!is_given(body.given_center.x) || is_finite(body.given_center));
+    const bool given = (!is_given(body.given.mass) || body.given.mass > 0.0f) &&
+                       (!is_given(body.given.inertia) || body.given.inertia > 0.0f) &&
+                       is_given(body.given.center.x) == is_given(body.given.center.y) &&
+                       (!is_given(body.given.center.x) || is_finite(body.given.center));
     require(given && is_amount(body.mass) && is_amount(body.inertia), "the mass of body", slot);
     require(is_near(body.center) && is_near(body.local_center) &&
                 are_finite(body.inverse_mass, body.inverse_inertia, body.angle_rest, body.extent,
@@ -60,8 +60,8 @@ void check(const BodyRecord& body, const RestPose& rest, size_t slot) {
     check_finite("gravity_scale", body.gravity_scale);
     check_not_negative("linear_damping", body.linear_damping);
     check_not_negative("angular_damping", body.angular_damping);
-    require(is_finite(body.force) && is_finite(body.step_force) &&
-                are_finite(body.torque, body.step_torque),
+    require(is_finite(body.load.force) && is_finite(body.step_load.force) &&
+                are_finite(body.load.torque, body.step_load.torque),
             "the forces on body", slot);
 }
 
@@ -139,7 +139,7 @@ void check_shape(const WorldState& w, size_t shape) {
     for (size_t i = form.begin; i < form.begin + stored; ++i)
         require(is_near(w.pool.local[i]), "the vertices of shape", shape);
     // An edit marks the vertices that must be placed again.
-    const bool placed = form.body == none || !w.bodies[form.body].placement_dirty;
+    const bool placed = form.body == none || !w.bodies[form.body].flags.placement_dirty;
     for (size_t i = form.begin; i < form.begin + form.count; ++i)
         require((!placed || is_near(w.pool.vertices[i])) && is_near(w.pool.normals[i]) &&
                     is_near(w.pool.directions[i]) && are_finite(w.pool.offsets[i]),

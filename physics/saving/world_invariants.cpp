@@ -27,7 +27,7 @@ Fault check_trees(const WorldData& data) {
         const ShapeRecord& record = data.shapes[shape];
         if (record.listed || data.bodies[data.forms[shape].body].listed)
             continue;  // not yet refreshed
-        if (data.bodies[data.forms[shape].body].disabled) continue;
+        if (data.bodies[data.forms[shape].body].flags.disabled) continue;
         if (!data.is_solid(shape)) {
             if (record.proxy != Tree::none) return "outline " + number(shape) + " is in a tree";
             continue;
@@ -46,7 +46,7 @@ Fault check_trees(const WorldData& data) {
 
 bool collides(const WorldData& data, uint32_t shape) {
     return data.shape_generations[shape] != 0 && data.forms[shape].body != none &&
-           !data.bodies[data.forms[shape].body].disabled && data.is_solid(shape);
+           !data.bodies[data.forms[shape].body].flags.disabled && data.is_solid(shape);
 }
 
 /// Checks that all pairs with overlapping fat boxes have a contact, unless they are in a crowd.

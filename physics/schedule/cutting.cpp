@@ -84,7 +84,8 @@ void cut_into_strips(const ObjectState& objects, const ActiveLists& active, bool
         const BodyRecord& body = *sampled[i];
         // A body with many neighbors, such as a platform, has at most the weight of a body in a
         // heap.
-        const uint32_t neighbors = std::min(body.contact_count + body.joint_count, usual_neighbors);
+        const uint32_t neighbors =
+            std::min(body.lists.contact_count + body.lists.joint_count, usual_neighbors);
         samples[i] = {Vec2(body.center), float(1 + neighbors)};
     }
     strips.cut(std::span(samples).first(size), count);

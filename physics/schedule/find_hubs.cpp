@@ -16,12 +16,12 @@ float inverse_mass_at_rim(const BodyRecord& record) {
 
 bool is_hub(const ObjectState& objects, const Hubs& hubs, uint32_t body) {
     const BodyRecord& record = objects.bodies[body];
-    if (record.contact_count < Hubs::least_contacts || record.mobility != Mobility::dynamic ||
-        record.locked_x || record.locked_y || record.locked_rotation)
+    if (record.lists.contact_count < Hubs::least_contacts || record.mobility != Mobility::dynamic ||
+        record.flags.locked_x || record.flags.locked_y || record.flags.locked_rotation)
         return false;
     const float at_rim = inverse_mass_at_rim(record);
     uint32_t seen = 0, lighter = 0;
-    for (uint32_t edge = record.first_contact; edge != none && seen < looked_at; ++seen) {
+    for (uint32_t edge = record.lists.first_contact; edge != none && seen < looked_at; ++seen) {
         const uint32_t other = objects.other_body(edge >> 1, body);
         lighter += hubs.would_bear(at_rim, objects.bodies[other].inverse_mass);
         edge = objects.contact_links[edge >> 1].edges[edge & 1].next;

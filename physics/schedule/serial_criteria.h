@@ -14,7 +14,7 @@ inline bool on_locked_axis(const ObjectState& objects, const BodyScratch& bodies
                            const ContactRecord& contact) {
     if (!bodies.axes_locked) return false;
     const BodyRecord &a = objects.bodies[contact.body_a], &b = objects.bodies[contact.body_b];
-    return a.locked_x || a.locked_y || b.locked_x || b.locked_y;
+    return a.flags.locked_x || a.flags.locked_y || b.flags.locked_x || b.flags.locked_y;
 }
 
 /// The path of the cores around a corner.

@@ -22,7 +22,7 @@ inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, R
     // A small body that moves through its own size in the delay is not at rest.
     const float size = min(body.extent / usual_extent, 1.0f);
     const float slow = sleep_speed * size * size;
-    const bool jerks = speed >= slow && speed < jerk * slow && body.touching > 0;
+    const bool jerks = speed >= slow && speed < jerk * slow && body.lists.touching > 0;
     if (speed >= slow && !jerks) {
         body.sleep_time = 0.0f;
         return;

@@ -23,12 +23,12 @@ bool in_motion(const ObjectState& objects, const Columns& columns, uint32_t body
 }
 
 void leave_island(ObjectState& objects, uint32_t body) {
-    const uint32_t island = objects.bodies[body].island;
+    const uint32_t island = objects.bodies[body].lists.island;
     if (island == none) return;
-    objects.bodies[body].island = none;
+    objects.bodies[body].lists.island = none;
     uint32_t* link = &objects.islands[island].first;
-    while (*link != body) link = &objects.bodies[*link].next;
-    *link = std::exchange(objects.bodies[body].next, none);
+    while (*link != body) link = &objects.bodies[*link].lists.next;
+    *link = std::exchange(objects.bodies[body].lists.next, none);
     if (objects.islands[island].first == none)
         objects.island_slots.give_back(objects.islands, island);
 }
@@ -37,20 +37,21 @@ void wake_sleeping(const Activity& activity, uint32_t body) {
     ObjectState& objects = activity.objects;
     Columns& columns = activity.columns;
     ActiveLists& active = activity.active;
-    const uint32_t island = objects.bodies[body].island;
+    const uint32_t island = objects.bodies[body].lists.island;
     std::vector<uint32_t> members;
     objects.for_each_asleep(island, [&](uint32_t member) { members.push_back(member); });
     objects.island_slots.give_back(objects.islands, island);
     for (uint32_t member : members) {
-        objects.bodies[member].island = objects.bodies[member].next = none;
+        objects.bodies[member].lists.island = objects.bodies[member].lists.next = none;
         objects.bodies[member].sleep_time = 0.0f;
-        objects.bodies[member].never_awake = false;
+        objects.bodies[member].flags.never_awake = false;
         add_awake(objects, active, member);
         activity.events.woke.push_back(body_id(columns, member));
     }
     // Near crowded shapes that sleep, pairs may be missing: the woken shapes look for them.
     for (uint32_t member : members) {
-        uint32_t shape = objects.crowded_shapes > 0 ? objects.bodies[member].first_shape : none;
+        uint32_t shape =
+            objects.crowded_shapes > 0 ? objects.bodies[member].lists.first_shape : none;
         for (; shape != none; shape = objects.shapes[shape].next)
             if (objects.is_solid(shape)) objects.set_crowded(shape, true);
     }
@@ -125,12 +126,12 @@ void put_to_sleep(const Activity& activity, std::span<const uint32_t> group) {
     for (uint32_t body : group) {
         BodyRecord& record = objects.bodies[body];
         *link = body;
-        link = &record.next;
-        record.island = island;
+        link = &record.lists.next;
+        record.lists.island = island;
         record.solver_index = 0;
         record.sleep_time = 0.0f;
-        record.step_force = {};
-        record.step_torque = 0.0f;
+        record.step_load.force = {};
+        record.step_load.torque = 0.0f;
         columns.states[body].velocity = {};
         columns.states[body].angular_velocity = 0.0f;
         columns.previous[body] = {columns.states[body].position, columns.states[body].angle};
@@ -244,7 +245,7 @@ void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
     std::vector<uint8_t> restless(count, 0);
     for (size_t i = 0; i < count; ++i) {
         const BodyRecord& record = objects.bodies[active.awake_bodies[i]];
-        restless[i] = !record.can_sleep || record.sleep_time < settings.sleep_delay ||
+        restless[i] = !record.flags.can_sleep || record.sleep_time < settings.sleep_delay ||
                       (record.mobility != Mobility::dynamic &&
                        in_motion(objects, columns, active.awake_bodies[i]));
     }

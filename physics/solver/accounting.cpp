@@ -112,7 +112,7 @@ void add_serial(VelocitySums& sums, const SolverInput& input) {
 
 /// Calls `add(kind, array, index, sum, side)` for the joints of a body.
 void for_joints(VelocitySums& sums, const SolverInput& input, auto&& add) {
-    if (input.objects.bodies[sums.body.index].joint_count == 0) return;
+    if (input.objects.bodies[sums.body.index].lists.joint_count == 0) return;
     for (size_t i = 0; i < input.joints.joint_arrays.size(); ++i) {
         const JointArray& array = input.joints.joint_arrays[i];
         const JointKind& kind = joint_kind(JointScratch::type_of(i));
@@ -190,23 +190,24 @@ void begin_sums(const SolverInput& input, const Columns& columns, uint64_t steps
         sums.solver_body = record.solver_index;
         const SolverBody& body = input.bodies.solver_bodies[sums.solver_body];
         const SolverForce& force = input.bodies.solver_forces[sums.solver_body];
-        const Vec2 moves = {record.locked_x ? 0.0f : 1.0f, record.locked_y ? 0.0f : 1.0f};
+        const Vec2 moves = {record.flags.locked_x ? 0.0f : 1.0f,
+                            record.flags.locked_y ? 0.0f : 1.0f};
         const float substeps = float(input.settings.substeps);
         sums.inverse_mass = body.inverse_mass * moves;
         sums.before = body.velocity;
         sums.earlier = follows ? earlier : sums.before;
         sums.gravity = substeps * h * record.gravity_scale * scaled(moves, input.settings.gravity);
-        sums.force = substeps * h * scaled(sums.inverse_mass, record.force);
-        sums.applied = substeps * h * scaled(sums.inverse_mass, record.step_force);
+        sums.force = substeps * h * scaled(sums.inverse_mass, record.load.force);
+        sums.applied = substeps * h * scaled(sums.inverse_mass, record.step_load.force);
         sums.fields =
             substeps * scaled(moves, force.change) - (sums.gravity + sums.force + sums.applied);
         VelocitySums::OfTurn& turn = sums.turn;
-        turn.inverse_inertia = record.locked_rotation ? 0.0f : body.inverse_inertia;
+        turn.inverse_inertia = record.flags.locked_rotation ? 0.0f : body.inverse_inertia;
         turn.before = body.angular_velocity;
         turn.earlier = follows ? earlier_turn : turn.before;
         const float by_torque = substeps * h * turn.inverse_inertia;
-        turn.torque = by_torque * record.torque;
-        turn.applied = by_torque * record.step_torque;
+        turn.torque = by_torque * record.load.torque;
+        turn.applied = by_torque * record.step_load.torque;
         if (turn.inverse_inertia > 0.0f)
             turn.fields = substeps * force.turn_change - (turn.torque + turn.applied);
     }

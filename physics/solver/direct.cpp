@@ -64,7 +64,7 @@ class DirectSolver {
         const BodyRecord& record =
             input_.objects.bodies[input_.active.awake_bodies[solver_index - 1]];
         const double linear = std::sqrt(double(body.inverse_mass));
-        return {record.locked_x ? 0.0 : linear, record.locked_y ? 0.0 : linear,
+        return {record.flags.locked_x ? 0.0 : linear, record.flags.locked_y ? 0.0 : linear,
                 std::sqrt(double(body.inverse_inertia))};
     }
 

@@ -30,8 +30,10 @@ struct JointSource {
                      (body_b.angle_rest - body_a.angle_rest);
         const float mass_a = bodies.solver_bodies[ends.a].inverse_mass;
         const float mass_b = bodies.solver_bodies[ends.b].inverse_mass;
-        ends.inverse_a = {body_a.locked_x ? 0.0f : mass_a, body_a.locked_y ? 0.0f : mass_a};
-        ends.inverse_b = {body_b.locked_x ? 0.0f : mass_b, body_b.locked_y ? 0.0f : mass_b};
+        ends.inverse_a = {body_a.flags.locked_x ? 0.0f : mass_a,
+                          body_a.flags.locked_y ? 0.0f : mass_a};
+        ends.inverse_b = {body_b.flags.locked_x ? 0.0f : mass_b,
+                          body_b.flags.locked_y ? 0.0f : mass_b};
         return ends;
     }
 

@@ -34,7 +34,7 @@ void JointResponse::read(const SolverInput& input, float h) {
     for (size_t i = 1; i < bodies.size() && i <= input.active.awake_bodies.size(); ++i) {
         const BodyRecord& record = input.objects.bodies[input.active.awake_bodies[i - 1]];
         const double linear = std::sqrt(double(bodies[i].inverse_mass));
-        scales_[i] = {record.locked_x ? 0.0 : linear, record.locked_y ? 0.0 : linear,
+        scales_[i] = {record.flags.locked_x ? 0.0 : linear, record.flags.locked_y ? 0.0 : linear,
                       std::sqrt(double(bodies[i].inverse_inertia))};
     }
     std::vector<DirectRow> rows;

@@ -25,7 +25,8 @@ struct OverlapLimits {
     /// True if the body overlaps `least` other bodies by more than a quarter of its thickness.
     bool overlaps_others(uint32_t body, uint32_t least) const {
         const BodyRecord& record = input.objects.bodies[body];
-        if (record.contact_count < least || record.mobility != Mobility::dynamic) return false;
+        if (record.lists.contact_count < least || record.mobility != Mobility::dynamic)
+            return false;
         uint32_t overlaps = 0;
         input.objects.for_each_contact(body, [&](uint32_t contact) {
             const ContactRecord& c = input.objects.contacts[contact];
@@ -57,8 +58,8 @@ struct OverlapLimits {
         const ObjectState& objects = input.objects;
         float most = max(free_speed_of(body), input.settings.push_speed);
         if (most >= enough) return most;
-        const bool found =
-            objects.any_contact(objects.bodies[body].first_contact, none, [&](uint32_t contact) {
+        const bool found = objects.any_contact(
+            objects.bodies[body].lists.first_contact, none, [&](uint32_t contact) {
                 const ContactRecord& c = objects.contacts[contact];
                 if (c.manifold.count == 0 || c.sensor) return false;
                 const float speed = free_speed_of(objects.other_body(contact, body));

@@ -83,7 +83,8 @@ void prepare_constraint(const ContactRecord& record, const SolverBody& a, const 
 }
 
 Vec2 inverse_masses(const BodyRecord& record, const SolverBody& body) {
-    return {record.locked_x ? 0.0f : body.inverse_mass, record.locked_y ? 0.0f : body.inverse_mass};
+    return {record.flags.locked_x ? 0.0f : body.inverse_mass,
+            record.flags.locked_y ? 0.0f : body.inverse_mass};
 }
 
 /// Assigns an index in `extras` to each contact that needs one.

@@ -58,6 +58,42 @@ inline bool is_given(float value) {
     return !std::isnan(value);
 }
 
+/// What acts at the center of mass of a body.
+struct Load {
+    Vec2 force;           ///< N
+    float torque = 0.0f;  ///< N m
+};
+
+/// What a user set about a body, and what is out of date since an edit.
+struct BodyFlags {
+    bool locked_x = false, locked_y = false, locked_rotation = false;
+    bool can_sleep = true;
+    bool bullet = false;
+    bool never_awake = false;  ///< created asleep; gets its shapes without waking
+    bool mass_dirty = false;   ///< the mass is computed anew when it is needed
+    bool placement_dirty =
+        false;              ///< moved by an edit: rotated vertices, boxes and proxies are old
+    bool disabled = false;  ///< fixed, in no tree, and without contacts
+};
+
+/// The lists of what belongs to a body, and its place in the list of its sleeping island.
+struct BodyLists {
+    uint32_t first_shape = none, last_shape = none;
+    uint32_t first_contact = none;  ///< edge: contact << 1 | side
+    uint32_t contact_count = 0;
+    uint32_t touching = 0;        ///< number of touching contacts, without sensors
+    uint32_t island = none;       ///< index of its sleeping island
+    uint32_t next = none;         ///< next body in its sleeping island, or next free slot
+    uint32_t first_joint = none;  ///< edge: joint << 1 | side
+    uint32_t joint_count = 0;
+};
+
+/// Overrides of what follows from the shapes.
+struct GivenMass {
+    float mass = not_given, inertia = not_given;
+    Vec2 center = {not_given, not_given};
+};
+
 struct BodyRecord {
     // Data that the step gathers from an awake body.
     Position center;    ///< center of mass, world
@@ -67,10 +103,8 @@ struct BodyRecord {
     float gravity_scale = 1.0f;
     float linear_damping = 0.0f;
     float angular_damping = 0.0f;
-    Vec2 force;
-    float torque = 0.0f;
-    Vec2 step_force;  ///< for the next step only
-    float step_torque = 0.0f;
+    Load load;                  ///< in every step
+    Load step_load;             ///< in the next step only
     float angle_rest = 0.0f;    ///< part of the angle below the resolution of `angle`
     float extent = 0.0f;        ///< farthest point of the shapes from the center of mass, m
     float thickness = 0.0f;     ///< smallest half width, m; a longer motion per step is fast
@@ -80,33 +114,17 @@ struct BodyRecord {
     Mobility mobility : 4 = Mobility::fixed;
     uint8_t listed : 4 = 0;  ///< in the list of bodies to refresh
     BodyType type = BodyType::dynamic_body;
-    bool locked_x = false, locked_y = false, locked_rotation = false;
-    bool can_sleep = true;
-    bool bullet = false;
-    bool never_awake = false;  ///< created asleep; gets its shapes without waking
-
-    bool mass_dirty = false;
-    bool placement_dirty =
-        false;  ///< moved by an edit: rotated vertices, boxes and proxies are out of date
-    bool disabled = false;  ///< fixed, in no tree, and without contacts
-    uint32_t first_shape = none, last_shape = none;
-    uint32_t first_contact = none;  ///< edge: contact << 1 | side
-    uint32_t contact_count = 0;
-    uint32_t touching = 0;        ///< number of touching contacts, without sensors
-    uint32_t island = none;       ///< index of its sleeping island
-    uint32_t next = none;         ///< next body in its sleeping island, or next free slot
-    uint32_t first_joint = none;  ///< edge: joint << 1 | side
-    uint32_t joint_count = 0;
+    BodyFlags flags;
+    BodyLists lists;
 
     float mass = 0.0f, inertia = 0.0f;
-    float given_mass = not_given, given_inertia = not_given;
-    Vec2 given_center = {not_given, not_given};
+    GivenMass given;
     uint32_t rebuilds = 0;
     uint32_t traits = none;  ///< index of its `BodyTraits`; none: all have their default values
     uint64_t user_data = 0;
 
     bool asleep() const { return solver_index == 0 && mobility != Mobility::fixed; }
-    uint32_t& next_free() { return next; }
+    uint32_t& next_free() { return lists.next; }
 
     void prefetch() const {
         for (size_t at = 0; at < sizeof(BodyRecord); at += 64)

@@ -111,14 +111,14 @@ struct ObjectState {
     ListEdge& contact_edge(uint32_t edge) { return contact_links[edge >> 1].edges[edge & 1]; }
     ListEdge& joint_edge(uint32_t edge) { return joints[edge >> 1].edges[edge & 1]; }
     void for_each_joint(uint32_t body, auto&& visit) const {
-        for (uint32_t edge = bodies[body].first_joint; edge != none;) {
+        for (uint32_t edge = bodies[body].lists.first_joint; edge != none;) {
             const uint32_t next = joints[edge >> 1].edges[edge & 1].next;
             visit(edge >> 1, edge & 1);
             edge = next;
         }
     }
     void for_each_contact(uint32_t body, auto&& visit) const {
-        any_contact(bodies[body].first_contact, none, [&](uint32_t contact) {
+        any_contact(bodies[body].lists.first_contact, none, [&](uint32_t contact) {
             visit(contact);
             return false;
         });
@@ -156,12 +156,12 @@ struct ObjectState {
     }
     /// False for a joint with a disabled body, too.
     bool may_act(const JointRecord& joint) const {
-        return joint.moves() && !bodies[joint.bodies[0]].disabled &&
-               !bodies[joint.bodies[1]].disabled;
+        return joint.moves() && !bodies[joint.bodies[0]].flags.disabled &&
+               !bodies[joint.bodies[1]].flags.disabled;
     }
     void for_each_asleep(uint32_t island, auto&& visit) const {
         for (uint32_t body = islands[island].first; body != none;) {
-            const uint32_t next = bodies[body].next;
+            const uint32_t next = bodies[body].lists.next;
             visit(body);
             body = next;
         }

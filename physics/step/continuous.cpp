@@ -67,7 +67,7 @@ void list_driven_body(const FinishInput& in, uint32_t body, const SolverBody& b)
     driven.motion = motion_to(record.center + shift, shift, turn);
     std::vector<Box4>& boxes = in.scratch.driven_boxes;
     driven.first_box = uint32_t(boxes.size());
-    for (uint32_t s = record.first_shape; s != none; s = in.objects.shapes[s].next) {
+    for (uint32_t s = record.lists.first_shape; s != none; s = in.objects.shapes[s].next) {
         if (!in.objects.is_solid(s) || in.objects.shapes[s].surface.sensor) continue;
         if (driven.boxes % (1 + boxes_of_group) == 0) {
             boxes.push_back(no_box);

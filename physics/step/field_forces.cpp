@@ -101,7 +101,7 @@ class FieldOnBody {
 
   private:
     void each_shape(auto&& visit) const {
-        for (uint32_t s = body_.first_shape; s != none; s = objects_.shapes[s].next) {
+        for (uint32_t s = body_.lists.first_shape; s != none; s = objects_.shapes[s].next) {
             const ShapeDef& surface = objects_.shapes[s].surface;
             if (!objects_.is_solid(s)) continue;  // its parts are used instead
             if ((surface.category & mask_) != 0 && !surface.sensor) visit(s);
@@ -164,8 +164,8 @@ bool concerns(const ObjectState& objects, const Columns& columns, std::span<cons
               uint32_t body, const FieldDef& field) {
     const bool liquid = std::holds_alternative<BuoyancyField>(field.force);
     if (!liquid && !inside(field.region, objects.bodies[body].center)) return false;
-    bool any = objects.bodies[body].first_shape == none;
-    for (uint32_t s = objects.bodies[body].first_shape; s != none && !any;
+    bool any = objects.bodies[body].lists.first_shape == none;
+    for (uint32_t s = objects.bodies[body].lists.first_shape; s != none && !any;
          s = objects.shapes[s].next) {
         any = (objects.shapes[s].surface.category & field.mask) != 0 &&
               (!liquid || !field.region ||

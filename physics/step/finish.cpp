@@ -13,7 +13,7 @@ constexpr size_t bodies_of_piece = 64;
 
 /// True if the shapes of the body turned in the step before.
 bool turned_before(const ObjectState& objects, const BodyRecord& body) {
-    for (uint32_t s = body.first_shape; s != none; s = objects.shapes[s].next)
+    for (uint32_t s = body.lists.first_shape; s != none; s = objects.shapes[s].next)
         if (objects.is_solid(s)) return objects.forms[s].turn != 0.0f;
     return false;
 }
@@ -27,8 +27,8 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     const float speed_limit = 1.5f * greatest_speed;
     state.velocity = {bounded(b.velocity.x, speed_limit), bounded(b.velocity.y, speed_limit)};
     state.angular_velocity = bounded(b.angular_velocity, 1e6f);
-    record.step_force = {};
-    record.step_torque = 0.0f;
+    record.step_load.force = {};
+    record.step_load.torque = 0.0f;
 
     const Vec2 shift = shift_of(b);
     const float turn = turn_of(b);
@@ -86,7 +86,7 @@ void finish_shapes(const FinishInput& in, uint32_t body, Rotation q, FinishedPie
     ObjectState& objects = in.objects;
     std::vector<ShapeRecord>& shapes = objects.shapes;
     std::vector<Box4>&boxes = in.boxes.boxes, &fat_boxes = in.boxes.fat_boxes;
-    for (uint32_t s = objects.bodies[body].first_shape; s != none; s = shapes[s].next) {
+    for (uint32_t s = objects.bodies[body].lists.first_shape; s != none; s = shapes[s].next) {
         if (!objects.is_solid(s)) continue;
         move_shape(objects, boxes, s, q, in.columns.states[body].angle);
         if (!shapes[s].crowded && contains(fat_boxes[s], grow(boxes[s], speculative_margin)))

@@ -28,8 +28,8 @@ uint8_t gather_body(const BodyRecord& record, const BodyState& state, Vec2 gravi
     b.turn = 0.0f;
     f = {};
     if (record.mobility != Mobility::dynamic) return some_driven;
-    const Vec2 force = record.force + record.step_force;
-    const float torque = record.torque + record.step_torque;
+    const Vec2 force = record.load.force + record.step_load.force;
+    const float torque = record.load.torque + record.step_load.torque;
     f.change = {bounded(h * (record.gravity_scale * gravity.x + record.inverse_mass * force.x),
                         2 * greatest_speed),
                 bounded(h * (record.gravity_scale * gravity.y + record.inverse_mass * force.y),
@@ -38,18 +38,18 @@ uint8_t gather_body(const BodyRecord& record, const BodyState& state, Vec2 gravi
     // Implicit integration, which is stable for any damping.
     f.keep.x = f.keep.y = 1.0f / (1.0f + h * record.linear_damping);
     f.turn_keep = 1.0f / (1.0f + h * record.angular_damping);
-    const bool axis = record.locked_x || record.locked_y;
+    const bool axis = record.flags.locked_x || record.flags.locked_y;
     return uint8_t((axis ? some_axis_locked | some_locked : 0) |
-                   (record.locked_rotation ? some_locked : 0) |
-                   (record.contact_count >= Hubs::least_contacts ? some_crowded : 0));
+                   (record.flags.locked_rotation ? some_locked : 0) |
+                   (record.lists.contact_count >= Hubs::least_contacts ? some_crowded : 0));
 }
 
 }  // namespace
 
 void limit_commanded(const ObjectState& objects, const BodyRecord& record, SolverBody& b) {
-    if (record.locked_x) b.velocity.x = 0.0f;
-    if (record.locked_y) b.velocity.y = 0.0f;
-    if (record.locked_rotation) b.angular_velocity = 0.0f;
+    if (record.flags.locked_x) b.velocity.x = 0.0f;
+    if (record.flags.locked_y) b.velocity.y = 0.0f;
+    if (record.flags.locked_rotation) b.angular_velocity = 0.0f;
     const float most = objects.max_speed_of(record), speed = length(b.velocity);
     if (speed > most) b.velocity = (most / speed) * b.velocity;
 }
@@ -99,7 +99,7 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
     for (size_t i = 0; (found & some_locked) != 0 && i < count; ++i) {
         const BodyRecord& record = records[awake[i]];
         if (record.mobility == Mobility::dynamic &&
-            (record.locked_x || record.locked_y || record.locked_rotation ||
+            (record.flags.locked_x || record.flags.locked_y || record.flags.locked_rotation ||
              objects.max_speed_of(record) < infinity))
             bodies.locked.push_back(uint32_t(i + 1));
     }

@@ -159,7 +159,7 @@ Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Mot
                                  float now) {
     const std::vector<ShapeRecord>& shapes = in.objects.shapes;
     Impact first;
-    for (uint32_t s = in.objects.bodies[body].first_shape; s != none; s = shapes[s].next) {
+    for (uint32_t s = in.objects.bodies[body].lists.first_shape; s != none; s = shapes[s].next) {
         if (shapes[s].surface.sensor || !in.objects.is_solid(s)) continue;
         const Box4 swept = swept_box(in, s, motion, now);
         const auto meet = [&](uint32_t other) {
@@ -180,9 +180,9 @@ void take_back_forces(const FinishInput& in, uint32_t body, float share) {
     const SolverForce& force = in.bodies.solver_forces[record.solver_index];
     BodyState& state = in.columns.states[body];
     const float substeps = share * float(in.substeps);
-    if (!record.locked_x) state.velocity.x -= substeps * force.change.x;
-    if (!record.locked_y) state.velocity.y -= substeps * force.change.y;
-    if (!record.locked_rotation) state.angular_velocity -= substeps * force.turn_change;
+    if (!record.flags.locked_x) state.velocity.x -= substeps * force.change.x;
+    if (!record.flags.locked_y) state.velocity.y -= substeps * force.change.y;
+    if (!record.flags.locked_rotation) state.angular_velocity -= substeps * force.turn_change;
 }
 
 void follow_motion(const FinishInput& in, uint32_t body, const Motion& motion,

@@ -101,7 +101,7 @@ class MovingImpacts {
         Mover& mover = movers_.emplace_back();
         mover.body = body;
         mover.motion = mover.whole = motion;
-        mover.stops = record(body).bullet;
+        mover.stops = record(body).flags.bullet;
         mover.driven = record(body).mobility == Mobility::kinematic;
         mover.box = swept_boxes(mover, 0.0f);
         return mover;
@@ -117,7 +117,7 @@ class MovingImpacts {
         return all;
     }
     void for_each_shape(uint32_t body, auto&& visit) const {
-        for (uint32_t s = record(body).first_shape; s != none; s = in_.objects.shapes[s].next)
+        for (uint32_t s = record(body).lists.first_shape; s != none; s = in_.objects.shapes[s].next)
             if (in_.objects.is_solid(s) && !in_.objects.shapes[s].surface.sensor) visit(s);
     }
 
@@ -128,7 +128,7 @@ class MovingImpacts {
         if (a.mobility == Mobility::kinematic || b.mobility == Mobility::kinematic)
             return a.mobility != b.mobility;
         const uint32_t index = mover_of_[other];
-        return a.bullet || b.bullet || mover.carrier != none ||
+        return a.flags.bullet || b.flags.bullet || mover.carrier != none ||
                (index != none && movers_[index].carrier != none);
     }
 
@@ -137,7 +137,7 @@ class MovingImpacts {
         const Mover mover = movers_[i];
         // At first, a fast body that is no bullet is found by the fast bullets, and finds those
         // that are slow. When its motion has changed, all are compared with it again.
-        const bool seeks = mover.driven || record(mover.body).bullet || mover.carrier != none;
+        const bool seeks = mover.driven || record(mover.body).flags.bullet || mover.carrier != none;
         if (!seeks && in_.objects.kinematic_bodies == 0 && in_.objects.bullets == 0) return;
         for_each_shape(mover.body, [&](uint32_t s) {
             in_.boxes.moving_tree.query(swept_box(in_, s, mover.motion, now), [&](uint32_t other) {
@@ -150,7 +150,7 @@ class MovingImpacts {
         for (size_t k = 0; k < movers_.size(); ++k) {
             const Mover& other = movers_[k];
             // Of two bodies that seek each other, the first one finds the second one.
-            if (first && k < i && (other.driven || record(other.body).bullet)) continue;
+            if (first && k < i && (other.driven || record(other.body).flags.bullet)) continue;
             if (!overlap(mover.box, other.box) || !are_compared(mover, other.body)) continue;
             for_each_shape(mover.body, [&](uint32_t s) {
                 for_each_shape(other.body, [&](uint32_t o) {
@@ -247,8 +247,8 @@ class MovingImpacts {
     /// The inverse masses of a body that moves freely; else zeros.
     const SolverBody& mass_of(uint32_t body, const SolverBody& none_moves) const {
         const BodyRecord& r = record(body);
-        const bool free = r.mobility == Mobility::dynamic && r.solver_index != 0 && !r.locked_x &&
-                          !r.locked_y && !r.locked_rotation;
+        const bool free = r.mobility == Mobility::dynamic && r.solver_index != 0 &&
+                          !r.flags.locked_x && !r.flags.locked_y && !r.flags.locked_rotation;
         return free ? in_.bodies.solver_bodies[r.solver_index] : none_moves;
     }
     /// True if a driven body carries it, itself or with another one.

@@ -38,7 +38,7 @@ class Search {
   private:
     bool is_sensor(uint32_t shape) const { return in_.objects.shapes[shape].surface.sensor; }
     void for_each_shape(uint32_t body, auto&& visit) const {
-        for (uint32_t s = in_.objects.bodies[body].first_shape; s != none;
+        for (uint32_t s = in_.objects.bodies[body].lists.first_shape; s != none;
              s = in_.objects.shapes[s].next)
             if (in_.objects.is_solid(s)) visit(s);
     }

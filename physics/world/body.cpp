@@ -75,30 +75,30 @@ FETTLE_BODY_READ(float, angle, state.angle)
 FETTLE_BODY_READ(Pose, previous_pose, data.previous[id_.index])
 FETTLE_BODY_DERIVED(Vec2, velocity, state.velocity)  // an edited center of mass changes it
 FETTLE_BODY_READ(float, angular_velocity, state.angular_velocity)
-FETTLE_BODY_READ(Vec2, force, record.force)
-FETTLE_BODY_READ(Vec2, applied_force, record.step_force)
-FETTLE_BODY_READ(float, applied_torque, record.step_torque)
+FETTLE_BODY_READ(Vec2, force, record.load.force)
+FETTLE_BODY_READ(Vec2, applied_force, record.step_load.force)
+FETTLE_BODY_READ(float, applied_torque, record.step_load.torque)
 FETTLE_BODY_DERIVED(bool, awake, record.solver_index != 0)  // falls asleep with an infinite mass
-FETTLE_BODY_READ(bool, can_sleep, record.can_sleep)
-FETTLE_BODY_READ(bool, bullet, record.bullet)
-FETTLE_BODY_READ(bool, enabled, !record.disabled)
+FETTLE_BODY_READ(bool, can_sleep, record.flags.can_sleep)
+FETTLE_BODY_READ(bool, bullet, record.flags.bullet)
+FETTLE_BODY_READ(bool, enabled, !record.flags.disabled)
 FETTLE_BODY_READ(float, max_speed, data.max_speed_of(record))
 FETTLE_BODY_READ(float, sleep_speed, data.sleep_speed_of(data.settings, record))
-FETTLE_BODY_READ(bool, is_touching, record.touching > 0)
+FETTLE_BODY_READ(bool, is_touching, record.lists.touching > 0)
 FETTLE_BODY_READ(uint64_t, user_data, record.user_data)
 
-FETTLE_BODY_NUMBER(torque, check_finite)
-FETTLE_BODY_NUMBER(gravity_scale, check_finite)
-FETTLE_BODY_NUMBER(linear_damping, check_not_negative)
-FETTLE_BODY_NUMBER(angular_damping, check_not_negative)
+FETTLE_BODY_NUMBER(torque, load.torque, check_finite)
+FETTLE_BODY_NUMBER(gravity_scale, gravity_scale, check_finite)
+FETTLE_BODY_NUMBER(linear_damping, linear_damping, check_not_negative)
+FETTLE_BODY_NUMBER(angular_damping, angular_damping, check_not_negative)
 
-#define FETTLE_BODY_LOCK(name)                 \
-    FETTLE_BODY_READ(bool, name, record.name)  \
-    void Body::set_##name(bool locked) {       \
-        FETTLE_EDIT_BODY                       \
-        record.name = locked;                  \
-        mark_mass(data, data, id_.index);      \
-        wake_body(data.activity(), id_.index); \
+#define FETTLE_BODY_LOCK(name)                      \
+    FETTLE_BODY_READ(bool, name, record.flags.name) \
+    void Body::set_##name(bool locked) {            \
+        FETTLE_EDIT_BODY                            \
+        record.flags.name = locked;                 \
+        mark_mass(data, data, id_.index);           \
+        wake_body(data.activity(), id_.index);      \
     }
 FETTLE_BODY_LOCK(locked_x)
 FETTLE_BODY_LOCK(locked_y)
@@ -179,7 +179,7 @@ void Body::set_target(const Pose& target, float dt) {
 
 void Body::set_force(const Vec2& force) {
     FETTLE_EDIT_BODY
-    record.force = check_finite("force", force);
+    record.load.force = check_finite("force", force);
     wake_body(data.activity(), id_.index);
 }
 
@@ -194,8 +194,8 @@ void push(WorldData& data, uint32_t body, Vec2 force, float torque) {
     BodyRecord& record = data.bodies[body];
     if (record.mobility != Mobility::dynamic) return;
     wake_body(data.activity(), body);
-    record.step_force = bounded(record.step_force + force, greatest_force);
-    record.step_torque = bounded(record.step_torque + torque, greatest_force);
+    record.step_load.force = bounded(record.step_load.force + force, greatest_force);
+    record.step_load.torque = bounded(record.step_load.torque + torque, greatest_force);
 }
 
 }  // namespace
@@ -259,7 +259,7 @@ void Body::set_awake(bool awake) {
 
 void Body::set_can_sleep(bool can_sleep) {
     FETTLE_EDIT_BODY
-    record.can_sleep = can_sleep;
+    record.flags.can_sleep = can_sleep;
     if (!can_sleep) wake_body(data.activity(), id_.index);
 }
 
@@ -303,8 +303,8 @@ void Body::set_sleep_speed(std::optional<float> speed) {
 
 void Body::set_bullet(bool bullet) {
     FETTLE_EDIT_BODY
-    data.bullets += uint32_t(bullet) - uint32_t(record.bullet);
-    record.bullet = bullet;
+    data.bullets += uint32_t(bullet) - uint32_t(record.flags.bullet);
+    record.flags.bullet = bullet;
 }
 
 Pose Body::interpolated(float fraction) const {
@@ -362,7 +362,7 @@ Shape Body::add(const Geometry& geometry, const ShapeDef& def) {
 uint32_t Body::shape_count() const {
     FETTLE_LIVE_BODY
     uint32_t count = 0;
-    for (uint32_t s = record.first_shape; s != none; s = data.shapes[s].next)
+    for (uint32_t s = record.lists.first_shape; s != none; s = data.shapes[s].next)
         count += data.shapes[s].owner == none;
     return count;
 }
@@ -380,7 +380,7 @@ std::vector<Joint> Body::joints() const {
 std::vector<Shape> Body::shapes() const {
     FETTLE_LIVE_BODY
     std::vector<Shape> all;
-    for (uint32_t s = record.first_shape; s != none; s = data.shapes[s].next) {
+    for (uint32_t s = record.lists.first_shape; s != none; s = data.shapes[s].next) {
         if (data.shapes[s].owner == none) all.emplace_back(link_->world, data.shape_id(s));
     }
     return all;

@@ -62,13 +62,6 @@ Written store(const WorldData& data, BodyRecord& record, T& cell, const T& value
     return Written::done;
 }
 
-/// Writes a value that only the next step reads.
-template <float BodyRecord::*setting>
-Written set(WorldData& data, uint32_t index, float value) {
-    BodyRecord& record = data.bodies[index];
-    return store(data, record, record.*setting, value);
-}
-
 }  // namespace
 
 bool World::set_velocity(uint32_t index, const Vec2& velocity) {
@@ -88,14 +81,16 @@ template <>
 Written World::write<BodyNumber::angular_velocity>(uint32_t index, float value) {
     return store(*data_, data_->bodies[index], data_->states[index].angular_velocity, value);
 }
-#define FETTLE_WRITE(number)                                                \
+// Values that only the next step reads.
+#define FETTLE_WRITE(number, cell)                                          \
     template <>                                                             \
     Written World::write<BodyNumber::number>(uint32_t index, float value) { \
-        return set<&BodyRecord::number>(*data_, index, value);              \
+        BodyRecord& record = data_->bodies[index];                          \
+        return store(*data_, record, record.cell, value);                   \
     }
-FETTLE_WRITE(torque)
-FETTLE_WRITE(gravity_scale)
-FETTLE_WRITE(linear_damping)
-FETTLE_WRITE(angular_damping)
+FETTLE_WRITE(torque, load.torque)
+FETTLE_WRITE(gravity_scale, gravity_scale)
+FETTLE_WRITE(linear_damping, linear_damping)
+FETTLE_WRITE(angular_damping, angular_damping)
 
 }  // namespace fettle::physics

@@ -150,13 +150,14 @@ class ContactCallbacks {
         if (!world_.is_valid(pair.shape_a) || !world_.is_valid(pair.shape_b)) return false;
         const uint32_t body = world_.forms[pair.shape_a.index].body;
         if (body == none) return false;
-        return world_.any_contact(world_.bodies[body].first_contact, none, [&](uint32_t slot) {
-            const ContactRecord& c = world_.contacts[slot];
-            const uint32_t a = world_.named_shape(c.shape_a), b = world_.named_shape(c.shape_b);
-            return c.awake_index == none && acts(c) &&
-                   ((a == pair.shape_a.index && b == pair.shape_b.index) ||
-                    (b == pair.shape_a.index && a == pair.shape_b.index));
-        });
+        return world_.any_contact(
+            world_.bodies[body].lists.first_contact, none, [&](uint32_t slot) {
+                const ContactRecord& c = world_.contacts[slot];
+                const uint32_t a = world_.named_shape(c.shape_a), b = world_.named_shape(c.shape_b);
+                return c.awake_index == none && acts(c) &&
+                       ((a == pair.shape_a.index && b == pair.shape_b.index) ||
+                        (b == pair.shape_a.index && a == pair.shape_b.index));
+            });
     }
 
     /// An awake contact and the pair of shapes it belongs to.

@@ -58,11 +58,11 @@ inline void may_edit_body(const WorldData& data, BodyId id, const char* function
         return value;                           \
     }
 // Defines a number that a step reads: it is checked, and writing it wakes the body.
-#define FETTLE_BODY_NUMBER(name, check)        \
-    FETTLE_BODY_READ(float, name, record.name) \
+#define FETTLE_BODY_NUMBER(name, cell, check)  \
+    FETTLE_BODY_READ(float, name, record.cell) \
     void Body::set_##name(float value) {       \
         FETTLE_EDIT_BODY                       \
-        record.name = check(#name, value);     \
+        record.cell = check(#name, value);     \
         wake_body(data.activity(), id_.index); \
     }
 

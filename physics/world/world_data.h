@@ -49,7 +49,7 @@ struct WorldData : WorldState, StepScratch {
         if (shapes[shape].geometry_dirty) read_edited({Refresh::Of::shape, shape});
     }
     void read_mass(uint32_t body) {
-        if (bodies[body].mass_dirty) read_edited({Refresh::Of::body, body});
+        if (bodies[body].flags.mass_dirty) read_edited({Refresh::Of::body, body});
     }
     void read_edited(const Refresh& wanted);
     void refresh(const Refresh& wanted);

@@ -55,10 +55,10 @@ TEST_CASE("forged worlds: an unchanged sample is restored") {
 
 TEST_CASE("forged worlds: a body in no island has no next one") {
     REQUIRE(refused([](WorldData& data) {
-                data.bodies[crate].next = sleeping;
+                data.bodies[crate].lists.next = sleeping;
             }).ends_with("body 2 is in no island and before another one"));
     REQUIRE(refused([](WorldData& data) {
-                data.bodies[floor_body].next = floor_body;
+                data.bodies[floor_body].lists.next = floor_body;
             }).ends_with("body 1 is in no island and before another one"));
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("forged worlds: lists of free slots have no slots in use") {
                 ++data.island_slots.count;
             }).ends_with("the number of islands is wrong"));
     REQUIRE(refused([](WorldData& data) {
-                data.island_slots.free = data.bodies[sleeping].island;
+                data.island_slots.free = data.bodies[sleeping].lists.island;
             }).ends_with("the list of free islands is wrong"));
     REQUIRE(refused([](WorldData& data) {
                 --data.field_slots.count;
@@ -133,7 +133,7 @@ TEST_CASE("forged worlds: lists that many owners share are refused without follo
     };
     SECTION("islands that share their bodies") {
         for (uint32_t body = 1; body + 1 < data.bodies.size(); ++body)
-            data.bodies[body].next = body + 1;
+            data.bodies[body].lists.next = body + 1;
         detail::Island shared;
         shared.first = 1;
         data.islands.assign(500'000, shared);
@@ -143,7 +143,7 @@ TEST_CASE("forged worlds: lists that many owners share are refused without follo
         for (int i = 0; i < 250'000; ++i) world.create_joint(JointType::weld);
         for (uint32_t joint = 0; joint + 1 < data.joints.size(); ++joint)
             data.joints[joint].edges[0].next = (joint + 1) << 1;
-        for (detail::BodyRecord& body : data.bodies) body.first_joint = 0;
+        for (detail::BodyRecord& body : data.bodies) body.lists.first_joint = 0;
         refuses();
     }
 }

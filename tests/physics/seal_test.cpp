@@ -106,11 +106,11 @@ TEST_CASE("encoded records are read as they were written") {
     BodyRecord body;
     body.mobility = Mobility::dynamic;
     body.listed = 1;
-    body.locked_rotation = true;
+    body.flags.locked_rotation = true;
     REQUIRE(again(body).mobility == Mobility::dynamic);
     REQUIRE(again(body).listed == 1);
-    REQUIRE(again(body).locked_rotation);
-    REQUIRE_FALSE(is_given(again(body).given_mass));
+    REQUIRE(again(body).flags.locked_rotation);
+    REQUIRE_FALSE(is_given(again(body).given.mass));
     ShapeForm form;
     form.count = 0xabcdef;
     form.kind = FormKind::piece;

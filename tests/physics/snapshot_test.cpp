@@ -298,19 +298,19 @@ TEST_CASE("a saved world in which one body holds what hangs on another is refuse
     const size_t first = place_of(mark, bytes), second = place_of(mark + 1, bytes);
     using detail::BodyRecord;
     const size_t own = place_in<BodyRecord>([](BodyRecord& body) { body.user_data = 1; });
-    const auto refuses_shared = [&](uint32_t BodyRecord::*member, const char* what) {
+    const auto refuses_shared = [&](uint32_t detail::BodyLists::*member, const char* what) {
         INFO(what);
         auto damaged = bytes;
-        const size_t at =
-            place_in<BodyRecord>([&](BodyRecord& body) { body.*member = 0; }) - own;  // may wrap
+        const size_t at = place_in<BodyRecord>([&](BodyRecord& body) { body.lists.*member = 0; }) -
+                          own;  // may wrap
         std::memcpy(&damaged[second + at], &bytes[first + at], sizeof(uint32_t));
         REQUIRE((damaged != bytes));
         detail::seal(damaged);
         REQUIRE_THROWS_WITH(target.restore(damaged), contains(what));
     };
-    refuses_shared(&BodyRecord::first_shape, "is listed in another body");
-    refuses_shared(&BodyRecord::first_contact, "has a broken list of contacts");
-    refuses_shared(&BodyRecord::first_joint, "has a broken list of joints");
+    refuses_shared(&detail::BodyLists::first_shape, "is listed in another body");
+    refuses_shared(&detail::BodyLists::first_contact, "has a broken list of contacts");
+    refuses_shared(&detail::BodyLists::first_joint, "has a broken list of joints");
     run(target, 0.2f);
     REQUIRE_FALSE(target.validate());
 }
