@@ -162,4 +162,36 @@ TEST_CASE(
     CHECK_THROWS_AS(writer.end_block(0), Error);
 }
 
+TEST_CASE("a part of snapshots cannot add another one, nor be removed, while a snapshot is taken") {
+    struct Part : SnapshotPart {
+        explicit Part(const char* called) : name(called) {}
+        std::string_view part_name() const override { return name; }
+        Memory save(ByteWriter&) const override {
+            if (action) action();
+            return {};
+        }
+        std::function<void()> restore(ByteReader&, const Memory&) override {
+            return [] {};
+        }
+        std::string name;
+        std::function<void()> action;
+    };
+    Tree tree;
+    Part first("first"), last("last"), late("late");
+    for (Part* part : {&first, &last}) tree.add_part(*part);
+    first.action = [&] { tree.add_part(late); };
+    CHECK_THROWS_WITH(tree.snapshot(), contains("cannot add a part of snapshots"));
+    CHECK(tree.parts().size() == 2);
+    for (Part* removed : {&last, &first}) {
+        Part* const other = removed == &last ? &first : &last;
+        first.action = last.action = nullptr;
+        other->action = [&] { tree.remove_part(*removed); };
+        CHECK_THROWS_WITH(tree.snapshot(), contains("was removed while a snapshot"));
+        CHECK(tree.parts().size() == 1);
+        other->action = nullptr;
+        CHECK_NOTHROW(tree.check(tree.snapshot()));
+        tree.add_part(*removed);
+    }
+}
+
 }  // namespace own_callbacks_test

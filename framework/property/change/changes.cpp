@@ -62,7 +62,7 @@ void Changes::written(Handle handle, const Node& node, const Property& property,
         writes.note_in_full(
             handle, property.symbol, author.cause(),
             moves_by_itself(property) ? instances.read(handle.index, node, property) : Value());
-    if (!node.watched && property.interest == 0) return;
+    if (!node.watched && property.shortcut.interest == 0) return;
     const Value now = instances.read(handle.index, node, property);
     if (now == old_value) return;
     queue_change(handle, property, old_value, now, author.cause());

@@ -7,7 +7,8 @@ namespace fettle::property {
 void Changes::count_interest(const Watcher& watcher, int sign) {
     const auto count = [&](const Property& property) {
         if (Watchers::may_want(watcher, property))
-            property.note_interest(property.interest + static_cast<std::uint32_t>(sign));
+            property.shortcut.note_interest(property.shortcut.interest +
+                                            static_cast<std::uint32_t>(sign));
     };
     if (watcher.property) {  // The watcher wants one property name, so only that name is looked up.
         for (std::uint32_t i = 0; i < instances.classes.size(); ++i) {

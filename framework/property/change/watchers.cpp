@@ -202,7 +202,7 @@ class Interest {
 }  // namespace
 
 bool Watchers::broadly_watched(Handle instance, const Property& property) const {
-    if (property.interest == 0) return false;
+    if (property.shortcut.interest == 0) return false;
     Interest interest(changes_.tree, instance, property);
     return any_broad_on(property, [&](const Watcher* watcher) { return interest.of(*watcher); });
 }
@@ -238,7 +238,7 @@ void Watchers::of_change(const Change& change, WatcherId until, List& out) const
     out.clear();
     append(out, cells_, Cell{change.instance.index, change.property->symbol});
     append(out, instances_, change.instance.index);
-    if (change.property->interest != 0) {
+    if (change.property->shortcut.interest != 0) {
         Interest interest(changes_.tree, change.instance, *change.property);
         any_broad_on(*change.property, [&](Watcher* watcher) {
             if (interest.of(*watcher)) out.push_back(watcher);

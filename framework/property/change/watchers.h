@@ -119,7 +119,7 @@ class Watchers {
     /// Slots of instances that have watchers (other than broad ones).
     std::vector<std::uint32_t> watched_slots() const;
     /// The number of broad watchers that can match a property with that name. It is cached in
-    /// `Property::interest`.
+    /// `Property::Shortcut::interest`.
     std::uint32_t interest(const Property& property) const;
 
     /// Ends the watchers of a deleted instance: they are removed from the lists of its slot,

@@ -70,12 +70,12 @@ Property::Shortcut shortcut_to(const Property& property) {
     if ((!number && property.type != Type::vec2) || property.any_type || property.nullable)
         return shortcut;
     const Binding& binding = property.binding;
-    using Way = Property::Shortcut::Way;
+    using Access = Property::Shortcut::Access;
     if (property.sparse) return shortcut;  // it has no cell of its own
     if (binding.kind == BindingKind::stored) {
-        shortcut.read = shortcut.write = number ? Way::stored_number : Way::stored_vec2;
+        shortcut.read = shortcut.write = number ? Access::stored_number : Access::stored_vec2;
     } else {
-        const Way called = number ? Way::number : Way::vec2;
+        const Access called = number ? Access::number : Access::vec2;
         if (number ? binding.number.get != nullptr : binding.vec2.get != nullptr)
             shortcut.read = called;
         // A column's own setter may refuse the value.
@@ -83,7 +83,7 @@ Property::Shortcut shortcut_to(const Property& property) {
         if (plain && (number ? binding.number.put != nullptr : binding.vec2.put != nullptr))
             shortcut.write = called;
     }
-    if (property.read_only || binding.overridden != nullptr) shortcut.write = Way::none;
+    if (property.read_only || binding.overridden != nullptr) shortcut.write = Access::none;
     if (binding.kind != BindingKind::stored && binding.invalidate == nullptr &&
         (number ? binding.number.plain : binding.vec2.plain))
         shortcut.plain = shortcut.write;
@@ -245,7 +245,7 @@ void ClassRegistry::add_property(Class& made, Property property) {
                             "\": a column of 32 bits holds nothing of its range");
     }
     property.shortcut = shortcut_to(property);
-    property.note_interest(0);
+    property.shortcut.note_interest(0);
     property.enumerator_values.assign(property.enumerators.begin(), property.enumerators.end());
     check_default(made, property);
     Property& kept = made.own_properties_.emplace_back(std::move(property));

@@ -107,6 +107,7 @@ Snapshot Snapshot::from_bytes(std::span<const std::byte> bytes) {
 
 void Tree::add_part(SnapshotPart& part) {
     state_->lifetime.require_going_on("get a part");
+    state_->require_changeable("add a part of snapshots");
     for (const SnapshotPart* other : state_->snapshots.parts)
         if (other->part_name() == part.part_name() || part.part_name() == tree_block)
             throw Error(ErrorKind::bad_name, "a part of snapshots is called \"" +
@@ -159,9 +160,15 @@ Snapshot Tree::snapshot(std::vector<std::byte> room) const {
         held += memory->bytes();
         return memory;
     });
-    for (const SnapshotPart* part : state_->snapshots.parts) {
-        block(part->part_name(), [&] { return part->save(to); });
-        held += part->size_of(memories.back().second);
+    // By index, because a part may be destroyed by the `save` of another.
+    const std::vector<SnapshotPart*>& parts = state_->snapshots.parts;
+    const std::size_t announced = parts.size();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        block(parts[i]->part_name(), [&] { return parts[i]->save(to); });
+        if (parts.size() != announced)
+            throw Error(ErrorKind::bad_structure,
+                        "a part of snapshots was removed while a snapshot was being taken");
+        held += parts[i]->size_of(memories.back().second);
     }
     state_->snapshots.size = payload.size();
     return {std::move(payload), std::move(memories), held};

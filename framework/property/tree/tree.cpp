@@ -132,7 +132,7 @@ const Class& Tree::define(ClassDescriptor descriptor) {
     state_->instances.stored.push_back(
         made.stored_.empty() ? nullptr : std::make_unique<StoredColumns>(made));
     for (const Property& property : made.own_properties_)
-        property.note_interest(state_->changes.watchers.interest(property));
+        property.shortcut.note_interest(state_->changes.watchers.interest(property));
     return made;
 }
 

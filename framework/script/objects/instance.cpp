@@ -118,7 +118,7 @@ bool read_typed(lua_State* L, const property::Tree& tree, Handle instance,
                 const Property& property) {
     // `read` would work here, too, but reading a number would take 10 % longer ("Lua: get
     // ball.mass" and "Lua: get ball.angular_velocity" of fettle-bench tree).
-    if (property.shortcut.read == Property::Shortcut::Way::number) {
+    if (property.shortcut.read == Property::Shortcut::Access::number) {
         const property::Row* row = tree.readable(instance);
         if (row == nullptr) return false;
         lua_pushnumber(L, property.binding.number.get(property.binding, *row));

@@ -58,13 +58,13 @@ auto widened(const T& got) {
 }
 
 /// Converts the result of writing a number by slot to the enum of the tree.
-inline property::Put put(physics::Written written) {
+inline property::WriteResult put(physics::Written written) {
     using physics::Written;
-    using property::Put;
-    static_assert(static_cast<int>(Put::same) == static_cast<int>(Written::same) &&
-                  static_cast<int>(Put::done) == static_cast<int>(Written::done) &&
-                  static_cast<int>(Put::declined) == static_cast<int>(Written::refused));
-    return static_cast<Put>(written);
+    using property::WriteResult;
+    static_assert(static_cast<int>(WriteResult::same) == static_cast<int>(Written::same) &&
+                  static_cast<int>(WriteResult::done) == static_cast<int>(Written::done) &&
+                  static_cast<int>(WriteResult::declined) == static_cast<int>(Written::refused));
+    return static_cast<WriteResult>(written);
 }
 
 /// Binds numbers that are written without a Value in between. Both are captureless lambdas: `get`
@@ -74,9 +74,9 @@ void put_numbers(Binding& binding, Get, Set) {
     binding.number.put = [](const Binding& self, Row row, double value) {
         auto& h = *static_cast<Hosting*>(self.context);
         if (property::same_bits(static_cast<double>(Get{}(h, row)), value))
-            return property::Put::same;
+            return property::WriteResult::same;
         Set{}(h, row, static_cast<float>(value));
-        return property::Put::done;
+        return property::WriteResult::done;
     };
 }
 

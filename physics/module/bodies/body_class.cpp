@@ -63,7 +63,7 @@ Binding velocity(Hosting& hosting) {
     binding.vec2.plain = true;
     binding.vec2.put = [](const Binding& self, Row row, const property::Vec2& value) {
         // Outside of a world, the velocity is kept until the body is in a world.
-        if (world_number(row) == limbo) return property::Put::declined;
+        if (world_number(row) == limbo) return property::WriteResult::declined;
         const auto [in, slot] = static_cast<Hosting*>(self.context)->at(row);
         return put(in.world.write_velocity(slot, narrow(value)));
     };

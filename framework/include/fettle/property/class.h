@@ -68,8 +68,8 @@ struct Binding;
 
 /// Result of putting a value into a cell. `same`: the cell has it already. `done`: it is written.
 /// `declined`: refused; only `Binding::set` can give the reason. `untried`: the fastest path cannot
-/// write it (only `Tree::begin_write` returns this).
-enum class Put : std::uint8_t { same, done, declined, untried };
+/// write it (only the tree returns this).
+enum class WriteResult : std::uint8_t { same, done, declined, untried };
 
 /// Reads and writes a number or a vector without a Value, for the most frequent accesses by
 /// scripts. Made by the functions below. The binding is a parameter because a column needs its
@@ -80,7 +80,7 @@ struct Typed {
     using Passed = std::conditional_t<std::is_floating_point_v<T>, T, const T&>;
     T (*get)(const Binding&, Row) = nullptr;  ///< reads the value
     /// Writes unless the cell has the same bits. May throw as `Binding::set` does.
-    Put (*put)(const Binding&, Row, Passed value) = nullptr;
+    WriteResult (*put)(const Binding&, Row, Passed value) = nullptr;
     /// True if `put` only writes memory of the module: it neither throws nor uses the tree. Its
     /// argument may have more digits than the cell.
     bool plain = false;
@@ -158,31 +158,31 @@ struct Property {
     /// Which typed functions of `Tree` may read and write the property.
     struct Shortcut {
         /// A typed function.
-        enum class Way : std::uint8_t { none, number, vec2, stored_number, stored_vec2 };
-        Way read = Way::none;   ///< for reading
-        Way write = Way::none;  ///< for writing
-        Way plain = Way::none;  // like `write`, but only if calling a plain `put` is enough
-        bool narrow = false;    // rounded to float
+        enum class Access : std::uint8_t { none, number, vec2, stored_number, stored_vec2 };
+        Access read = Access::none;   ///< for reading
+        Access write = Access::none;  ///< for writing
+        Access plain = Access::none;  // like `write`, but only if calling a plain `put` is enough
+        bool narrow = false;          // rounded to float
         // Values that may be written: in range, also after rounding, and so small that integers are
         // exact.
         Range takes = Range::nothing();  ///< values that may be written
-    } shortcut{};                        ///< by registration
-    /// Number of broad watchers (class, pattern) that may match this property. Set by
-    /// `note_interest`.
-    mutable std::uint32_t interest = 0;
-    /// Values that can be written by calling a plain `put` and nothing else. Empty while there is a
-    /// watcher, or if the type does not fit, because then there may be no `put`.
-    mutable Range numbers_at_once = Range::nothing();
-    mutable Range vec2s_at_once = Range::nothing();
-    /// Sets `interest` and what depends on it.
-    void note_interest(std::uint32_t watchers) const {
-        interest = watchers;
-        const auto taken = [&](Shortcut::Way way) {
-            return watchers == 0 && shortcut.plain == way ? shortcut.takes : Range::nothing();
-        };
-        numbers_at_once = taken(Shortcut::Way::number);
-        vec2s_at_once = taken(Shortcut::Way::vec2);
-    }
+        /// Number of broad watchers (class, pattern) that may match this property. Set by
+        /// `note_interest`.
+        mutable std::uint32_t interest = 0;
+        /// Values that can be written by calling a plain `put` and nothing else. Empty while there
+        /// is a watcher, or if the type does not fit, because then there may be no `put`.
+        mutable Range numbers_at_once = Range::nothing();
+        mutable Range vec2s_at_once = Range::nothing();  ///< as `numbers_at_once`
+        /// Sets `interest` and what depends on it.
+        void note_interest(std::uint32_t watchers) const {
+            interest = watchers;
+            const auto taken = [&](Access access) {
+                return watchers == 0 && plain == access ? takes : Range::nothing();
+            };
+            numbers_at_once = taken(Access::number);
+            vec2s_at_once = taken(Access::vec2);
+        }
+    } shortcut{};  ///< by registration
 
     /// With how many digits its numbers are printed.
     Precision precision() const {
@@ -412,9 +412,9 @@ Typed<T> typed_column() {
             kept[0] = static_cast<Kept>(value.x);
             kept[1] = static_cast<Kept>(value.y);
         }
-        if (std::memcmp(cell, kept, sizeof kept) == 0) return Put::same;
+        if (std::memcmp(cell, kept, sizeof kept) == 0) return WriteResult::same;
         std::memcpy(cell, kept, sizeof kept);
-        return Put::done;
+        return WriteResult::done;
     };
     return typed;
 }
@@ -486,9 +486,9 @@ Binding accessor(Context& context, Get get, Set) {
     if constexpr (!std::is_void_v<T>)
         typed<T>(b).put = [](const Binding& binding, Row row, typename Typed<T>::Passed value) {
             Context& in = *static_cast<Context*>(binding.context);
-            if (same_bits(T(Get{}(in, row)), value)) return Put::same;
+            if (same_bits(T(Get{}(in, row)), value)) return WriteResult::same;
             Set{}(in, row, Value(value));
-            return Put::done;
+            return WriteResult::done;
         };
     return b;
 }

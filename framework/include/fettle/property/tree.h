@@ -192,23 +192,14 @@ class Tree {
     const Row* readable(Handle instance) const;
     /// As `read`, for writing.
     bool write(Handle instance, const Property& property, double number) {
-        const Put begun = begin_write(instance, property, number);
-        return begun == Put::done || end_write(begun, instance, property, number);
+        const WriteResult begun = begin_write(instance, property, number);
+        return begun == WriteResult::done || end_write(begun, instance, property, number);
     }
     /// As `read`, for writing.
     bool write(Handle instance, const Property& property, const Vec2& vector) {
-        const Put begun = begin_write(instance, property, vector);
-        return begun == Put::done || end_write(begun, instance, property, vector);
+        const WriteResult begun = begin_write(instance, property, vector);
+        return begun == WriteResult::done || end_write(begun, instance, property, vector);
     }
-    /// `write` in two calls, for the fastest writes. The first call tries the fastest path and
-    /// never throws. Unless it returns Put::done, the second must be called with the same arguments
-    /// before anything else is done to the tree; it does the rest, and returns and throws what
-    /// `write` does.
-    Put begin_write(Handle instance, const Property& property, double number);
-    Put begin_write(Handle instance, const Property& property, const Vec2& vector);
-    /// The second call.
-    bool end_write(Put begun, Handle instance, const Property& property, double number);
-    bool end_write(Put begun, Handle instance, const Property& property, const Vec2& vector);
     /// Restores the default (or the value that its owner computes).
     void reset(Handle instance, const Property& property);
     bool overridden(Handle instance,
@@ -443,6 +434,16 @@ class Tree {
     const State& state() const { return *state_; }
 
   private:
+    // `write` in two calls, for the fastest writes. The first call tries the fastest path and never
+    // throws. Unless it returns `done`, the second must be called with the same arguments before
+    // anything else is done to the tree; it does the rest, and returns and throws what `write`
+    // does.
+    WriteResult begin_write(Handle instance, const Property& property, double number);
+    WriteResult begin_write(Handle instance, const Property& property, const Vec2& vector);
+    bool end_write(WriteResult begun, Handle instance, const Property& property, double number);
+    bool end_write(WriteResult begun, Handle instance, const Property& property,
+                   const Vec2& vector);
+
     std::unique_ptr<State> state_;
 };
 

@@ -9,16 +9,16 @@
 namespace fettle::property {
 namespace {
 
-using Way = Property::Shortcut::Way;
+using Access = Property::Shortcut::Access;
 
 /// The two shortcuts of a type: a call of the binding, and a column of the tree.
 template <class T>
-constexpr Way by_call = std::is_same_v<T, double> ? Way::number : Way::vec2;
+constexpr Access by_call = std::is_same_v<T, double> ? Access::number : Access::vec2;
 template <class T>
-constexpr Way in_tree = std::is_same_v<T, double> ? Way::stored_number : Way::stored_vec2;
+constexpr Access in_tree = std::is_same_v<T, double> ? Access::stored_number : Access::stored_vec2;
 
 template <class T>
-const Typed<T>& typed_way(const Binding& binding) {
+const Typed<T>& typed_functions(const Binding& binding) {
     if constexpr (std::is_same_v<T, double>)
         return binding.number;
     else
@@ -28,9 +28,9 @@ const Typed<T>& typed_way(const Binding& binding) {
 template <class T>
 const Range& at_once(const Property& property) {
     if constexpr (std::is_same_v<T, double>)
-        return property.numbers_at_once;
+        return property.shortcut.numbers_at_once;
     else
-        return property.vec2s_at_once;
+        return property.shortcut.vec2s_at_once;
 }
 
 template <class T>
@@ -47,7 +47,7 @@ bool read_typed(const Tree::State& s, Handle instance, const Property& property,
     if (node == nullptr || s.instances.reads.noted()) [[unlikely]]
         return false;
     if (property.shortcut.read != by_call<T>) return read_stored(s, *node, property, out);
-    out = typed_way<T>(property.binding).get(property.binding, node->row);
+    out = typed_functions<T>(property.binding).get(property.binding, node->row);
     return true;
 }
 
@@ -72,12 +72,12 @@ void fill(PlainWrite& entry, Handle instance, const Property& property, const Ve
 /// For properties stored in the tree, for setters that may do anything, and for bindings with an
 /// invalidate hook. The setter may itself write, read formulas, and move nodes.
 template <class T>
-bool write_by_way(Tree::State& s, Handle instance, const Property& property, T value) {
+bool write_logged(Tree::State& s, Handle instance, const Property& property, T value) {
     Changes& changes = s.changes;
     WritesLog& log = changes.writes;
     const Node* const node = s.instances.nodes.find_if<&Node::writable>(instance);
     if (node == nullptr || !property.shortcut.takes.contains(value)) return false;
-    if (property.interest != 0 || log.needs_general_write()) return false;
+    if (property.shortcut.interest != 0 || log.needs_general_write()) return false;
     const bool by_setter = property.shortcut.write == by_call<T>;
     if (!by_setter && property.shortcut.write != in_tree<T>) return false;
     if (property.shortcut.narrow) value = narrowed(value);
@@ -95,16 +95,16 @@ bool write_by_way(Tree::State& s, Handle instance, const Property& property, T v
             std::uint64_t& invalidations;
             ~Done() { invalidations += 2; }
         } done{changes.invalidations};
-        Put put{};
+        WriteResult put{};
         try {
-            put = typed_way<T>(binding).put(binding, node->row, value);
+            put = typed_functions<T>(binding).put(binding, node->row, value);
         } catch (...) {
             log.take_back(entry);
             s.instances.refused(instance, property);
         }
-        if (put != Put::done) {
+        if (put != WriteResult::done) {
             log.take_back(entry);
-            return put == Put::same;
+            return put == WriteResult::same;
         }
     }
     changes.edited = true;
@@ -117,23 +117,23 @@ bool write_by_way(Tree::State& s, Handle instance, const Property& property, T v
 /// The fastest path: no report and no formula can be involved. The call of the setter is last, so
 /// that no value must be kept across it.
 template <class T>
-[[gnu::always_inline]] inline Put write_at_once(Tree::State& s, Handle instance,
-                                                const Property& property, T value) {
+[[gnu::always_inline]] inline WriteResult write_at_once(Tree::State& s, Handle instance,
+                                                        const Property& property, T value) {
     const Node* const node = s.instances.nodes.find_if<&Node::writable>(instance);
     if (node == nullptr || !at_once<T>(property).contains(value) || !s.changes.writes.open())
         [[unlikely]]
-        return Put::untried;
+        return WriteResult::untried;
     fill(s.changes.writes.begin(), instance, property, value);
-    return typed_way<T>(property.binding).put(property.binding, node->row, value);
+    return typed_functions<T>(property.binding).put(property.binding, node->row, value);
 }
 
 template <class T>
-bool finish_write(Tree::State& s, Put begun, Handle instance, const Property& property,
+bool finish_write(Tree::State& s, WriteResult begun, Handle instance, const Property& property,
                   const T& value) {
-    if (begun == Put::done) return true;
-    if (begun == Put::untried) return write_by_way<T>(s, instance, property, value);
+    if (begun == WriteResult::done) return true;
+    if (begun == WriteResult::untried) return write_logged<T>(s, instance, property, value);
     s.changes.writes.take_back_last();
-    return begun == Put::same;
+    return begun == WriteResult::same;
 }
 
 }  // namespace
@@ -149,17 +149,18 @@ const Row* Tree::readable(Handle instance) const {
     return node != nullptr && !state_->instances.reads.noted() ? &node->row : nullptr;
 }
 
-Put Tree::begin_write(Handle instance, const Property& property, double number) {
+WriteResult Tree::begin_write(Handle instance, const Property& property, double number) {
     return write_at_once(*state_, instance, property, number);
 }
-Put Tree::begin_write(Handle instance, const Property& property, const Vec2& vector) {
+WriteResult Tree::begin_write(Handle instance, const Property& property, const Vec2& vector) {
     return write_at_once(*state_, instance, property, vector);
 }
 
-bool Tree::end_write(Put begun, Handle instance, const Property& property, double number) {
+bool Tree::end_write(WriteResult begun, Handle instance, const Property& property, double number) {
     return finish_write(*state_, begun, instance, property, number);
 }
-bool Tree::end_write(Put begun, Handle instance, const Property& property, const Vec2& vector) {
+bool Tree::end_write(WriteResult begun, Handle instance, const Property& property,
+                     const Vec2& vector) {
     return finish_write(*state_, begun, instance, property, vector);
 }
 
