@@ -259,11 +259,11 @@ TEST_CASE_METHOD(Fixture, "a watcher, a cause and a formula apply to fast writes
         write();
         CHECK(told == 1);
     }
-    CHECK_FALSE(tree.who(ball, charge).writer == Writer::console);
+    CHECK_FALSE(tree.who(ball, charge).cause.writer == Writer::console);
     {
         const Tree::CauseScope console(tree, Writer::console);
         write();
-        CHECK(tree.who(ball, charge).writer == Writer::console);
+        CHECK(tree.who(ball, charge).cause.writer == Writer::console);
     }
     bool refused = false;
     tree.set_formula(kept, of(kept, "score"), {.function = [&](const Tree&) {
