@@ -8,6 +8,9 @@ namespace fettle::maps {
 
 namespace {
 
+/// Greatest number of lists and objects around a value. Groups of layers can contain groups.
+constexpr int deepest = 256;
+
 /// The reason in an exception of the JSON library, which begins with "[json...] parse error at ...:
 /// ".
 std::string reason(const std::string& what) {
@@ -31,8 +34,14 @@ Json parse_document(const std::string& file, std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) fail(file, "the file is empty");
     if (text[first] == '<') return parse_xml(file, text);
+    // A value inside thousands of others takes the library much memory.
+    const auto limit_depth = [&](int depth, Json::parse_event_t, const Json&) {
+        if (depth > deepest)
+            fail(file, "nested deeper than " + std::to_string(deepest) + " levels");
+        return true;
+    };
     try {
-        return Json::parse(text);
+        return Json::parse(text, limit_depth);
     } catch (const Json::parse_error& error) {
         fail(file,
              "line " + std::to_string(line_of(text, error.byte)) + ": " + reason(error.what()));

@@ -312,6 +312,7 @@ TEST_CASE_METHOD(Gallery, "an error in a file of Aseprite names the place and wh
                R"("frameTags":[)" + tag + "]}}";
     };
     broken("[]", "expected an object, got a list");
+    broken(std::string(100'000, '['), "nested deeper than 64 levels");
     broken(R"({"frames":[{"frame":{"x":"0"}}],"meta":{"image":"hero.tga"}})",
            "frames.0.frame.x: expected a number, got \"0\"");
     broken(R"({"frames":{"a":7},"meta":{"image":"hero.tga"}})",

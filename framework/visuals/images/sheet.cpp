@@ -133,8 +133,14 @@ const Animation* Sheet::animation(std::string_view name) const {
 }
 
 Export read_export(std::string_view text) {
+    // A value inside thousands of others takes the library much memory.
+    const auto limit_depth = [](int depth, json::parse_event_t, const json&) {
+        if (depth > 64)
+            throw std::runtime_error("is no JSON export of Aseprite: nested deeper than 64 levels");
+        return true;
+    };
     try {
-        return read({json::parse(text)});
+        return read({json::parse(text, limit_depth)});
     } catch (const json::exception& error) {
         // It begins "[json.exception.parse_error.101] ".
         std::string why = error.what();

@@ -212,7 +212,7 @@ class Keeping {
         others.rename(all, file);
         others.write();
         std::vector<std::pair<JournalRow*, std::string>> homes;
-        for (JournalRow& row : state_.earlier)
+        for (JournalRow& row : state_.earlier.rows)
             if (row.state == RowState::open) homes.emplace_back(&row, all.now(paths_.home(row)));
         state_.homes_changed([&](const std::string& home) { return all.now(home); });
         for (const auto& [row, home] : homes)
@@ -415,7 +415,7 @@ class Keeping {
 std::vector<JournalRow*> Tweaks::State::matching(std::string_view text, bool earlier_only) {
     const TweakPattern pattern(text);
     std::vector<JournalRow*> rows;
-    for (JournalRow& row : earlier)
+    for (JournalRow& row : earlier.rows)
         if (row.state == RowState::open && pattern.matches(row)) rows.push_back(&row);
     if (earlier_only) return rows;
     for (const auto& each : entries)
@@ -426,8 +426,8 @@ std::vector<JournalRow*> Tweaks::State::matching(std::string_view text, bool ear
 
 void Tweaks::State::refresh_earlier() {
     if (!journal) return;
-    journal->refresh(earlier);
-    for (JournalRow& row : earlier)
+    journal->refresh(earlier.rows);
+    for (JournalRow& row : earlier.rows)
         if (row.state == RowState::open && !problem_of(row).empty()) row.state = RowState::dropped;
 }
 
@@ -435,7 +435,7 @@ void Tweaks::State::set_state(JournalRow& row, RowState state) {
     row.state = state;
     rest = 0;
     if (row.run == JournalRow::elsewhere) return;
-    if (row.run != 0) return changed.push_back(&row);
+    if (row.run != 0) return earlier.changed.push_back(&row);
     Entry& its = entry_of(row);
     if (its.dirty) return;
     its.dirty = true;
@@ -462,14 +462,14 @@ TweakReport Tweaks::State::keep(std::string_view pattern) {
 /// Returns the number of dropped rows. Rows without a valid path match only the pattern "**".
 std::size_t Tweaks::State::drop_left_aside(std::string_view text) {
     const TweakPattern pattern(text);
-    return std::erase_if(left_aside, [&](JournalRow& row) {
+    return std::erase_if(earlier.left_aside, [&](JournalRow& row) {
         try {
             if (text != "**" && !pattern.matches(row)) return false;
         } catch (const Error&) {
             return false;
         }
         rest = 0;
-        if (row.run != JournalRow::elsewhere) removed.push_back(std::move(row));
+        if (row.run != JournalRow::elsewhere) earlier.removed.push_back(std::move(row));
         return true;
     });
 }

@@ -252,7 +252,7 @@ TweakReport Tweaks::State::reapply(std::string_view pattern) {
     }
     settle_fresh();
     for (const auto& [row, instance] : reapplying.made())
-        if (Entry* entry = entry_about(*row, instance)) reapplied.emplace_back(row, entry);
+        if (Entry* entry = entry_about(*row, instance)) earlier.reapplied.emplace_back(row, entry);
     return report;
 }
 
@@ -282,10 +282,10 @@ Tweaks::State::Entry* Tweaks::State::entry_about(const JournalRow& row, Handle i
 
 /// A row whose repetition was undone becomes open again.
 void Tweaks::State::settle_reapplied() {
-    std::erase_if(reapplied, [](const auto& each) {
+    std::erase_if(earlier.reapplied, [](const auto& each) {
         return each.second->row.state == RowState::kept || each.first->state == RowState::kept;
     });
-    for (const auto& [row, entry] : reapplied) {
+    for (const auto& [row, entry] : earlier.reapplied) {
         const bool undone = entry->row.state == RowState::open && !visible(*entry) &&
                             entry->deletion == nullptr;  // otherwise it is a part of another tweak
         const RowState state = undone ? RowState::open : RowState::dropped;

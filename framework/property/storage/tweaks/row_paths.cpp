@@ -10,7 +10,7 @@ using Kind = JournalRow::Kind;
 using RowState = JournalRow::State;
 
 RowPaths::RowPaths(const Tweaks::State& state) : state_(&state), now_(state.moves()) {
-    for (const JournalRow& row : state.earlier)
+    for (const JournalRow& row : state.earlier.rows)
         if (row.kind == Kind::moved && row.state != RowState::kept)
             earlier_[row.run].add(row.instance, row.now);
 }
@@ -43,7 +43,7 @@ std::string RowPaths::home_of_top(const JournalRow& row) const {
 }
 
 std::string RowPaths::moved_out_of(const JournalRow& deletion) const {
-    for (const JournalRow& row : state_->earlier)
+    for (const JournalRow& row : state_->earlier.rows)
         if (row.kind == Kind::moved && row.state == RowState::open &&
             row.instance != deletion.instance && is_at_or_below(row.instance, deletion.instance))
             return row.now;

@@ -90,13 +90,13 @@ void Tweaks::State::take_earlier(std::vector<JournalRow> rows) {
     for (JournalRow& row : rows) {
         const std::string problem = problem_of(row);
         if (problem.empty()) {
-            earlier.push_back(std::move(row));
+            earlier.rows.push_back(std::move(row));
             continue;
         }
-        if (left_aside.empty()) first = problem;
-        left_aside.push_back(std::move(row));
+        if (earlier.left_aside.empty()) first = problem;
+        earlier.left_aside.push_back(std::move(row));
     }
-    const std::size_t odd = left_aside.size();
+    const std::size_t odd = earlier.left_aside.size();
     if (odd == 1)
         warn("1 row that an earlier run has left is no tweak, and is left aside: " + first +
              "; drop_tweaks(\"**\") removes it");
@@ -397,7 +397,7 @@ std::vector<Tweak> Tweaks::list() const {
                        .kept = row.state == JournalRow::State::kept,
                        .kept_in = row.kept_in});
     };
-    for (const JournalRow& row : state_->earlier)
+    for (const JournalRow& row : state_->earlier.rows)
         if (row.state == JournalRow::State::open) add(row, true, true);
     for (const auto& entry : state_->entries)
         if (state_->visible(*entry)) {
@@ -410,13 +410,13 @@ std::vector<Tweak> Tweaks::list() const {
 
 std::size_t Tweaks::open_earlier() const {
     return static_cast<std::size_t>(
-        std::count_if(state_->earlier.begin(), state_->earlier.end(),
+        std::count_if(state_->earlier.rows.begin(), state_->earlier.rows.end(),
                       [](const JournalRow& row) { return row.state == JournalRow::State::open; }));
 }
 
 std::vector<TweakWords> Tweaks::earlier_in_words() const {
     std::vector<TweakWords> all;
-    for (const JournalRow& row : state_->earlier)
+    for (const JournalRow& row : state_->earlier.rows)
         if (row.state == JournalRow::State::open) all.push_back(words_of(row));
     return all;
 }

@@ -29,8 +29,8 @@ bool Tweaks::State::visible(const Entry& entry) const {
 }
 
 void Tweaks::State::barrier() {
-    if (fresh.empty() && dirty.empty() && changed.empty() && earlier_renamed.empty() &&
-        removed.empty())
+    if (fresh.empty() && dirty.empty() && earlier.changed.empty() && earlier.renamed.empty() &&
+        earlier.removed.empty())
         return;
     if (rest > 0) {
         --rest;
@@ -240,9 +240,9 @@ void Tweaks::State::commit() {
         else if (entry->committed)
             changes.withdrawn.push_back(entry->row.number);
     }
-    changes.settled.assign(changed.begin(), changed.end());
-    changes.renamed.assign(earlier_renamed.begin(), earlier_renamed.end());
-    for (const JournalRow& row : removed) changes.removed.push_back(&row);
+    changes.settled.assign(earlier.changed.begin(), earlier.changed.end());
+    changes.renamed.assign(earlier.renamed.begin(), earlier.renamed.end());
+    for (const JournalRow& row : earlier.removed) changes.removed.push_back(&row);
     try {
         const bool nothing = changes.put.empty() && changes.withdrawn.empty() &&
                              changes.settled.empty() && changes.renamed.empty() &&
@@ -263,9 +263,9 @@ void Tweaks::State::commit() {
         entry->committed = visible(*entry);
     }
     dirty.clear();
-    changed.clear();
-    earlier_renamed.clear();
-    removed.clear();
+    earlier.changed.clear();
+    earlier.renamed.clear();
+    earlier.removed.clear();
     if (!std::exchange(last_failure, {}).empty()) warn("tweaks are journaled again");
 }
 

@@ -152,7 +152,7 @@ void Tweaks::State::homes_changed(const NewPath& now_at) {
         }
         if (renamed && row.state == RowState::open && !each->gone) touch(*each);
     }
-    for (JournalRow& row : earlier) {
+    for (JournalRow& row : earlier.rows) {
         if (row.kind != Kind::restored) continue;
         row.was = with_new_homes(tree, row.was, row.instance, now_at);
         renamed_earlier(row);
@@ -161,7 +161,7 @@ void Tweaks::State::homes_changed(const NewPath& now_at) {
 
 void Tweaks::State::renamed_earlier(JournalRow& row) {
     if (row.state == RowState::open && row.run != JournalRow::elsewhere)
-        earlier_renamed.push_back(&row);
+        earlier.renamed.push_back(&row);
 }
 
 void Tweaks::State::steps_renamed(const std::filesystem::path& file,
@@ -182,7 +182,7 @@ void Tweaks::State::steps_renamed(const std::filesystem::path& file,
         if (each->row.inside != before && each->row.state == RowState::open && !each->gone)
             touch(*each);
     }
-    for (JournalRow& row : earlier) {
+    for (JournalRow& row : earlier.rows) {
         const std::string before = row.inside;
         rename(row, nullptr, false);
         if (row.inside != before) renamed_earlier(row);

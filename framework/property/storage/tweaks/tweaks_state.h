@@ -43,6 +43,17 @@ struct Tweaks::State : EditObserver {
         std::string taken_out;  // for a kept deletion: the text removed from the file
     };
 
+    /// What earlier runs left in the journal.
+    struct EarlierRows {
+        std::vector<JournalRow> rows;
+        std::vector<JournalRow*> changed;  // of `rows`: to be written again
+        std::vector<JournalRow*> renamed;  // of `rows`: with other names or places in files
+        /// Rows that were applied again, and the tweaks of this run that they became.
+        std::vector<std::pair<JournalRow*, Entry*>> reapplied;
+        std::vector<JournalRow> left_aside;  // invalid rows
+        std::vector<JournalRow> removed;     // dropped rows of `left_aside`
+    };
+
     static std::uint64_t key(Handle handle) {
         return std::uint64_t{handle.generation} << 32 | handle.index;
     }
@@ -161,14 +172,7 @@ struct Tweaks::State : EditObserver {
     std::unordered_set<std::uint64_t> is_in_fresh;
     // By instance (`key`).
     std::unordered_map<std::uint64_t, Entry*> created, deleted, restorations, moved_entries;
-    std::vector<JournalRow> earlier;   // of earlier runs
-    std::vector<JournalRow*> changed;  // rows of `earlier` to be written again
-    std::vector<JournalRow*>
-        earlier_renamed;  // rows of `earlier` with other names or places in files
-    /// Rows of earlier runs that were applied again, and the tweaks of this run that they became.
-    std::vector<std::pair<JournalRow*, Entry*>> reapplied;
-    std::vector<JournalRow> left_aside;  // invalid rows of earlier runs
-    std::vector<JournalRow> removed;     // dropped rows of `left_aside`
+    EarlierRows earlier;
     std::int64_t last_number = 0;
     std::string last_failure;  // reported once
     int rest = 0;              // barriers until a failed commit is repeated
