@@ -366,16 +366,21 @@ void Session::make_recorder() {
     const property::Vec2 size = services_->view.screen;
     std::vector<std::string> test;
     if (options_.test) test = {options_.test->file, options_.test->name};
+    // A test has thousands of steps, and its recording is replayed only if the test fails. The
+    // hashes of every step would take a third of its time.
+    const std::uint64_t hash_steps = options_.test ? 20 : 1;
     recorder_ = std::make_unique<app::Recorder>(
-        options_.record, app::RunStart{.game = std::filesystem::absolute(options_.game),
-                                       .modules = modules_.named(),
-                                       .seed = seed(),
-                                       .width = size.x,
-                                       .height = size.y,
-                                       .evals = options_.evals,
-                                       .at = options_.at,
-                                       .tweaks = tweaks_->earlier_in_words(),
-                                       .test = test});
+        options_.record,
+        app::RunStart{.game = std::filesystem::absolute(options_.game),
+                      .modules = modules_.named(),
+                      .seed = seed(),
+                      .width = size.x,
+                      .height = size.y,
+                      .evals = options_.evals,
+                      .at = options_.at,
+                      .tweaks = tweaks_->earlier_in_words(),
+                      .test = test},
+        hash_steps);
     recorder_->file(recorded_text(KeptFile::store, store_->initial()));
     recorder_->file(recorded_text(KeptFile::preferences, preferences_->initial()));
     files_.tell([this](const property::GameFiles::Finding& finding) {

@@ -37,11 +37,11 @@ struct File {
 };
 
 /// Frames of different length, events, commands and an edit of the inspector.
-void record(const File& file, int frames) {
+void record(const File& file, int frames, std::uint64_t hash_steps = 1) {
     Playing playing(game);
     RunStart start;
     start.game = "game";
-    Recorder recorder(file.path, start);
+    Recorder recorder(file.path, start, hash_steps);
     playing.runtime->on_command([&](std::string_view command) { recorder.command(command); });
     recorder.begin(playing.tree, *playing.loop);
     for (int i = 0; i < frames; ++i) {
@@ -98,6 +98,18 @@ TEST_CASE("a replay reports the first step that differs and the difference") {
     added += "function step() if time.step == 20 then game.extra = 1 end end";
     const Result value = replay(file, added);
     REQUIRE(value.difference.find("step 20: values differs") == 0);
+}
+
+TEST_CASE("a recording with hashes after every tenth step finds a difference there") {
+    const File file;
+    record(file, 60, 10);
+    REQUIRE(replay(file).difference.empty());
+    REQUIRE(replay(file).steps == Recording(file.path).steps());
+    std::string moved = game;
+    moved += "function step() if time.step == 33 then world.ball.position = vec(1, 1) end end";
+    const Result other = replay(file, moved);
+    REQUIRE(other.difference.find("step 40: physics differs") == 0);
+    REQUIRE(other.steps == 39);
 }
 
 TEST_CASE("a recording that was cut off replays the run up to there") {

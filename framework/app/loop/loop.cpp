@@ -448,8 +448,8 @@ std::uint64_t Loop::hash() const {
     return hash.result();
 }
 
-std::vector<std::pair<std::string, std::uint64_t>> Loop::hashes() const {
-    std::vector<std::pair<std::string, std::uint64_t>> all;
+Hashes Loop::hashes() const {
+    Hashes all;
     StateHash time, values;
     time.add(services_.clock.now);
     values.add_stored_values(tree_);

@@ -11,7 +11,9 @@
 #include <time/recording_text.h>
 
 namespace fettle::app {
-Recorder::Recorder(const std::filesystem::path& file, const RunStart& start) : file_(file) {
+Recorder::Recorder(const std::filesystem::path& file, const RunStart& start,
+                   std::uint64_t hash_steps)
+    : file_(file), hash_steps_(std::max<std::uint64_t>(hash_steps, 1)) {
     out_ = std::fopen(file.c_str(), "wb");
     if (out_ == nullptr)
         throw RecordingError(file.string() + ": cannot be written: " + std::strerror(errno));
@@ -112,7 +114,8 @@ void Recorder::frame_ends() {
 
 void Recorder::stepped() {
     std::string text = "step " + std::to_string(tree_->step());
-    for (const auto& [part, hash] : loop_->hashes()) text += " " + part + " " + hex(hash);
+    if (tree_->step() % hash_steps_ == 0)
+        for (const auto& [part, hash] : loop_->hashes()) text += " " + part + " " + hex(hash);
     line(text);
 }
 

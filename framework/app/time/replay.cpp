@@ -38,7 +38,7 @@ struct Recording::Item {
     double seconds = 0;
     std::int64_t limit = 0;
     std::uint64_t step = 0;
-    std::vector<std::pair<std::string, std::uint64_t>> hashes{};
+    Hashes hashes{};
     int line = 0;
 };
 
@@ -282,6 +282,21 @@ void Replay::feed(const Recording::Item& item) {
     }
 }
 
+void Replay::compare(const Hashes& then, const std::string& step) {
+    const Hashes hashes = loop_.hashes();
+    for (const auto& [part, hash] : then) {
+        const auto found =
+            std::find_if(hashes.begin(), hashes.end(),
+                         [&, name = part](const auto& h) { return h.first == name; });
+        if (found == hashes.end())
+            difference_ = step + ": there is no \"" + part + "\" in this game";
+        else if (found->second != hash)
+            difference_ = step + ": " + part + " differs: " + hex(hash) + " then, " +
+                          hex(found->second) + " now";
+        if (!difference_.empty()) return;
+    }
+}
+
 void Replay::stepped() {
     if (!difference_.empty()) return;
     const std::string now = "step " + std::to_string(tree_.step());
@@ -293,19 +308,8 @@ void Replay::stepped() {
         return;
     }
     ++next_;
-    const auto hashes = loop_.hashes();
-    for (const auto& [part, hash] : item.hashes) {
-        const auto found =
-            std::find_if(hashes.begin(), hashes.end(),
-                         [&, name = part](const auto& h) { return h.first == name; });
-        if (found == hashes.end())
-            difference_ = now + ": there is no \"" + part + "\" in this game";
-        else if (found->second != hash)
-            difference_ = now + ": " + part + " differs: " + hex(hash) + " then, " +
-                          hex(found->second) + " now";
-        if (!difference_.empty()) return;
-    }
-    ++steps_;
+    if (!item.hashes.empty()) compare(item.hashes, now);
+    if (difference_.empty()) ++steps_;
 }
 
 }  // namespace fettle::app

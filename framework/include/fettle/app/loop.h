@@ -29,6 +29,9 @@ namespace fettle::app {
 
 class Screen;
 
+/// Hashes of the parts of a state by name: "time", "values", and those of modules.
+using Hashes = std::vector<std::pair<std::string, std::uint64_t>>;
+
 /// Functions of a module that the loop calls.
 struct SteppedModule {
     std::string name{};
@@ -127,7 +130,7 @@ class Loop {
     /// Hash of all data that influence later steps: modules, the clock, and the values in the tree.
     std::uint64_t hash() const;
     /// The hashes of the parts by name, with which a difference can be located.
-    std::vector<std::pair<std::string, std::uint64_t>> hashes() const;
+    Hashes hashes() const;
 
   private:
     class FETTLE_APP_PRIVATE Stopwatch;

@@ -1,6 +1,6 @@
 #pragma once
-// Recordings: all input of a run, with the hash of the state after every step, so that the run can
-// be repeated and compared. docs/design/time.md has the format.
+// Recordings: all input of a run, with hashes of the state after steps, so that the run can be
+// repeated and compared. docs/design/time.md has the format.
 
 #include <cstdint>
 #include <cstdio>
@@ -52,8 +52,10 @@ struct RunFile {
 /// far.
 class Recorder : public Witness, public property::Observer {
   public:
-    /// Throws RecordingError.
-    Recorder(const std::filesystem::path& file, const RunStart& start);
+    /// The hashes of the state are written after every `hash_steps` steps, 1 or more. Throws
+    /// RecordingError.
+    Recorder(const std::filesystem::path& file, const RunStart& start,
+             std::uint64_t hash_steps = 1);
     ~Recorder() override;
     Recorder(const Recorder&) = delete;
     /// Begins recording, after the game was loaded.
@@ -83,6 +85,7 @@ class Recorder : public Witness, public property::Observer {
     void flush();
 
     std::filesystem::path file_;
+    std::uint64_t hash_steps_;
     std::FILE* out_ = nullptr;
     std::string problem_;
     property::Tree* tree_ = nullptr;
@@ -140,6 +143,8 @@ class Replay : public Witness {
 
   private:
     void feed(const Recording::Item& item);
+    /// Compares the hashes in the recording with those of the present state.
+    void compare(const Hashes& then, const std::string& step);
 
     const Recording& recording_;
     property::Tree& tree_;
