@@ -1,4 +1,4 @@
-// `fettle-bench shapes`: the cost of a contact by the number of vertices.
+// `fettle-bench shapes`: the cost of contacts and queries by the number of corners of a shape.
 
 #include <fettle/physics/physics.h>
 
@@ -30,8 +30,8 @@ physics::Geometry rounded(int corners) {
     return polygon;
 }
 
-/// Nanoseconds per step for one shape that spins on `ground`, whose top is at `height`: in every
-/// step another part of the rim touches.
+/// Nanoseconds per step for one shape that spins on `ground`, so that another part of its rim
+/// touches in every step. `height`: of the top of the ground, m.
 double spinning(const physics::Geometry& form, const physics::Geometry& ground, float height) {
     physics::World world({.sleeping = false, .continuous = false});
     for (int i = 0; i < pairs; ++i) {
@@ -52,7 +52,7 @@ double spinning(const physics::Geometry& form, const physics::Geometry& ground, 
     return 1e6 * clock.elapsed_ms() / (steps * pairs);
 }
 
-/// A hundred bodies at rest, 3 m apart in rows of ten.
+/// A hundred static bodies, 3 m apart in rows of ten.
 struct Field {
     physics::World world;
     std::vector<physics::Shape> shapes;
@@ -70,7 +70,7 @@ struct Field {
     }
 };
 
-/// Nanoseconds for the distance between two of them.
+/// Nanoseconds for the distance between two shapes of a `Field`.
 double distance_between(const physics::Geometry& form) {
     const Field field(form);
     const auto& shapes = field.shapes;
@@ -84,8 +84,8 @@ double distance_between(const physics::Geometry& form) {
     return 1e6 * elapsed / (pairs * (pairs - 1) / 2.0);
 }
 
-/// Nanoseconds for a query about each of them, from a point one meter beside its center. The query
-/// returns whether it found the shape.
+/// Nanoseconds for a query about one shape of a `Field`. `question` gets the center of the shape
+/// and a unit vector to a point beside it, and returns whether the query found the shape.
 template <class Question>
 double asking(const physics::Geometry& form, Question&& question) {
     Field field(form);
@@ -133,7 +133,7 @@ double shape_cast(const physics::Geometry& form) {
         });
 }
 
-/// Grounds on which a polygon rolls; their tops are half a meter high.
+/// Grounds on which a shape spins; the top of each is at a height of half a meter.
 const physics::Geometry box = physics::Box{.width = 3, .height = 1};
 const physics::Geometry round_hill = physics::Ellipse{.radius_x = 1, .radius_y = 0.5f};
 const physics::Geometry chain = physics::Chain{{{-2, 0.5f}, {0.01f, 0.5f}, {2, 0.5f}}};

@@ -1,6 +1,6 @@
 #pragma once
-// Small costs. Each is a loop that Google Benchmark times. The repetitions of all loops run in
-// random order, so that a disturbance does not affect one row alone.
+// A table of small costs. Each cost is a loop that Google Benchmark times. The repetitions of all
+// loops run in random order, so that a disturbance does not affect one row alone.
 
 #include <benchmark/benchmark.h>
 
@@ -54,7 +54,8 @@ class CostTable {
     std::vector<Row> rows_;
 };
 
-/// Adds accesses to properties by every function of C++, and the cost of watching.
+/// Adds accesses to properties through each C++ function of the tree, the cost of watching, and
+/// that of creating instances.
 void add_tree_costs(CostTable& table);
 /// Adds accesses to properties from Lua, with bare Lua and, if it is installed, LÖVE for
 /// comparison.

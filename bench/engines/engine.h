@@ -65,7 +65,7 @@ struct EngineKind {
 
 /// fettle, hosted, box2d, chipmunk, in this order.
 std::span<const EngineKind> engine_kinds();
-/// Throws std::invalid_argument with a list of the names.
+/// Throws std::invalid_argument with a list of the names if no engine has this name.
 const EngineKind& engine_named(std::string_view name);
 
 std::unique_ptr<Engine> make_fettle(const Scene& scene);

@@ -1,5 +1,6 @@
 #pragma once
-// The bare library, and access to its own features.
+// The physics library without a tree as an engine, and access to its world for features that other
+// engines do not have.
 
 #include <fettle/physics/physics.h>
 

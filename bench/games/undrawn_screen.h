@@ -1,7 +1,6 @@
 #pragma once
-// A screen that makes everything that a graphics driver is given, and gives it nothing: what a
-// driver does with it depends on the machine, and takes most of the time where it has no graphics
-// card.
+// A screen that prepares everything for the graphics driver but sends nothing to it. The time that
+// a driver takes depends on the machine; without a graphics card it would be most of the time.
 
 #include <fettle/app/screen.h>
 
@@ -29,7 +28,7 @@ class UndrawnScreen : public app::Screen {
     app::Clipboard& clipboard() override { return clipboard_; }
 
   private:
-    /// SFML draws on an active target only.
+    /// SFML draws only on an active target. This target is never active, so nothing is drawn.
     struct Target : sf::RenderTarget {
         Target(unsigned width, unsigned height) : size(width, height) { initialize(); }
         sf::Vector2u getSize() const override { return size; }

@@ -59,7 +59,7 @@ double add_tent(Scene& scene, double x, double y) {
 std::vector<double> add_floor(Scene& scene, double left, double pitch,
                               const std::vector<double>& tops) {
     std::vector<double> middles(tops.size() - 1);
-    std::vector<double> heights = tops;  // heights of what exists already
+    std::vector<double> heights = tops;  // of the surface under each next card
     for (const std::size_t first : {0u, 1u}) {
         for (std::size_t i = first; i + 1 < tops.size(); i += 2) {
             const double tilt = std::atan2(heights[i + 1] - heights[i], pitch);
@@ -194,7 +194,8 @@ std::vector<Figure> domino_trial(const EngineKind& kind) {
     return {{"fallen in order", static_cast<double>(in_order), "of 15", exactly(15)}};
 }
 
-/// A box of 300 kg on one of 1 kg, each one meter high: the compression of the light one.
+/// A box of 300 kg on a box of 1 kg, each one meter high. Figure: the deeper of the overlaps below
+/// and above the light box.
 std::vector<Figure> overload_trial(const EngineKind& kind) {
     Scene scene = on_ground("overload", false);
     scene.bodies.push_back(dynamic_box({0, 0.5f}, 0.5f));

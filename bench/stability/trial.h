@@ -25,7 +25,7 @@ struct Trial {
 };
 
 std::span<const Trial> trials();
-/// Throws std::invalid_argument with a list of the names.
+/// Throws std::invalid_argument with a list of the names if no trial has this name.
 const Trial& trial_named(std::string_view name);
 
 // Standing.
@@ -52,7 +52,7 @@ std::vector<Figure> seams_trial(const EngineKind& kind);
 std::vector<Figure> ellipse_trial(const EngineKind& kind);
 
 // Scenes that the comparison of the solvers uses as well.
-/// Boxes of one meter on each other, sleeping disabled.
+/// A stack of boxes of one meter, sleeping disabled.
 Scene stack_of(int boxes);
 /// Thirty links of half a meter hang straight down, with a ball of one meter at the end.
 /// `mass_ratio`: mass of the ball divided by that of a link.

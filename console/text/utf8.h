@@ -19,10 +19,10 @@ std::size_t previous_code_point(std::string_view text, std::size_t offset);
 /// The nearest boundary at or before `offset`.
 std::size_t code_point_boundary(std::string_view text, std::size_t offset);
 std::size_t code_point_count(std::string_view text);
-/// The code point at that offset, U+FFFD for a sequence that is not complete.
+/// The code point at `offset`; U+FFFD for a sequence that is not complete.
 char32_t code_point_at(std::string_view text, std::size_t offset);
-/// How many cells of a font of fixed width a character takes: two, as Chinese ones and emoji; none,
-/// if it only joins or changes its neighbors.
+/// How many cells of a font of fixed width a character takes: two for Chinese characters and emoji,
+/// zero for a character that only joins or changes its neighbors.
 int cells_of(char32_t character);
 /// How many cells a text takes.
 std::size_t cell_count(std::string_view text);
@@ -33,12 +33,11 @@ std::size_t cell_offset(std::string_view text, std::size_t index);
 std::size_t code_point_offset(std::string_view text, std::size_t index);
 void append_code_point(std::string& text, char32_t character);
 
-/// The text as a string of Lua.
+/// The text as a string literal of Lua.
 std::string lua_string(std::string_view text);
 
-/// Converts text for one line of the log: line ends become "
-/// ", a tab becomes two spaces, other control characters are removed, and invalid UTF-8 becomes
-/// U+FFFD.
+/// Converts text for the log: a line end becomes "\n", a tab becomes two spaces, other control
+/// characters are removed, and invalid UTF-8 becomes U+FFFD.
 std::string clean_text(std::string_view text);
 
 }  // namespace fettle::console

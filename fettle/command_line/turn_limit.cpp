@@ -40,7 +40,7 @@ void TurnLimit::watch() {
                      "fettle: after step %llu, the game did not come back for %g seconds, and "
                      "nothing could stop it: the run ends at once\n",
                      static_cast<unsigned long long>(steps_), seconds_);
-        // The other thread may hold the lock of the output for ever.
+        // The thread of the game may hold the lock of the output forever.
         if (ftrylockfile(stdout) == 0) std::fflush(stdout);
         ::_exit(script_error);
     }

@@ -16,7 +16,8 @@ namespace {
 constexpr std::string_view own_file_prefix =
     "fettle:";  // prefix of the names of Fettle's own files
 
-/// In a recording; the files lie in no folder of these.
+/// Name of the file in a recording. These files are not in the game's folder, nor are they Fettle's
+/// own.
 std::string recorded_name(KeptFile which) {
     return which == KeptFile::store ? "fettle:store" : "fettle:preferences";
 }

@@ -142,7 +142,7 @@ BridgedClass::BridgedClass(HostTable& host, const fettle_class& native)
                                      .fields = fields(event.fields, descriptor.name),
                                      .doc = text_or_empty(event.doc)});
     descriptor.lifecycle = lifecycle_of(native, *this);
-    // A module that defines both classes knows what their rows are.
+    // If the same module makes the rows of the base class, its rows serve both classes.
     const property::Class* const base = host.tree->find_class(descriptor.base);
     descriptor.makes_base_rows = base != nullptr && makes_rows_of(*base);
     declared_ = &host.tree->define(std::move(descriptor));

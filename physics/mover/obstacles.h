@@ -25,7 +25,7 @@ class Capsule {
 
     /// The line, with a radius.
     Solid solid(float radius) const;
-    /// Distance of its lowest point along a unit vector from the feet.
+    /// The least coordinate of the capsule along a unit vector, from the feet, m.
     float lowest(Vec2 direction) const;
     Vec2 lower() const { return ends_[0]; }
     Vec2 middle() const { return 0.5f * (ends_[0] + ends_[1]); }
@@ -48,9 +48,9 @@ struct Obstacle {
     bool border = false;  ///< a side of the bounds: `front` is its normal, `depth` its place
     bool one_sided = false;
     bool dynamic = false;
-    Vec2 front;  ///< of a one-sided obstacle
+    Vec2 front;  ///< unit vector out of the solid side of a one-sided obstacle
     WorldCoordinate depth = 0;
-    float clear = 0.0f;  ///< the mover may move by this before it can be near
+    float clear = 0.0f;  ///< m: the mover is at least this far away
 };
 
 /// A plane of an obstacle, relative to a position of the mover.
@@ -62,8 +62,7 @@ struct Plane {
     bool deep = false;  ///< the line of the capsule is inside
 };
 
-/// The obstacles in a part of a world. They are where they are in the share `time` (0 … 1) of the
-/// step.
+/// The obstacles in a part of a world, in their positions at the share `time` (0 … 1) of the step.
 class Obstacles {
   public:
     Obstacles(const World& world, const MoverDef& def, const Capsule& capsule);
@@ -72,7 +71,7 @@ class Obstacles {
     void find(Box4 box, const Position& position, uint32_t carrier, float dt,
               std::optional<ShapeId> left_out);
     void set_time(float time);
-    /// To be called when the mover was moved by this distance (m) in another way.
+    /// To be called when the mover was moved by this distance (m) other than by a `cast`.
     void put_aside(float distance);
     float farthest_shift() const;  ///< m: of the obstacle that moves most in the step
     /// The planes within `reach` at this position, nearest first. A corner that is flush with a

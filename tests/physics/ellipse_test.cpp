@@ -23,7 +23,8 @@ double height(double a, double b, double angle) {
     return std::sqrt(std::pow(a * std::sin(angle), 2) + std::pow(b * std::cos(angle), 2));
 }
 
-/// Seconds of a full swing, from the zero crossings of the angle; the amplitude at the end.
+/// Seconds of a full swing, from the zero crossings of the angle. `amplitude` gets the amplitude of
+/// the last half swing (rad).
 double measured_period(World& world, Body body, int swings, double& amplitude) {
     double last = double(body.angle()), first = -1.0, latest = 0.0;
     int crossings = 0;
@@ -42,8 +43,9 @@ double measured_period(World& world, Body body, int swings, double& amplitude) {
     return (latest - first) / double(swings);
 }
 
-/// Rolls without slipping: ½(I + m·r²)·θ'² + m·g·h(θ) with r² the squared distance from the contact
-/// to the center; quarter periods by quadrature in θ = θ₀·sin φ, which takes the root out.
+/// Seconds of a full swing of an ellipse that rolls without slipping. Its energy is
+/// ½(I + m·r²)·θ'² + m·g·h(θ), where r is the distance from the contact to the center. The integral
+/// of a quarter period is taken over φ with θ = θ₀·sin φ, which removes the singularity at θ₀.
 double rocking_period(double a, double b, double g, double start) {
     const double inertia = 0.25 * (a * a + b * b);
     double sum = 0.0;
@@ -62,7 +64,7 @@ double rocking_period(double a, double b, double g, double start) {
 
 }  // namespace
 
-TEST_CASE("an ellipse weighs and turns like one") {
+TEST_CASE("an ellipse has the area and the mass and the inertia of an ellipse") {
     World world;
     Body body = world.create_body();
     Shape shape = body.add(Ellipse{2.0f, 0.5f, {3, 1}, 0.7f}, {.density = 3.0f});
@@ -85,7 +87,7 @@ TEST_CASE("an ellipse weighs and turns like one") {
     REQUIRE(shape.vertices().empty());
 }
 
-TEST_CASE("an ellipse rests at its height however it is turned by its shape") {
+TEST_CASE("an ellipse rests at its analytic height at every angle of its shape") {
     for (const float angle : {0.0f, 0.3f, 1.0f, 1.5707963f, 2.5f}) {
         World world({.sleeping = false});
         add_floor(world);
@@ -146,7 +148,7 @@ TEST_CASE("an ellipse that rolls keeps its energy") {
     REQUIRE(energy() == Approx(before).epsilon(0.05));
 }
 
-TEST_CASE("ellipses stack and so do boxes on them") {
+TEST_CASE("ellipses can be stacked and carry a plank") {
     World world({.sleeping = false});
     add_floor(world);
     std::vector<Body> flat;
@@ -211,13 +213,13 @@ TEST_CASE("ellipses of all sizes collide with every kind of shape") {
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("an ellipse answers every question exactly") {
+TEST_CASE("all queries about an ellipse are exact") {
     World world;
     Body body =
         world.create_body({.type = BodyType::static_body, .position = {1, 2}, .angle = 0.5f});
     Shape shape = body.add(Ellipse{2.0f, 0.7f});
     const double c = std::cos(0.5), s = std::sin(0.5);
-    // Of the rim, in the world.
+    // A point of the rim, in the world.
     const auto rim = [&](double t) {
         const double x = 2.0 * std::cos(t), y = 0.7 * std::sin(t);
         return Vec2(float(1 + c * x - s * y), float(2 + s * x + c * y));
@@ -271,7 +273,7 @@ TEST_CASE("an ellipse half under water is lifted by half its area") {
     REQUIRE(std::fabs(body.angle()) < 0.05f);
 }
 
-TEST_CASE("needles and grains of ellipses never make a number that is none") {
+TEST_CASE("very thin and very small ellipses keep a valid state") {
     World world({.bounds = Aabb{{-50, 0}, {50, 200}}});
     for (int i = 0; i < 60; ++i) {
         const float a = std::pow(10.0f, float(i % 6) - 4.0f),

@@ -1,6 +1,6 @@
 // Hostile console commands: none may crash, run without end or leave the sandbox.
 //
-// attack                                      defence (what a test here fails without)
+// attack                                      defense (without it, a test here fails)
 // a loop; a loop around pcall                 Budget::hook, raised again at every instruction
 // an xpcall handler that loops                protected.cpp: no handler while a script is stopped
 // coroutines with counters of their own       Budget::enter: the hook, and 500 instructions each
@@ -15,7 +15,7 @@
 // out of memory, caught in a loop             Budget::memory_refused stops the script
 // bytecode, string.dump, debug, package, io   sandbox.cpp copies allowed names only; load is "t"
 // metatables of texts, instances, values      __metatable hides them; setmetatable takes tables
-// rawset and rawget on instances              Lua: they are no tables
+// rawset and rawget on instances              Lua: instances are not tables
 // collectgarbage("stop")                      base_functions.cpp allows collect, step, count
 // wrong self, stale handles                   guarded methods check the tag and the handle
 // .. and links in paths                       GameFiles; see tests/fettle/sandboxed_game_test.cpp
@@ -183,7 +183,7 @@ assert(not pcall(function() return ("").x.y end))
     }
 }
 
-// Each is refused by an error of its own; a defence that is missing shows as another text.
+// Each attack fails with the reason beside it. If a defense is missing, the reason is another one.
 TEST_CASE("an escape is refused with its reason") {
     const auto [attack, reason] = GENERATE(table<std::string, std::string>({
         {"local _ENV = { load = load } return load('return debug.getinfo')()", "no such name"},

@@ -48,7 +48,7 @@ struct Session : Run {
         return all;
     }
 
-    /// By path, and sorted by path, because children may be in another order.
+    /// Text and target of each note by its path; sorted, because children may be in another order.
     std::map<std::string, std::string> state() const {
         std::map<std::string, std::string> all;
         for (const Handle note : notes()) {
@@ -126,7 +126,7 @@ struct Session : Run {
         }
     }
 
-    /// One action of the person; `said` gets the problems of keeping.
+    /// Makes one random action of the person, and adds a line that describes it to `done`.
     void step() {
         said.clear();
         switch (below(8)) {
@@ -269,7 +269,7 @@ TEST_CASE("making the tweaks of a random session again gives its last state") {
         CHECK(text(next.state()) == ended);
         ++compared;
         if (report.count == 0) continue;
-        // All of them are one step of undo, and their tweaks are open again after it.
+        // All tweaks are one step of undo. After the undo they are tweaks of an earlier run again.
         {
             const Tree::CauseScope scope(next.tree, Writer::console);
             if (began != ended) (void)next.tree.undo();

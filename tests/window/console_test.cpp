@@ -111,7 +111,7 @@ TEST_CASE("a click on a body in a window selects it for the console and the insp
     game.settled().save_png(pictures / "inspector.png");
 }
 
-TEST_CASE("Escape with text keeps the keys of a window from the game") {
+TEST_CASE("Escape clears typed text in a window and the game still gets no keys") {
     if (skipped()) return;
     GameWindow game(source / "tests" / "window" / "game");
     REQUIRE(game.prints("ready"));
@@ -128,7 +128,7 @@ TEST_CASE("Escape with text keeps the keys of a window from the game") {
     CHECK(game.prints("game got\tj"));
 }
 
-TEST_CASE("a plot and the command of a key in a window") {
+TEST_CASE("a plot is drawn and a key runs its command in a window") {
     if (skipped()) return;
     GameWindow game(source / "tests" / "window" / "game");
     REQUIRE(game.prints("ready"));
@@ -170,11 +170,11 @@ TEST_CASE("the showcase runs in a window") {
     CHECK(game.running());
 }
 
-TEST_CASE("a signal ends a game in a window in order") {
+TEST_CASE("a game in a window ends in order after a signal") {
     if (skipped()) return;
     GameWindow game(source / "tests" / "window" / "game");
     REQUIRE(game.prints("ready"));
-    // The same while an endless script runs.
+    // The second run: a signal while an endless script runs.
     const bool runaway = GENERATE(false, true);
     if (runaway) {
         game.key("l");
@@ -206,7 +206,7 @@ TEST_CASE("an endless script is shown in a window and can be stopped there") {
     const Picture playing = game.settled();
     game.key("l");
     REQUIRE(game.prints("for ever"));
-    // The complete picture, with the keys in its last line.
+    // The message covers the whole picture; its last line names the keys.
     const auto shown = [&](unsigned top, unsigned bottom) {
         return [&game, playing, top, bottom] {
             return game.picture().difference(playing, 0, top, 1280, bottom) > 20'000;

@@ -1,4 +1,4 @@
-// The gallery in a window: a click starts a game, and Escape that is held comes back.
+// The gallery in a window: a click starts a game, and holding Escape returns to the gallery.
 
 #include <array>
 #include <cstdint>
@@ -16,7 +16,8 @@ using fettle::test::Picture;
 
 namespace {
 
-/// Number of colors at the left side of the first card; without a picture of its game it has one.
+/// Number of colors at the left side of the first card; a card without a picture of its game has
+/// one color.
 std::size_t colors_in_first_card(const Picture& picture) {
     std::set<std::array<std::uint8_t, 3>> colors;
     for (std::size_t y = 130; y < 330; ++y)
@@ -29,7 +30,7 @@ std::size_t colors_in_first_card(const Picture& picture) {
 
 }  // namespace
 
-TEST_CASE("a click in the gallery starts a game and holding Escape comes back") {
+TEST_CASE("a click in the gallery starts a game and holding Escape returns to the gallery") {
     if (const std::string missing = missing_tools(); !missing.empty()) {
         std::cout << "SKIPPED: " << missing << " not found\n";
         return;
@@ -40,7 +41,7 @@ TEST_CASE("a click in the gallery starts a game and holding Escape comes back") 
     const Picture shown = gallery.settled();
     gallery.click(200, 200);
     REQUIRE(gallery.eventually([&] { return gallery.picture().difference(shown) > 200'000; }));
-    // A short press is the game's own.
+    // A short press goes to the game.
     gallery.key("Escape");
     CHECK(gallery.picture().difference(shown) > 200'000);
     gallery.hold("Escape", true);

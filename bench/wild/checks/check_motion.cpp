@@ -1,4 +1,5 @@
-// States are numbers; what has a speed moves; nothing is much faster than what drives it.
+// Checks of motion: states are finite, a body with a speed moves, and no body is much faster than
+// the motion that drives it.
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,8 @@ class Frozen : public Check {
         const float speed = after.velocity.length();
         if (!after.exists || !after.awake || after.touching() || speed <= 1) return false;
         if (after.type != BodyType::dynamic_body || moment.edited_bodies[i]) return false;
-        // Far less than it should, in place and angle: what is put back to an impact still turns.
+        // Position and angle changed by less than 1 % of what the speeds give. A body that was put
+        // back to the place of an impact still turns.
         return (after.position - before.position).length() < 0.01f * speed * moment.dt &&
                std::abs(after.angle - before.angle) <=
                    0.01f * std::abs(after.angular_velocity) * moment.dt;
@@ -52,9 +54,9 @@ class Frozen : public Check {
     std::vector<int> still_;
 };
 
-/// An impact of a heavy body doubles the speed of a light one, and a whip multiplies it further.
-/// Four times is rare in games, and an explosion is far beyond it. 20 m/s more are for what begins
-/// in overlap, which many bodies at once may push out.
+/// After an impact, a light body may have twice the speed of the heavy body, and a whip multiplies
+/// it further. Four times the speed is rare in games, and an explosion is far beyond it. 20 m/s are
+/// added for bodies that begin in overlap: many bodies at once may push them out.
 ///
 /// Nothing bounds the speed of a body that bounces between a wall that moves by command and
 /// something fixed: each impact of the wall adds twice the speed of the wall, and the impacts
@@ -89,7 +91,7 @@ class Speed : public Check {
         });
         return moves && (bounces || plan.def.bounds_restitution > 0);
     }
-    /// Whichever body is left out, there is another one that does not give way.
+    /// True if the body is near at least two bodies that are not dynamic.
     static bool is_between_fixed(const Moment& moment, int body) {
         for (std::size_t other = 0; other < moment.after.size(); ++other)
             if (moment.after[other].exists && moment.after[other].type != BodyType::dynamic_body &&

@@ -74,7 +74,7 @@ void Layout::arrange_line(Widget& widget, const Box& inner, const Box& clip, int
     double left = inner.size()[along], shares = 0;
     if (!widget.arranged.children.empty())
         left -= spacing * static_cast<double>(widget.arranged.children.size() - 1);
-    // A list that grows may become smaller than what is in it.
+    // A list that grows may become smaller than its content.
     const auto least = [&](const Widget& one) {
         return one.kind == Kind::list && growth(one, along) > 0 ? one.placing.min_size[along]
                                                                 : one.arranged.wanted[along];
@@ -129,7 +129,7 @@ void Layout::arrange_list(Widget& widget) {
     }
 }
 
-/// The lines of its text, for the width that it has now.
+/// Breaks the text of a widget into lines for the present width of the widget.
 void Layout::write(Widget& widget) {
     const Lettering lettering = Lettering::of(widget);
     double width = widget.arranged.box.width();
@@ -150,7 +150,7 @@ void Layout::write(Widget& widget) {
         default:
             return;
     }
-    // One pixel of the screen more, because both edges are rounded to such pixels.
+    // The width is one pixel of the screen more, because both edges were rounded to such pixels.
     widget.arranged.lines =
         fitted(media_, lettering, *text, width + 1 / scale_,
                widget.style.overflow == "wrap" && widget.kind != Kind::progress_bar);

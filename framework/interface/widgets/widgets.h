@@ -45,10 +45,10 @@ class Widgets {
     auto begin() { return rows_.begin(); }
     auto end() { return rows_.end(); }
     bool is_widget(property::Handle instance) const;
-    /// The widget of that handle; null if there is none.
+    /// The widget with this handle; null if there is none.
     Widget* find(property::Handle instance);
     void changed(property::Row) { stale = true; }
-    /// Writes a property as the player's input does.
+    /// Writes a property of a widget that the player uses; no effect if the widget was deleted.
     void set(property::Handle widget, const char* name, const property::Value& value);
     void emit(const Widget& widget, const char* event, std::vector<property::Value> values = {});
 
@@ -59,7 +59,7 @@ class Widgets {
     Board board;
     bool stale = true;  // the layout
     bool moved = true;  // widgets were created, moved or deleted since the layout noted their order
-    double scale = 1;   // px of the screen for one of the layout
+    double scale = 1;   // px of the screen for one px of the layout
     Answers answers;
 
   private:

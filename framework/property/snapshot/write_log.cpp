@@ -1,4 +1,4 @@
-// Logging of changes of a tree, and repeating them.
+// Records the changes of a tree and repeats them.
 
 #include <fettle/property/write_log.h>
 
@@ -136,8 +136,9 @@ void WriteLog::note(Did what, Handle instance, const Property& property) {
 
 namespace {
 
-/// What is not saved is not written again. But a write of it may have changed the properties that
-/// it is computed from, and these are state: the zoom of a view changes its height. Visits them.
+/// A property that is not saved is not written again. But a write to it may have changed the
+/// properties from which it is computed, and those are saved: the zoom of a view changes its
+/// height. Calls `visit` for each of those.
 template <class Visit>
 void each_source(const Tree& tree, Handle instance, const Property& property, Visit visit) {
     if (!property.transient || property.derives_from.empty() || !tree.alive(instance)) return;
@@ -266,7 +267,7 @@ void WriteLog::call_ends(Handle, const Method&) {
     to.put(Acceptance::answers());
 }
 
-// Inside a recorded call, repeating the call refreshes the part.
+// A refresh inside a recorded call is not recorded: repeating the call refreshes the part.
 void WriteLog::refreshing(SnapshotPart& part, std::uint64_t what) {
     if (!notes()) return;
     const std::uint64_t number = tree_.state().snapshots.number_of(part);
@@ -329,7 +330,8 @@ class WriteLog::Player {
             s_.put_ad_hoc(instance, s_.ad_hoc_property(name), now);
         }
     }
-    /// Writing it again would press a key, or change a setting that the player has changed since.
+    /// True if the property must not be written again: this would press a key, or change a setting
+    /// that the player has changed since.
     bool is_of_the_present(Handle instance, const Property& property) const {
         return belongs_to_the_present(tree_.class_of(instance), property);
     }

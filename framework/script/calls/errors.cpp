@@ -83,8 +83,8 @@ std::string with_refusal(Budget& budget, std::string message) {
     return refusal.empty() ? message : refusal;
 }
 
-// The text from the error object's `__tostring`, if it has one. This function may also raise an
-// error, and its run time is limited.
+// The text from the error object's `__tostring`, if it has one. `__tostring` may raise an error
+// too, and its run time is limited.
 std::optional<std::string> tostring_text(lua_State* L, int index) {
     if (machine_of(L).budget.stopping() || luaL_getmetafield(L, index, "__tostring") == LUA_TNIL)
         return std::nullopt;
@@ -159,10 +159,10 @@ ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State*
     error.message = error_text(from, index);
     error.message = with_refusal(machine.budget, std::move(error.message));
     if (machine.errors.thread_error && machine.errors.thread_error->message == error.message) {
-        // The error comes from a coroutine, where it was described already.
+        // The error comes from a coroutine and was described there.
         error = std::move(*machine.errors.thread_error);
         machine.errors.thread_error.reset();
-        // The coroutine of a timer was not started by a script, so this may be empty.
+        // The coroutine of a timer was not started by a script, so `outside` may be empty.
         if (const std::string outside = traceback_of(L, level); !outside.empty())
             error.traceback += "  (coroutine started from)\n" + outside;
         return error;

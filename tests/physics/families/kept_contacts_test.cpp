@@ -1,5 +1,5 @@
-// Tall stacks and towers, and edits of what they stand on. A contact keeps its manifold while its
-// bodies move little: a stack must not buckle, and every edit must take effect at once.
+// Tall stacks and towers, and edits of their supports. A contact keeps its manifold while its
+// bodies move little: even so, no stack may buckle, and every edit must take effect at once.
 // FETTLE_SEEDS=n: n stacks of each kind.
 
 #include <fettle/physics/physics.h>
@@ -39,7 +39,7 @@ Body add_box(World& world, Vec2 position, Vec2 size, const ShapeDef& surface = {
 
 struct Stack {
     int count;
-    float aside;  ///< of a box from the middle, in heights of a box
+    float aside;  ///< largest offset of a box from the middle, in heights of a box
     float height = 1.0f, width = 1.0f;
     float gravity = 10.0f, friction = 0.6f, density = 1.0f;
 };
@@ -68,7 +68,7 @@ unsigned fallen(const Stack& stack, unsigned count, float seconds) {
     return fell;
 }
 
-/// Seconds until a tower of storeys, a beam on posts each, sleeps.
+/// Seconds until a tower sleeps. Each of its levels is a beam on posts.
 float time_to_sleep(int storeys, int posts) {
     World world;
     add_ground(world);
@@ -85,8 +85,7 @@ float time_to_sleep(int storeys, int posts) {
     return float(steps) * frame;
 }
 
-/// A box at rest on another, awake or asleep: the contact of the two and that with the ground are
-/// kept.
+/// A box at rest on a box on the ground, awake or asleep. Both contacts keep their manifolds.
 struct Resting {
     World world;
     Body ground = add_ground(world);
@@ -101,12 +100,12 @@ struct Resting {
 
 }  // namespace
 
-TEST_CASE("tall stacks of boxes that are not quite above each other stand") {
+TEST_CASE("tall stacks of boxes with small offsets stand") {
     CHECK(fallen({.count = 50, .aside = 0.02f}, seeds_or(4), 60) == 0);
     CHECK(fallen({.count = 100, .aside = 0.01f}, seeds_or(2), 60) == 0);
 }
 
-TEST_CASE("tall stacks of boxes of other sizes and forms stand") {
+TEST_CASE("tall stacks with other sizes or gravity or surfaces stand") {
     const Stack kinds[] = {{.count = 50, .aside = 0.02f, .height = 0.3f, .width = 0.3f},
                            {.count = 50, .aside = 0.02f, .height = 2.0f, .width = 2.0f},
                            {.count = 50, .aside = 0.02f, .height = 0.5f, .width = 2.0f},
@@ -161,7 +160,7 @@ TEST_CASE("an edit of a body or a shape changes a resting contact in the next st
         scene.run(60);
         CHECK(std::fabs(scene.upper.angle()) > 0.3f);
     }
-    SECTION("a support turned by less than a manifold is kept for") {
+    SECTION("a support turned by an angle for which manifolds are kept") {
         scene.ground.shapes()[0].set_friction(0.0f);
         scene.ground.set_angle(0.02f);
         scene.run(60);

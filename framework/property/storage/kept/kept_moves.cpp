@@ -1,4 +1,4 @@
-// Kept tweaks of instances that get another name or parent: their paths in the file are changed.
+// When an instance gets another name or parent, the paths in its kept tweaks are changed.
 
 #include <algorithm>
 
@@ -87,7 +87,7 @@ void KeptTweaks::rename(const NewPath& now_at) {
 }
 
 void KeptTweaks::rename_values(const NewPath& now_at) {
-    // Added after all removals, because two instances may exchange their names.
+    // Values are added after all removals, because two instances may exchange their names.
     std::vector<std::pair<std::string, std::string>> renamed;
     for (const auto& [instance, values] : contents_.values)
         if (const auto now = now_at(instance))
