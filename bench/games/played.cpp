@@ -24,7 +24,7 @@ TemporaryGame::~TemporaryGame() {
 }
 
 void TemporaryGame::write(const std::string& name, const std::string& content) const {
-    // In place of the old file, as editors do.
+    // A new file takes the place of the old one, as when an editor saves.
     const fs::path beside = folder_ / (name + ".new");
     std::ofstream(beside, std::ios::binary) << content;
     fs::rename(beside, folder_ / name);

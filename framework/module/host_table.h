@@ -48,7 +48,7 @@ class HostTable {
     bool called() const { return calls_ != 0; }
 
     // --- For the functions of the table
-    /// While it lives, the module is calling a function of the table.
+    /// As long as a `Call` lives, the module is calling a function of the table.
     class Call {
       public:
         explicit Call(HostTable& host) : host_(host) { ++host_.calls_; }

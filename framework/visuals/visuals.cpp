@@ -105,7 +105,7 @@ struct Visuals::State {
 
 Visuals::Visuals(property::Assets* assets) : state_(std::make_unique<State>(assets)) {}
 
-// The tree would go on to draw and to read instances whose functions have ended.
+// The classes are ended, because the tree would draw and read instances whose functions are gone.
 Visuals::~Visuals() {
     if (state_->tree_life.expired()) return;
     state_->tree->remove_part(*this);

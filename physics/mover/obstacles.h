@@ -74,8 +74,8 @@ class Obstacles {
     /// To be called when the mover was moved by this distance (m) other than by a `cast`.
     void put_aside(float distance);
     float farthest_shift() const;  ///< m: of the obstacle that moves most in the step
-    /// The planes within `reach` at this position, nearest first. A corner that is flush with a
-    /// nearer plane is left out, unless its obstacle is `kept`.
+    /// The planes within `reach` at this position, nearest first, at most 16. A corner that is
+    /// flush with a nearer plane is left out, unless its obstacle is `kept`.
     void planes_at(const Position& position, float reach, uint32_t kept,
                    std::vector<Plane>& planes);
     /// The share of a motion after which an obstacle is nearer than `gap`; `hit`: this obstacle.

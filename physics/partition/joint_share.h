@@ -17,7 +17,8 @@ class JointShare {
     void add(uint32_t node, uint32_t body) { bodies_.push_back(uint64_t{node} << 32 | body); }
     void unite();
 
-    /// Runs a pass over the joints of these nodes.
+    /// Runs `pass`, which solves the joints of these nodes, and adds the changes of velocity that
+    /// it causes to `forces`.
     void around(const StripNodes& nodes, std::span<const SolverBody> bodies,
                 std::span<SolverForce> forces, auto&& pass) {
         remember(nodes, bodies);

@@ -80,9 +80,9 @@ struct MemoryRelease {
 
 }  // namespace
 
-/// Releases scratch data if the awake bodies are fewer than a quarter of the bodies for which it
-/// has room. The moved shapes count only when all bodies sleep: one body may have many shapes, and
-/// it would release the data again and again.
+/// Releases scratch data if the awake bodies are fewer than a quarter of the bodies for which these
+/// data have room. The list of moved shapes counts only when all bodies sleep: one awake body may
+/// have many shapes, and then the data would be released in every step.
 void WorldData::trim() {
     const size_t listed = awake_bodies.empty() ? moved_shapes.capacity() : 0;
     const size_t once = std::max(solver_bodies.capacity(), listed);

@@ -11,7 +11,7 @@ using namespace detail;
 
 namespace {
 
-/// Number of segments. The parts of the chain are made, which moves records.
+/// Number of segments. If the chain was edited, its segments are made first, which moves records.
 uint32_t count_segments(WorldData& data, uint32_t shape) {
     data.read_shape(shape);
     uint32_t count = 0;

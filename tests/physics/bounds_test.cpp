@@ -26,7 +26,7 @@ TEST_CASE("bounds keep bodies of every kind inside") {
     REQUIRE(ball.position().y == Approx(0.5f).margin(0.02));
 }
 
-TEST_CASE("bounds are live and wake bodies that rest on them") {
+TEST_CASE("a change of the bounds acts at once and wakes bodies that rest on them") {
     World world({.bounds = Aabb{{-5, 0}, {5, 10}}});
     Body box = add_box(world, {0, 0.5f});
     run(world, 3.0f);
@@ -34,7 +34,7 @@ TEST_CASE("bounds are live and wake bodies that rest on them") {
     world.set_bounds(Aabb{{-5, -3}, {5, 10}});
     run(world, 3.0f);
     REQUIRE(box.position().y == Approx(-2.5f).margin(0.02));
-    world.set_bounds(Aabb{{-5, -1}, {5, 10}});  // from inside the wall back into the view
+    world.set_bounds(Aabb{{-5, -1}, {5, 10}});  // the box is pushed back inside
     run(world, 3.0f);
     REQUIRE(box.position().y == Approx(-0.5f).margin(0.02));
     world.set_bounds(std::nullopt);
@@ -63,7 +63,7 @@ TEST_CASE("the border has friction and restitution of its own") {
     REQUIRE(fastest > 5.0f);
 }
 
-TEST_CASE("contacts and rays know the border") {
+TEST_CASE("contacts and rays find the border") {
     World world({.bounds = Aabb{{-5, 0}, {5, 10}}});
     Body box = add_box(world, {0, 0.5f});
     run(world, 0.5f);
@@ -77,12 +77,12 @@ TEST_CASE("contacts and rays know the border") {
     REQUIRE(hit->shape.type() == ShapeType::border);
     Shape border = hit->shape;
     REQUIRE_THROWS(border.destroy());
-    // What the settings of the world say is set there alone.
+    // Values that are settings of the world can be set only there.
     REQUIRE_THROWS_WITH(border.detach(), contains("bounds"));
     REQUIRE_THROWS_WITH(border.set_friction(3), contains("bounds_friction"));
     REQUIRE_THROWS_WITH(border.set_restitution(1), contains("bounds_restitution"));
     REQUIRE(border.friction() == world.bounds_friction());
-    // And what no setting is for, it does not have.
+    // The border does not have the other properties of shapes.
     const auto refuses = [](const std::string& what, const auto& set) {
         REQUIRE_THROWS_WITH(set(), contains(what + ": the border of the world has friction"));
     };

@@ -83,7 +83,7 @@ TEST_CASE("a mixing function sees both shapes and the point and sets the frictio
     REQUIRE(std::fabs(left.velocity().x) < 1e-5f);
 }
 
-TEST_CASE("what a callback changes of a contact holds for one step") {
+TEST_CASE("a change of a contact by a callback holds for one step") {
     World world({.sleeping = false});
     add_floor(world);
     Body box = add_box(world, {0, 0.5f});
@@ -112,7 +112,7 @@ TEST_CASE("a mixing function may make a contact bounce") {
     REQUIRE(highest == Approx(0.5f + 2.5f * 0.25f).epsilon(0.08));
 }
 
-TEST_CASE("the rules of mixing are what they are called and act on what rests") {
+TEST_CASE("mixing rules compute what their names say and act on resting contacts") {
     for (const auto& [rule, expected] :
          {std::pair(MixRule::average, 0.5f), std::pair(MixRule::minimum, 0.1f),
           std::pair(MixRule::maximum, 0.9f), std::pair(MixRule::multiply, 0.09f),
@@ -134,7 +134,7 @@ TEST_CASE("the rules of mixing are what they are called and act on what rests") 
     }
 }
 
-TEST_CASE("a filter function decides which shapes collide and a new one is asked again") {
+TEST_CASE("a filter function decides which shapes collide and a new one acts on existing pairs") {
     World world;
     add_floor(world);
     Body ghost = add_box(world, {0, 0.5f}), solid = add_box(world, {5, 0.5f});
@@ -202,9 +202,9 @@ TEST_CASE("passive callbacks change nothing and belong to no snapshot") {
     REQUIRE(calls == before);
 }
 
-TEST_CASE("a body locked on one axis takes part in contacts as heavy as it is along each") {
-    // A ball of 1 kg strikes, along the slope of 45°, a box that may only move along x. Along the
-    // normal n = (1, 1)/√2 the box weighs m_x / n_x² = 2 kg and the ball 1 kg.
+TEST_CASE("in a contact a body locked on one axis has its mass along the other axis only") {
+    // A ball of 1 kg strikes the 45° slope of a body that can move only along x. Along the normal
+    // n = (1, 1)/√2, the effective mass of the body is m_x / n_x² = 2 kg and that of the ball 1 kg.
     World world({.gravity = {0, 0}, .sleeping = false, .restitution_threshold = 0.0f});
     Body box = world.create_body({.locked_y = true, .locked_rotation = true});
     box.add(Polygon{.vertices = {{-2, -2}, {2, -2}, {-2, 2}}}, {.friction = 0, .restitution = 1});
@@ -220,7 +220,7 @@ TEST_CASE("a body locked on one axis takes part in contacts as heavy as it is al
     REQUIRE(box.velocity().x == Approx(-impulse * s).epsilon(0.01));
     REQUIRE(box.velocity().y == 0.0f);
     REQUIRE(ball.velocity().x == Approx((impulse - 4) * s).epsilon(0.01));
-    // Energy is kept, which it was not while the whole mass counted.
+    // The energy is kept; it would not be if the mass along y counted too.
     const float energy =
         0.5f * ball.velocity().length_squared() + 0.5f * box.velocity().length_squared();
     REQUIRE(energy == Approx(8.0f).epsilon(0.01));
@@ -243,7 +243,7 @@ TEST_CASE("a force on a sleeping body wakes it and one on a static body is forgo
     box.set_type(BodyType::dynamic_body);
     world.step(frame);
     REQUIRE(box.velocity().y < 0.1f);
-    // Made dynamic in the same breath, it is pushed.
+    // A force acts on a body that was made dynamic just before.
     box.set_type(BodyType::static_body);
     box.set_type(BodyType::dynamic_body);
     box.apply_force({0, 120});
@@ -253,7 +253,7 @@ TEST_CASE("a force on a sleeping body wakes it and one on a static body is forgo
 
 namespace {
 
-/// A comb: a flat top over three teeth, which makes it several convex parts.
+/// A comb: a flat top over three teeth. It has several convex pieces.
 Concave comb() {
     return {{{-3, 0},
              {-3, -1},
@@ -271,7 +271,7 @@ Concave comb() {
 
 }  // namespace
 
-TEST_CASE("before a solve two shapes are asked about once however many parts touch") {
+TEST_CASE("before_solve is called once for two shapes however many of their pieces touch") {
     World world({.sleeping = false});
     Body platform = world.create_body({.type = BodyType::static_body});
     Shape top = platform.add(comb());
@@ -303,7 +303,7 @@ TEST_CASE("before a solve two shapes are asked about once however many parts tou
     REQUIRE(parts > 2);
     REQUIRE(impulse == Approx((plank.mass() + ball.mass()) * 10.0f * frame).epsilon(0.05));
     REQUIRE(wood.is_touching());
-    // The answer is that for all of the parts.
+    // The answer applies to all pieces.
     open = true;
     world.step(frame);
     REQUIRE(world.events().contact_end.size() == 1);
@@ -330,7 +330,7 @@ TEST_CASE("after a step with more sub-steps a callback gets the impulse of that 
     REQUIRE(impulse == Approx(box.mass() * 10.0f * length).epsilon(0.1));
 }
 
-TEST_CASE("mixing is asked for every part and what before solve leaves stays as mixed") {
+TEST_CASE("mixing is called for every piece and what before_solve does not set stays as mixed") {
     World world({.sleeping = false});
     Body ground = world.create_body({.type = BodyType::static_body});
     ground.add(Chain{{{-20, 0}, {0, 0}, {20, 0}}});
@@ -363,10 +363,10 @@ TEST_CASE("mixing is asked for every part and what before solve leaves stays as 
     REQUIRE(frictions() == std::vector<float>{0.3f, 0.3f});
 }
 
-TEST_CASE("two outlines of several parts touch as one whatever the order of the parts") {
+TEST_CASE("two shapes of several pieces have one touch whatever the order of the pieces") {
     World world({.sleeping = false});
     Body lower = world.create_body({.type = BodyType::static_body});
-    // Of more parts than were there when the other was made: the parts of both are in any order.
+    // Later `a` gets more pieces than it had when `b` was made, so the pieces of both are mixed.
     Shape a = lower.add(Concave{{{-1, 0}, {-1, -1}, {0, -0.5f}, {1, -1}, {1, 0}}});
     Body upper = world.create_body({.position = {0, 1.2f}});
     Shape b = upper.add(comb());
@@ -394,7 +394,7 @@ TEST_CASE("two outlines of several parts touch as one whatever the order of the 
     REQUIRE(ended == 0);
 }
 
-TEST_CASE("an edit of what collides that a refresh callback ends by throwing has changed nothing") {
+TEST_CASE("an edit of a filter changes nothing if a refresh callback throws") {
     World world;
     add_floor(world);
     Body ball = add_ball(world, {0, 0.5f});
@@ -406,7 +406,7 @@ TEST_CASE("an edit of what collides that a refresh callback ends by throwing has
     world.on_refresh([&](const Refresh&) {
         if (throwing) throw std::runtime_error("not now");
     });
-    shape.set_density(2);  // out of date: who looks asks the callback first
+    shape.set_density(2);  // values are out of date: reading them calls the callback first
     const auto mask = shape.mask();
     REQUIRE_THROWS_WITH(shape.set_category(8), contains("not now"));
     REQUIRE_THROWS_WITH(shape.set_mask(0), contains("not now"));

@@ -47,7 +47,7 @@ TEST_CASE("the moment at a weld is that of the load") {
     run(world, 2.0f);
     const float weight = 10.0f * beam.mass();
     REQUIRE(weld.force().y == Approx(weight).epsilon(0.01));
-    // About the center of mass: what the force turns, the weld turns back.
+    // The torque of the weld balances the torque of its force about the center of mass.
     REQUIRE(weld.torque() == Approx(2.0f * weight).epsilon(0.01));
     REQUIRE(std::fabs(beam.angle()) < 0.001f);
     REQUIRE(beam.position().y == Approx(0.0f).margin(0.002));
@@ -185,7 +185,7 @@ TEST_CASE("gears keep their ratio over many turns and pass their torque on") {
     small.set_angular_velocity(0.0f);
     large.set_angular_velocity(0.0f);
     gear.set_ratio(2.0f);
-    gear.set_phase(large.angle() - 2 * small.angle() + 1.0f);  // turned into place
+    gear.set_phase(large.angle() - 2 * small.angle() + 1.0f);  // off by 1 rad
     run(world, 2.0f);
     REQUIRE(large.angle() - 2 * small.angle() == Approx(gear.phase()).margin(0.005));
 }
@@ -222,7 +222,7 @@ TEST_CASE("a ratchet turns one way and holds tooth by tooth the other") {
     REQUIRE(ratchet.angle() == Approx(there).margin(0.02));
 }
 
-TEST_CASE("what a ratchet caught survives sleep and snapshot and falls anew after a repair") {
+TEST_CASE("the caught angle of a ratchet survives sleep and copies and is new after enabling it") {
     World world({.gravity = {0, 0}});
     Body wheel = add_axle(world, {0, 0}, 1.0f);
     RatchetJoint ratchet = world.create_ratchet_joint({.body_b = wheel.id()});

@@ -52,7 +52,7 @@ TEST_CASE("a coroutine of an instance ends where it waits when the instance is d
     CHECK(s.errors.empty());
 }
 
-TEST_CASE("a timer of an instance may wait and ends with it there") {
+TEST_CASE("the function of a timer may wait and ends there when its instance is deleted") {
     Stage s;
     s.run(
         "world.ball = Body {} world.ball:after(0.1, function() print('a') wait(0.1) print('b') "
@@ -63,7 +63,7 @@ TEST_CASE("a timer of an instance may wait and ends with it there") {
     CHECK(stage::joined(s.printed) == "a|b");
 }
 
-TEST_CASE("an error in a coroutine of an instance is one of the caller or names the instance") {
+TEST_CASE("an error in a coroutine of an instance goes to the caller or names the instance") {
     Stage s;
     CHECK_THAT(s.fails("world.ball = Body {} world.ball:run(function() error('now') end)"),
                contains("now"));

@@ -214,8 +214,8 @@ TEST_CASE("an instance that a module refuses a place stays complete in its place
         REQUIRE(done.ok);
         INFO(done.lines.front());
         CHECK(done.lines.front().find("there is no room") != std::string::npos);
-        // The instance that was made for the place belongs to the script: it is detached, and is
-        // collected.
+        // An instance that the chunk made for the place is detached: the garbage collector deletes
+        // it.
         game.runtime->evaluate("for _ = 1, 200 do Object {} end collectgarbage()");
         CHECK(everything(game.tree, tops) == before);
         game.play(2);

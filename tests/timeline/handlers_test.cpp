@@ -1,4 +1,4 @@
-// Handlers of single instances are those of the moment to which the game goes.
+// When the game goes to another moment, its instances have the handlers of that moment.
 
 #include <catch.h>
 
@@ -12,7 +12,7 @@ using fettle::app::Playing;
 
 namespace {
 
-/// The printed lines since the last call, joined by blanks.
+/// The printed lines since the last call, joined by spaces.
 std::string heard(Playing& game) {
     std::string all;
     for (const std::string& line : game.printed) all += (all.empty() ? "" : " ") + line;
@@ -58,7 +58,7 @@ TEST_CASE("the handlers of a scene come back with it and go with it") {
     CHECK(run(game, "game.scene.lamp.lit = 5") == "lit\t1\t5");
     CHECK(run(game, "game.scene.alarm = 1") == "first second global");
     CHECK(run(game, "game.scene.lamp:delete()") == "gone\t1");
-    // It leaves the scene again, and the next one has its own.
+    // The game leaves the scene again, and the next scene has handlers of its own.
     while (game.services.clock.step < 30) game.loop->turn();
     (void)heard(game);
     CHECK(run(game, "game.scene.lamp.lit = 6") == "lit\t2\t6");
@@ -82,7 +82,7 @@ TEST_CASE("a watcher learns whether a rewind has changed the value") {
     CHECK(game.errors.empty());
 }
 
-TEST_CASE("going to and fro connects each handler once") {
+TEST_CASE("going back and forth in time connects each handler once") {
     Playing game(levels);
     game.play(40);
     for (const std::int64_t step : {10, 40, 5, 25, 12, 40, 21, 19}) game.check(step);
@@ -92,7 +92,7 @@ TEST_CASE("going to and fro connects each handler once") {
     CHECK(game.errors.empty());
 }
 
-TEST_CASE("what was connected or stopped later is as it was") {
+TEST_CASE("going back undoes the connecting and the stopping of handlers") {
     Playing game(R"(
         game.ball = Object { x = 0 }
         first = ball:watch("x", function() print("first") end)
@@ -127,14 +127,14 @@ TEST_CASE("handlers of a snapshot are those of its moment") {
     game.play(3);
     game.tree.restore(then);
     CHECK(run(game, "ball.x = 1") == "early");
-    // Through a file there are no functions: those of instances that go on stay.
+    // A snapshot from bytes contains no functions: instances that live on keep their handlers.
     const auto file = fettle::property::Snapshot::from_bytes(game.tree.snapshot().to_bytes());
     game.runtime->run("ball:watch('x', function() print('late') end)", "later");
     game.tree.restore(file);
     CHECK(run(game, "ball.x = 2") == "early late");
 }
 
-TEST_CASE("what a person watches in the console stays") {
+TEST_CASE("a watcher that was made in the console stays after going back") {
     Playing game("game.ball = Object { x = 0 }");
     game.play(20);
     CHECK(game.runtime->evaluate("ball:watch('x', function() print('seen') end)").ok);
@@ -142,7 +142,7 @@ TEST_CASE("what a person watches in the console stays") {
     CHECK(run(game, "ball.x = 1") == "seen");
 }
 
-TEST_CASE("handlers that physics asks are those of each repeated step") {
+TEST_CASE("handlers of questions of physics are those of each repeated step") {
     Playing game(R"(
         world.gravity = vec(0, -10)
         class("Level", Object) { }
@@ -188,7 +188,7 @@ TEST_CASE("a coroutine that began later ends with the first step from an earlier
     game.play(50);
     const auto x = game.get("a.x");
     go_to(game, 10);
-    // Returning finds it as it was.
+    // Going forward again restores the value.
     go_to(game, 50);
     CHECK(game.get("a.x") == x);
     game.play(30);
@@ -216,7 +216,7 @@ TEST_CASE("a coroutine waits for the rest of its time after a rewind") {
     CHECK(game.errors.empty());
 }
 
-TEST_CASE("no handler of an end is called for what a rewind takes away") {
+TEST_CASE("a rewind calls no handler of `deleted` for the instances that it removes") {
     Playing game(R"(
         game.killed = 0
         class("Enemy", Object) { }

@@ -69,7 +69,7 @@ TEST_CASE(
     played.console("early = snapshot()");
     played.console("save_game('one')");
     played.play(30);
-    // A restore without a return: each order begins from here.
+    // The game goes on from order to order; it is restored to this state after every 40 orders.
     const property::Snapshot begin = played.tree.snapshot();
     const int count = int(property::Value(played.runtime->evaluate("#names").result).integer());
     REQUIRE(count > 12);
@@ -80,8 +80,7 @@ TEST_CASE(
     for (int a = 0; a < count; ++a)
         for (int b = 0; b < count; ++b)
             for (int c = -1; c < count; ++c) {
-                // Of orders of three, every third one, in rotation for each pair: all of them would
-                // take minutes.
+                // Only a third of the orders of three is run: all of them would take minutes.
                 if (c >= 0 && (a * 7 + b * 3 + c) % 3 != 0) continue;
                 if (++order % 40 == 0) played.tree.restore(begin);
                 const std::string chunk = call(a) + call(b) + (c >= 0 ? call(c) : "");

@@ -18,7 +18,8 @@ inline const char* const tileset = R"({"type": "tileset", "name": "tiles", "tile
         "polyline": [{"x": 0, "y": 0}, {"x": 16, "y": 0}]}]}},
     {"id": 3, "animation": [{"tileid": 3, "duration": 100}, {"tileid": 0, "duration": 100}]}]})";
 
-/// A map of 4 by 3 cells with one tile layer `ground`, and `more` layers.
+/// A map of 4 by 3 cells with one tile layer `ground`. `more`: other layers, `of_ground`: other
+/// members of the layer `ground`; both are JSON and begin with a comma.
 inline std::string level(const std::string& cells, const std::string& more = "",
                          const std::string& of_ground = "") {
     return R"({"type": "map", "orientation": "orthogonal", "width": 4, "height": 3,
@@ -37,7 +38,7 @@ struct Land : Gallery {
         write("tiles.tsj", tileset);
         write("level.tmj", level(floor_cells));
     }
-    /// `Body` and `Chain` as the physics module describes them, without any physics.
+    /// `Body`, `Box` and `Chain` with some properties of the physics module, without any physics.
     void define_bodies() {
         tree.define(
             {.name = "Body",

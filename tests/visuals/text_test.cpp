@@ -9,7 +9,8 @@
 
 #include "gallery.h"
 
-/// The leak checker asks for this. Fontconfig keeps some data until the program ends.
+/// The leak checker calls this function for the leaks that it must ignore. Fontconfig keeps some
+/// data until the program ends.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
     return "leak:libfontconfig";
@@ -68,7 +69,7 @@ TEST_CASE_METHOD(Written, "what is drawn has the measured size at any zoom") {
         CHECK(box.left + box.right == Approx(0).margin(0.2 + 2 / zoom));
         CHECK(box.top < 0.6 + 1 / zoom);
         CHECK(box.bottom > -0.6 - 1 / zoom);
-        // Letters have as many pixels as they cover.
+        // The picture of a letter has as many pixels as the letter covers on the screen.
         const auto pixels = static_cast<double>(drawn[0].picture->height());
         if (zoom < 200)
             CHECK((drawn[0].upper_left.y - drawn[0].lower_left.y) * zoom ==
@@ -105,7 +106,7 @@ TEST_CASE_METHOD(Written, "the size scales the measure") {
     CHECK(draw().empty());
 }
 
-TEST_CASE_METHOD(Written, "lines and tabs and wrapping") {
+TEST_CASE_METHOD(Written, "lines and tabs and wrapping change the measure") {
     const double one = width();
     tree.set(text, "text", Value("Hamburg\nHa"));
     CHECK(height() == Approx(2.4));
@@ -142,7 +143,7 @@ TEST_CASE_METHOD(Written, "align and anchor place the lines") {
     CHECK(box.bottom > -2.4);
 }
 
-TEST_CASE_METHOD(Written, "an outline is one line around each letter and below all letters") {
+TEST_CASE_METHOD(Written, "an outline goes around each letter and is drawn below all letters") {
     tree.set(text, "outline", Value(Color{1, 0, 0, 1}));
     tree.set(text, "outline_width", Value(0.1));
     const auto drawn = draw();
@@ -179,7 +180,7 @@ TEST_CASE_METHOD(Written, "fonts are files of the game or those of the system") 
     CHECK(problems.size() == 2);
 }
 
-TEST_CASE_METHOD(Written, "a missing font is reported once also if nothing is drawn") {
+TEST_CASE_METHOD(Written, "a missing font is reported once even if nothing is drawn") {
     tree.set(text, "font", Value("onw.ttf"));
     step(3);
     CHECK(problems == std::vector<std::string>{"Text.font: there is no file \"onw.ttf\""});
@@ -188,7 +189,7 @@ TEST_CASE_METHOD(Written, "a missing font is reported once also if nothing is dr
 }
 
 // A file of a game may be made to break a reader of fonts.
-TEST_CASE_METHOD(Written, "a damaged font is a message and never a crash") {
+TEST_CASE_METHOD(Written, "a damaged font gives a message and never a crash") {
     const std::string header("\0\1\0\0", 4);
     write("noise.ttf", header + std::string(4000, '\xff'));
     write("short.ttf", header);
@@ -202,7 +203,7 @@ TEST_CASE_METHOD(Written, "a damaged font is a message and never a crash") {
         REQUIRE(problems.size() == 1);
         CHECK(problems.front().find("is no font") != std::string::npos);
     }
-    // One byte after the other is wrong; whatever can still be read is measured and drawn.
+    // Some bytes are changed at random. A font that can still be read is measured and drawn.
     const std::string good = file_of(sans_file);
     if (good.empty()) return;
     std::uint64_t random = 1;
@@ -221,8 +222,8 @@ TEST_CASE_METHOD(Written, "a damaged font is a message and never a crash") {
     }
 }
 
-// Fonts made today have the distances of pairs of letters in GPOS only, older ones in kern.
-TEST_CASE_METHOD(Written, "pairs of letters move together as either table of the font says") {
+// The kerning of letter pairs is only in the table GPOS in newer fonts, and in kern in older fonts.
+TEST_CASE_METHOD(Written, "the kerning of letter pairs is read from either table of a font") {
     const std::string font = file_of(sans_file);
     if (font.empty()) return;
     const auto without = [&](std::string_view table, std::string_view renamed) {
@@ -258,7 +259,7 @@ TEST_CASE_METHOD(Written, "letters that no font of the game has are taken from t
     CHECK(drawn[0].picture != drawn[1].picture);
 }
 
-TEST_CASE_METHOD(Written, "of a very long text only the beginning is written") {
+TEST_CASE_METHOD(Written, "only the beginning of a very long text is drawn") {
     tree.set(text, "text", Value(std::string(100'000, 'x')));
     const double most = width();
     tree.set(text, "text", Value(std::string(5'000'000, 'x')));

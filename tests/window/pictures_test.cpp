@@ -112,7 +112,7 @@ TEST_CASE("sprites are drawn upright and turned and mirrored and mixed") {
     CHECK(has_at(picture, 9, -1, 128, 255, 128));
 }
 
-TEST_CASE("layers and the state of the pen") {
+TEST_CASE("layers and the state of the pen change what is drawn") {
     if (skipped()) return;
     const Picture picture = picture_of("layers", R"(
         world.pale = Layer { opacity = 0.5,
@@ -166,7 +166,7 @@ TEST_CASE("a letterbox has bars beside the picture") {
     CHECK(has_at(picture, -1, 1, 0, 0, 255));
 }
 
-TEST_CASE("gradients fill shapes and end with what was pushed") {
+TEST_CASE("gradients fill shapes and end with the pop of their push") {
     if (skipped()) return;
     const Picture picture = picture_of("gradients", R"(
         function draw(pen)
@@ -226,7 +226,7 @@ TEST_CASE("an effect changes the picture and follows its uniforms") {
     const auto write = [&](const char* name, const std::string& text) {
         std::ofstream(folder.path / name) << text;
     };
-    // The right half is that of the left one, and the upper half gets another color.
+    // The right half repeats the left half, and the upper half gets another color.
     const std::string good = R"(uniform vec4 tint; // uniform float no;
         uniform float strength, other; uniform vec2 far;
         void main() {

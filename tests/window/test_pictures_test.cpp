@@ -24,7 +24,8 @@ struct Outcome {
 
 /// Runs `fettle ARGUMENTS` on a virtual display; `arguments` is a part of a shell command.
 Outcome on_display(const TemporaryFolder& folder, const std::string& arguments) {
-    // The status of the program itself: xvfb-run fails now and then when it removes its folder.
+    // The status of the program is written to a file, because xvfb-run itself fails now and then
+    // when it removes its folder.
     const std::string command = "cd '" + folder.path.string() + "' && env XDG_DATA_HOME='" +
                                 folder.path.string() +
                                 "/data' LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a sh -c '\"$0\" "

@@ -1,5 +1,5 @@
-// A sensor reports the beginning of an overlap with everything whose inside enters it: in the same
-// step, or in the next one, which finds what overlaps at its beginning.
+// A sensor reports the beginning of an overlap with every body whose inside (see passages.h) enters
+// it: in the same step, or in the next step, which finds the overlaps at its start.
 
 #include <set>
 #include <string>
@@ -36,7 +36,7 @@ class Sensors : public Check {
         entered_.clear();
         for (const Passage& passage : passages_.of(moment)) {
             if (passage.sense < 0) continue;
-            // Where the body touched something, its way was not straight.
+            // If the body touched another one, its way was not straight.
             const auto body = std::size_t(passage.body);
             if (moment.before[body].touching() || moment.after[body].touching()) continue;
             const std::uint32_t sensor = moment.after[std::size_t(passage.obstacle)].slot;
@@ -59,7 +59,7 @@ class Sensors : public Check {
 
     Passages passages_;
     std::set<Pair> inside_;
-    std::vector<std::pair<Pair, std::string>> entered_;  // in the last step, and not told yet
+    std::vector<std::pair<Pair, std::string>> entered_;  // in the last step, not reported yet
 };
 
 }  // namespace

@@ -54,7 +54,7 @@ struct Audio::State {
 
     bool is_source(property::Handle instance) const;
     bool is_music(property::Handle instance) const;
-    /// The source of a voice; null for a voice that hangs nowhere.
+    /// The source of a voice; null if its parent is no source.
     property::Handle source_of(property::Handle voice) const;
     double duration(property::Handle source) const;  // s
     SynthParameters synth_parameters(property::Handle synth) const;
@@ -71,7 +71,7 @@ struct Audio::State {
     property::Handle play(property::Handle source, const Play& how);
     void stop(property::Handle voice, double fade);
     void pass(property::Handle voice, double dt);
-    /// False if the past is looked at, and not the present.
+    /// False if the game shows an earlier step than the newest.
     bool at_present() const { return clock.step >= clock.newest; }
     /// Whether the voice sounds in a paused game, too.
     bool ignores_pause(property::Handle voice) const;
@@ -108,7 +108,7 @@ struct Audio::State {
     double bus_loudness(property::Handle source) const;
 };
 
-// Each defines classes, in this order.
+// Each function defines classes. They are called in this order.
 void define_audio(Audio::State& state);
 void define_sources(Audio::State& state);
 void define_synth(Audio::State& state);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int deepest_match = 200;
 constexpr std::uint64_t steps_at_once = 4096;
-constexpr std::size_t bytes_a_step = 8;  // of a text that is compared, or of a set
+constexpr std::size_t bytes_a_step = 8;  // bytes of a compared text or of a set, for one step
 
 bool in_class(unsigned char c, unsigned char name) {
     bool in;
@@ -158,7 +158,7 @@ std::size_t PatternMatcher::balanced(std::size_t s, std::size_t p) {
             ++level;
         }
     }
-    step(s - begin);  // also of a search that fails: there may be one for each character
+    step(s - begin);  // a failed search is charged too: there may be one for each character
     return found;
 }
 

@@ -1,6 +1,5 @@
-// Bounces through joints, bounces under gravity, heaps of what can bounce, and steps of any length:
-// no energy is lost where none may be lost, and none comes from nowhere. FETTLE_SEEDS=n: n worlds
-// of each family.
+// Bounces of joined bodies, bounces under gravity, cradles, and steps of any length: bodies do not
+// gain energy, and do not lose it where it must be kept. FETTLE_SEEDS=n: n worlds of each family.
 
 #include <fettle/physics/physics.h>
 
@@ -87,7 +86,8 @@ TEST_CASE("a ball bounces for a minute as high as it fell") {
 }
 
 TEST_CASE("a small ball that falls fast bounces for a minute as high as it fell") {
-    // It moves past its own size within a step, so it is put back to where it met the ground.
+    // The ball moves farther than its own size within a step, so it is put back to where it met the
+    // ground.
     double most_gained = 0.0, most_lost = 0.0;
     for (unsigned seed = 0; seed < seeds_or(50); ++seed) {
         Random random{std::mt19937(seed)};

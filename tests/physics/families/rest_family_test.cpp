@@ -1,5 +1,5 @@
-// Heaps come to rest, also where a contact lets go and holds again in turn; and what moves visibly
-// does not rest.
+// Heaps come to rest, even if a contact ends and begins again and again. A body that moves visibly
+// stays awake.
 
 #include <fettle/physics/physics.h>
 
@@ -17,7 +17,7 @@ using families::Random;
 
 namespace {
 
-/// Time until 500 stars with spikes that hook into each other sleep, s; at most `limit`.
+/// Seconds until 500 stars, whose spikes hook into each other, sleep; at most `limit`.
 float stars_to_rest(unsigned seed, float limit) {
     Random random{std::mt19937(seed)};
     World world;
@@ -102,7 +102,7 @@ TEST_CASE("capsules that lie end to end come to rest") {
     CHECK(awake == 0);
 }
 
-TEST_CASE("a body that swings to and fro on the ground stays awake") {
+TEST_CASE("a body that swings on the ground stays awake") {
     World world;
     world.create_body({.type = BodyType::static_body})
         .add(Box{.width = 20, .height = 1, .center = {0, -0.5f}}, {.friction = 0});
@@ -121,7 +121,7 @@ TEST_CASE("a body that swings to and fro on the ground stays awake") {
     CHECK(asleep == 0);
 }
 
-TEST_CASE("what is carried slowly stays awake") {
+TEST_CASE("a body that is carried slowly stays awake") {
     for (const float speed : {0.06f, 0.1f, 0.2f}) {
         World world;
         Body lift =

@@ -23,10 +23,10 @@ class ErrorScreen : public Layer {
         std::function<void(std::string)> copy{};  // C: the whole text, for a clipboard
         /// Pixels at the lower edge of the window that another layer covers.
         std::function<float()> covered_below{};
-        /// True while the state before the error is looked at: only a strip tells of the error, so
-        /// that the game is seen.
+        /// True while the user looks at the state before the error. Only a strip shows the error
+        /// then, so that the game is visible.
         std::function<bool()> looks_back{};
-        /// Left and right: goes by so many steps through the kept past.
+        /// Left and right: goes by this number of steps through the timeline.
         std::function<void(int steps)> travel{};
     };
     explicit ErrorScreen(Actions actions) : actions_(std::move(actions)) {}
