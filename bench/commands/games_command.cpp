@@ -1,5 +1,5 @@
-// `fettle-bench games`: what games cost: steps, frames, loading, reloading. Processor time of the
-// game's thread, so that other load on the machine counts little.
+// `fettle-bench games`: the cost of games: steps, frames, loading, reloading. It is processor time
+// of the game's thread, so that other load on the machine counts little.
 
 #include <iostream>
 

@@ -47,7 +47,8 @@ class CostTable {
     /// Keeps only the rows whose names contain `text`, and the rows they require. Throws
     /// std::invalid_argument if no row is left.
     void keep(const std::string& text);
-    /// Median processor time over the repetitions, in the order of `add`.
+    /// Median over the repetitions, in the order of `add`: of the processor time, or of the time
+    /// that the loop measures (`own_clock`).
     std::vector<Cost> run(int repetitions) const;
 
   private:

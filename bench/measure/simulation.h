@@ -25,9 +25,11 @@ class Simulation {
     Simulation(const Scene& scene, const EngineKind& kind);
     Simulation(const Scene& scene, std::string name, std::unique_ptr<Engine> engine);
 
-    /// Makes steps and returns their time. After half of the scene's steps, the topmost body gets
-    /// an upward velocity, which is not timed. Throws std::runtime_error if the next step does not
-    /// move it accordingly.
+    /// Makes steps and returns their time. After half of the scene's steps, the velocity of the
+    /// topmost body is edited, which is not timed: 1 m/s upwards, or downwards if the next step
+    /// does not move the body up. If neither moves it, the next lower body is tried, so more steps
+    /// than `steps` may be made. Throws std::runtime_error if no body moves. Scenes with groups
+    /// have no edit.
     StepTime advance(int steps);
     int steps() const { return made_; }
     const Engine& engine() const { return *engine_; }

@@ -138,7 +138,7 @@ Plot energy_plot() {
             run_for(*engine, 0.5);
             const BodyMotion ball = engine->motion(1);
             const double speed = std::hypot(ball.velocity.x, ball.velocity.y);
-            // A disc of 20 cm on a rigid rod rotates with the rod.
+            // A disc with a radius of 20 cm on a rigid rod rotates with the rod.
             const double spin = static_cast<double>(ball.angular_velocity);
             const double energy = 0.5 * speed * speed + 0.25 * 0.04 * spin * spin +
                                   10 * static_cast<double>(ball.position.y);

@@ -38,8 +38,8 @@ struct Plugin::State {
     /// Makes one step as the game does, to test that it returns.
     void step_once();
     void close_native();
-    /// After a failure that left the module half attached: ends it. Its instances stay, with the
-    /// defaults as values. A later reload may bring the module back.
+    /// Ends a module that a failure left half attached. Its instances stay, with the defaults as
+    /// values. A later reload may bring the module back.
     void give_up();
     /// Ends the classes, so that the tree does not use this object any more, and forgets the tree.
     void leave_tree();

@@ -59,7 +59,7 @@ struct Plane {
     Position point;
     float separation = 0.0f;
     uint32_t obstacle = 0;
-    bool deep = false;  ///< the line of the capsule is inside
+    bool deep = false;  ///< the line of the capsule is inside the obstacle
 };
 
 /// The obstacles in a part of a world, in their positions at the share `time` (0 … 1) of the step.

@@ -8,8 +8,8 @@
 
 namespace fettle::physics::detail {
 
-/// Separates the change of velocity caused by joints from that caused by contacts. It processes the
-/// joints of some nodes at a time.
+/// Separates the change of velocity caused by joints from that caused by contacts, for the joints
+/// of some nodes at a time.
 class JointShare {
   public:
     void clear() { bodies_.clear(); }

@@ -113,7 +113,7 @@ TEST_CASE("a motor with a stiffness brings a body to its offset from a moving on
     REQUIRE(box.angle() - carrier.angle() == Approx(1.0f).margin(0.03));
 }
 
-TEST_CASE("a motor at rest is friction: it holds below its force and slips above") {
+TEST_CASE("a motor without velocity acts like friction: it holds below its force and slips above") {
     World world({.gravity = {0, 0}, .sleeping = false});
     Body box = add_box(world, {0, 0});
     MotorJoint motor = world.create_motor_joint({.body_b = box.id()});
@@ -190,7 +190,7 @@ TEST_CASE("gears keep their ratio over many turns and pass their torque on") {
     REQUIRE(large.angle() - 2 * small.angle() == Approx(gear.phase()).margin(0.005));
 }
 
-TEST_CASE("a ratchet turns one way and holds tooth by tooth the other") {
+TEST_CASE("a ratchet turns freely one way and holds at its teeth the other way") {
     World world({.gravity = {0, 0}, .sleeping = false});
     Body wheel = add_axle(world, {0, 0}, 1.0f);
     RatchetJoint ratchet = world.create_ratchet_joint({.body_b = wheel.id()});

@@ -132,7 +132,7 @@ TEST_CASE("destroying a touching body ends its contacts with a dangling id") {
     REQUIRE_FALSE(world.is_valid(id));
 }
 
-TEST_CASE("the contacts of a resting body carry its weight asleep too") {
+TEST_CASE("the contacts of a resting body carry its weight even when it sleeps") {
     World world;
     add_floor(world);
     Body box = add_box(world, {0, 0.5f}, 1.0f, {.density = 3.0f});

@@ -27,7 +27,7 @@ std::string error_of(const Act& act) {
 
 }  // namespace
 
-TEST_CASE("a game that could not be loaded replaces no save") {
+TEST_CASE("saving data that could not be loaded is refused and keeps the old save") {
     const TemporaryFolder folder;
     const Saves saves(folder.path, "game", "program");
     const std::vector<std::byte> state(100, std::byte{7});

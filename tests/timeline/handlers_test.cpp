@@ -216,7 +216,7 @@ TEST_CASE("a coroutine waits for the rest of its time after a rewind") {
     CHECK(game.errors.empty());
 }
 
-TEST_CASE("a rewind calls no handler of `deleted` for the instances that it removes") {
+TEST_CASE("a rewind calls no deleted handler for the instances that it removes") {
     Playing game(R"(
         game.killed = 0
         class("Enemy", Object) { }
@@ -240,7 +240,7 @@ TEST_CASE("a rewind calls no handler of `deleted` for the instances that it remo
     CHECK(game.errors.empty());
 }
 
-TEST_CASE("a view whose zoom was set has it after going back") {
+TEST_CASE("a zoom that was set is restored by going back") {
     Playing game(
         "function step() if time.step == 30 then view.zoom = 2 elseif time.step == 36 then "
         "view.zoom = 4.5 end end");

@@ -1,5 +1,5 @@
-// Every property of every class of this part: any value is taken or refused, and drawn; what is
-// taken is in snapshots.
+// Every property of every class of this part: any value is accepted or refused. An accepted value
+// can be drawn and is kept by snapshots.
 
 #include <catch.h>
 
@@ -79,7 +79,7 @@ struct Room : Land {
 
 }  // namespace
 
-TEST_CASE_METHOD(Room, "any value is refused or works and is in snapshots") {
+TEST_CASE_METHOD(Room, "any value is refused or can be drawn and is kept by snapshots") {
     std::size_t taken = 0;
     for (const Handle thing : things())
         for (const Property* property : tree.properties(thing)) {

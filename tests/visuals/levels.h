@@ -1,5 +1,5 @@
 #pragma once
-// Small maps as the editor writes them, and stand-ins for the classes of a physics module.
+// Small maps as the editor Tiled writes them, and stand-ins for the classes of a physics module.
 
 #include "gallery.h"
 

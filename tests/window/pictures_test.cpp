@@ -78,7 +78,7 @@ bool has_at(const Picture& picture, double x, double y, int r, int g, int b) {
 
 }  // namespace
 
-TEST_CASE("sprites are drawn upright and turned and mirrored and mixed") {
+TEST_CASE("sprites are drawn upright and turned and mirrored and blended") {
     if (skipped()) return;
     const Picture picture = picture_of("sprites", R"(
         world.upright = Dots { size = vec(4, 4) }

@@ -58,10 +58,9 @@ class Frozen : public Check {
 /// it further. Four times the speed is rare in games, and an explosion is far beyond it. 20 m/s are
 /// added for bodies that begin in overlap: many bodies at once may push them out.
 ///
-/// Nothing bounds the speed of a body that bounces between a wall that moves by command and
-/// something fixed: each impact of the wall adds twice the speed of the wall, and the impacts
-/// follow faster and faster as the gap closes. Such a body, and what it may hit afterwards, is not
-/// judged.
+/// Nothing bounds the speed of a body that bounces between a kinematic wall and something fixed:
+/// each impact of the wall adds twice the speed of the wall, and the impacts follow faster and
+/// faster as the gap closes. Such a body, and what it may hit afterwards, is not judged.
 class Speed : public Check {
   public:
     std::optional<std::string> look(const Moment& moment) override {

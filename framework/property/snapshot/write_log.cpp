@@ -278,7 +278,7 @@ void WriteLog::refreshing(SnapshotPart& part, std::uint64_t what) {
     to.put(what);
 }
 
-// Writes that were not taken belong to the abandoned state.
+// Writes since the last `take` belong to the abandoned state.
 void WriteLog::restored() {
     forget();
     note_history();

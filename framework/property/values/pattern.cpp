@@ -107,8 +107,8 @@ bool Pattern::matches(const std::vector<std::string>& names) const {
 bool Pattern::matches(const Tree& tree, Handle instance, const Property& property) const {
     if (!may_match(property.symbol)) return false;
     if (std::find(segments_.begin(), segments_.end(), "**") == segments_.end()) {
-        // Compares the number of levels first, which excludes most instances without reading their
-        // names.
+        // Compares from the lowest name upwards, which excludes most instances without collecting
+        // all names above them.
         std::size_t left = segments_.size() - 1;
         Handle at = instance;
         for (; at && at != tree.root(); at = tree.parent(at)) {

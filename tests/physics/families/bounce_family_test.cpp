@@ -138,7 +138,7 @@ TEST_CASE("a cradle on pins keeps its energy") {
     CHECK(worst > 0.95);
 }
 
-TEST_CASE("steps of any length put no speed into a heap") {
+TEST_CASE("steps of any length add no speed to a heap") {
     float worst = 0.0f;
     for (unsigned seed = 0; seed < seeds_or(12); ++seed) {
         Random random{std::mt19937(seed)};

@@ -1,5 +1,5 @@
-// Long, thin and angular bodies that fall fast on every kind of ground: none passes through, and
-// none stands still in the air. FETTLE_SEEDS=n: n bodies for each pair of shape and ground.
+// Long, thin and angular bodies fall fast on every kind of ground. No body passes through the
+// ground or stands still in the air. FETTLE_SEEDS=n: n bodies for each pair of shape and ground.
 
 #include <fettle/physics/physics.h>
 

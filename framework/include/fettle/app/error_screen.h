@@ -1,6 +1,6 @@
 #pragma once
-// The error screen: for a script with an error, or one that does not return; shows place, reason
-// and values to the author of the script.
+// The error screen, for a script that has an error or does not return. It shows the place, the
+// reason and the values to the author of the script.
 
 #include <functional>
 #include <optional>

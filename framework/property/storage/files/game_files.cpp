@@ -140,7 +140,7 @@ std::vector<std::string> GameFiles::held_below(const Path& folder) const {
 
 namespace {
 
-/// Why a scene must not have that name; "" if it may. `name`: relative to the game's folder.
+/// Why a scene must not have this name; "" if it may. `name`: relative to the game's folder.
 std::string why_no_name_of_a_scene(const fs::path& name) {
     for (const fs::path& part : name)
         if (part.string().starts_with('.')) return "hidden files are not a game's to write";
@@ -186,7 +186,8 @@ void GameFiles::write_scene(const Path& file, std::string_view text) {
 
 std::shared_ptr<void> GameFiles::lock() {
     if (in_memory_ || game_.empty()) return nullptr;
-    // The folder itself is locked, so no lock file is necessary. The lock ends with the process.
+    // The folder itself is locked, so no lock file is necessary. The lock ends with the returned
+    // object, or with the process.
     auto folder = std::make_shared<Descriptor>(open_file(game_, O_RDONLY | O_DIRECTORY));
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
     while (*folder && !try_lock(*folder)) {

@@ -51,7 +51,7 @@ class SceneError : public Error {
     SceneError about(const std::string& path) const {
         return {kind(), file_, line_, column_, path + ": " + reason_};
     }
-    /// Count from 1; columns count characters, not bytes.
+    /// Lines and columns count from 1; columns count characters, not bytes.
     std::size_t line() const { return line_; }
     std::size_t column() const { return column_; }
 
@@ -77,7 +77,8 @@ inline constexpr std::string_view unknown_keys_property = "unknown_keys";
 std::string scene_text(const Tree& tree, Handle node, std::vector<std::string>* warnings = nullptr);
 
 /// Writes `scene_text` to a file: into a temporary file beside it, which is read back, synchronized
-/// with the disk, then renamed to `file`. Throws FileError; the old file is then unchanged.
+/// with the disk, then renamed to `file`. Throws Error like `scene_text`, and FileError; the old
+/// file is then unchanged, unless the message says that the file was written but may be lost.
 void save_scene(const Tree& tree, Handle node, const std::filesystem::path& file,
                 std::vector<std::string>* warnings = nullptr);
 
@@ -104,7 +105,7 @@ Handle load_scene(Tree& tree, const std::filesystem::path& file, Handle parent,
                   std::string_view name = {}, std::vector<std::string>* warnings = nullptr,
                   std::vector<SceneInstance>* instances = nullptr);
 
-/// As `load_scene`, from a text; `file_name` appears in messages and causes.
+/// Like `load_scene`, from a text; `file_name` appears in messages and causes.
 Handle load_scene_text(Tree& tree, std::string_view text, std::string_view file_name, Handle parent,
                        std::string_view name = {}, std::vector<std::string>* warnings = nullptr,
                        std::vector<SceneInstance>* instances = nullptr);
