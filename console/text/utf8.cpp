@@ -141,7 +141,10 @@ std::string lua_string(std::string_view text) {
             out += '\\';
         else if (c == '\n')
             out += "\\";  // before the line break itself
-        out += c;
+        if (c == '\r')
+            out += "\\r";  // a line break for Lua, which would end the text
+        else
+            out += c;
     }
     return out + '"';
 }

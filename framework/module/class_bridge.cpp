@@ -375,18 +375,33 @@ void BridgedClass::replace(const fettle_class& native, std::vector<std::string>&
                 " has another type than before: that needs a new start of the game");
         kept.native = *same;
     }
+    const auto is_new = [&](const std::string& member) {
+        notes.push_back(name + member + " is new: it comes with the next start");
+    };
     for (const fettle_property& property : given)
         if (declared_->property(view(property.name)) == nullptr)
-            notes.push_back(name + "." + text_or_empty(property.name) +
-                            " is new: it comes with the next start");
+            is_new("." + text_or_empty(property.name));
     const auto calls = elements<fettle_method>(native.methods);
     for (BridgedMethod& kept : methods_) {
         const auto same = std::find_if(calls.begin(), calls.end(), [&](const fettle_method& m) {
             return kept.declared->name == view(m.name);
         });
         kept.removed = same == calls.end();
-        if (!kept.removed) kept.native = *same;
+        if (kept.removed)
+            notes.push_back(name + ":" + kept.declared->name + "() is gone");
+        else
+            kept.native = *same;
     }
+    for (const fettle_method& method : calls)
+        if (declared_->method(view(method.name)) == nullptr)
+            is_new(":" + text_or_empty(method.name) + "()");
+    for (const fettle_event& event : elements<fettle_event>(native.events))
+        if (declared_->event(view(event.name)) == nullptr) is_new("." + text_or_empty(event.name));
+    const property::Lifecycle& known = declared_->lifecycle();
+    if (native.create != nullptr && known.create == nullptr) is_new(": create");
+    if (native.draw != nullptr && known.draw == nullptr) is_new(": draw");
+    if (native.draw_over != nullptr && known.draw_over == nullptr) is_new(": draw_over");
+    if (native.pose != nullptr && known.pose == nullptr) is_new(": pose");
     native_ = native;
     abandoned_ = false;
     write_tags();

@@ -6,6 +6,7 @@
 namespace text_edit_test {
 
 using fettle::console::clean_text;
+using fettle::console::lua_string;
 using fettle::console::Motion;
 using fettle::console::TextEdit;
 
@@ -111,6 +112,10 @@ TEST_CASE("the selection of a word includes underscores and digits") {
     CHECK(edit.selected() == "world");
     edit.select_word(17);
     CHECK(edit.selected() == "mass");
+}
+
+TEST_CASE("every text is a literal of Lua that has its value") {
+    CHECK(lua_string("a\"b\\c\nd\re") == "\"a\\\"b\\\\c\\\nd\\re\"");
 }
 
 }  // namespace text_edit_test

@@ -217,9 +217,18 @@ static const fettle_method methods[] = {
      .parameters = FETTLE_ARRAY(amount),
      .returns = FETTLE_ARRAY(left),
      .call = rain},
-    {.name = "survey", .returns = FETTLE_ARRAY(figures), .call = survey}};
+#ifdef OTHER_LAYOUT
+    {.name = "hail", .call = rain},
+#else
+    {.name = "survey", .returns = FETTLE_ARRAY(figures), .call = survey},
+#endif
+};
 static const fettle_event events[] = {
-    {.name = "rained", .fields = FETTLE_ARRAY(amount), .tag = &rained}};
+    {.name = "rained", .fields = FETTLE_ARRAY(amount), .tag = &rained},
+#ifdef OTHER_LAYOUT
+    {.name = "hailed"},
+#endif
+};
 
 static fettle_status attach(void* context) {
     fettle_class cloud;
@@ -238,6 +247,9 @@ static fettle_status attach(void* context) {
     cloud.create = create;
     cloud.destroy = destroy;
     cloud.draw = draw;
+#ifdef OTHER_LAYOUT
+    cloud.draw_over = draw;
+#endif
     if (host->define_class(host->self, &cloud) != FETTLE_OK) {
         host->fail(host->self, host->last_error(host->self));
         return FETTLE_ERR_FAILED;
