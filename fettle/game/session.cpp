@@ -93,6 +93,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     loop_->before_step([this](std::uint64_t step) { run_at(step); });
     loop_->after_barrier([this] {
         tweaks_->barrier();
+        tell_repeated_errors();
 #ifdef FETTLE_WITH_CONSOLE
         if (std::exchange(run_.stepped, false) && console_) console_->after_step();
 #endif
@@ -108,6 +109,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
 /// it.
 Session::~Session() {
     run_.ending = true;
+    tell_repeated_errors();
 }
 
 /// A recording notes the files that the run reads; a replay gets the recorded content instead.
@@ -473,10 +475,16 @@ void Session::fail(const script::ScriptError& error) {
     if (receivers_.errors) receivers_.errors(error);
 }
 
+/// A method that fails for each of a hundred instances is told once, and then how often.
 void Session::tell_error(const script::ScriptError& error) {
+    if (!repeated_.first(error)) return;
     if (!receivers_.output) tell_lines(app::error_text(error));
     if (listener_) listener_->print(app::error_text(error));
     if (console_) console_->report(error);
+}
+
+void Session::tell_repeated_errors() {
+    for (const std::string& sentence : repeated_.take()) note(sentence);
 }
 
 std::string Session::recording_problem() const {

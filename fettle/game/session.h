@@ -24,6 +24,7 @@
 #include <files/file_watch.h>
 #include <files/recorded_files.h>
 #include <game/game_modules.h>
+#include <game/repeated_errors.h>
 #include <game/run_options.h>
 
 namespace fettle::console {
@@ -125,6 +126,7 @@ class Session {
     void make_recorder();
     void fail(const script::ScriptError& error);
     void tell_error(const script::ScriptError& error);
+    void tell_repeated_errors();
 
     /// Functions that get what the session says.
     struct Receivers {
@@ -167,6 +169,7 @@ class Session {
     std::unique_ptr<TestDriver> test_;
     std::unique_ptr<app::Recorder> recorder_;
     FileWatch watch_;
+    RepeatedErrors repeated_;
     Run run_;
 };
 

@@ -82,6 +82,33 @@ TEST_CASE("an uncaught error ends a headless run with 1 and its traceback") {
     CHECK(run.out.empty());
 }
 
+TEST_CASE("an error that many instances have is reported once with their number") {
+    const Folder folder;
+    const std::string bricks =
+        "Brick = class('Brick', Object) {} "
+        "for i = 1, 20 do world:add(Brick { props = { n = i } }) end ";
+    const auto count = [](const std::string& text, const std::string& part) {
+        int found = 0;
+        for (std::size_t at = text.find(part); at != std::string::npos;
+             at = text.find(part, at + 1))
+            ++found;
+        return found;
+    };
+    const auto [script, last] = GENERATE(table<std::string, std::string>({
+        {"function Brick:ready() local lives = self.n .. {} end", "ready of world.brick_20"},
+        {"function Brick:step() local lives = self.n .. {} end", "Brick:step of world.brick_20"},
+        {"function Brick:ready() self.m = formula(function() return self.n .. {} end) end",
+         "formula of world.brick_20.m"},
+        {"function Brick:ready() return self.lifes end", "ready of world.brick_20"},
+    }));
+    const Outcome run = fettle(
+        folder, {"run", folder.write("main.lua", bricks + script), "--headless", "--steps", "3"});
+    INFO(script << "\n" << run.err);
+    CHECK(count(run.err, "error in ") == 1);
+    CHECK(contains(run.err, "world.brick_1"));
+    CHECK(contains(run.err, "main.lua:1: the same error 19 more times, last in " + last));
+}
+
 TEST_CASE("a formula in error is reported once and the run continues") {
     const Folder folder;
     const std::string game =
