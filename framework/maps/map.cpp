@@ -53,7 +53,9 @@ Map Reader::map() {
     map_.stagger_x = place.text("staggeraxis") == "x";
     map_.stagger_odd = place.text("staggerindex") != "even";
     map_.properties = place.properties();
-    for (const Json& one : place.list("tilesets")) map_.tilesets.push_back(tileset(place.at(one)));
+    for (const Json& one : place.list("tilesets"))
+        map_.tilesets.push_back(tileset(place.at(one), file_));
+    end_of_tilesets();
     for (const Json& one : place.list("layers")) map_.layers.push_back(layer(place.at(one), 0));
     return std::move(map_);
 }

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "cells.h"
 #include "reader.h"
 
@@ -90,13 +92,19 @@ const Json& Reader::object_template(const Place& place, const std::string& file)
     return templates_[file] = std::move(object);
 }
 
-/// The first number in the map of the tileset of a template, which the editor adds to the map.
+/// The first number in the map of the tileset of a template. The editor adds such a tileset to the
+/// map, but not to a map that it exports with embedded tilesets.
 std::uint32_t Reader::first_gid_of(const Place& place, const Json& tileset, const std::string& in) {
     const std::string source = Place{in, tileset, "tileset"}.text("source");
     const auto found = first_gids_.find(beside(in, source));
-    if (found == first_gids_.end())
+    if (found != first_gids_.end()) return found->second;
+    if (next_gid_ == 0)
         place.fail("the map has no tileset \"" + source + "\", which " + in + " uses");
-    return found->second;
+    Json added = tileset;
+    added["firstgid"] = std::exchange(next_gid_, 0);
+    map_.tilesets.push_back(this->tileset(Place{in, added, "tileset"}, in));
+    end_of_tilesets();
+    return map_.tilesets.back().first_gid;
 }
 
 }  // namespace fettle::maps

@@ -31,7 +31,8 @@ class Reader {
                 std::int64_t& left) const;
 
     // --- tilesets.cpp
-    Tileset tileset(const Place& place);
+    Tileset tileset(const Place& place, const std::string& in);
+    void end_of_tilesets();
     static void complete(Tileset& set);
     Tile tile(const Place& place);
 
@@ -47,6 +48,7 @@ class Reader {
     const ReadFile& read_;
     Map map_{};
     std::map<std::string, std::uint32_t> first_gids_{};  // by file, of external tilesets
+    std::int64_t next_gid_ = 0;                          // 0 while tilesets are read
     std::map<std::string, Json> templates_{};            // by file
 };
 

@@ -19,14 +19,22 @@ void Reader::complete(Tileset& set) {
             std::int64_t{set.columns} * fit(set.image_size.y, set.tile_height), max_tiles));
 }
 
-Tileset Reader::tileset(const Place& outer) {
+/// Tilesets that templates add get the numbers after those of the map's own.
+void Reader::end_of_tilesets() {
+    next_gid_ = 1;
+    for (const Tileset& set : map_.tilesets)
+        next_gid_ = std::max(next_gid_, std::int64_t{set.first_gid} + set.count);
+}
+
+/// `in`: the file that names the tileset.
+Tileset Reader::tileset(const Place& outer, const std::string& in) {
     if (!outer.json.is_object()) outer.fail("a tileset is no object");
     Tileset set;
     const std::int64_t first_gid = outer.integer("firstgid", 1, 1, 0x0fffffff);
-    std::string file = file_;
+    std::string file = in;
     Json external;
     if (const std::string source = outer.text("source"); !source.empty()) {
-        file = beside(file_, source);
+        file = beside(in, source);
         external = parse_document(file, read_(file));
         if (!external.is_object()) fail(file, "this is no tileset");
         first_gids_[file] = static_cast<std::uint32_t>(first_gid);

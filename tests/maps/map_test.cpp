@@ -225,6 +225,31 @@ TEST_CASE("an object has what its template says unless it says otherwise") {
     CHECK(coin.properties.at("kind") == Value("gold"));
 }
 
+/// The editor writes such maps when it exports them with embedded tilesets.
+TEST_CASE("the tileset of a template need not be one of the map") {
+    const std::string map =
+        R"({"width":1,"height":1,"tilewidth":16,"tileheight":16,
+            "tilesets":[{"firstgid":1,"name":"t","tilecount":9}],
+            "layers":[{"type":"objectgroup","name":"o","objects":[
+              {"id":1,"template":"things/coin.tj"},{"id":2,"template":"things/gem.tj"}]}]})";
+    const auto thing = [](const char* gid) {
+        return R"({"tileset":{"firstgid":1,"source":"../t.tsj"},"object":{"gid":)" +
+               std::string(gid) + "}}";
+    };
+    const Map with = read({{"m", map},
+                           {"things/coin.tj", thing("3")},
+                           {"things/gem.tj", thing("2147483652")},  // mirrored
+                           {"t.tsj", R"({"name":"t","tilecount":9,"columns":3,"image":"t.png"})"}},
+                          "m");
+    REQUIRE(with.tilesets.size() == 2);
+    CHECK(with.tilesets[1].image == "t.png");
+    const std::vector<Object>& objects = with.layers.at(0).objects;
+    CHECK(objects.at(0).tile.gid == 12);
+    CHECK(objects.at(1).tile.gid == 13);
+    CHECK(objects.at(1).tile.flip_x);
+    CHECK(with.tileset_of(12) == &with.tilesets[1]);
+}
+
 TEST_CASE("a damaged map is an error with file and place") {
     const auto reason = [](const std::string& text) {
         try {
