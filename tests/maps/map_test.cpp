@@ -2,14 +2,21 @@
 
 #include <catch.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <sstream>
 
 #include <fettle/maps/map.h>
 #include <fettle/property/error.h>
 
+#include "temporary_folder.h"
+
 namespace map_test {
+
+namespace fs = std::filesystem;
 
 using namespace fettle::maps;
 using fettle::property::Color;
@@ -301,30 +308,103 @@ TEST_CASE("a tileset of an early version has the tiles that its image has room f
     CHECK(map.tileset_of(9) == nullptr);
 }
 
+Map read_from_disk(const std::string& file) {
+    return read_map(file, [](const std::string& name) {
+        std::ifstream in(name, std::ios::binary);
+        if (!in) throw std::runtime_error("no file " + name);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    });
+}
+
+/// The maps in a folder and in those below it.
+std::vector<std::string> maps_below(const fs::path& folder) {
+    std::vector<std::string> maps;
+    std::error_code none;
+    for (fs::recursive_directory_iterator it(folder, none), end; !none && it != end; ++it)
+        if (it->path().extension() == ".tmx" || it->path().extension() == ".tmj")
+            maps.push_back(it->path().string());
+    std::sort(maps.begin(), maps.end());
+    return maps;
+}
+
+/// Name and tile of a tileset: the editor counts the tiles of a map anew when it writes it.
+void write(std::ostream& out, const Map& map, const Cell& cell) {
+    if (cell.empty()) return;
+    const Tileset* const set = map.tileset_of(cell.gid);
+    REQUIRE(set != nullptr);
+    out << set->name << ' ' << cell.gid - set->first_gid << cell.flip_x << cell.flip_y
+        << cell.flip_diagonal;
+}
+
+void write(std::ostream& out, const Map& map, const std::vector<Layer>& layers) {
+    for (const Layer& layer : layers) {
+        out << "\nlayer " << layer.name << ' ' << layer.visible << layer.opacity << layer.offset.x
+            << ' ' << layer.offset.y << layer.properties.size();
+        for (const Cells& cells : layer.cells) {
+            out << "\n" << cells.x << ' ' << cells.y << ' ' << cells.width << ": ";
+            for (const Cell& cell : cells.cells) {
+                write(out, map, cell);
+                out << ',';
+            }
+        }
+        for (const Object& object : layer.objects) {
+            out << "\nobject " << object.name << object.class_name << ' ' << object.position.x
+                << ' ' << object.position.y << ' ' << object.size.x << ' ' << object.size.y
+                << object.points.size() << object.properties.size() << ' ';
+            write(out, map, object.tile);
+        }
+        write(out, map, layer.layers);
+    }
+}
+
+/// All that a game sees of a map, as text.
+std::string content(const Map& map) {
+    std::ostringstream out;
+    out << map.width << 'x' << map.height << map.infinite << map.properties.size();
+    write(out, map, map.layers);
+    return out.str();
+}
+
+const fs::path examples = "/usr/share/doc/tiled/examples";
+
 /// The editor's own examples, where its package is installed.
 TEST_CASE("the maps that come with the editor are read") {
-    namespace fs = std::filesystem;
-    const fs::path folder = "/usr/share/doc/tiled/examples";
-    int maps = 0;
-    std::error_code none;
-    for (fs::recursive_directory_iterator it(folder, none), end; !none && it != end; ++it) {
-        if (it->path().extension() != ".tmx") continue;
-        const std::string file = it->path().string();
+    const std::vector<std::string> maps = maps_below(examples);
+    if (maps.empty()) WARN("skipped: Tiled is not installed, or its examples are not");
+    for (const std::string& file : maps) {
         CAPTURE(file);
-        const Map map = read_map(file, [](const std::string& name) {
-            std::ifstream in(name, std::ios::binary);
-            if (!in) throw std::runtime_error("no file " + name);
-            return std::string(std::istreambuf_iterator<char>(in), {});
-        });
+        const Map map = read_from_disk(file);
         CHECK(map.width > 0);
         CHECK_FALSE(map.layers.empty());
-        for (const Layer& layer : map.layers)
-            for (const Cells& cells : layer.cells)
-                for (const Cell& cell : cells.cells)
-                    if (!cell.empty()) REQUIRE(map.tileset_of(cell.gid) != nullptr);
-        ++maps;
+        CHECK_FALSE(content(map).empty());
     }
-    if (maps == 0) WARN("skipped: Tiled is not installed, or its examples are not");
+}
+
+TEST_CASE("a map that the command line of the editor converts has the same content") {
+    if (std::system("command -v tiled >/dev/null") != 0) {
+        WARN("skipped: Tiled is not installed");
+        return;
+    }
+    std::vector<std::string> maps = maps_below("scripts");
+    const std::vector<std::string> of_editor = maps_below(examples);
+    REQUIRE(maps.size() > 1);
+    maps.insert(maps.end(), of_editor.begin(), of_editor.end());
+    const TemporaryFolder folder;
+    for (const std::string& file : maps) {
+        const std::string before = content(read_from_disk(file));
+        for (const std::string options :
+             {"json", "tmx", "--embed-tilesets json", "--embed-tilesets --detach-templates tmx"}) {
+            CAPTURE(file, options);
+            const std::string as = options.ends_with("json") ? "map.tmj" : "map.tmx";
+            const std::string converted = (folder.path / as).string();
+            const std::size_t format = options.rfind(' ') + 1;
+            const std::string command =
+                "QT_QPA_PLATFORM=offscreen tiled " + options.substr(0, format) + "--export-map " +
+                options.substr(format) + " '" + file + "' '" + converted + "' 2>/dev/null";
+            REQUIRE(std::system(command.c_str()) == 0);
+            CHECK(content(read_from_disk(converted)) == before);
+        }
+    }
 }
 
 TEST_CASE("random damage to a map never does more than raise an error") {
