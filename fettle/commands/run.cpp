@@ -126,7 +126,7 @@ class WindowRun {
             options_, &window().clipboard(),
             [this](const script::ScriptError& error) { error_screen_.show(error); });
         session_->on_error_over([this](const script::ScriptError* error) {
-            if (error == nullptr) return error_screen_.hide_over();
+            if (error == nullptr) return error_screen_.hide();
             if (!error_screen_.error()) return error_screen_.show_over(*error);
             // The new session replaces the error that stopped the game.
             error_screen_.hide();
@@ -193,10 +193,7 @@ class WindowRun {
     }
 
     void follow_files() {
-        using Followed = Session::Followed;
-        const Followed followed = session_->follow_files();
-        if (followed == Followed::restart) reload_ = true;
-        if (followed == Followed::changed) error_screen_.hide();
+        if (session_->follow_files() == Session::Followed::restart) reload_ = true;
     }
 
     bool in_gallery() const { return gallery_ != nullptr && options_.game == gallery_->game(); }

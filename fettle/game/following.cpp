@@ -51,19 +51,22 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
     if (!run_.loaded) return Followed::restart;
     const auto begin = std::chrono::steady_clock::now();
     const fs::path folder = folder_of(options_.game);
-    std::vector<std::string> names;
+    run_.followed = true;
+    problems_.erase("");
+    std::vector<std::string> names, read;
     bool code = false;
     for (const fs::path& file : changed) {
         const fs::path name = file.lexically_normal().lexically_relative(folder.lexically_normal());
         names.push_back(name.generic_string());
-        try {
-            renew(names.back());
-        } catch (const std::exception& error) {
-            note("reload: " + property::exception_text(error));
-        }
+        renew(names.back());
+        if (!problems_.contains(names.back())) read.push_back(names.back());
         code = code || (!is_media(file) && names.back() != "game.json");
     }
-    const script::Reloaded result = code ? reload_code(names) : reload_media(names);
+    if (read.empty()) {
+        show_problems();
+        return Followed::failed;
+    }
+    const script::Reloaded result = code ? reload_code(names) : reload_media(read);
     for (const std::string& line : result.notes) note(line);
     if (!result.done) {
         tell_error(*result.error);
@@ -75,10 +78,11 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
     if (code) follow_preferences(*preferences_, interface_);
     const std::chrono::duration<double, std::milli> lasted =
         std::chrono::steady_clock::now() - begin;
-    note("reloaded " + join(names) + " in " + std::to_string(std::lround(lasted.count())) + " ms");
+    note("reloaded " + join(read) + " in " + std::to_string(std::lround(lasted.count())) + " ms");
     run_.failed = false;
     if (loop_->halted() && loop_->retry())
         note("step " + std::to_string(services_->clock.step + 1) + " runs again");
+    show_problems();
     return Followed::changed;
 }
 
@@ -101,11 +105,37 @@ script::Reloaded Session::reload_media(const std::vector<std::string>& names) {
     return {.done = true};
 }
 
+/// What cannot be read again stays as it was, and `problems_` says why.
 void Session::renew(const std::string& name) {
-    visuals_.renew(name);
-    services_->audio.renew(name);
-    services_->renew_effect(name);
-    if (name == "game.json") renew_settings();
+    problems_.erase(name);
+    run_.renewed = name;
+    try {
+        visuals_.renew(name);
+        services_->audio.renew(name);
+        services_->renew_effect(name);
+        if (name == "game.json") renew_settings();
+    } catch (const std::exception& error) {
+        tell_problem_of_files(property::exception_text(error));
+    }
+    run_.renewed.clear();
+}
+
+/// The run continues with what is there: a checkerboard for an image, no effect.
+void Session::tell_problem_of_files(const std::string& problem) {
+    script::ScriptError report;
+    report.message = problem;
+    report.context = "files";
+    tell_error(report);
+    if (!run_.followed) return;
+    problems_.try_emplace(run_.renewed, report);
+    show_problems();
+}
+
+/// Shows a problem of changed files over the game, unless the game has stopped by an error, which
+/// is shown in its place.
+void Session::show_problems() {
+    if (receivers_.error_over && !problems_.empty() && !loop_->halted())
+        receivers_.error_over(&problems_.begin()->second);
 }
 
 /// Applies the settings of the window that differ from those before; the others need a restart.

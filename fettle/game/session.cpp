@@ -220,18 +220,9 @@ void Session::add_modules() {
                 .step = [this](double dt) { visuals_.step(dt); },
                 .report = [this] { visuals_.report(tree_); },
                 .hash = [this] { return visuals_.hash(); }});
-    visuals_.on_problem([this](const std::string& problem) {
-        script::ScriptError report;
-        report.message = problem;
-        report.context = "files";
-        tell_error(report);  // the run continues, and a checkerboard is drawn
-    });
-    services_->on_effect_problem([this](const std::string& problem) {
-        script::ScriptError report;
-        report.message = problem;
-        report.context = "files";
-        tell_error(report);  // the run continues, and the picture is drawn without the effect
-    });
+    visuals_.on_problem([this](const std::string& problem) { tell_problem_of_files(problem); });
+    services_->on_effect_problem(
+        [this](const std::string& problem) { tell_problem_of_files(problem); });
     loop_->add({.name = std::string(interface_.name()),
                 .step = [this](double dt) { interface_.step(dt); },
                 .report = [this] { interface_.report(tree_); },

@@ -2,6 +2,7 @@
 // A running game. Its tree, modules, services, scripts, console and loop are made in this order.
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -101,6 +102,8 @@ class Session {
     script::Reloaded reload_code(const std::vector<std::string>& names);
     script::Reloaded reload_media(const std::vector<std::string>& names);
     void renew(const std::string& name);
+    void tell_problem_of_files(const std::string& problem);
+    void show_problems();
     void renew_settings();
     std::string share(const std::string& name);
     void open_moment();
@@ -142,6 +145,8 @@ class Session {
         bool stepped = false;  // the modules have made a step, which is not delivered yet
         bool failed = false;
         bool ending = false;
+        bool followed = false;     // a file has changed
+        std::string renewed;       // the changed file that is being read
         std::string interruption;  // the last message about stopped scripts
     };
 
@@ -169,6 +174,7 @@ class Session {
     std::unique_ptr<TestDriver> test_;
     std::unique_ptr<app::Recorder> recorder_;
     FileWatch watch_;
+    std::map<std::string, script::ScriptError> problems_;  // by changed file; "": seen later
     RepeatedErrors repeated_;
     Run run_;
 };

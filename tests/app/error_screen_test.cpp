@@ -86,6 +86,22 @@ TEST_CASE("the game is seen above a strip while the past before an error is look
     CHECK(strip.line_with("in update") == -1);
 }
 
+TEST_CASE("a long error of changed files takes several lines of its strip") {
+    app::ErrorScreen screen({.reload = {}, .go_on = {}, .covered_below = [] { return 0.0f; }});
+    script::ScriptError error;
+    for (int i = 0; i < 40; ++i) error.message += "word" + std::to_string(i) + " ";
+    screen.show_over(error);
+    NotingSurface surface;
+    screen.draw(surface, 0);
+    CHECK(surface.line_with("word0 ") > surface.top);
+    CHECK(surface.line_with("word39 ") > surface.line_with("word0 "));
+    CHECK(surface.line_with("word39 ") < 800 - 17);
+    screen.hide();
+    NotingSurface after;
+    screen.draw(after, 0);
+    CHECK(after.lines.empty());
+}
+
 TEST_CASE("arrows go through the past while the error is shown") {
     int went = 0;
     app::ErrorScreen screen(

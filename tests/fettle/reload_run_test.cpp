@@ -96,6 +96,33 @@ TEST_CASE("an error of a changed file is reported and the game goes on") {
     CHECK(contains(end.err, "reloaded main.lua in "));
 }
 
+TEST_CASE("an image or a setting in error is reported and not as read again") {
+    Run run;
+    const std::string head("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\x20\0", 18);
+    run.folder.write("game/hero.tga", head + "\x10\x20\x30\xff");
+    run.folder.write("game/game.json", R"({"name": "Hero"})");
+    run.folder.write("game/main.lua",
+                     "world.hero = Sprite { image = 'hero.tga' } "
+                     "after(1, function() scene.save('begun.json', world) end) "
+                     "function reloaded(files) print('again: ' .. files[1]) "
+                     "if #files == 1 and files[1] == 'hero.tga' then quit() end end");
+    RunningProgram program = run.begin();
+    REQUIRE(program.makes("game/begun.json"));
+    const auto pause = [](int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); };
+    pause(500);  // the files of the first step are followed from the next look on
+    run.folder.write("game/hero.tga", "no image");
+    run.folder.write("game/game.json", R"({"nam": "Hero"})");
+    pause(1500);
+    run.folder.write("game/hero.tga", head + "\x40\x20\x30\xff");
+    const auto end = program.end();
+    INFO(end.out << end.err);
+    CHECK(end.status == 0);
+    CHECK(contains(end.err, "error in files: \"hero.tga\": cannot be read as PNG"));
+    CHECK(contains(end.err, "(did you mean \"name\"?)"));
+    CHECK(end.out == "again: hero.tga\n");
+    CHECK_FALSE(contains(end.err, "reloaded game.json"));
+}
+
 TEST_CASE("a run follows no files without the option and none while it is recorded") {
     Run run;
     run.folder.write("game/main.lua",

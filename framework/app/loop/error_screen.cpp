@@ -290,18 +290,26 @@ void ErrorScreen::draw_over(Surface& surface, float bottom) const {
         {.text = "The files have an error; the game goes on as it was", .size = 14, .color = pale},
         {.text = e.message, .size = 17, .color = red, .face = Face::bold, .above = 4}};
     if (!e.source_line.empty()) add_source(lines, e);
+    const float room = std::max(100.0f, surface.width() - 2 * margin);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        Line& line = lines[i];
+        const std::size_t length = fitting(surface, line.text, room, line.size, line.face);
+        if (length >= line.text.size()) continue;
+        Line rest = line;
+        rest.text.erase(0, length);
+        rest.above = 0;
+        line.text.resize(length);
+        lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(rest));
+    }
     float needed = 24;
     for (const Line& line : lines) needed += line.above + 1.32f * line.size;
     const float top = std::max(0.0f, bottom - needed);
     fill(surface, 0, top, surface.width(), bottom - top, {18, 20, 26, 232});
     fill(surface, 0, top, 5, bottom - top, red);
-    const float room = std::max(100.0f, surface.width() - 2 * margin);
     float y = top + 12;
     for (const Line& line : lines) {
         y += line.above;
-        const std::string_view text = line.text;
-        surface.text(margin, y, text.substr(0, fitting(surface, text, room, line.size, line.face)),
-                     line.size, line.color, line.face);
+        surface.text(margin, y, line.text, line.size, line.color, line.face);
         y += 1.32f * line.size;
     }
 }

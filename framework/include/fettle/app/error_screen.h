@@ -41,7 +41,6 @@ class ErrorScreen : public Layer {
     /// Shows an error of files that changed while the game runs, in a strip over the game, which
     /// goes on and gets all input.
     void show_over(const script::ScriptError& error) { over_ = error; }
-    void hide_over() { over_.reset(); }
     bool visible() const { return error_.has_value() || running_.has_value(); }
 
     /// Shows the place of a script that does not return, and asks whether to stop it; to be called
