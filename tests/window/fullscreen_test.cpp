@@ -1,5 +1,6 @@
 // The window follows view.window, and its keys.
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -73,6 +74,40 @@ TEST_CASE("Alt and Enter change to fullscreen and back under a window manager") 
             return !now.empty() && now != before;
         }));
     }
+}
+
+TEST_CASE("a button of the mouse that is let go while the window is opened again is not held") {
+    if (const std::string missing = missing_tools(); !missing.empty()) {
+        std::cout << "SKIPPED: " << missing << " not found\n";
+        return;
+    }
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "main.lua")
+        << "view.window.size = vec(400, 300)\n"
+           "function mouse_pressed(button) print('pressed', button) end\n"
+           "function mouse_released(button) print('released', button) end\n"
+           "function key_pressed(key) if key == 'f' then view.window.resizable = not "
+           "view.window.resizable print('again') else print('held', input.mouse.left) end end\n"
+           "print('ready')\n";
+    GameWindow game(folder.path);
+    REQUIRE(game.prints("ready"));
+    game.move(200, 150);
+    game.hold_button(true);
+    REQUIRE(game.prints("pressed\tleft"));
+    game.key("f");
+    REQUIRE(game.prints("again"));
+    game.move(1200, 700);  // outside of the new window, which is told nothing
+    game.hold_button(false);
+    CHECK(game.prints("released\tleft"));
+    // A press that the window is told about is released once.
+    game.move(200, 150);
+    game.focus();
+    game.hold_button(true);
+    game.hold_button(false);
+    game.key("g");
+    REQUIRE(game.prints("held\tfalse"));
+    const std::string all = game.printed();
+    CHECK(std::count(all.begin(), all.end(), '\n') == 7);
 }
 
 TEST_CASE("a size that a game sets when it begins stays") {

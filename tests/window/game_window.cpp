@@ -44,19 +44,7 @@ GameWindow::GameWindow(const fs::path& game, const std::map<std::string, std::st
     std::map<std::string, std::string> all = environment;
     all.insert(environment_.begin(), environment_.end());
     program_ = Process(command, all, folder_ / "printed");
-    fs::path found = folder_ / "windows";
-    bool shown = eventually([&] {
-        fs::remove(found);
-        return run({"xdotool", "search", "--onlyvisible", "--name", "."}, environment_, found) ==
-                   0 &&
-               !read_file(found).empty();
-    });
-    if (!shown) throw std::runtime_error("no window came up\n" + printed());
-    // Without a window manager the position of the window is not set.
-    std::string window = read_file(found);
-    window = window.substr(0, window.find('\n'));
-    xdotool({"windowmove", "--sync", window, "0", "0"});
-    xdotool({"windowfocus", window});
+    focus();
 }
 
 GameWindow::~GameWindow() {
@@ -110,6 +98,22 @@ void GameWindow::xdotool(const std::vector<std::string>& arguments) const {
         throw std::runtime_error("xdotool failed\n" + read_file(folder_ / "xdotool"));
 }
 
+void GameWindow::focus() {
+    const fs::path found = folder_ / "windows";
+    const bool shown = eventually([&] {
+        fs::remove(found);
+        return run({"xdotool", "search", "--onlyvisible", "--name", "."}, environment_, found) ==
+                   0 &&
+               !read_file(found).empty();
+    });
+    if (!shown) throw std::runtime_error("no window came up\n" + printed());
+    // Without a window manager the position of the window is not set.
+    std::string window = read_file(found);
+    window = window.substr(0, window.find('\n'));
+    xdotool({"windowmove", "--sync", window, "0", "0"});
+    xdotool({"windowfocus", window});
+}
+
 void GameWindow::key(const std::string& name) {
     xdotool({"key", "--delay", "30", name});
 }
@@ -122,6 +126,10 @@ void GameWindow::type(const std::string& text) {
 
 void GameWindow::move(int x, int y) {
     xdotool({"mousemove", "--sync", std::to_string(x), std::to_string(y)});
+}
+
+void GameWindow::hold_button(bool down) {
+    xdotool({down ? "mousedown" : "mouseup", "1"});
 }
 
 void GameWindow::click(int x, int y) {

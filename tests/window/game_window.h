@@ -36,6 +36,10 @@ class GameWindow {
     void type(const std::string& text);
     void click(int x, int y);
     void move(int x, int y);
+    /// Presses the left button of the mouse where it is, or lets it go.
+    void hold_button(bool down);
+    /// Gives the keyboard to the window of the game, which may be another one by now.
+    void focus();
 
     Picture picture() const;
     /// The output of the program so far.

@@ -32,11 +32,13 @@ class NoMessages {
     std::streambuf* before_;
 };
 
-/// The name of a key; "" if it has none. sfml_events.cpp defines this function and the next four.
+/// The name of a key; "" if it has none. sfml_events.cpp defines this function and the next five.
 std::string key_name(sf::Keyboard::Key key);
 /// Whether a finger is on the key of this name, whichever window has the keyboard.
 bool is_down(const std::string& key);
 std::string button_name(sf::Mouse::Button button);
+/// The same as `is_down` for a button of the mouse.
+bool is_button_down(const std::string& button);
 /// Sets name and delta of an axis event. `position`: percent, y down positive.
 void set_axis(InputEvent& event, sf::Joystick::Axis axis, float position);
 /// Maker and product of a gamepad, "054c:0ce6".

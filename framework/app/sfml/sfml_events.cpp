@@ -92,6 +92,14 @@ std::string button_name(sf::Mouse::Button button) {
     }
 }
 
+bool is_button_down(const std::string& button) {
+    for (int code = 0; code < static_cast<int>(sf::Mouse::ButtonCount); ++code)
+        if (const auto each = static_cast<sf::Mouse::Button>(code);
+            button_name(each) == button && sf::Mouse::isButtonPressed(each))
+            return true;
+    return false;
+}
+
 std::string device_of(unsigned gamepad) {
     const sf::Joystick::Identification device = sf::Joystick::getIdentification(gamepad);
     char text[20];

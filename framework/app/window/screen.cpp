@@ -180,8 +180,10 @@ class SfmlWindow : public Window {
         if (poll_gamepads(event) || poll_let_go(event)) return true;
         do {
             if (!sfml::poll(window_, event)) return poll_size(event);
-        } while (is_size_of_opening(event));
-        if (event.kind == EventKind::key_pressed)
+        } while (is_size_of_opening(event) || is_known_release(event));
+        if (event.kind == EventKind::mouse_pressed)
+            buttons_.insert(event.name);
+        else if (event.kind == EventKind::key_pressed)
             event.repeated = !down_.insert(event.name).second;
         else if (event.kind == EventKind::key_released)
             down_.erase(event.name);
@@ -247,6 +249,7 @@ class SfmlWindow : public Window {
         opened_ = std::nullopt;
         reopened_ = true;
         keyboard_elsewhere_ = true;
+        buttons_before_ = buttons_;
     }
     /// The library reports gamepads only that are plugged in while the window is open.
     bool poll_gamepads(InputEvent& event) {
@@ -261,8 +264,31 @@ class SfmlWindow : public Window {
         }
         return false;
     }
-    /// A key that is let go while the window is opened again is told to neither window.
+    /// What is let go while the window is opened again is told to neither window: a key before the
+    /// window has the keyboard, a button of the mouse outside of it.
     bool poll_let_go(InputEvent& event) {
+        return poll_let_go_button(event) || poll_let_go_key(event);
+    }
+    bool poll_let_go_button(InputEvent& event) {
+        const auto let_go = std::ranges::find_if_not(buttons_before_, sfml::is_button_down);
+        if (let_go == buttons_before_.end()) return false;
+        const sf::Vector2i at = sf::Mouse::getPosition(window_);
+        event = {};
+        event.kind = EventKind::mouse_released;
+        event.name = *let_go;
+        event.x = static_cast<float>(at.x);
+        event.y = static_cast<float>(at.y);
+        buttons_.erase(*let_go);
+        buttons_before_.erase(let_go);
+        return true;
+    }
+    /// True for a release that the game knows, or whose press it does not know.
+    bool is_known_release(const InputEvent& event) {
+        if (event.kind != EventKind::mouse_released) return false;
+        buttons_before_.erase(event.name);
+        return buttons_.erase(event.name) == 0;
+    }
+    bool poll_let_go_key(InputEvent& event) {
         if (!keyboard_elsewhere_) return false;
         const auto let_go = std::ranges::find_if_not(down_, sfml::is_down);
         if (let_go == down_.end()) {
@@ -321,6 +347,8 @@ class SfmlWindow : public Window {
     SystemClipboard clipboard_;
     Pacer pacer_;
     std::set<std::string> down_;
+    std::set<std::string> buttons_;         // of the mouse, held
+    std::set<std::string> buttons_before_;  // held since the window was another one
     bool keyboard_elsewhere_ = false;  // the window was opened and has not had the keyboard yet
     bool keep_frame_ = false;
 };
