@@ -80,7 +80,7 @@ std::size_t Listener::largest_buffer() const {
 }
 
 void Listener::frame() {
-    printed_ = 0;
+    printed_lines_ = printed_bytes_ = 0;
     take_connections();
     if (connections_.empty()) return;
     std::vector<pollfd> ready;
@@ -92,23 +92,7 @@ void Listener::frame() {
     ::poll(ready.data(), ready.size(), 0);
     for (std::size_t i = 0; i < ready.size(); ++i)
         if ((ready[i].revents & (POLLIN | POLLHUP | POLLERR)) != 0) receive(connections_[i]);
-    // All terminals take turns. In the next frame, another one is the first.
-    std::size_t left = limits_.requests;
-    const auto begin = Clock::now();
-    const std::size_t count = connections_.size();
-    first_ = (first_ + 1) % count;
-    for (bool some = true; some && left > 0;) {
-        some = false;
-        for (std::size_t i = 0; i < count && left > 0; ++i)
-            if (answer_next(connections_[(first_ + i) % count])) {
-                --left;
-                some = true;
-                // A command may take as long as a typed one, but is then the last of the frame.
-                if (std::chrono::duration<double>(Clock::now() - begin).count() >
-                    limits_.busy_seconds)
-                    left = 0;
-            }
-    }
+    answer();
     for (Connection& each : connections_) send(each);
     end_late();
     remove_gone();
@@ -204,8 +188,28 @@ void Listener::greet(Connection& who, std::string_view line) {
     answers_.note("a terminal is attached");
 }
 
+/// Answers requests of this frame. All terminals take turns. In the next frame, another one is the
+/// first.
+void Listener::answer() {
+    Turn turn;
+    const auto begin = Clock::now();
+    const std::size_t count = connections_.size();
+    first_ = (first_ + 1) % count;
+    for (bool some = true; some && !turn.ends;) {
+        some = false;
+        for (std::size_t i = 0; i < count && !turn.ends; ++i) {
+            if (!answer_next(connections_[(first_ + i) % count], turn)) continue;
+            some = true;
+            // A command may take as long as a typed one, but is then the last of the frame.
+            const std::chrono::duration<double> busy = Clock::now() - begin;
+            turn.ends = turn.ends || ++turn.requests >= limits_.requests ||
+                        turn.bytes >= limits_.answered || busy.count() > limits_.busy_seconds;
+        }
+    }
+}
+
 /// Answers the next request, if there is a whole one.
-bool Listener::answer_next(Connection& to) {
+bool Listener::answer_next(Connection& to, Turn& turn) {
     if (!to.greeted || to.ending || to.gone || to.out.size() > limits_.kept) return false;
     const std::size_t end = to.in.find('\n');
     if (end == std::string::npos || end > longest_request) {
@@ -216,30 +220,44 @@ bool Listener::answer_next(Connection& to) {
     tell_lost(to);
     const std::string line = to.in.substr(0, end);
     to.in.erase(0, end + 1);
+    turn.bytes += line.size();
     const std::optional<Request> request = read_request(line);
     if (!request) {
         refuse(to, "expected a line with {\"run\": …} or {\"complete\": …, \"cursor\": …}");
         return true;
     }
-    to.out += request->kind == Request::Kind::run
-                  ? answer_text(answers_.evaluate(request->text))
-                  : candidates_text(answers_.complete(request->text, request->cursor));
+    const std::string answer = answer_to(*request, turn);
+    to.out += answer;
+    turn.bytes += answer.size();
     return true;
+}
+
+std::string Listener::answer_to(const Request& request, Turn& turn) {
+    if (request.kind == Request::Kind::run) return answer_text(answers_.evaluate(request.text));
+    // Nobody types faster than frames, and candidates take long for their few bytes.
+    turn.ends = true;
+    return candidates_text(answers_.complete(request.text, request.cursor));
 }
 
 // --- Answers and prints
 
 void Listener::print(std::string_view line) {
     if (connections_.empty()) return;
-    const bool enough = ++printed_ > limits_.lines_a_frame;
-    const std::string text = enough ? std::string() : print_text(line);
+    const bool enough =
+        printed_lines_ >= limits_.lines_a_frame || printed_bytes_ >= limits_.printed;
+    std::string text;
     for (Connection& each : connections_) {
         if (!each.greeted || each.ending) continue;
-        if (enough || each.out.size() > limits_.kept)
+        if (enough || each.out.size() > limits_.kept) {
             ++each.lost;
-        else
-            each.out += text;
+            continue;
+        }
+        if (text.empty()) text = print_text(line);
+        each.out += text;
     }
+    if (text.empty()) return;
+    ++printed_lines_;
+    printed_bytes_ += text.size();
 }
 
 void Listener::tell_lost(Connection& to) {

@@ -14,6 +14,7 @@
 
 #include <fettle/script/runtime.h>
 
+#include <attach/protocol.h>
 #include <attach/running_games.h>
 
 namespace fettle::program {
@@ -23,12 +24,15 @@ struct ListenLimits {
     std::size_t terminals = 8;  // that have sent the token
     std::size_t waiting = 8;    // that have not sent it; beyond it, the oldest is disconnected
     double greeting_seconds = 2;
-    std::size_t accepted = 4;         // connections of a frame
-    std::size_t requests = 8;         // of a frame
-    double busy_seconds = 0.0005;     // after which no request of this frame is begun
-    std::size_t received = 16384;     // bytes of a frame and connection
-    std::size_t kept = 65536;         // bytes of answers before requests have to wait
-    std::size_t lines_a_frame = 200;  // of what the game prints, for the terminals
+    std::size_t accepted = 4;  // connections of a frame
+    // No request of a frame is begun after so many, after a completion, after so many bytes of
+    // requests and answers, or after so many seconds.
+    std::size_t requests = 8, answered = 32768;
+    double busy_seconds = 0.0005;
+    std::size_t received = 16384;  // bytes of a frame and connection
+    std::size_t kept = 65536;      // bytes of answers before requests have to wait
+    // Of what the game prints, a frame: lines, and bytes after which no more lines are sent.
+    std::size_t lines_a_frame = 200, printed = 65536;
 };
 
 class Listener {
@@ -69,11 +73,19 @@ class Listener {
         std::size_t lost = 0;  // lines of the game since the last that was sent
     };
 
+    /// What the requests of this frame have taken so far.
+    struct Turn {
+        std::size_t requests = 0, bytes = 0;
+        bool ends = false;  // no more of them in this frame
+    };
+
     void take_connections();
     void make_room();
     void receive(Connection& from);
     void greet(Connection& who, std::string_view line);
-    bool answer_next(Connection& to);
+    void answer();
+    bool answer_next(Connection& to, Turn& turn);
+    std::string answer_to(const Request& request, Turn& turn);
     void tell_lost(Connection& to);
     void send(Connection& to);
     void refuse(Connection& whom, std::string_view why);
@@ -87,7 +99,7 @@ class Listener {
     int socket_ = -1;
     std::deque<Connection> connections_;
     std::size_t first_ = 0;  // whose requests are answered first in this frame
-    std::size_t printed_ = 0;
+    std::size_t printed_lines_ = 0, printed_bytes_ = 0;  // of this frame
 };
 
 }  // namespace fettle::program

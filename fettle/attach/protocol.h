@@ -16,7 +16,7 @@ namespace fettle::program {
 constexpr std::size_t longest_greeting = 128, longest_request = 16384;
 /// Bytes of text in one answer. A longer text is cut, and the number of missing lines is added.
 constexpr std::size_t longest_answer = 65536;
-constexpr std::size_t most_candidates = 200;
+constexpr std::size_t most_candidates = 100;
 
 std::string greeting(std::string_view token);
 /// Whether the line is the greeting with this token. The time that it takes does not depend on

@@ -367,6 +367,46 @@ TEST_CASE("a flood of requests waits for its turn") {
     tell_cost("a flood of requests", game);
 }
 
+TEST_CASE("a frame answers as many bytes as the limit allows, whoever asks") {
+    // The clock ends no turn here: what a frame does is counted.
+    Game game({.busy_seconds = 1e9});
+    std::vector<Visitor> crowd;
+    for (int i = 0; i < 4; ++i) crowd.push_back(game.terminal());
+    const std::string large = text_of({.text = std::string(longest_request - 100, 'x')});
+    std::size_t most = 0;
+    for (int i = 0; i < 20; ++i) {
+        for (Visitor& each : crowd) each.say(large);
+        const std::size_t before = game.commands.size();
+        game.frames();
+        most = std::max(most, game.commands.size() - before);
+        for (Visitor& each : crowd) each.hear();
+    }
+    // A request and its answer are nearly the limit, so a second one is the last.
+    CHECK(most == 2);
+    CHECK(game.commands.size() >= 20);
+    tell_cost("large requests of several", game);
+}
+
+TEST_CASE("a frame answers one completion") {
+    Game game({.busy_seconds = 1e9});
+    std::vector<Visitor> crowd;
+    for (int i = 0; i < 3; ++i) crowd.push_back(game.terminal());
+    for (const Visitor& each : crowd)
+        each.say(text_of({.kind = Request::Kind::complete, .text = "wor", .cursor = 3}) +
+                 text_of({.text = "1"}));
+    std::vector<std::size_t> heard;
+    for (int i = 0; i < 4; ++i) {
+        game.frames();
+        std::size_t answers = 0;
+        for (Visitor& each : crowd) answers += each.hear().size();
+        heard.push_back(answers);
+    }
+    // A completion in each of three frames; the commands behind them do not wait for the last one.
+    CHECK(heard[0] == 1);
+    CHECK(heard[1] + heard[2] + heard[3] == 5);
+    CHECK(game.commands.size() == 3);
+}
+
 TEST_CASE("a terminal that does not read its answers gets no more of them") {
     Game game({.busy_seconds = 1e9});
     game.lines_of_answer = 400;
@@ -422,6 +462,19 @@ TEST_CASE("lines that the game prints too fast are counted") {
     }
     CHECK(printed == ListenLimits{}.lines_a_frame);
     CHECK(printed + lost == 5000);
+    // Long lines count by their bytes.
+    const std::string long_line(ListenLimits{}.printed / 2 + 1, 'x');
+    for (int i = 0; i < 100; ++i) game.listener().print(long_line);
+    printed = lost = 0;
+    for (int i = 0; i < 3; ++i) {
+        game.frames();
+        for (const Message& each : terminal.hear()) {
+            printed += each.kind == Message::Kind::print ? 1 : 0;
+            lost += each.count;
+        }
+    }
+    CHECK(printed == 2);
+    CHECK(printed + lost == 100);
 }
 
 }  // namespace listener_test

@@ -235,6 +235,40 @@ TEST_CASE("completion includes paths and keys and methods and enumerators") {
         s.runtime->complete(odd, std::string(odd).size() + 5);
 }
 
+TEST_CASE("completion compares a bounded number of names and describes those that it lists") {
+    Stage s;
+    s.run("for i = 1, 5000 do world:add(Body { name = 'b' .. i }) end; many = {}");
+    const auto near = labels(s, "world.b20");
+    CHECK(has(near, "b20"));
+    CHECK(has(near, "b209"));
+    // Beyond the limit a child is found by its whole name.
+    CHECK_FALSE(has(labels(s, "world.b450"), "b4501"));
+    CHECK(labels(s, "world.b4500").at(0) == "b4500");
+    CHECK(taken(s, "world.b4500.mas") == "world.b4500.mass");
+    CHECK(labels(s, "world.b4500.").size() > 10);
+    s.run("for i = 1, 5000 do many['k' .. i] = i end");
+    CHECK(labels(s, "many.k").size() == 200);
+    for (const auto& candidate : s.runtime->complete("many.k1", 7))
+        CHECK(candidate.detail == candidate.label.substr(1));
+    // A value that is not listed is not read.
+    int reads = 0;
+    fettle::property::ClassDescriptor counted{.name = "Counted"};
+    counted.properties = {{.name = "alpha"}, {.name = "size"}};
+    counted.properties[0].binding.kind = fettle::property::BindingKind::accessor;
+    counted.properties[0].binding.context = &reads;
+    counted.properties[0].binding.get = [](void* count, stage::Row) {
+        ++*static_cast<int*>(count);
+        return stage::Value(1.0);
+    };
+    s.tree->define(std::move(counted));
+    s.run("world.counted = Counted {}");
+    reads = 0;
+    CHECK(taken(s, "world.counted.siz") == "world.counted.size");
+    CHECK(reads == 0);
+    CHECK(taken(s, "world.counted.alp") == "world.counted.alpha");
+    CHECK(reads == 1);
+}
+
 TEST_CASE("a function without arguments can be called without parentheses") {
     Stage s;
     s.run("world.ball = Body { mass = 2 }");

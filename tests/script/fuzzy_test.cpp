@@ -35,6 +35,16 @@ TEST_CASE("fuzzy matching prefers beginnings of names and of words") {
     CHECK_FALSE(fuzzy_match("x", ""));
 }
 
+TEST_CASE("fuzzy matching compares each letter with each place once") {
+    // There are 10¹⁰ ways to place seven letters at the beginnings of these words; none has the
+    // last.
+    std::string name;
+    for (int i = 0; i < 128; ++i) name += "a_";
+    CHECK_FALSE(fuzzy_match("aaaaaaab", name));
+    CHECK(score("aaaaaaaa", name) > 600);
+    CHECK(score("abab", "ab_a_ab") > 600);
+}
+
 TEST_CASE("fuzzy matching returns the matching letters") {
     const auto positions = [](std::string_view typed, std::string_view name) {
         return fuzzy_match(typed, name).value().positions;

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <functional>
+#include <tuple>
 #include <unordered_set>
 
 #include <fettle/property/path.h>
@@ -29,40 +31,64 @@ namespace fettle::script {
 namespace {
 
 constexpr std::size_t max_candidates = 200;
+// Children of one instance, or entries of one table, that are compared: each letter that somebody
+// types, here or in an attached terminal, must not delay the game.
+constexpr std::size_t max_compared = 2'000;
 
 // Order of completions while no letter is typed: values, then functions, then the rest.
 enum class Group : int { value, function, other };
+
+// Adds detail and documentation to a candidate that has its text and its label. Called for those
+// that are listed, after all have been compared.
+using Describe = std::function<void(Completion& candidate)>;
+
+Describe described(std::string detail, std::string doc = {}) {
+    return [detail = std::move(detail), doc = std::move(doc)](Completion& candidate) mutable {
+        candidate.detail = std::move(detail);
+        candidate.doc = std::move(doc);
+    };
+}
 
 class Candidates {
   public:
     Candidates(std::string_view typed, std::size_t replace_from)
         : typed_(typed), replace_from_(replace_from) {}
 
-    void add(const std::string& label, std::string detail, std::string doc, Group group) {
-        add_as(label, label, replace_from_, std::move(detail), std::move(doc), group);
+    void add(const std::string& label, Describe describe, Group group) {
+        add_as(label, label, replace_from_, std::move(describe), group);
     }
     void add_as(const std::string& label, const std::string& text, std::size_t from,
-                std::string detail, std::string doc, Group group) {
+                Describe describe, Group group) {
         const auto match = fuzzy_match(typed_, label);
         if (!match) return;
-        int score = match->score;
-        if (expected_) score += 10'000;
-        if (entries_.size() >= max_collected || !labels_.insert(label).second) return;
-        entries_.push_back({score, group, {text, label, std::move(detail), std::move(doc), from}});
+        const int score = match->score + (expected_ ? 10'000 : 0);
+        entries_.push_back(
+            {score, group, entries_.size(), {text, label, {}, {}, from}, std::move(describe)});
     }
     /// Entries that are added after `expect(true)` fit this place best and come first.
     void expect(bool expected) { expected_ = expected; }
+    std::string_view typed() const { return typed_; }
     std::size_t replace_from() const { return replace_from_; }
 
+    /// The best ones. Of those with the same label, the best one, or else the first.
     std::vector<Completion> take() {
-        std::stable_sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
-            if (a.score != b.score) return a.score > b.score;
-            if (a.group != b.group) return a.group < b.group;
-            return a.completion.label < b.completion.label;
-        });
-        if (entries_.size() > max_candidates) entries_.resize(max_candidates);
+        // Of many, few are listed: a heap need not order the others.
+        std::vector<Entry*> heap;
+        for (Entry& entry : entries_) heap.push_back(&entry);
+        const auto worse = [](const Entry* a, const Entry* b) {
+            return std::tie(a->score, b->group, b->completion.label, b->order) <
+                   std::tie(b->score, a->group, a->completion.label, a->order);
+        };
+        std::ranges::make_heap(heap, worse);
         std::vector<Completion> result;
-        for (Entry& entry : entries_) result.push_back(std::move(entry.completion));
+        std::unordered_set<std::string> labels;
+        for (; !heap.empty() && result.size() < max_candidates; heap.pop_back()) {
+            std::ranges::pop_heap(heap, worse);
+            Entry& best = *heap.back();
+            if (!labels.insert(best.completion.label).second) continue;
+            if (best.describe) best.describe(best.completion);
+            result.push_back(std::move(best.completion));
+        }
         return result;
     }
 
@@ -70,14 +96,13 @@ class Candidates {
     struct Entry {
         int score;
         Group group;
+        std::size_t order;
         Completion completion;
+        Describe describe;
     };
     std::string_view typed_;
     std::size_t replace_from_;
-    // The limit matters for a parent with very many children.
-    static constexpr std::size_t max_collected = 20'000;
     std::vector<Entry> entries_;
-    std::unordered_set<std::string> labels_;
     bool expected_ = false;
 };
 
@@ -91,48 +116,83 @@ std::string facts_with_value(const property::Tree& tree, Handle instance,
 
 void add_functions(Machine& machine, const Class& of, Candidates& out) {
     for (const property::Method* method : of.methods())
-        out.add(method->name, signature(*method), method->doc, Group::function);
+        out.add(method->name, described(signature(*method), method->doc), Group::function);
     std::vector<std::string> functions;
     machine.classes.add_function_names(of, functions);
     for (const std::string& name : functions)
-        out.add(name, "function of " + of.name(), {}, Group::function);
+        out.add(name, described("function of " + of.name()), Group::function);
     for (const GlobalDoc& method : instance_docs())
-        out.add(method.name, plain_signatures(method.signature), method.doc, Group::function);
+        out.add(method.name, described(plain_signatures(method.signature), method.doc),
+                Group::function);
+}
+
+/// `separator`: where the dot is, which a name that is no identifier replaces.
+void add_named(const std::string& name, std::size_t separator, Describe describe, Group group,
+               Candidates& out) {
+    if (property::is_identifier(name))
+        out.add(name, std::move(describe), group);
+    else
+        out.add_as(name, property::path_suffix(name), separator, std::move(describe), group);
+}
+
+void add_children(const property::Tree& tree, Handle instance, std::size_t separator,
+                  Candidates& out) {
+    const auto add = [&](Handle child) {
+        const Class* const of = &tree.class_of(child);
+        add_named(
+            tree.name(child), separator,
+            [of](Completion& candidate) {
+                candidate.detail = of->name();
+                candidate.doc = of->doc();
+            },
+            Group::value, out);
+    };
+    std::size_t compared = 0;
+    Handle child = tree.first_child(instance);
+    for (; child && compared < max_compared; child = tree.next_sibling(child), ++compared)
+        add(child);
+    // Beyond the limit a child is found by its whole name.
+    if (const Handle whole = child ? tree.child(instance, out.typed()) : Handle()) add(whole);
 }
 
 void add_instance(Machine& machine, Handle instance, bool methods_only, std::size_t separator,
                   Candidates& out) {
     const property::Tree& tree = machine.tree;
     if (!methods_only) {
-        for (Handle child = tree.first_child(instance); child; child = tree.next_sibling(child)) {
-            const std::string name = tree.name(child);
-            const std::string& of = tree.class_of(child).name();
-            if (property::is_identifier(name))
-                out.add(name, of, tree.class_of(child).doc(), Group::value);
-            else
-                out.add_as(name, property::path_suffix(name), separator, of,
-                           tree.class_of(child).doc(), Group::value);
-        }
+        add_children(tree, instance, separator, out);
         for (const Property* property : tree.properties(instance)) {
             if (property->hidden) continue;
-            out.add(property->name, facts_with_value(machine.tree, instance, *property),
-                    property->doc, Group::value);
+            out.add(
+                property->name,
+                [&tree, instance, property](Completion& candidate) {
+                    candidate.detail = facts_with_value(tree, instance, *property);
+                    candidate.doc = property->doc;
+                },
+                Group::value);
         }
     }
     add_functions(machine, tree.class_of(instance), out);
 }
 
+// The table must remain on the stack until the candidates are taken.
 void add_table(lua_State* L, int index, std::size_t separator, Candidates& out) {
     index = lua_absindex(L, index);
+    std::size_t compared = 0;
     for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+        if (++compared > max_compared) {
+            lua_pop(L, 2);
+            return;
+        }
         if (lua_type(L, -2) != LUA_TSTRING) continue;
-        const std::string name = string_at(L, -2);
-        const Group group = lua_isfunction(L, -1) ? Group::function : Group::value;
-        if (property::is_identifier(name))
-            out.add(name, cut(short_text(L, -1), 50), {}, group);
-        else
-            out.add_as(name, property::path_suffix(name), separator, cut(short_text(L, -1), 50), {},
-                       group);
+        add_named(
+            string_at(L, -2), separator,
+            [L, index](Completion& candidate) {
+                push_text(L, candidate.label);
+                lua_rawget(L, index);
+                candidate.detail = cut(short_text(L, -1), 50);
+                lua_pop(L, 1);
+            },
+            lua_isfunction(L, -1) ? Group::function : Group::value, out);
     }
 }
 
@@ -141,8 +201,10 @@ void add_members_of_type(const TypeDoc& type, bool methods_only, Candidates& out
     for (const MemberDoc& member : type.members) {
         const bool function = member.is_function();
         if (member.name[0] == '[' || (methods_only && !function)) continue;
-        out.add(member.name, function ? plain_signatures(member.signature) : member.signature,
-                member.doc, function ? Group::function : Group::value);
+        out.add(
+            member.name,
+            described(function ? plain_signatures(member.signature) : member.signature, member.doc),
+            function ? Group::function : Group::value);
     }
 }
 
@@ -152,8 +214,8 @@ void add_documented(const std::string& library, Candidates& out) {
     for (const auto* docs : {&global_docs(), &library_docs()})
         for (const GlobalDoc& doc : *docs)
             if (std::string_view(doc.name).starts_with(prefix))
-                out.add(std::string(doc.name).substr(prefix.size()), shown_name(doc), doc.doc,
-                        Group::function);
+                out.add(std::string(doc.name).substr(prefix.size()),
+                        described(shown_name(doc), doc.doc), Group::function);
 }
 
 // Adds the names in a list of descriptions, or the fields of one description.
@@ -169,12 +231,12 @@ void add_description(lua_State* L, const DescriptionKind& kind, Candidates& out)
                 if (lua_type(L, -1) == LUA_TSTRING) doc = string_at(L, -1);
                 lua_pop(L, 2);
             }
-            out.add(string_at(L, -2), cut(short_text(L, -1), 50), doc, Group::value);
+            out.add(string_at(L, -2), described(cut(short_text(L, -1), 50), doc), Group::value);
         }
     }
     for (const std::string& field : kind.fields) {
         lua_getfield(L, table, field.c_str());
-        out.add(field, cut(short_text(L, -1), 50), {}, Group::value);
+        out.add(field, described(cut(short_text(L, -1), 50)), Group::value);
         lua_pop(L, 1);
     }
     lua_pop(L, 1);
@@ -209,7 +271,7 @@ void add_members(lua_State* L, Machine& machine, std::string_view path, bool met
             std::vector<std::string> names;
             machine.classes.add_function_names(*of, names);
             for (const std::string& name : names)
-                out.add(name, "function of " + of->name(), {}, Group::function);
+                out.add(name, described("function of " + of->name()), Group::function);
         }
     } else if (lua_type(L, -1) == LUA_TSTRING) {
         add_documented("string", out);
@@ -219,39 +281,47 @@ void add_members(lua_State* L, Machine& machine, std::string_view path, bool met
     }
 }
 
+void describe_global(lua_State* L, Machine& machine, Completion& candidate) {
+    if (const GlobalDoc* doc = global_doc(candidate.label)) {
+        candidate.detail = shown_name(*doc);
+        candidate.doc = doc->doc;
+    } else if (const Class* of = machine.tree.find_class(candidate.label)) {
+        candidate.detail = "class";
+        candidate.doc = of->doc();
+    } else {
+        const Property* read = nullptr;
+        const int top = lua_gettop(L);
+        if (push_path(L, machine, candidate.label, &read))
+            candidate.detail = cut(short_text(L, -1), 50);
+        lua_settop(L, top);
+    }
+}
+
 void add_globals(lua_State* L, Machine& machine, Candidates& out) {
     for (const std::string& name : global_names(machine)) {
-        std::string detail, text_doc;
-        if (const GlobalDoc* doc = global_doc(name)) {
-            detail = shown_name(*doc);
-            text_doc = doc->doc;
-        } else if (const Class* of = machine.tree.find_class(name)) {
-            detail = "class";
-            text_doc = of->doc();
-        } else {
-            const Property* read = nullptr;
-            const int top = lua_gettop(L);
-            if (push_path(L, machine, name, &read)) detail = cut(short_text(L, -1), 50);
-            lua_settop(L, top);
-        }
         const Group group = machine.tree.child(machine.tree.root(), name) || name == "game"
                                 ? Group::value
                                 : Group::other;
         if (name != "_G" && name != "_VERSION")
-            out.add(name, std::move(detail), std::move(text_doc), group);
+            out.add(
+                name,
+                [L, &machine](Completion& candidate) { describe_global(L, machine, candidate); },
+                group);
     }
     if (machine.tree.alive(machine.globals.it))
-        out.add("it", machine.tree.path(machine.globals.it), "what is selected", Group::value);
+        out.add("it", described(machine.tree.path(machine.globals.it), "what is selected"),
+                Group::value);
     for (const char* word : {"and", "break",    "do",     "else", "elseif", "end",   "false",
                              "for", "function", "if",     "in",   "local",  "nil",   "not",
                              "or",  "repeat",   "return", "then", "true",   "until", "while"})
-        out.add(word, {}, {}, Group::other);
+        out.add(word, {}, Group::other);
 }
 
 void add_keys(const property::Tree& tree, const Class& of, Candidates& out) {
     for (const Property* property : of.properties())
         if (!property->hidden && !property->read_only)
-            out.add(property->name, property_facts(tree, *property), property->doc, Group::value);
+            out.add(property->name, described(property_facts(tree, *property), property->doc),
+                    Group::value);
 }
 
 // The class whose constructor contains the cursor, if a key may be written there.
@@ -291,14 +361,15 @@ const Property* assigned_property(lua_State* L, Machine& machine, std::string_vi
 
 void add_enumerators(const Property& property, bool quoted, Candidates& out) {
     const auto add = [&](const std::string& word) {
-        out.add_as(word, quoted ? word : "\"" + word + "\"", out.replace_from(), property.name, {},
-                   Group::value);
+        out.add_as(word, quoted ? word : "\"" + word + "\"", out.replace_from(),
+                   described(property.name), Group::value);
     };
     for (const std::string& word : property.enumerators) add(word);
     if (property.type == Type::color && quoted)
         for (const std::string& name : property::color_names()) add(name);
     if (property.type == Type::boolean && !quoted)
-        for (const char* word : {"true", "false"}) out.add(word, property.name, {}, Group::value);
+        for (const char* word : {"true", "false"})
+            out.add(word, described(property.name), Group::value);
 }
 
 // Completes inside quotes: texts that the function or property before them accepts.
@@ -315,7 +386,7 @@ void add_in_string(lua_State* L, Machine& machine, std::string_view before, cons
     const std::size_t name_at = word_start(before, end);
     const std::string_view function = before.substr(name_at, end - name_at);
     if (function == "color") {
-        for (const std::string& name : property::color_names()) out.add(name, {}, {}, Group::value);
+        for (const std::string& name : property::color_names()) out.add(name, {}, Group::value);
         return;
     }
     if (name_at == 0 || before[name_at - 1] != ':') return;
@@ -328,17 +399,42 @@ void add_in_string(lua_State* L, Machine& machine, std::string_view before, cons
         if (box && machine.tree.alive(box->handle)) of = &machine.tree.class_of(box->handle);
         if (of && function == "on")
             for (const property::Event* event : of->events())
-                out.add(event->name, "event", event->doc, Group::value);
+                out.add(event->name, described("event", event->doc), Group::value);
         if (of && (function == "watch" || function == "has"))
             for (const Property* property : of->properties())
-                out.add(property->name, property_facts(machine.tree, *property), property->doc,
+                out.add(property->name,
+                        described(property_facts(machine.tree, *property), property->doc),
                         Group::value);
         if (function == "find" || function == "all" || function == "each" || function == "is_a" ||
             function == "children")
             for (const Class* each : machine.tree.classes())
-                out.add(each->name(), "class", each->doc(), Group::value);
+                out.add(each->name(), described("class", each->doc()), Group::value);
     }
     lua_settop(L, top);
+}
+
+// Adds what fits the place after `before`.
+void add_all(lua_State* L, Machine& machine, std::string_view before, const Scan& scanned,
+             Candidates& out) {
+    if (scanned.in_string) return add_in_string(L, machine, before, scanned, out);
+    const std::size_t token = out.replace_from();
+    const char separator = token > 0 ? before[token - 1] : '\0';
+    const bool concatenation = separator == '.' && token > 1 && before[token - 2] == '.';
+    if ((separator == '.' && !concatenation) || separator == ':') {
+        const std::size_t start = path_start(before, token - 1);
+        const Property* read = nullptr;
+        const std::string_view path = before.substr(start, token - 1 - start);
+        if (push_path(L, machine, path, &read))
+            add_members(L, machine, path, separator == ':', token - 1, out);
+        return;
+    }
+    out.expect(true);
+    if (const Property* property = assigned_property(L, machine, before, scanned, token))
+        add_enumerators(*property, false, out);
+    if (const Class* of = constructor_at(machine.tree, before, scanned, token))
+        add_keys(machine.tree, *of, out);
+    out.expect(false);
+    add_globals(L, machine, out);
 }
 
 }  // namespace
@@ -349,34 +445,16 @@ std::vector<Completion> complete(Machine& machine, std::string_view input, std::
     const std::size_t token =
         scanned.in_string ? scanned.string_start : word_start(before, before.size());
     Candidates out(before.substr(token), token);
+    std::vector<Completion> found;
     protected_run(
         machine, "completion",
         [&](lua_State* L) {
-            if (scanned.in_string) {
-                add_in_string(L, machine, before, scanned, out);
-                return;
-            }
-            const char separator = token > 0 ? before[token - 1] : '\0';
-            const bool concatenation = separator == '.' && token > 1 && before[token - 2] == '.';
-            if ((separator == '.' && !concatenation) || separator == ':') {
-                const std::size_t start = path_start(before, token - 1);
-                const Property* read = nullptr;
-                const std::string_view path = before.substr(start, token - 1 - start);
-                if (push_path(L, machine, path, &read))
-                    add_members(L, machine, path, separator == ':', token - 1, out);
-                return;
-            }
-            out.expect(true);
-            if (const Property* property = assigned_property(L, machine, before, scanned, token))
-                add_enumerators(*property, false, out);
-            if (const Class* of = constructor_at(machine.tree, before, scanned, token))
-                add_keys(machine.tree, *of, out);
-            out.expect(false);
-            add_globals(L, machine, out);
+            add_all(L, machine, before, scanned, out);
+            found = out.take();
         },
         false);
     machine.errors.caught.reset();
-    return out.take();
+    return found;
 }
 
 }  // namespace fettle::script

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <string>
 
@@ -13,6 +14,8 @@ namespace {
 
 using Positions = std::vector<std::size_t>;
 
+constexpr std::size_t longest_name = 256;
+
 /// The positions of `count` bytes from `first` on.
 Positions run(std::size_t first, std::size_t count) {
     Positions positions(count);
@@ -20,19 +23,39 @@ Positions run(std::size_t first, std::size_t count) {
     return positions;
 }
 
-/// Whether each remaining letter continues the current word or begins a later one. `found`:
-/// positions of the letters so far.
-bool matches_words(std::string_view typed, std::string_view name, Positions& found) {
-    if (found.size() == typed.size()) return true;
-    const char wanted = typed[found.size()];
-    for (std::size_t at = found.back() + 1; at < name.size(); ++at) {
-        if (name[at] != wanted || (at != found.back() + 1 && name[at - 1] != '_')) continue;
-        found.push_back(at);
-        if (matches_words(typed, name, found)) return true;
-        found.pop_back();
+/// Positions of the letters if each of them continues a word or begins a later one; empty if they
+/// do not. `typed` has at most eight letters, the first of which begins the name.
+class WordMatch {
+  public:
+    WordMatch(std::string_view typed, std::string_view name) : typed_(typed), name_(name) {}
+
+    Positions positions() {
+        found_ = {0};
+        return goes_on() ? std::move(found_) : Positions();
     }
-    return false;
-}
+
+  private:
+    /// Whether the letters after those that are found have a place.
+    bool goes_on() {
+        const std::size_t next = found_.size();
+        if (next == typed_.size()) return true;
+        for (std::size_t at = found_.back() + 1; at < name_.size(); ++at) {
+            if (name_[at] != typed_[next] || (at != found_.back() + 1 && name_[at - 1] != '_'))
+                continue;
+            // A letter that led nowhere from here leads nowhere again.
+            if (in_vain_[at] >> next & 1) continue;
+            found_.push_back(at);
+            if (goes_on()) return true;
+            found_.pop_back();
+            in_vain_[at] = static_cast<unsigned char>(in_vain_[at] | 1 << next);
+        }
+        return false;
+    }
+
+    std::string_view typed_, name_;
+    Positions found_;
+    std::array<unsigned char, longest_name> in_vain_{};  // by place; a bit for each letter
+};
 
 /// Positions of the letters in order; empty if one is missing.
 Positions in_order(std::string_view typed, std::string_view name) {
@@ -51,7 +74,7 @@ std::optional<FuzzyMatch> fuzzy_match(std::string_view typed, std::string_view n
     const auto begins = [&](int score) { return FuzzyMatch{score, run(0, typed.size())}; };
     if (typed.empty()) return begins(1);
     if (typed == name) return begins(1000);
-    if (typed.size() > 64 || name.size() > 256) {
+    if (typed.size() > 64 || name.size() > longest_name) {
         if (name.starts_with(typed)) return begins(800);
         return std::nullopt;
     }
@@ -60,9 +83,9 @@ std::optional<FuzzyMatch> fuzzy_match(std::string_view typed, std::string_view n
     if (name.starts_with(typed)) return begins(900 - longer);
     const std::string a = lower(typed), b = lower(name);
     if (b.starts_with(a)) return begins(800 - longer);
-    if (Positions words = {0};
-        a.size() > 1 && a.size() <= 8 && a[0] == b[0] && matches_words(a, b, words))
-        return FuzzyMatch{700 - longer, std::move(words)};
+    if (a.size() > 1 && a.size() <= 8 && a[0] == b[0])
+        if (Positions words = WordMatch(a, b).positions(); !words.empty())
+            return FuzzyMatch{700 - longer, std::move(words)};
     if (const std::size_t at = b.find(a); at != std::string::npos)
         return FuzzyMatch{600 - longer, run(at, a.size())};
     if (Positions found = in_order(a, b); found.size() > 1) {
