@@ -24,8 +24,8 @@ using namespace wild;
 /// The seed of the world that runs, for the message of a crash.
 std::uint64_t running_seed = 0;
 
-/// A world that takes a processor longer than this hangs, s. To minimize what is found in it takes
-/// half a minute at most.
+/// Processor time after which a world counts as hung, s. The time for minimizing its findings is
+/// included, which is half a minute at most.
 constexpr long longest = 300;
 
 void limit_time(long seconds) {
@@ -33,7 +33,8 @@ void limit_time(long seconds) {
     setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
-/// Reports the world and ends: it calls only what a signal handler may call.
+/// Reports the seed of the world and ends the process. Calls only functions that a signal handler
+/// may call.
 extern "C" void report_crash(int signal) {
     std::array<char, 160> text{};
     char* at =
@@ -52,7 +53,8 @@ void watch_for_crashes() {
         std::signal(signal, report_crash);
 }
 
-/// Throws for an engine that cannot run these worlds.
+/// True if one of the engines is Box2D. Throws std::invalid_argument for an engine that cannot run
+/// these worlds.
 bool has_box2d(const WildOptions& options) {
     for (const std::string& name : options.engines) {
         if (name == "fettle") continue;

@@ -15,7 +15,7 @@ std::string quoted(const std::string& text) {
     return out + "'";
 }
 
-/// The output of a command on both streams; empty if the command fails.
+/// The output of a command on both streams, also if the command fails; empty if no shell starts.
 std::string output_of(const std::string& command) {
     struct Close {
         void operator()(std::FILE* pipe) const { pclose(pipe); }

@@ -88,8 +88,8 @@ StepTime Simulation::edited_step() {
     std::size_t body = topmost(true, any_height);
     const bool held = body == scene_.bodies.size();
     if (held) body = topmost(false, any_height);
-    // A body under a ceiling cannot move up, but then it can move down. One that others hit in this
-    // step goes where they send it; then the next one is tried.
+    // A body under a ceiling cannot move up, but then it can move down. If other bodies hit it in
+    // this step, their impulses may hide the effect of the edit; then the next body is tried.
     constexpr int most_tried = 20;
     StepTime time;
     float moved = 0;

@@ -1,4 +1,4 @@
-// Scenes with joints: many joints, and one that turns a drum.
+// Scenes with joints: a grid of joints, and motors that turn a drum and a rotor.
 
 #include <cmath>
 #include <limits>

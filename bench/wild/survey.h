@@ -1,5 +1,5 @@
 #pragma once
-// Many worlds are drawn, tried and, where they fail, minimized.
+// Draws many worlds, runs them, and minimizes those that fail.
 
 #include <array>
 #include <cstdint>
@@ -44,7 +44,8 @@ struct Listener {
 };
 Survey survey(const SurveyOptions& options, const Listener& listener = {});
 
-/// All that a plan violates in the library, of these invariants.
+/// Runs a plan in the library and finds which of these invariants it violates. `compare`: also runs
+/// it in other ways that must have the same result (invariant `same`).
 Trial try_in_fettle(const WorldPlan& plan, std::span<const Invariant> watched, bool compare);
 
 }  // namespace fettle::bench::wild

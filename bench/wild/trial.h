@@ -1,5 +1,5 @@
 #pragma once
-// A plan is run once, and all that it violates is found.
+// Runs a plan once and finds all invariants that it violates.
 
 #include <vector>
 

@@ -40,7 +40,7 @@ class Check {
     Check(const Check&) = delete;
     Check& operator=(const Check&) = delete;
     virtual ~Check() = default;
-    /// Says what is wrong, if anything is.
+    /// Describes the violation; nullopt if the invariant holds.
     virtual std::optional<std::string> look(const Moment& moment) = 0;
 };
 

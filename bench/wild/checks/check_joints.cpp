@@ -1,4 +1,4 @@
-// Joints hold.
+// Joints hold together what they connect.
 
 #include <algorithm>
 #include <cmath>
@@ -13,22 +13,23 @@
 namespace fettle::bench::wild {
 namespace {
 
-/// A joint is a soft constraint of 60 Hz: what an impact leaves is gone within some periods, so
-/// only what lasts for a quarter of a second is a failure of the joint.
+/// A joint is a soft constraint of 60 Hz: a gap that an impact leaves closes within some periods,
+/// so only a gap that lasts for a quarter of a second is a failure of the joint.
 constexpr double settling_time = 0.25;  // s
 
-/// The library closes a gap at 4 m/s at most, and more slowly under a load: what a joint is given
-/// wide open, by an edit or by a body that moves by command, takes as long as that.
+/// The library limits the speed at which a gap closes (2 m/s, more under heavy loads). So a wide
+/// gap, made by an edit or by a kinematic body, needs time in proportion to its width.
 constexpr double closing_speed = 3;  // m/s
 
-/// A chain of 30 links may stretch by 2 % under 100 times its weight, which a joint alone may not
-/// exceed: 2 % of the size of its bodies, and 1 cm of slack; 0.05 rad are 1 cm at 20 cm.
+/// A chain of 30 links may stretch by 2 % under 100 times its weight. One joint may not stretch by
+/// more: by 2 % of the size of its bodies and 1 cm of slack; 0.05 rad are 1 cm at 20 cm.
 constexpr float slack = 0.01f;          // m
 constexpr float share = 0.02f;          // of the size of the bodies
 constexpr float angular_slack = 0.05f;  // rad
 
-/// The stiffness of joints is at most a quarter of the rate of the sub-steps, and what a load
-/// stretches goes with the square of it. From sub-steps longer than 1/240 s on it is below 60 Hz.
+/// The factor by which a load stretches a joint further than at 60 Hz. The stiffness is at most a
+/// quarter of the rate of the sub-steps, so with sub-steps longer than 1/240 s it is below 60 Hz; a
+/// load stretches a joint in proportion to 1 / stiffness².
 float yielding_of(const Moment& moment) {
     const float substep = moment.dt / float(moment.plan.def.substeps);
     return std::pow(std::max(240 * substep, 1.0f), 2.0f);
@@ -40,7 +41,8 @@ class Joints : public Check {
         const WorldPlan& plan = moment.plan;
         if (moment.step == 0) reset(plan);
         if (is_windy_) return {};
-        // Steps of several lengths in turn: what a long one left is there in the next, too.
+        // If the lengths of steps vary, the stretch that a long step left is still there
+        // afterwards.
         yielding_ = std::max(yielding_, yielding_of(moment));
         const std::vector<bool> squeezed = pressed(moment);
         const auto is_squeezed = [&](int body) {
@@ -55,13 +57,13 @@ class Joints : public Check {
             if (!gap) continue;
             if (joint.born == moment.step) leave_out_unless_held(moment, i);
             const float size = size_of(plan, joint);
-            // What a joint sees for the first time in a step, it answers in the next.
+            // A joint responds in the next step to a motion that it gets in this one.
             const Anchors at = anchors_of(joint, moment.after);
             const float speed =
                 (velocity(moment, joint.b, at.b) - velocity(moment, joint.a, at.a)).length();
             const float spin = std::abs(rate(moment, joint.b) - rate(moment, joint.a));
-            // A contact that pushes apart what the joint holds together may win for as long. The
-            // force of a body that moves by command has no bound.
+            // While a contact pushes the two bodies apart, the gap is no failure, since the force
+            // of a kinematic body has no bound.
             const bool pushed = is_pushed(moment, joint.a) || is_pushed(moment, joint.b) ||
                                 is_squeezed(joint.a) || is_squeezed(joint.b);
             const float arc = beside_arc(moment, joint.a, at.a) + beside_arc(moment, joint.b, at.b);
@@ -95,8 +97,8 @@ class Joints : public Check {
                     left_out_[i] = true;
     }
 
-    /// Joints of a group that is held at two places, or in a ring, may be unable to hold: a
-    /// straight bridge between two posts is stretched without bound by the smallest weight.
+    /// Leaves out joints of a group that is held at two places, or that forms a ring. Such joints
+    /// may be unable to hold: the smallest weight stretches a straight bridge between two posts.
     void leave_out_taut(const WorldPlan& plan) {
         std::vector<int> group(plan.bodies.size());
         std::iota(group.begin(), group.end(), 0);
@@ -124,20 +126,20 @@ class Joints : public Check {
                     left_out_[i] = true;
     }
 
-    /// A joint that begins apart may never close.
+    /// Leaves out a joint that has a gap when it is made, since the gap may never close.
     void leave_out_unless_held(const Moment& moment, std::size_t i) {
         const auto gap = gap_of(moment.plan.joints[i], moment.before);
         if (!gap || gap->length > slack || gap->angle > angular_slack) left_out_[i] = true;
     }
 
-    /// A joint whose ends are both held elsewhere, at least by other joints, may be unable to hold:
-    /// such are left out when a body of its group is teleported or moves by command.
+    /// Leaves out a joint when one of its bodies is edited, and then the other joints of these
+    /// bodies: both ends may now be held in places that are too far apart.
     void leave_out_infeasible(const Moment& moment, std::size_t i) {
         const JointPlan& joint = moment.plan.joints[i];
         for (const int end : {joint.a, joint.b})
             if (end != the_world && moment.edited_bodies[std::size_t(end)]) left_out_[i] = true;
         if (!left_out_[i]) return;
-        // The rest of the group follows.
+        // The other joints of its bodies are left out too, and so on through the group.
         for (std::size_t k = 0; k < moment.plan.joints.size(); ++k) {
             const JointPlan& other = moment.plan.joints[k];
             for (const int end : {joint.a, joint.b})
@@ -157,7 +159,7 @@ class Joints : public Check {
     static Vec2 velocity(const Moment& moment, int body, const Vec2& at) {
         return body == the_world ? Vec2(0, 0) : moment.after[std::size_t(body)].velocity_at(at);
     }
-    /// A sub-step moves an anchor along a tangent, which leads it away from its circle.
+    /// How far a sub-step moves an anchor off its circle, since it moves it along a tangent, m.
     static float beside_arc(const Moment& moment, int body, const Vec2& at) {
         if (body == the_world) return 0;
         const BodyNow& now = moment.after[std::size_t(body)];
@@ -171,7 +173,7 @@ class Joints : public Check {
     float yielding_ = 1;
     bool is_windy_ = false;
     std::vector<double> since_;
-    std::vector<double> opened_;  // so far, when the gap was first seen, m
+    std::vector<double> opened_;  // length of the gap when it was first seen, m
     std::vector<bool> left_out_;
 };
 

@@ -1,4 +1,4 @@
-// Nothing passes through what is static or kinematic; bullets and moving bodies do not pass through
+// No body passes through a static or kinematic body; bullets and moving bodies do not pass through
 // each other.
 
 #include <map>
@@ -10,7 +10,8 @@ namespace fettle::bench::wild {
 namespace {
 
 /// The library pushes overlapping shapes apart with up to 3 m/s, so an overlap that it still pushes
-/// back is gone after a quarter of a second; what is inside or behind for longer is through.
+/// back is gone after a quarter of a second. A body that is inside or behind an obstacle for longer
+/// has passed through it.
 constexpr double push_time = 0.25;  // s
 
 std::string words(const char* says, const Passage& passage, int entered) {
@@ -67,14 +68,15 @@ class Through : public Check {
         const Entry entry = found->second;
         if (passage.sense == entry.passage.sense) return {};
         inside_.erase(found);
-        // It leaves a solid on the opposite side.
+        // The body leaves a solid on the side opposite to the one where it entered.
         if (passage.kind == Outline::Kind::solid &&
             passage.normal.dot(entry.passage.normal) < -0.3f)
             return words(" passes through body ", passage, entry.step);
         return {};
     }
 
-    /// A body that is made deep in another one came from neither side. It is judged when it is out.
+    /// A body that is made deep inside another one came from neither side, so its crossings count
+    /// only after it has left the other body.
     void note_overlaps(const Moment& moment) {
         overlaps_.resize(moment.after.size(), false);
         for (std::size_t i = 0; i < overlaps_.size(); ++i)
@@ -82,8 +84,8 @@ class Through : public Check {
                            (overlaps_[i] || moment.plan.bodies[i].born == moment.step);
     }
 
-    /// Something must give way where a body is pressed between what moves by command and what does
-    /// not move, or between a bullet and another body.
+    /// True if a body is pressed between a kinematic and a fixed obstacle, or between a bullet and
+    /// another body. It then has to overlap one of the two.
     bool is_squeezed(const Passage& passage, const Moment& moment) const {
         const BodyNow& obstacle = moment.after[std::size_t(passage.obstacle)];
         if (obstacle.type != BodyType::static_body)
@@ -101,7 +103,7 @@ class Through : public Check {
 };
 
 /// The border of the world pushes back however deep a body is in it, and a thin one in a pile may
-/// sink in by half of it: only what is out for long is lost.
+/// sink in by half of it. So only a body that is outside for longer than this is lost.
 constexpr double push_back_time = 1;  // s
 
 class Border : public Check {
@@ -113,7 +115,7 @@ class Border : public Check {
         left_out_.resize(moment.after.size(), false);
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
             const BodyNow& body = moment.after[i];
-            // What begins outside has to come in first.
+            // A body that begins outside does not count.
             if (moment.edited_bodies[i] || (moment.plan.bodies[i].born == moment.step &&
                                             is_outside(moment.before[i], *bounds)))
                 left_out_[i] = true;
@@ -139,7 +141,7 @@ class Border : public Check {
                !std::holds_alternative<Concave>(body.shapes[0].geometry);
     }
     std::vector<double> outside_;
-    std::vector<bool> left_out_;  // were edited
+    std::vector<bool> left_out_;  // were edited, or began outside
 };
 
 class Both : public Check {

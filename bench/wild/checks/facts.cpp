@@ -23,7 +23,7 @@ bool stores_energy(const JointPlan& joint) {
     return joint.number("set_motor_speed", 0) != 0;
 }
 
-/// An edit that sets something in motion for the time after it, and not only at its moment.
+/// True for an edit that drives bodies in all later steps, and not only at its moment.
 bool drives(const Setting& setting) {
     for (const char* name : {"set_motor_speed", "set_target", "set_linear_offset", "set_hertz",
                              "set_surface_speed", "set_type", "set_gravity_scale", "set_length"})
@@ -126,9 +126,9 @@ float plausible_speed(const WorldPlan& plan, float seconds) {
         const std::string& setter = edit.setting.setter;
         const float size = edit.setting.value.length();
         if (setter == "set_velocity") speed = std::max(speed, size);
-        // The lightest bodies of the grammar have some grams.
+        // The lightest bodies of the grammar have some grams, so an impulse may give any speed.
         if (setter == "apply_impulse") return infinity;
-        // A joint pulls back what is put elsewhere.
+        // A joint pulls a teleported body back at any speed.
         if (setter == "set_position" && !plan.joints.empty()) return infinity;
         if (setter == "set_angular_velocity" || setter == "set_motor_speed")
             speed = std::max(speed, reach * size);

@@ -1,5 +1,5 @@
 #pragma once
-// How far joints are from what they hold, computed from the poses of their bodies.
+// By how much joints fail to hold their bodies together, computed from the poses of the bodies.
 
 #include <optional>
 
@@ -12,8 +12,8 @@ struct Gap {
     float angle = 0;   // rad
 };
 
-/// How far a joint is from what it holds rigidly: springs and motors may give way, so they have no
-/// gap. None if one of its bodies does not exist.
+/// The error of the rigid parts of a joint. Springs and motors may give way, so they have no gap.
+/// nullopt if one of the bodies does not exist.
 std::optional<Gap> gap_of(const JointPlan& joint, const std::vector<BodyNow>& bodies);
 
 /// The places of both anchors.

@@ -1,4 +1,4 @@
-// What games build of several bodies and joints.
+// Contraptions of several bodies and joints, as games build them.
 
 #include <algorithm>
 #include <cmath>
@@ -124,7 +124,7 @@ void draw_seesaw(Sketch& sketch, float x) {
     sketch.dynamic({x + 1.5f, sketch.random.number(2, 8)}, Box{.width = 0.7f, .height = 0.7f});
 }
 
-/// A box of welded boards, or two welded bodies.
+/// A row of two to six boards, each welded to the next.
 void draw_welded(Sketch& sketch, float x) {
     Random& random = sketch.random;
     const float y = random.number(2, 6);
@@ -145,7 +145,7 @@ void draw_welded(Sketch& sketch, float x) {
     }
 }
 
-/// A soft body: a ring of balls with springs, or a net.
+/// A soft body: a ring of balls that springs connect.
 void draw_soft(Sketch& sketch, float x) {
     const int count = 8;
     const float radius = 0.8f, y = sketch.random.number(2, 5);
@@ -168,7 +168,7 @@ void draw_soft(Sketch& sketch, float x) {
         }
 }
 
-/// Two meshed wheels, one of which a motor or a weight turns.
+/// Two meshed wheels. A motor may turn the small one, and a ratchet may hold the large one.
 void draw_gears(Sketch& sketch, float x) {
     Random& random = sketch.random;
     ShapeDef none = sketch.surface();
@@ -202,7 +202,7 @@ void draw_pulley(Sketch& sketch, float x) {
     pulley.set({"set_length", {2 * 4.7f, 0}});
 }
 
-/// Pendulums side by side.
+/// Pendulums side by side, the first of which is raised.
 void draw_cradle(Sketch& sketch, float x) {
     const ShapeDef surface{.friction = 0, .restitution = 1};
     const int count = sketch.random.whole(2, 5);

@@ -1,4 +1,5 @@
-// A joint of any type with any of its settings, between two bodies or a body and the world.
+// A joint of a random type with random settings, between two bodies or a body and the world. Gears,
+// ratchets and pulleys are in draw_contraptions.cpp.
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Bodies without joints: what falls, flies, stands in stacks and lies in piles.
+// Bodies without joints, which fall, fly, stand in stacks and lie in piles.
 
 #include <algorithm>
 
@@ -71,7 +71,7 @@ void draw_dominoes(Sketch& sketch, float x) {
     first.def.angular_velocity = -2;
 }
 
-/// A wall of boxes or a thin wall, and something fast that flies at it.
+/// A fixed wall, a loose wall or a ball, and fast bodies that fly at it.
 void draw_shots(Sketch& sketch, float x) {
     Random& random = sketch.random;
     const int target = random.whole(0, 2);
@@ -92,7 +92,7 @@ void draw_shots(Sketch& sketch, float x) {
     }
 }
 
-/// A sensor, and something that crosses it.
+/// A sensor, and a body that crosses it.
 void draw_gate(Sketch& sketch, float x) {
     Random& random = sketch.random;
     const int gate = sketch.fixed({x + 1, 2}, Box{.width = random.number(0.3f, 1), .height = 4});
