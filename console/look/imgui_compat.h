@@ -174,7 +174,7 @@ class Recovery {
 
   private:
     static void end_window_content(const ImGuiContext& context) {
-        // Groups in a table end before it.
+        // Groups that were begun in a table must end before the table does.
         while (context.GroupStack.Size >
                context.CurrentWindowStack.back().StackSizesOnBegin.SizeOfGroupStack)
             ImGui::EndGroup();
@@ -223,8 +223,8 @@ inline void clipboard(void* user, ReadClipboard read, WriteClipboard write) {
 
 #if IMGUI_VERSION_NUM >= 19200
 
-/// Whether a glyph may be a picture. Since 1.92 glyphs are made when they are drawn, from the files
-/// of the fonts alone.
+/// Whether a glyph may be a picture. Since 1.92 it may not: glyphs are made when they are drawn,
+/// and only from the files of the fonts.
 inline constexpr bool pictures_of_glyphs = false;
 inline int add_glyph(ImFontAtlas&, ImFont*, ImWchar, int, int, float, ImVec2) {
     return 0;

@@ -82,7 +82,7 @@ std::optional<Message> AttachedGame::next(bool waits) {
     return std::nullopt;
 }
 
-/// Returns whether something has come.
+/// True if bytes were received.
 bool AttachedGame::receive(bool waits) {
     for (;;) {
         pollfd ready{.fd = socket_, .events = POLLIN, .revents = 0};

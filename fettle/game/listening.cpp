@@ -18,8 +18,8 @@ std::string Session::reason_not_to_listen() const {
 
 #ifdef FETTLE_WITH_CONSOLE
 
-/// Begins or ends to listen as `console.listen` says, and answers what terminals ask. Called
-/// between two frames, so that a recording contains their commands like typed ones.
+/// Starts or stops listening as `console.listen` says, and answers the requests of terminals.
+/// Called between two frames, so that a recording contains commands of terminals like typed ones.
 void Session::listen() {
     if (!console_) return;
     if (!console_->listens()) return listener_.reset();

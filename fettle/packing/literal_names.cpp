@@ -39,7 +39,7 @@ class Reader {
             } else if (std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_') {
                 read_word();
             } else {
-                // A character between a function and its argument.
+                // Only a bracket or a space may stand between a function and its argument.
                 if (c != '(' && std::isspace(static_cast<unsigned char>(c)) == 0) before_.clear();
                 advance();
             }

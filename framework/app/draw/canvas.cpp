@@ -57,7 +57,7 @@ void Canvas::set_state(const State& next) {
     const State& now = state();
     const bool same_clip = now.clipped == next.clipped && now.clip_lower == next.clip_lower &&
                            now.clip_upper == next.clip_upper;
-    // What is drawn already belongs to the old state.
+    // The triangles that are collected already belong to the old state.
     if (now.opacity != next.opacity) draw_collected();
     if (now.blend != next.blend || !same_clip) flush();
     transformed_ = !next.transform.is_identity();
@@ -133,7 +133,7 @@ void Canvas::draw(const std::vector<CanvasVertex>& vertices, sf::PrimitiveType t
     sf::RenderStates states;
     states.texture = &texture;
     if (blend == property::Blend::add) states.blendMode = sf::BlendAdd;
-    // The colors are multiplied by their opacity, so what is transparent changes nothing.
+    // The colors are multiplied by their opacity, so transparent parts change nothing.
     if (blend == property::Blend::multiply)
         states.blendMode =
             sf::BlendMode(sf::BlendMode::Factor::DstColor, sf::BlendMode::Factor::OneMinusSrcAlpha,

@@ -14,11 +14,12 @@ namespace {
 
 struct Controller {
     std::string_view name;
-    std::string_view maker;  // hexadecimal digits; "": of any other
+    std::string_view maker;  // hexadecimal digits; "": every other maker
     std::string_view mapping;
 };
 
-// Buttons are in the order of Linux's drivers: xpad; hid-playstation and hid-sony; hid-nintendo.
+// Buttons and axes have the numbers that Linux's drivers give them: hid-playstation and hid-sony;
+// hid-nintendo; xpad.
 constexpr std::array<Controller, 3> controllers{{
     {"playstation", "054c",
      "a:b0,b:b1,y:b2,x:b3,leftshoulder:b4,rightshoulder:b5,back:b8,start:b9,guide:b10,"
@@ -40,7 +41,7 @@ constexpr std::array<std::string_view, 15> button_entries{
     "guide", "leftstick", "rightstick", "dpup", "dpright",      "dpdown",        "dpleft"};
 constexpr std::array<std::string_view, pad_targets> target_entries{
     "leftx", "lefty", "rightx", "righty", "lefttrigger", "righttrigger"};
-// Entries of other programs' texts that have no meaning here.
+// Entries that mappings of other programs contain and that have no meaning here.
 constexpr std::array<std::string_view, 16> ignored_entries{
     "platform", "crc",     "type",    "face",    "hint",    "misc1",    "misc2", "misc3",
     "misc4",    "paddle1", "paddle2", "paddle3", "paddle4", "touchpad", "sdk",   "name"};

@@ -1,5 +1,5 @@
 #pragma once
-// `view.show.blame`: what is drawn gets the color of who wrote it last.
+// `view.show.blame`: draws each instance in the color of its last writer.
 
 #include <string>
 #include <vector>
@@ -14,12 +14,12 @@ struct Blamed {
     std::string writer;  // "main.lua:30", "console", "inspector", "physics", "unknown"
 };
 
-/// The topmost instances with a position, each with the last writer of a value of it or of an
-/// instance below it. The simulation counts as the writer if it moves the instance and no other
-/// writer wrote within the last second (`dt`: s, a step).
+/// The topmost instances with a position. The writer of each is the last one that changed a value
+/// of the instance or of an instance below it. The simulation counts as the writer if it moves the
+/// instance and no other writer wrote within the last second. `dt`: length of a step, s.
 std::vector<Blamed> blamed(const property::Tree& tree, double dt);
 
-/// Draws them again in the colors of their writers, and the legend at the lower left.
+/// Draws these instances again in the colors of their writers, and the legend at the lower left.
 void draw_blame(property::Painter& painter, const property::Tree& tree, double dt, double alpha);
 
 }  // namespace fettle::app

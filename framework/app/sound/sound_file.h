@@ -58,7 +58,7 @@ class SoundReader {
   public:
     explicit SoundReader(std::shared_ptr<const SoundFile> file);
     ~SoundReader();
-    /// Silence beyond the end. Fast for one frame after the other.
+    /// Silence beyond the end. Fast if the frames are read in order.
     Stereo frame(std::uint64_t index);
 
   private:

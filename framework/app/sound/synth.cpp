@@ -13,7 +13,7 @@ constexpr int control_interval = 16;         // samples between two updates of s
 constexpr std::size_t longest_delay = 4096;  // samples
 constexpr double noise_values = 32;          // random values in one period
 constexpr double no_low_pass = 20000;        // Hz, from here on the filter is off
-constexpr double lowest_kept = 10;           // Hz; an uneven square would have a constant part
+constexpr double lowest_kept = 10;  // Hz; removes the constant part of a square with `duty` != 0.5
 
 using P = SynthParameters;
 
@@ -113,8 +113,8 @@ double noise(std::int64_t seed, std::uint64_t index) {
     return static_cast<double>(z >> 11) * 0x1p-52 - 1;
 }
 
-/// Rounds the step of a wave at phase 0 over the two samples around it, so that it has no tones
-/// above half the sample rate (Välimäki and Huovilainen 2007, "Antialiasing oscillators in
+/// Rounds the step of a wave at phase 0 over the two samples around it, so that it has hardly any
+/// tones above half the sample rate (Välimäki and Huovilainen 2007, "Antialiasing oscillators in
 /// subtractive synthesis": polynomial band-limited steps). `d`: phase of one sample.
 double smooth_step(double phase, double d) {
     if (phase < d) {
@@ -128,7 +128,7 @@ double smooth_step(double phase, double d) {
     return 0;
 }
 
-/// `phase`, 0 to 2, within one period. `std::floor` is a call on most machines.
+/// `phase`, 0 to 2, within one period. Faster than `std::floor`, a function call on most machines.
 double wrapped(double phase) {
     return phase >= 1 ? phase - 1 : phase;
 }

@@ -27,11 +27,11 @@ class Emitters {
     std::function<void()> restore(property::ByteReader& from);
 
   private:
-    /// What the tree does not store. Numbers only, besides the particles.
+    /// The state that the tree does not store, without the particles. Only numbers.
     struct State {
         property::Handle self{};   // null: the row is free
         std::uint64_t born = 0;    // number of particles that ever began
-        double owed = 0;           // part of a particle that is due
+        double owed = 0;           // fraction of the next particle that is due
         double moved = 0;          // s, length of the last step
         property::Transform at{};  // where it was at the end of the last step
         std::uint32_t wanted = 0;  // particles to begin in the next step, by `emit`

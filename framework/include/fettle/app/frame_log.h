@@ -32,18 +32,18 @@ struct FrameTimes {
     std::int64_t step = 0;   // `time.step` at its end
 };
 
-/// The last frames. Frames without a step while the game is paused are not among them, so that one
-/// can look at them in peace.
+/// The last frames. While the game is paused, frames without a step are not added, so the frames
+/// from before the pause stay for inspection.
 class FrameLog {
   public:
     static constexpr std::size_t most = 300;
 
     const std::deque<FrameTimes>& frames() const { return frames_; }
     void add(const FrameTimes& times);
-    /// The newest frame was drawn; does nothing if it is complete.
+    /// Adds a time of drawing to the newest frame; does nothing if that frame is complete.
     void add_drawing(double ms);
-    /// The newest frame took so long in all; the rest was waiting. Returns it, and null if it is
-    /// complete.
+    /// Sets the duration of the whole newest frame, and `wait` to what its parts leave of it.
+    /// Returns that frame; null if it was complete already.
     const FrameTimes* complete(double ms);
 
   private:

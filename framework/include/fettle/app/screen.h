@@ -36,8 +36,8 @@ class Screen {
     virtual void begin(property::Color background) = 0;
     /// Draws in the world as `view` shows it. Valid until `present`.
     virtual property::Painter& painter(const View& view) = 0;
-    /// Draws what the frame shows so far again through a shader. Returns why it was not done, with
-    /// the line of the error if there is one; "" if it was.
+    /// Draws the picture of the frame so far again through a shader. Returns why that failed, with
+    /// the line of an error in the shader; "" if it was drawn.
     virtual std::string apply(const Effect& effect) {
         (void)effect;
         return {};
@@ -63,9 +63,9 @@ class Window : public Screen {
     /// The next event since the last call; false when there is none.
     virtual bool poll(InputEvent& event) = 0;
     virtual bool focused() const = 0;
-    /// Makes the window as the state says. If its size is another one afterwards, an event tells
-    /// it. With vertical synchronization, frames wait for the screen; if the system does not
-    /// support that, the window waits itself.
+    /// Changes the window to this state. If its size changes, an event reports the new size. With
+    /// vertical synchronization, frames wait for the screen; if the system does not support that,
+    /// the window waits itself.
     virtual void follow(const WindowState& state) = 0;
     /// Shows an image, the content of a file, in the task bar. False if it is no image.
     virtual bool set_icon(const std::string& image) = 0;

@@ -45,14 +45,15 @@ class Timeline {
     void leave_step();
     /// Call when a script fails; outside of a step it has no effect.
     void note_failure();
-    /// Goes to the state before the last step if a script failed in it, so that the step can be
-    /// made again. What was edited since is made again; if that is impossible, and if other code
-    /// went to another step or made one since, it does nothing and returns false.
+    /// Goes to the state before the last step if a script failed in that step, so that it can be
+    /// made again. Edits after the failure are made again. Does nothing and returns false if that
+    /// is impossible, or if other code has made a step or gone to another one since.
     bool go_before_failure();
 
     // --- Going to another step. In the middle of a step, and while another step is being restored,
     // `go_to`, `go_near`, `rewind` and `clear` throw Error(bad_structure) and change nothing
-    /// Throws in these cases, too. `what`: text for the message, "the past cannot be left".
+    /// Throws Error(bad_structure) in these cases. `what`: text for the message, "the past cannot
+    /// be left".
     void require_between_steps(const char* what) const;
     /// Throws Error(out_of_range) outside `oldest` and `newest`.
     void require(std::int64_t step) const;
@@ -65,30 +66,31 @@ class Timeline {
     /// beyond the newest; does nothing if none is kept. Throws Error(out_of_range) for NaN.
     void rewind(double seconds);
 
-    /// Whether an earlier step than the newest was gone to since the last call. The tree is then as
-    /// right after that step.
+    /// Whether the timeline has gone to a step before the newest since the last call. The tree is
+    /// then in the state right after that step.
     bool take_return() { return std::exchange(place_.returned, false); }
 
     /// Calls `look` for the kept steps from `from` on, in order, up to the present one, with the
     /// tree in the state after that step. At the end the tree is as it was, bit for bit; as after
-    /// any restoring, watchers are compared at the next barrier. Begins later if the past in
-    /// between was left by restoring a snapshot; does nothing if no step is kept. Throws as `go_to`
+    /// any restoring, watchers are compared at the next barrier. If a snapshot was restored after
+    /// `from`, begins there; does nothing if no step is kept. Throws as `go_to`
     /// does. `look` must change nothing, and throw nothing.
     void review(std::int64_t from, const std::function<void(std::int64_t step)>& look);
 
     /// Repeats the kept steps from `from` on as if something had been different: calls `change`
     /// with the tree in the state after step `from`, then `look` for each step up to the present
-    /// one. What scripts wrote then is written again, since scripts do not run; the modules compute
-    /// anew. At the end the tree is as it was, bit for bit, also if `change`, `look` or a step
+    /// one. Writes of scripts come from the log, since scripts do not run; the modules compute new
+    /// values. At the end the tree is as it was, bit for bit, also if `change`, `look` or a step
     /// throws: the exception is thrown then. Throws as `go_to` does, and Error(out_of_range) if
     /// `from` is not kept.
     void repeat_with(std::int64_t from, const std::function<void()>& change,
                      const std::function<void(std::int64_t step)>& look);
 
-    // --- Branches: what came later, where the game went on from an earlier step. The past that the
-    // game goes on with is the present branch; `Clock::branch` is its name. The others are kept up
-    // to `Clock::branch_limit`, as long as the past, and before the past gets shorter for lack of
-    // memory, they are dropped: first those without a name of a person, the oldest first.
+    // --- Branches. If the game makes a step from an earlier one, the steps after that one are kept
+    // as a branch. The past of the running game is the present branch; `Clock::branch` is its name.
+    // At most `Clock::branch_limit` others are kept, and their steps are dropped at the same age as
+    // those of the past. If there are too many branches or too little memory, whole branches are
+    // dropped before the past gets shorter: first those that no person has named, the oldest first.
     /// The branches besides the present one, the oldest first.
     std::vector<Branch> branches() const;
     /// Whether there is such a branch besides the present one.
@@ -119,21 +121,22 @@ class Timeline {
     bool keeps() const { return !keyframes_.empty(); }
     std::int64_t oldest() const;
     std::int64_t newest() const;
-    /// The steps that `go_to` takes now, both the current one if none is kept: also right after
-    /// other code has restored a state, which the timeline itself handles later.
+    /// The range of steps that `go_to` accepts now; both ends are the current step if none is kept.
+    /// Valid also right after other code has restored a state, while `oldest` and `newest` are
+    /// updated only later.
     struct KeptSteps {
         std::int64_t oldest, newest;
     };
     KeptSteps kept_steps() const;
-    /// Memory in bytes, estimated: keyframes, the log between them, both also of the branches, and
-    /// the memory for the next keyframe. At the end of a step this and the history of edits are no
-    /// more than `time.rewind_memory`, of which the history has at most a quarter.
+    /// Memory in bytes, estimated: keyframes and logs, also of the branches, and the memory for the
+    /// next keyframe. At the end of a step, this and the history of edits together are at most
+    /// `time.rewind_memory`, of which the history has at most a quarter.
     std::size_t memory() const;
     /// Number of keyframes.
     std::size_t keyframes() const { return keyframes_.size(); }
 
   private:
-    /// What was written, and then the changes of the parts.
+    /// Logged writes, and the changes of the parts after them.
     struct Piece {
         property::LoggedWrites writes;
         std::vector<std::pair<property::SnapshotPart*, property::Memory>> changes;
@@ -156,8 +159,8 @@ class Timeline {
         std::size_t memory() const;
     };
     using Steps = std::deque<std::shared_ptr<Step>>;
-    /// Another branch, with all that is needed to go there. What it has in common with the present
-    /// one is shared.
+    /// Another branch, with all that is needed to go there. It shares the memory of the steps that
+    /// it has in common with the present one.
     struct Other {
         std::string name;
         bool named = false;     // by a person
@@ -187,8 +190,8 @@ class Timeline {
         std::size_t logged = 0;        // of `steps_`
         std::size_t logged_since = 0;  // of these since the last keyframe
         std::size_t room = 0;          // that the past and the history may use
-        std::size_t no_room = 0;       // the room when it was less than one keyframe needs
-        std::int64_t no_room_at = -1;  // the last step at which it was; -1: none
+        std::size_t no_room = 0;       // `room` when it was too small for one keyframe
+        std::int64_t no_room_at = -1;  // the last step at which it was too small; -1: none
     };
     /// How often keyframes are made.
     struct Pace {
