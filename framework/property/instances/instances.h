@@ -83,8 +83,8 @@ struct Instances {
     /// Throws Error(bad_name) for a name that is too long. For names of instances and ad-hoc
     /// properties.
     static void check_length(std::string_view name);
-    /// Whether `parent` has a child, a property or a method of that name. So has the root its own
-    /// name, with which every path may begin.
+    /// Whether `parent` has a child, a property or a method of that name. Below the root, "game" is
+    /// taken too, because every path may begin with it.
     bool is_taken(std::uint32_t parent, const NodeName& name) const;
     /// The first free name of `stem`, `stem_2` ...
     NodeName plain_name(std::uint32_t parent, std::string_view stem) const;

@@ -10,7 +10,8 @@
 namespace fettle::property {
 namespace {
 
-/// Names have at most nine digits. This is the largest last number that a snapshot may contain.
+/// The number at the end of a name has at most nine digits. The last numbers in a snapshot must be
+/// smaller than this, so that there is room for further names.
 constexpr std::uint32_t max_number = 900'000'000;
 
 /// The symbols that the nodes use. Symbols are numbers of one process, so their texts are stored

@@ -115,8 +115,8 @@ WatchOptions options_here(lua_State* L) {
     return options;
 }
 
-/// Whether the scene whose `enter` connected a handler is gone: a rewind may have left it. A null
-/// handle never is.
+/// Whether the scene whose `enter` connected a handler does not live any more, for example after a
+/// rewind. False for a null handle.
 bool gone(const Machine& machine, Handle scene) {
     return scene && !machine.tree.alive(scene);
 }
@@ -276,7 +276,8 @@ int subscribe_property(lua_State* L) {
 
 namespace {
 
-/// The target of a path, also if it waits for its place while the game is loaded again.
+/// The target of a path. While the game is loaded again, this may be an instance that is not in its
+/// place yet.
 property::Place place_of_path(const Machine& machine, const std::string& path) {
     if (machine.declarations.again())
         if (const auto waiting = machine.declarations.waiting_at(path)) return *waiting;

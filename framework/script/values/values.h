@@ -25,8 +25,8 @@ struct Boxes {
     int vec = 0, color = 0, list = 0, instance = 0, set = 0, class_object = 0;
     int record = 0, connection = 0, snapshot = 0, description = 0, store = 0;
     int proxies = 0;  // weak table from handles to userdata
-    // Writes of components that are still checked for a variable that holds the vector, which costs
-    // as much as some writes.
+    // How many more writes of a component look for the variable that holds the vector (see
+    // `tell_connected`). The number is limited, because a search takes as long as some writes.
     int checked_writes = most_checked_writes;
     static constexpr int most_checked_writes = 4096;
 };

@@ -8,9 +8,10 @@ namespace fettle::physics_module {
 
 /// Tints the bodies of each island with a color of its own; sleeping ones are paler and have a "z".
 void draw_islands(physics::World& world, property::Painter& painter, double alpha);
-/// Draws the impulse of each point of contact in the last step of `dt` seconds as an arrow, that on
-/// body b if it is dynamic, else that on body a. The weight of the heaviest body that moves has
-/// about a twelfth of the height of the picture, and a scale is drawn below.
+/// Draws the impulse of each contact point in the last step of `dt` seconds as an arrow: the
+/// impulse on body b if that is dynamic, otherwise that on body a. The arrow of the weight of the
+/// heaviest dynamic body is about as long as a twelfth of the height of the picture. A scale is
+/// drawn below.
 void draw_impulses(physics::World& world, double dt, property::Painter& painter);
 /// Draws the range of each joint with limits, and its present value.
 void draw_limits(physics::World& world, property::Painter& painter, double alpha);

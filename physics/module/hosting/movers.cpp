@@ -63,7 +63,7 @@ bool is_within(float value, float least, float most) {
     return value >= least && value <= most;
 }
 
-/// True if writes could have made them.
+/// False if a deserialized setting is out of the range of its property.
 bool are_sound(const MoverSettings& s) {
     constexpr float largest = std::numeric_limits<float>::max();
     return is_within(s.radius, 0.01f, 500.0f) && is_within(s.height, 0.02f, 1000.0f) &&
@@ -74,7 +74,7 @@ bool are_sound(const MoverSettings& s) {
            is_within(s.air_acceleration, 0.0f, largest);
 }
 
-/// True if steps could have made it.
+/// False if a deserialized number is not finite or larger than any step makes it.
 bool is_sound(const MoverResult& result, const MoverEvents& events) {
     const float numbers[] = {
         result.velocity_x, result.velocity_y, result.shown_x,      result.shown_y,  result.place_x,

@@ -48,21 +48,21 @@ struct Remains {
 
 /// All instances of a game, with their classes, values, watchers, formulas and history.
 ///
-/// Lifetimes: handles are numbers: after the end of the tree they refer to nothing and do no
+/// Lifetimes: handles are numbers. After the end of the tree they refer to nothing and do no
 /// harm. Connections, values, records and snapshots may outlive it. Classes, properties, methods
 /// and events live as long as the tree that they were registered with, and any other tree refuses
 /// them. Modules, parts of snapshots and observers are not owned: they must live until the tree is
 /// destroyed, or until `remove_part` and `unobserve`. As soon as its destruction begins, the tree
 /// calls no part, observer or formula any more, so lifecycle functions may destroy these then.
-/// A script::Runtime, a WriteLog and Tweaks may
-/// outlive the tree, but cannot be used then. The function of `way_back` does nothing then. A
-/// handler, a function given to `at_barrier` or a method may destroy the tree that calls it:
-/// `barrier` or `call` throws Error(deleted) after it has returned. The following must not destroy
-/// it: formulas, lifecycle functions, setters, observers, functions that are called in the middle
-/// of a step or of a search (question.h, acceptance.h), and functions given to `each_below`,
-/// `mark_weight` or `restore`. If one does, the program ends with a message that names it. Getters,
-/// and setters that the typed functions call, must not do it either, but this is not checked,
-/// because a check would cost time in every read and write.
+/// A script::Runtime, a WriteLog and Tweaks may outlive the tree, but cannot be used then. The
+/// function of `way_back` does nothing then. A handler, a function given to `at_barrier` or a
+/// method may destroy the tree that calls it: `barrier` or `call` throws Error(deleted) after the
+/// function has returned. The following must not destroy the tree: formulas, lifecycle functions,
+/// setters, observers, functions that are called in the middle of a step or of a search
+/// (question.h, acceptance.h), and functions given to `each_below`, `mark_weight` or `restore`. If
+/// one does, the program ends with a message that names it. Getters, and setters that the typed
+/// functions call, must not do it either, but this is not checked, because a check would cost time
+/// in every read and write.
 class Tree {
   public:
     Tree();
@@ -94,8 +94,7 @@ class Tree {
 
     Handle root() const;  // `game`
     /// Without a parent the instance is detached: alive, editable, not simulated. Without a name it
-    /// gets a name from its class's stem: with `first_plain`, "circle", then "circle_2" under a
-    /// parent; otherwise "body_1", "body_2".
+    /// gets a name from the stem of its class: "body_1", then "body_2"; detached, "body".
     Handle create(const Class& instance_class, Handle parent = {}, std::string_view name = {});
     /// Deletes the instance and everything below it. Handles become invalid at once; `deleted` is
     /// delivered at the barrier. Exceptions of modules (`Lifecycle::destroy`) do not stop this:
@@ -108,7 +107,7 @@ class Tree {
     /// Data of a deleted instance, for messages about its handle; nullopt while it lives, and for
     /// instances that were deleted long ago.
     std::optional<Remains> remains(Handle instance) const;
-    /// The number of its object in its module; throws Error(deleted).
+    /// The number of the instance's object in its module; throws Error(deleted).
     Row row(Handle instance) const;
     /// For modules whose object moved to another row outside `Lifecycle::place`. The tree does not
     /// check the row: from then on it reads and writes the module's memory there.
@@ -140,7 +139,9 @@ class Tree {
     /// Throws Error(bad_name): empty, taken by a sibling, or a property or method of the parent.
     void rename(Handle instance, std::string_view name);
     /// Gives the instance another parent (null: detaches it). If `name` is empty, it keeps its own
-    /// name, numbered if that is taken; below the root, "game" is. Throws Error(bad_structure) for
+    /// name, numbered if that is taken; below the root, "game" is taken. An instance that was never
+    /// given a name gets one from its class's stem: "circle_1", then "circle_2"; with
+    /// `first_plain`, "circle", then "circle_2". Throws Error(bad_structure) for
     /// a parent below the instance itself, and if a module is making or placing the instance or one
     /// below it (`Lifecycle`). After an error nothing has changed; a module may refuse
     /// (Error(rejected)).
@@ -215,7 +216,7 @@ class Tree {
     /// `value` coerced to the type of that property by the rules of the tree; throws like `set`.
     /// Changes nothing.
     Value coerce(Handle instance, const Property& property, const Value& value) const;
-    /// As the console prints it, references by path, numbers of float properties short.
+    /// The value as the console prints it: references by path, numbers of float properties short.
     std::string text(const Value& value, Precision precision = Precision::double_precision) const;
 
     // --- Formulas
@@ -276,11 +277,12 @@ class Tree {
     std::size_t history_bytes() const;
     std::size_t history_bytes_ever() const;  ///< with the entries that were dropped
     Provenance who(Handle instance, const Property& property) const;  ///< the last writer
-    /// To be called before the state becomes that of another past, which is the same up to `step`:
-    /// `who` says `restore` for what was written later.
+    /// Call this before the state of another past is restored that is the same up to `step`: `who`
+    /// then says `restore` for values that were written after that step.
     void forget_writers_after(std::uint64_t step);
-    /// Whether `who` has the place in a script of each write from now on. Otherwise it has those of
-    /// edits and of changes of watched values only: finding the place takes longer than the write.
+    /// Whether `who` has the place in a script of each write from now on. Otherwise it has the
+    /// places of edits and of changes of watched values only, because finding the place takes
+    /// longer than the write.
     void locate_writes(bool on);
 
     /// Calls a method. Throws Error for arguments that it does not take, and what the method
@@ -289,8 +291,8 @@ class Tree {
     Result call(Handle instance, std::string_view method, std::initializer_list<Value> arguments);
 
     /// Draws `top` and the instances below it in the order of their `z`, with the draw functions of
-    /// their classes and with `also`. If these change the tree, those that are there at the
-    /// beginning and still live are drawn.
+    /// their classes and with `also`. If these functions change the tree, the instances that
+    /// existed at the beginning and still live are drawn.
     void draw(Handle top, Painter& painter, double alpha, Drawer* also = nullptr) const;
 
     // --- Watching
@@ -416,7 +418,7 @@ class Tree {
       public:
         /// From now on, `writer` makes all changes.
         CauseScope(Tree& tree, Writer writer, std::function<std::string()>* locate = nullptr);
-        /// The writer before is current again.
+        /// Makes the previous writer current again.
         ~CauseScope();
         CauseScope(const CauseScope&) = delete;
 

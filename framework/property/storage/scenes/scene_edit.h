@@ -53,7 +53,7 @@ class SceneEdit {
 
   private:
     using Node = Document::Node;
-    /// Null where the text says no value.
+    /// Null if the text has no value there.
     const Node* value_node(const SceneSteps& steps, const std::string& property) const;
     const Node* find_or_none(const SceneSteps& steps) const;
     const Node& find(const SceneSteps& steps) const;

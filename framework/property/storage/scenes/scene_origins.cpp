@@ -59,8 +59,8 @@ void SceneOrigins::loaded(const Tree& tree, const std::filesystem::path& file,
     }
 }
 
-// Forgets scenes whose topmost instance is deleted. If undo brings it back, it counts as made by a
-// script.
+// Forgets scenes whose topmost instance is deleted. If undo restores that instance, it counts as
+// made by a script.
 void SceneOrigins::prune(const Tree& tree) {
     std::erase_if(scenes_, [&](const auto& each) {
         return !tree.alive(each.second.instances.front().instance);

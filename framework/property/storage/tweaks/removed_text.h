@@ -1,6 +1,7 @@
 #pragma once
-// The text of a kept deletion: all that it removed from the files, which is put back when the
-// deletion is undone and that is kept. Instances that it names may get other names in the meantime.
+// The text of a kept deletion: all that the deletion removed from the files. When an undo of the
+// deletion is kept, the text is put back. Instances in the text may get other names in the
+// meantime.
 
 #include <filesystem>
 #include <string>
@@ -10,8 +11,8 @@
 
 namespace fettle::property {
 
-/// The home path after renames in the files, for an instance that is in none of them at present:
-/// only the instances above it are renamed. Another one may have its path now.
+/// The home path, after renames in the files, of an instance that is in none of them at present:
+/// only the instances above it are renamed. Another instance may have its path now.
 std::string home_of_removed(const std::string& home, const NewPath& now_at);
 /// The same for its steps in a scene file.
 SceneSteps steps_of_removed(const SceneSteps& steps, const SceneOrigins::Names& names);
