@@ -6,7 +6,7 @@
 namespace fettle::physics_module::testing {
 namespace {
 
-/// A joint that holds the body at rest, and would pull it up to (0, 3) after an edit.
+/// A mouse joint that pulls the body to `target`.
 std::function<void(Stage&)> joint(const Vec2& target,
                                   std::initializer_list<std::pair<const char*, Value>> more = {}) {
     return [target, values = std::vector(more)](Stage& s) {
@@ -83,7 +83,7 @@ void distance_cases(Cases& cases) {
         tie("DistanceJoint", above, {{"hertz", 0}, {"motor_speed", -1}}), 1000, 60, rose);
 }
 
-/// The body is pinned at its center in the air and can turn.
+/// The body is pinned at its center and can turn. `fling` and `spin` move both up into the air.
 Case pin_case(std::initializer_list<std::pair<const char*, Value>> settings, Value value,
               std::function<bool(Stage&)> effect) {
     return joint_case(tie("RevoluteJoint", Vec2(0, 0.5), settings), std::move(value), 60,

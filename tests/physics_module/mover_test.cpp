@@ -30,7 +30,7 @@ using Log = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE_METHOD(Scene, "a mover stands on the floor and tells it") {
+TEST_CASE_METHOD(Scene, "a mover stands on the floor and names it as its ground") {
     CHECK(flag("on_ground"));
     CHECK(get(hero, "ground").reference() == tree.child(world(), "body_1"));
     CHECK(vec(hero, "ground_normal").y == Approx(1));
@@ -187,7 +187,7 @@ TEST_CASE_METHOD(Scene, "a mover leaves the ground when gravity turns upwards") 
     CHECK(flag("on_ground"));
 }
 
-TEST_CASE_METHOD(Scene, "a sensor without events tells nothing about a mover") {
+TEST_CASE_METHOD(Scene, "a sensor without events does not report a mover") {
     const Handle zone = body("Box", {0, 1}, "static");
     set(shape_of(zone), "sensor", true);
     set(shape_of(zone), "sensor_events", false);
@@ -200,7 +200,7 @@ TEST_CASE_METHOD(Scene, "a sensor without events tells nothing about a mover") {
     CHECK(log == Log{"sensor_begin"});
 }
 
-TEST_CASE_METHOD(Scene, "a disabled mover does not move and tells nothing") {
+TEST_CASE_METHOD(Scene, "a disabled mover does not move and reports no events") {
     for (const char* event : {"landed", "left_ground", "bumped", "crushed"}) listen(event);
     set(hero, "walk", 3);
     step(5);

@@ -33,7 +33,7 @@ struct Rules : AddedRules {
 
 }  // namespace
 
-TEST_CASE("rules check what is added to a class and hear of it at once") {
+TEST_CASE("rules check a property that is added to a class and are notified of it at once") {
     Tree tree;
     const Class& list = tree.define({.name = "List"});
     const Handle words = tree.create(list, tree.root(), "words");
@@ -43,7 +43,7 @@ TEST_CASE("rules check what is added to a class and hear of it at once") {
     tree.set_or_add(words, "first", "a");
     CHECK(tree.child(tree.root(), "first"));
     tree.set(words, "first", "b");
-    tree.set(words, "first", "b");  // no change, but what it stands for may be gone
+    tree.set(words, "first", "b");  // reported too: the child may be gone
     CHECK(rules.told == "first first first ");
     CHECK_THROWS_WITH(tree.set(words, "first", 3), contains("needs a text"));
     CHECK_THROWS_WITH(tree.set_or_add(words, "second", 3), contains("second: needs a text"));

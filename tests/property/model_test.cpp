@@ -198,8 +198,8 @@ class Run {
         model_.edit({*i, name}, value);
     }
     void simulate() {
-        // A step writes velocities directly into memory, and a barrier follows it: the next barrier
-        // finds no unknown writes.
+        // A step writes velocities without notifying the tree. The barriers before and after it
+        // separate these changes from those of edits.
         barrier();
         ++steps_;
         std::vector<Key> moved;

@@ -155,7 +155,7 @@ void RandomRun::run_alone(const Operation& operation) {
         case Operation::watch:
             return watch(*some, watched[static_cast<std::size_t>(c) % watched.size()], d % 8, b);
         case Operation::rename: {
-            // The name of an instance outside the world, so that paths get another target.
+            // A name that another instance has or had, so that paths may get another target.
             const std::string taken = "n" + std::to_string(b % static_cast<int>(handles_.size()));
             if (naive(*some).name == taken || tree_.child(tree_.parent(handle(*some)), taken))
                 return;

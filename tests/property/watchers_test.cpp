@@ -66,7 +66,8 @@ TEST_CASE_METHOD(Fixture, "changes contain their cause and step") {
     CHECK(seen->cause.text() == "main.lua:30, step 30");
 }
 
-TEST_CASE_METHOD(Fixture, "a watcher of all of an instance makes other writes no slower") {
+TEST_CASE_METHOD(Fixture,
+                 "a watcher of one instance does not make writes of other instances slower") {
     tree.watch(tree.create(tree.object_class(), tree.root(), "settings"), note("a"));
     int asked = 0;
     std::function<std::string()> locate = [&] {

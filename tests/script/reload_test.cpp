@@ -56,7 +56,8 @@ TEST_CASE("a number that changed in the file changes the living instance and not
     CHECK(game.number("world.ball.number") == 6);
 }
 
-TEST_CASE("going back to before a reload keeps the handlers and timers of the new code") {
+TEST_CASE(
+    "a snapshot from before a reload is restored with the handlers and timers of the new code") {
     const auto code = [](const std::string& age) {
         return "game.a = Object { x = 0 } a:watch('x', function() print('" + age +
                "') end) every(0.1, function() print('" + age + " timer') end)";
@@ -115,7 +116,7 @@ TEST_CASE("loading the same file again changes nothing") {
     CHECK(game.number("world.size") == 70);
 }
 
-TEST_CASE("new instances come, those that the file does not make any more go") {
+TEST_CASE("new instances are created and those that the file does not make any more are deleted") {
     Game game("world.a = Body { } world.b = Body { Circle { } } world.c = Body { }");
     game.run("world.played = Body { }");
     CHECK(game.change("world.a = Body { } world.d = Body { Circle { } } "
@@ -130,7 +131,7 @@ TEST_CASE("new instances come, those that the file does not make any more go") {
           "Circle\tfalse\ttrue");
 }
 
-TEST_CASE("what the file adds to game itself is compared, too") {
+TEST_CASE("children and values that the file adds to game itself are compared with the old file") {
     Game game("game:add(Object { n = 1 }, 'sounds') game.menu = Object { n = 1 } game.level = 3");
     game.run("game.sounds.played = true kept = game.menu game.level = 7");
     CHECK(game.change("game:add(Object { n = 2 }, 'sounds') game.menu = Object { n = 1 } "
@@ -146,7 +147,8 @@ TEST_CASE("what the file adds to game itself is compared, too") {
     game.run("assert(not kept:alive()) assert(game.sounds.played)");
 }
 
-TEST_CASE("what the game has deleted stays deleted, and what it renamed is changed where it is") {
+TEST_CASE(
+    "an instance that the game deleted stays deleted and one that it renamed gets the changes") {
     Game game("world.a = Body { mass = 2 } world.b = Body { mass = 2 }");
     game.run("world.a = nil; world.b.name = 'c'");
     CHECK(game.change("world.a = Body { mass = 3 } world.b = Body { mass = 3 } "
@@ -167,7 +169,7 @@ TEST_CASE("references between instances of the file lead to the living ones") {
     CHECK(game.tree->children(game.world).size() == 3);
 }
 
-TEST_CASE("handlers of the top level are replaced, those of callbacks stay") {
+TEST_CASE("handlers of the top level are replaced and those of callbacks stay") {
     Game game(R"(
         world.size = 1
         local ball = Body { }
@@ -226,7 +228,7 @@ TEST_CASE("coroutines of the top level begin again and are not doubled") {
     CHECK(stage::joined(game.printed) == "new|new");
 }
 
-TEST_CASE("classes get new functions, defaults and properties in place") {
+TEST_CASE("classes get new functions and defaults and properties in place") {
     Game game(R"(
         Ball = class("Ball", Body) { lives = 3, mass = 2, speed = 1 }
         function Ball:say() return 'old' end
@@ -343,7 +345,7 @@ TEST_CASE("modules are loaded again with the game") {
     CHECK(s.get("world.ball.mass").as_double() == 5);
 }
 
-TEST_CASE("globals of the top level begin again, those of callbacks stay") {
+TEST_CASE("globals of the top level begin again and those of callbacks stay") {
     Game game("score = 1; old = 2; function draw() end function start() found = 3 end");
     game.run("score = 10; played = 4");
     CHECK(game.change("score = 1; new = 5").empty());
@@ -364,7 +366,8 @@ TEST_CASE("formulas of the top level are the new ones and keep reading living in
     CHECK(game.number("world.b.mass") == 16);
 }
 
-TEST_CASE("values that the file gives to instances of the framework are compared, too") {
+TEST_CASE(
+    "values that the file gives to instances of the framework are compared with the old file") {
     Game game("world.size = 4 world.luck = 1 world.own = 1");
     game.run("world.luck = 9");
     CHECK(game.change("world.size = 5 world.luck = 1 world.more = 2").empty());

@@ -1,5 +1,5 @@
 #pragma once
-// Faults of a place for files: no permission, no room.
+// Faults of a file system: no permission, no room.
 
 #include <sys/resource.h>
 

@@ -20,8 +20,8 @@ Property native(Things& things, std::string name, Type type, Native kind, std::s
     property.binding.native = kind;
     property.binding.context = &things;
     property.binding.stride = sizeof(Thing);
-    // One class of bases would need the offset; there are few members, so each has its own
-    // function.
+    // `base` is a plain function that cannot hold the offset, so each member has a function of its
+    // own.
     switch (offset) {
 #define FETTLE_TEST_BASE(member)                                                     \
     case offsetof(Thing, member):                                                    \
@@ -161,7 +161,7 @@ void SceneWorld::define_stored() {
     service.creatable = false;
     tree.define(std::move(service));
 
-    // Creates a child in its constructor, which no file could create.
+    // The constructor creates a child of a class of which a file cannot create instances.
     ClassDescriptor host;
     host.name = "Host";
     host.lifecycle.create = [](void*, Tree& in, Handle self) {

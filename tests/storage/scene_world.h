@@ -42,8 +42,7 @@ class SceneWorld {
     }
     Handle add(std::string_view of, std::string_view name = {}) { return add(of, world, name); }
     std::string text(Handle node) const { return scene_text(tree, node); }
-    /// The check without loading must accept a text that is loaded; otherwise throws
-    /// std::logic_error.
+    /// Loads `text`. Throws std::logic_error if it is loaded although `check_scene` refuses it.
     Handle load(std::string_view text, std::string_view name = {});
     /// Loads `text` and returns the message of the error; "" if it is loaded.
     std::string refusal(std::string_view text);

@@ -1,4 +1,4 @@
-// The kept past once more, with a change at its beginning.
+// Kept steps are repeated with a change at their beginning.
 
 #include <map>
 
@@ -62,7 +62,7 @@ TEST_CASE_METHOD(Branching, "a branch differs by its change and leaves no trace"
     REQUIRE(other.size() == was.size());
     CHECK(other.at(20) == was.at(20));
     CHECK(other.at(120) != was.at(120));
-    // What scripts wrote then is written again.
+    // Writes of scripts come from the log.
     CHECK(branch(20, change, "world.other.position") == as_it_was(20, "world.other.position"));
     REQUIRE(loop->hash() == hashes[120]);
     CHECK(get("world.ball.circle.restitution").number() != 0.9);
@@ -87,7 +87,7 @@ TEST_CASE_METHOD(Branching, "a branch may be made from the past") {
     check(120);
 }
 
-TEST_CASE_METHOD(Branching, "what was edited in the past stays when the past is looked at") {
+TEST_CASE_METHOD(Branching, "an edit of an earlier step survives a review and a branch") {
     Branching twin;
     for (Branching* each : {static_cast<Branching*>(this), &twin}) {
         each->play(120);
@@ -100,7 +100,7 @@ TEST_CASE_METHOD(Branching, "what was edited in the past stays when the past is 
     CHECK(get("world.ball.circle.restitution").number() == 0.75);
     REQUIRE(loop->hash() == twin.loop->hash());
     CHECK(time().newest() == 120);
-    // It belongs to the step that follows.
+    // The edit belongs to the step that follows.
     play(20);
     twin.play(20);
     CHECK(loop->hash() == twin.loop->hash());
@@ -111,7 +111,7 @@ TEST_CASE_METHOD(Branching, "what was edited in the past stays when the past is 
     CHECK(get("world.ball.circle.restitution").number() != 0.75);
 }
 
-TEST_CASE_METHOD(Branching, "whatever throws in a branch leaves the game as it was") {
+TEST_CASE_METHOD(Branching, "an exception in a branch leaves the game as it was") {
     play(100);
     const auto nothing = [](std::int64_t) {};
     const auto fails = [] { throw std::runtime_error("no"); };
@@ -133,7 +133,7 @@ TEST_CASE_METHOD(Branching, "whatever throws in a branch leaves the game as it w
     for (const std::int64_t step : {10, 70, 100}) check(step);
 }
 
-TEST_CASE_METHOD(Branching, "what scripts wrote and the branch refuses is left out") {
+TEST_CASE_METHOD(Branching, "a write of a script that a branch refuses is left out") {
     play(60);
     // At step 30 the script sets the velocity of a body that cannot move in the branch.
     const Ways other = branch(
