@@ -67,7 +67,7 @@ float polygon_rounding(const ShapeRecord& record) {
     return record.figure.as<PolygonFigure>().rounding;
 }
 
-/// Both structs consist of the same two floats.
+/// Returns `points`: the library and a step have the same type of vector.
 std::span<const Vec2> as_vectors(std::span<const Vec2> points) {
     static_assert(sizeof(Vec2) == sizeof(Vec2) && alignof(Vec2) <= alignof(Vec2));
     return {reinterpret_cast<const Vec2*>(points.data()), points.size()};

@@ -153,7 +153,7 @@ TEST_CASE("small random worlds keep what every world keeps") {
 }
 
 TEST_CASE(
-    "a ball between a moving wall and a fixed body may have any speed, but only if it bounces") {
+    "a ball between a moving wall and a fixed body may have any speed but only if it bounces") {
     for (const float restitution : {0.0f, 1.0f}) {
         WorldPlan plan;
         plan.bodies.push_back({.def = {.type = BodyType::static_body, .position = {0.5f, 0}},

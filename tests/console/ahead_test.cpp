@@ -221,7 +221,7 @@ TEST_CASE_METHOD(SkinnedRig, "onion skins are poses at regular intervals before 
         CHECK(skin.pose.origin.x == Approx(0.1 * static_cast<double>(skin.step)));
 }
 
-TEST_CASE_METHOD(SkinnedRig, "after going back the later poses are skins, too") {
+TEST_CASE_METHOD(SkinnedRig, "after going back the later poses are skins too") {
     step_to(60);
     place(20);
     CHECK(skins().shown_at(20) == std::vector<std::int64_t>{0, 15, 30, 45, 60});

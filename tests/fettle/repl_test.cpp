@@ -189,7 +189,7 @@ TEST_CASE("in a terminal words are completed and the game goes on") {
     }
 }
 
-TEST_CASE("in a terminal, ctrl-c stops a command or a line and the game goes on") {
+TEST_CASE("in a terminal ctrl-c stops a command or a line and the game goes on") {
     const Folder folder;
     const std::string game =
         folder.write("game/main.lua",

@@ -263,7 +263,7 @@ TEST_CASE("a joint that is called a mouse and is none is not edited") {
     REQUIRE(things.wheel.anchor_a() == before);
 }
 
-TEST_CASE("a mouse joint drags a body, by whatever name that is set") {
+TEST_CASE("a mouse joint requires a body in every function that sets its bodies") {
     World world;
     Things things = make_things(world);
     Joint mouse = things.mouse;

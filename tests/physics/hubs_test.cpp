@@ -164,7 +164,7 @@ TEST_CASE("a raft that is pelted keeps what momentum there is") {
     CHECK(raft.raft.velocity().y < -0.03f);
 }
 
-TEST_CASE("boxes rest on a raft as they do on the ground, a heavy one among them") {
+TEST_CASE("light boxes and a heavy one rest on a raft as they do on the ground") {
     World world({.sleeping = false});
     add_floor(world);
     Raft raft(world, 64 * 5, {0, 0.5f});

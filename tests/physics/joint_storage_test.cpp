@@ -170,7 +170,7 @@ TEST_CASE("joints that come and go leave the others as they were") {
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("a dormant joint is as if it were not there, and acts like any other when connected") {
+TEST_CASE("a dormant joint has no effect and acts like any other when it is connected") {
     const auto pendulum = [](World& world, bool wakes_later) {
         add_floor(world);
         Body left = add_box(world, {0, 3}), right = add_box(world, {2, 3});
@@ -211,7 +211,7 @@ TEST_CASE("a dormant joint is as if it were not there, and acts like any other w
     REQUIRE_FALSE(other.validate());
 }
 
-TEST_CASE("a dormant joint outlives bodies, and is copied to other worlds and saves") {
+TEST_CASE("a dormant joint outlives bodies and is copied to other worlds and saves") {
     World world({.gravity = {0, 0}}), elsewhere;
     Body left = add_ball(world, {0, 0}), right = add_ball(world, {3, 0});
     world.create_distance_joint({.body_a = left.id(), .body_b = right.id()});

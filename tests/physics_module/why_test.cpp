@@ -115,7 +115,7 @@ TEST_CASE("forces and damping are listed separately") {
     CHECK_FALSE(has(adds_up(game, ball, 3), "gravity"));
 }
 
-TEST_CASE("joints, springs and pulleys are in the sum") {
+TEST_CASE("joints and springs and pulleys are in the sum") {
     Game game;
     const Handle left = game.body("Circle", {-2, 0}), right = game.body("Box", {2, 0}),
                  hung = game.body("Circle", {0, -3});
@@ -140,7 +140,7 @@ TEST_CASE("joints, springs and pulleys are in the sum") {
     }
 }
 
-TEST_CASE("a conveyor, a bounce and a rolling ellipse are in the sum") {
+TEST_CASE("a conveyor and a bounce and a rolling ellipse are in the sum") {
     Game game;
     const Handle floor = game.floor();
     game.set(game.shape_of(floor), "surface_speed", 2.0);
@@ -278,7 +278,7 @@ TEST_CASE("the first answer is an estimate and bodies that do not move have a re
     CHECK_FALSE(has(lines(game, box, "velocity"), "about"));
 }
 
-TEST_CASE("mass, center and inertia are sums over the shapes") {
+TEST_CASE("mass and center and inertia are sums over the shapes") {
     Game game;
     const Handle body = game.body("Box", {0, 5});
     const Handle box = game.shape_of(body), ball = game.make("Circle", body);

@@ -162,7 +162,8 @@ TEST_CASE(
     CHECK_THROWS_AS(writer.end_block(0), Error);
 }
 
-TEST_CASE("a part of snapshots cannot add another one, nor be removed, while a snapshot is taken") {
+TEST_CASE(
+    "a part of snapshots can neither add another one nor be removed while a snapshot is taken") {
     struct Part : SnapshotPart {
         explicit Part(const char* called) : name(called) {}
         std::string_view part_name() const override { return name; }

@@ -242,7 +242,7 @@ TEST_CASE_METHOD(Fixture, "the fast write reports the value in memory and not th
     CHECK(tree.who(ball, of(ball, "charge")).known == false);
 }
 
-TEST_CASE_METHOD(Fixture, "a watcher, a cause and a formula apply to fast writes at once") {
+TEST_CASE_METHOD(Fixture, "a watcher and a cause and a formula apply to fast writes at once") {
     const Property& charge = of(ball, "charge");
     double next = 0;
     const auto write = [&] {

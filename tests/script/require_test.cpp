@@ -54,7 +54,7 @@ TEST_CASE("an error in a module is reported unchanged and the module can be load
     CHECK(s.console("#{}") == "0");
 }
 
-TEST_CASE("modules that require each other are refused by name, and can be required afterwards") {
+TEST_CASE("modules that require each other are refused by name and can be required afterwards") {
     const Folder folder;
     folder.write("a.lua", "return require('b')");
     folder.write("b.lua", "tried = pcall(require, 'a') return require('a')");

@@ -39,7 +39,7 @@ class Rest : public Check {
         if (time_ <= allowed_) return {};
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
             const BodyNow& body = moment.after[i];
-            // What fell off the ground falls for ever.
+            // A body that fell off the ground falls forever.
             if (!body.exists || !body.awake || body.type != BodyType::dynamic_body ||
                 body.position.y < -2)
                 continue;

@@ -84,7 +84,7 @@ float gap_of_arm(unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("a joint yields to a force in proportion to it, however great it is") {
+TEST_CASE("a joint yields to a force of any size in proportion to the force") {
     for (unsigned seed = 0; seed < seeds_or(60); ++seed) {
         Random random{std::mt19937(seed)};
         World world({.gravity = {}});

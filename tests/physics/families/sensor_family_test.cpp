@@ -89,7 +89,7 @@ Told pass(unsigned pair, unsigned kind, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("sensors report what passes at any speed, begin and end") {
+TEST_CASE("sensors report the begin and the end of a passage at any speed") {
     const unsigned seeds = families::seeds_or(50);
     for (unsigned pair = 0; pair < std::size(pair_names); ++pair)
         for (unsigned kind = 0; kind < std::size(shape_names); ++kind) {
