@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
     physics.attach(tree);
     const std::vector<Handle> balls = make_balls(tree);
 
-    // What the console needs: somebody who understands commands, and the way to the window.
+    // The console needs a runtime that runs its commands, and a connection to the window.
     script::Runtime lua(tree, {});
     app::HostWindow host(window);
     console::Console console(

@@ -63,7 +63,7 @@ float push_limit(float& impulse, float mass, float velocity, float room, const J
 ///
 /// A motor that holds a heavy limb by a light bone needs many passes until its impulse is that of
 /// the load. So the impulse lags behind the load, like a spring without damping, and a ragdoll
-/// whose joints have friction trembles for ever. Therefore the impulse with which the next sub-step
+/// whose joints have friction trembles forever. Therefore the impulse with which the next sub-step
 /// begins falls by more than the change, when it falls.
 inline float push_motor(float& impulse, float mass, float velocity, float speed, float greatest) {
     constexpr float further = 3.0f;

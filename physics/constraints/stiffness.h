@@ -8,7 +8,7 @@
 // One stiffness for all contacts is not enough. With 45 Hz at four sub-steps of 1/240 s a house of
 // cards stands, and a tower of posts and beams comes to rest, but a load of 300 : 1 sinks in by
 // 6 %. With 60 Hz that sinks in by half, but the cards, which carry almost no load and touch in
-// many places, never come to rest, and a tower of twelve storeys sways and bounces for more than 40
+// many places, never come to rest, and a tower of twelve floors sways and bounces for more than 40
 // s: so near to the rate of the sub-steps, the passes take hardly any energy out of it. The load of
 // a contact in the last step distinguishes the cases. Between the two, the stiffness must rise
 // slowly, because it follows the load by a step: where it rises fast, a contact is pressed together

@@ -10,7 +10,7 @@ namespace fettle::physics::detail {
 /// A body of this extent or more is at rest below the sleep speed of the world, m.
 inline constexpr float usual_extent = 0.07f;
 
-/// A contact that holds a corner on the last bit of an edge may let go and hold again for ever. The
+/// A contact that holds a corner on the last bit of an edge may let go and hold again forever. The
 /// body then slips back and forth in place, for moments up to this many times as fast as the sleep
 /// speed, and on average slower than this part of it.
 inline constexpr float jerk = 6.0f, mean = 0.4f;

@@ -79,7 +79,7 @@ TEST_CASE("services may end after their tree") {
 }
 
 TEST_CASE("services that find no room in a tree leave nothing in it") {
-    // Each name that they take, whatever comes first.
+    // Each name that the services take is taken once before them.
     std::vector<std::string> classes, children;
     {
         property::Tree tree;

@@ -30,7 +30,7 @@ using namespace fettle::program;
 
 namespace {
 
-/// A terminal, or somebody else who connects. Its socket never waits.
+/// A terminal or another program that connects. Its socket never blocks.
 class Visitor {
   public:
     explicit Visitor(const RunningGame& to) {
@@ -279,7 +279,8 @@ TEST_CASE("there are no more terminals than the limit") {
 
 namespace {
 
-/// What the frames cost is told, not checked: a test must not depend on the machine.
+/// Prints the time of the longest frame and does not check it: a test must not depend on the
+/// machine.
 void tell_cost(const char* who, const Game& game) {
     std::printf("listener: %s: the longest frame took %.3f ms of CPU time\n", who,
                 game.longest_frame * 1000);

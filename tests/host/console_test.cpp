@@ -128,7 +128,7 @@ TEST_CASE("the font has another texture when its size changes") {
     const fettle_console_picture picture = draw(game);
     for (uint32_t i = 0; i < picture.command_count; ++i)
         CHECK(picture.commands[i].texture != before.id);
-    // Old sizes are not kept for ever.
+    // Old sizes are not kept forever.
     for (int size = 10; size < 40; ++size) {
         const fettle_hosted_value value = number(size);
         require(fettle_hosted_set(game.get(), "console.font_size", &value));

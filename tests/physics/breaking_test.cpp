@@ -53,7 +53,7 @@ TEST_CASE("a broken joint tells which and how hard it was pulled and can be mend
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("an impact within one step breaks a joint that holds the weight for ever") {
+TEST_CASE("an impact within one step breaks a joint that holds the weight forever") {
     World world({.sleeping = false});
     Body box = add_box(world, {0, 0});
     RevoluteJoint pin = world.create_revolute_joint({.body_b = box.id()});

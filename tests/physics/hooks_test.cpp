@@ -13,7 +13,7 @@
 
 namespace hooks_test {
 
-// What the library tells the host of all its worlds.
+// Messages of the library to the host, about all its worlds.
 
 using namespace scenes;
 

@@ -3,7 +3,7 @@
 
 namespace joint_readings_test {
 
-// What a joint tells: its separation, its load above a threshold; and its own stiffness.
+// What a joint reports: its separation, and its load above a threshold. And its own stiffness.
 
 using namespace scenes;
 

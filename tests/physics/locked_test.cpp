@@ -235,7 +235,7 @@ TEST_CASE("no edit is possible inside a function that the world is calling") {
                 const std::string message = refusal([&] { method.call(things); });
                 CHECK_THAT(message, contains(way.name.substr(0, way.name.find(' '))));
                 const std::string function = method.name.substr(method.name.rfind(':') + 1);
-                // A mouse is asked by names of its own for what all joints have.
+                // MouseJoint has names of its own for functions that all joints have.
                 if (!method.name.starts_with("MouseJoint")) CHECK_THAT(message, contains(function));
             }
             World other;

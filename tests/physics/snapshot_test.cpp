@@ -210,7 +210,8 @@ TEST_CASE("edits that wait for the next step are part of a saved world") {
     check_restored(world, 0, 120);
 }
 
-TEST_CASE("handles to what was alive are valid again and to what was made since for ever not") {
+TEST_CASE(
+    "a restore makes handles to living objects valid again and later handles invalid forever") {
     World world;
     add_floor(world);
     Body kept = add_ball(world, {0, 5});

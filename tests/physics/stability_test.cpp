@@ -89,7 +89,7 @@ TEST_CASE("twenty boxes that are not quite above each other stand") {
     REQUIRE(std::fabs(stack.back().angle()) < 0.02f);
 }
 
-TEST_CASE("a house of cards of five storeys stands") {
+TEST_CASE("a house of cards of five floors stands") {
     // Where it is built must not matter: one start is no proof.
     const float start = GENERATE(0.0f, 0.37f, 1.48f, -3.3f, 12.345f);
     World world({.sleeping = false});

@@ -1,4 +1,4 @@
-// Why a body has its mass, its velocity and its pose: what is told adds up.
+// `why` explains the mass, the velocity and the pose of a body: the parts that it lists add up.
 
 #include <fettle/property/explaining.h>
 #include <limits>

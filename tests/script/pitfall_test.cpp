@@ -1,4 +1,4 @@
-// Mistakes that users of other engines make are told, once.
+// Mistakes that users of other engines make are reported once.
 
 #include <fettle/property/snapshot.h>
 

@@ -15,7 +15,8 @@ struct Machine;
 /// The text with the path of the selected instance in place of `it`. Throws Error if `it` is
 /// mentioned and nothing is selected, or if what is selected has no place in the tree.
 std::string with_selected(Machine& machine, std::string_view source);
-/// The function at `index` sees the present `it` from now on, whatever is selected later.
+/// From now on, `it` in the function at `index` is the instance that is selected now, even if
+/// another one is selected later.
 void hold_selected(lua_State* L, Machine& machine, int index);
 
 /// A path or an expression as a value to observe. Throws Error for a text that does not compile.

@@ -68,7 +68,7 @@ class Movers {
     std::vector<MoverRecord> records_;
 };
 
-/// The settings as the library takes them. They are valid whatever the record holds.
+/// The settings as the library takes them, clamped to its ranges.
 physics::MoverDef definition(const MoverRecord& record, const physics::Body& body);
 
 /// True if all numbers are in their ranges and the slots are in order.

@@ -12,7 +12,7 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
-/// One change of a device, as a property of `input` tells it, whether the player or a script made
+/// One change of a device, as a property of `input` reports it, whether the player or a script made
 /// it.
 struct Act {
     enum class Kind : std::uint8_t {

@@ -48,7 +48,7 @@ class Visuals : public module::Module {
                                   const property::Memory& memory) override;
     /// To be called when that file of the game has changed, and no code of the game runs: reads it
     /// again if it is an image, a font, or a part of a map that is in use. If it cannot be read,
-    /// the old one stays, and `on_problem` is told.
+    /// the old one stays, and `on_problem` gets the reason.
     void renew(const std::string& name);
     /// What the image "save:SLOT" shows: the picture of a saved game. `renew("save:SLOT")` when it
     /// is another one.

@@ -169,7 +169,7 @@ Database::Database(const std::filesystem::path& named, Access access) : Database
 }
 
 /// Protects against hostile files: they must not run their own views, triggers and functions, make
-/// SQLite compute for ever, or use corrupt data for an attack.
+/// SQLite compute forever, or use corrupt data for an attack.
 void Database::distrust() {
     for (const auto& [option, value] :
          {std::pair{SQLITE_DBCONFIG_DEFENSIVE, 1}, std::pair{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},

@@ -24,8 +24,8 @@ enum class LogLevel : uint8_t {
     error     ///< something was lost
 };
 
-/// Gets what the library notices and neither a result nor an exception tells. `text` is one line
-/// and lives for the call. It is called on the thread that made the call of the library, so
+/// Gets what the library notices and reports by neither a result nor an exception. `text` is one
+/// line and lives for the call. It is called on the thread that made the call of the library, so
 /// several threads may be in it at once. It may read the world, must not edit it, and what it
 /// throws is ignored.
 using LogFunction = void (*)(void* user, LogLevel level, const char* text);

@@ -124,7 +124,7 @@ class World {
     /// Handles keep referring to their original world.
     [[nodiscard]] World clone() const;
     /// Takes the state of a copy, in place: handles that were valid at the time of the copy are
-    /// valid again, and handles to later objects stay invalid for ever.
+    /// valid again, and handles to later objects stay invalid forever.
     void restore(const World& other);
 
     /// Appends the complete state of the world to `out`, with a checksum. The bytes are the same on

@@ -57,8 +57,8 @@ class Store {
         /// Receives errors of the file. They do not end the run.
         std::function<void(const std::string&)> warn{};
     };
-    /// Reads the file, which may be missing. A damaged file is told to `warn`, and is moved aside
-    /// before the first write.
+    /// Reads the file, which may be missing. A damaged file is reported to `warn`, and is moved
+    /// aside before the first write.
     Store(std::filesystem::path file, Options options);
     /// Writes what is not written yet.
     ~Store();
