@@ -40,7 +40,7 @@ Body add_ground(World& world) {
 
 }  // namespace
 
-TEST_CASE("touches of a shape that is not to be reported are not and count all the same") {
+TEST_CASE("touches of a shape without contact events are not reported but can be read") {
     World world({.persist_events = true});
     add_floor(world);
     Body told = add_ball(world, {0, 0.6f}), silent = add_ball(world, {5, 0.6f});
@@ -57,7 +57,7 @@ TEST_CASE("touches of a shape that is not to be reported are not and count all t
     REQUIRE(heard.ends == 1);
 }
 
-TEST_CASE("a touch is reported to its end if its begin was and not otherwise") {
+TEST_CASE("the end of a touch is reported exactly if its begin was reported") {
     for (const bool chain : {false, true}) {
         World world;
         if (chain)

@@ -25,7 +25,7 @@ struct TwoBodies : Stage {
     }
 };
 
-/// Receives what scripts ask of a console.
+/// Receives the calls of scripts for a console.
 struct Served : TwoBodies {
     std::vector<script::Observed> pinned, plotted, searched;
     std::vector<std::string> texts;
@@ -112,7 +112,7 @@ TEST_CASE("who and why take a path without quotes") {
     CHECK_THAT(s.console("whom world.ball.mass"), contains("error"));
 }
 
-TEST_CASE("undo and redo tell how values changed") {
+TEST_CASE("undo and redo print how values changed") {
     TwoBodies s;
     s.console("world.ball.mass = 5");
     CHECK(s.console("undo") == "undo: world.ball.mass = 5|  world.ball.mass: 5 → 2 kg");

@@ -43,7 +43,7 @@ TEST_CASE_METHOD(Gallery, "the picture of a saved game is an image") {
     wide = 3;  // it was saved again
     visuals.renew("save:quick");
     CHECK(tree.get(s, "image_width") == Value(3));
-    tree.set(s, "image", Value("save:none"));  // nothing is seen, and nothing is told
+    tree.set(s, "image", Value("save:none"));  // nothing is drawn and nothing is reported
     CHECK(draw()[0].picture->rgba()[3] == 0);
     CHECK(problems.empty());
 }
@@ -97,7 +97,7 @@ TEST_CASE_METHOD(Gallery, "tint and blend and filter reach the painter") {
     CHECK_FALSE(drawn[0].smooth);
 }
 
-TEST_CASE_METHOD(Gallery, "a sprite follows what it hangs below") {
+TEST_CASE_METHOD(Gallery, "a sprite follows the instance above it") {
     const Handle ship = make("Object");
     tree.set_or_add(ship, "position", Value(Vec2(10, 0)));
     tree.set_or_add(ship, "angle", Value(std::acos(0.0)));

@@ -19,7 +19,7 @@ struct Failure {
     std::string message;
 };
 
-/// As in "dt = nan".
+/// A value with its name: "dt = nan".
 std::string stated(const char* name, float value);
 
 /// The arrays that `fettle_world_events` gave.

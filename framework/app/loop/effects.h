@@ -25,7 +25,7 @@ class Effects {
     void step();
     /// What is to be drawn now; null without an effect. `time`: s.
     const Effect* now(double time);
-    /// Tells a problem, once.
+    /// Reports a problem, once.
     void tell(const std::string& problem);
     void on_problem(std::function<void(const std::string&)> tell) { tell_ = std::move(tell); }
     /// Reads the file again before the next frame.

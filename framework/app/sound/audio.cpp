@@ -57,8 +57,8 @@ void Audio::step(double dt) {
         if (state_->tree.alive(voice)) state_->pass(voice, dt);
 }
 
-/// Each write is in the log of the timeline until the game goes on, so there are few of them. The
-/// mixer follows by itself in between.
+/// The log of the timeline keeps each write until the game goes on, so the writes are rare. Between
+/// two of them, the mixer advances by itself.
 void Audio::wait(double seconds) {
     State& s = *state_;
     if (!s.at_present()) return;

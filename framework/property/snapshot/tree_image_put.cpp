@@ -13,8 +13,8 @@
 namespace fettle::property {
 namespace {
 
-/// Whether the rows of the class are no part of the snapshot: its module makes rows for instances
-/// that come back, and ends those of the others.
+/// True if the rows of the class are not part of the snapshot: its module makes rows for restored
+/// instances and ends the rows of the others.
 bool makes_rows(const Class& of) {
     return of.snapshots() != Snapshots::natively;
 }
@@ -71,7 +71,7 @@ void TreeImage::put_nodes() {
         if (of.snapshots() == Snapshots::never && now_.stored[of.id()] != nullptr)
             node.stored_row = lived ? now_.nodes[i].stored_row : now_.stored[of.id()]->add();
     }
-    // They depend on cells of the table that goes.
+    // Formulas depend on cells of the table that is replaced.
     s.formulas.clear();
     now_.nodes.replace(std::move(nodes_));
     s.changes.queue.fresh.clear();
@@ -136,7 +136,7 @@ void TreeImage::put_formula(Formulas::Image& image, const Property& property) {
 void TreeImage::make_rows() {
     Tree::State& s = state_;
     if (s.underway.unmade.empty()) return;
-    // What a module makes below its instance meanwhile has its row already.
+    // An instance that a module makes below its own meanwhile has its row already.
     std::vector<Handle> all;
     for (std::uint32_t top = 1; top < now_.nodes.end(); ++top)
         if (now_.nodes[top].alive() && now_.nodes[top].parent == 0)
@@ -176,7 +176,7 @@ void TreeImage::make_rows() {
         if (now_.nodes.find(*self) != nullptr) drop(self->index);
 }
 
-/// What its module has thrown; "": nothing.
+/// Ends a row. Returns the text of the exception that its module threw; "" if there was none.
 std::string TreeImage::end_row(Handle self) {
     const Node& node = now_.nodes[self.index];
     const Lifecycle& lifecycle = now_.classes[node.class_id].lifecycle();

@@ -2,9 +2,9 @@
 // Compares what the top level of a game has declared with what it declared before, and applies the
 // differences to the game.
 //
-// The top level has made detached instances. One that has the place of an instance that the top
-// level made before stands for it: only values that are declared differently are given to the
-// living instance, and the detached one is deleted. The others are new.
+// The top level has made detached instances. If the top level made an instance for the same place
+// before, the detached one stands for that instance: only values that are declared differently are
+// given to the living instance, and the detached one is deleted. All other detached ones are new.
 
 #include <string>
 #include <unordered_map>

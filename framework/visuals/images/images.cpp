@@ -29,7 +29,8 @@ std::shared_ptr<const Sheet> Images::get(const std::string& what, const std::str
     return known;
 }
 
-/// A saved game without a picture, as all of a run without a window, is not seen.
+/// For a saved game without a picture, such as one of a run without a window, the image is one
+/// transparent pixel.
 void Images::read_saved(Sheet& into, const std::string& slot) const {
     property::Thumbnail found = saved_ ? saved_(slot) : property::Thumbnail{};
     if (found.empty()) found = {1, 1, {0, 0, 0, 0}};

@@ -14,7 +14,7 @@
 
 namespace fettle::visuals {
 
-/// A font, and those that are asked for letters that it lacks.
+/// A font, and other fonts that supply the letters that it lacks.
 class Family {
   public:
     Family(std::vector<std::shared_ptr<Font>> fonts, SystemFonts* others)
