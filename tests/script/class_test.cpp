@@ -122,6 +122,37 @@ function Ball:step(dt) self.n = self.n + 1 end
     CHECK(stage::joined(s.printed) == "ready\tworld.native");
 }
 
+TEST_CASE("undo and redo bring an instance back without calling ready again") {
+    Stage s;
+    s.run(R"lua(
+Ball = class("Ball", Body) {}
+function Ball:ready() self:add(Body {}) end
+)lua");
+    const auto parts = [&] {
+        s.step();
+        return s.tree->child_count(s.get("world.b").reference());
+    };
+    s.console("world.b = Ball {}");
+    CHECK(parts() == 1);
+    for (const char* command : {"undo", "redo", "world.b:delete()", "undo", "undo", "redo"}) {
+        INFO(command);
+        CHECK_THAT(s.console(command), !contains("error"));
+        s.step();
+        if (s.tree->child(s.world, "b")) CHECK(parts() == 1);
+    }
+    CHECK(s.tree->child(s.world, "b"));
+    CHECK(s.errors.empty());
+}
+
+TEST_CASE("the store and what the framework makes cannot be replaced") {
+    Stage s;
+    CHECK_THAT(s.fails("store = {}"), contains("store: contains what outlives the run"));
+    s.tree->define({.name = "Clock", .creatable = false});
+    s.tree->create(s.tree->class_named("Clock"), s.tree->root(), "clock");
+    CHECK_THAT(s.fails("clock = 0"), contains("clock: is the Clock of the framework"));
+    CHECK_THAT(s.fails("game.clock = 0"), contains("game.clock: is the Clock of the framework"));
+}
+
 TEST_CASE("watchers are called at the barrier with old and new value") {
     Stage s;
     s.run(R"lua(
@@ -386,7 +417,8 @@ TEST_CASE("callbacks get their arguments and quit ends the game") {
     s.run("quit(3)");
     CHECK(s.runtime->quit_status() == 3);
     CHECK_THAT(s.fails("function keypressed(key) end"), contains("did you mean \"key_pressed\""));
-    CHECK_THAT(s.fails("world = 3"), contains("assign game.world"));
+    s.run("game.thing = Object {}");
+    CHECK_THAT(s.fails("thing = 3"), contains("assign game.thing"));
     CHECK_THAT(s.fails("print(undefined_thing)"), contains("undefined_thing: no such name"));
     s.run(
         "maybe = nil; assert(maybe == nil); sometimes = 3; sometimes = nil; assert(not sometimes)");

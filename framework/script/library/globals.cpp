@@ -30,6 +30,7 @@ std::vector<std::string> global_names(Machine& machine) {
     lua_pop(L, 1);
     names.emplace_back("game");
     names.emplace_back("classes");
+    names.emplace_back("store");
     names.insert(names.end(), machine.globals.stated.begin(), machine.globals.stated.end());
     const property::Tree& tree = machine.tree;
     for (Handle child = tree.first_child(tree.root()); child; child = tree.next_sibling(child))
@@ -49,6 +50,10 @@ void push_last_result(lua_State* L, Machine& machine) {
 bool push_known_global(lua_State* L, Machine& machine, std::string_view name) {
     if (name == "game") {
         push_instance(L, machine.tree.root());
+        return true;
+    }
+    if (name == "store") {
+        push_registry(L, machine.globals.store);
         return true;
     }
     if (const Handle child = child_of(machine, machine.tree.root(), name)) {
@@ -114,18 +119,31 @@ int read_global(lua_State* L) {
                 std::string(name) + ": no such name" + suggest(machine, name));
 }
 
+// Names that a game cannot give another meaning.
+void refuse_fixed(const Machine& machine, std::string_view name) {
+    const auto refuse = [&](const std::string& why) {
+        throw Error(ErrorKind::bad_name, std::string(name) + ": " + why);
+    };
+    if (name == "game") refuse("is part of the tree; it cannot be replaced");
+    if (name == "store")
+        refuse(
+            "contains what outlives the run; assign its values (store.best = 10), empty it with "
+            "store:clear(), or use another name");
+    const Handle child = machine.tree.child(machine.tree.root(), name);
+    if (!child) return;
+    const Class& of = machine.tree.class_of(child);
+    if (!of.creatable())
+        refuse("is the " + of.name() +
+               " of the framework and cannot be replaced; use another name");
+    refuse("game has a child of this name, which is a global; assign game." + std::string(name) +
+           " to replace it, or use another name");
+}
+
 int write_global(lua_State* L) {
     Machine& machine = machine_of(L);
     if (lua_type(L, 2) == LUA_TSTRING) {
         const std::string_view name = view_at(L, 2);
-        if (name == "game" || machine.tree.child(machine.tree.root(), name))
-            throw Error(ErrorKind::bad_name,
-                        std::string(name) + ": " +
-                            (name == "game"
-                                 ? std::string("is part of the tree; it cannot be replaced")
-                                 : "game has a child of this name, which is a global; assign "
-                                   "game." +
-                                       std::string(name) + " to replace it, or use another name"));
+        refuse_fixed(machine, name);
         if (write_stated(L, machine, name, 3)) return 0;
         // Fettle would never call a function with a misspelled name such as `keypressed`.
         if (lua_type(L, 3) == LUA_TFUNCTION && name.size() >= 8) {

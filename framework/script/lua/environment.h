@@ -13,6 +13,7 @@ struct Environment {
     int table = 0;
     int declared = 0;                  // names of all globals that were ever assigned
     int loaded = 0;                    // loaded modules by name
+    int store = 0;                     // the value of the global of this name
     std::vector<std::string> loading;  // modules whose files run now, the innermost last
     // Table with the value of `_` at index 1, because the reference itself must not be nil.
     int last_result = 0;

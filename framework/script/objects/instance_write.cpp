@@ -46,6 +46,11 @@ void write_child(lua_State* L, Machine& machine, Handle instance, Handle child,
     }
     const auto* box = instance_at(L, 3);
     if (box && box->handle == child) return;
+    if (!machine.tree.class_of(child).creatable())
+        throw Error(ErrorKind::bad_structure,
+                    path_of(machine.tree, instance, name) + ": is the " +
+                        machine.tree.class_of(child).name() +
+                        " of the framework and cannot be replaced or deleted");
     const Handle orphan = orphan_at(L, machine.tree);
     if (!orphan)
         throw Error(ErrorKind::bad_structure,

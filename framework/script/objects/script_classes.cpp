@@ -183,18 +183,21 @@ bool ScriptClasses::scripted(const Class& of) const {
 }
 
 // Instances that no constructor of a script made (by a scene file or a module) get the class's
-// callbacks, too.
+// callbacks, too. One that undo or redo brings back has been ready: it has what `ready` made below
+// it, and would get that twice.
 void ScriptClasses::observe(const Class& of) {
     // The observer of the base includes these instances.
     if (of.base() && scripted(*of.base())) return;
     machine_.connections.keep(
         machine_.tree.watch_created(of, [this](const property::Existence& existence) {
-            if (machine_.tree.alive(existence.instance)) adopt(existence.instance, false);
+            if (!machine_.tree.alive(existence.instance)) return;
+            if (adopt(existence.instance) && existence.cause.writer != property::Writer::undo)
+                wait_for(existence.instance, false);
         }));
 }
 
-void ScriptClasses::adopt(Handle instance, bool announce) {
-    if (!known_.insert(bits_of(instance)).second) return;
+bool ScriptClasses::adopt(Handle instance) {
+    if (!known_.insert(bits_of(instance)).second) return false;
     if (members_.size() >= prune_at_ && !calling_) {
         std::erase_if(members_, [this](Handle member) {
             if (machine_.tree.alive(member)) return false;
@@ -205,7 +208,7 @@ void ScriptClasses::adopt(Handle instance, bool announce) {
     }
     members_.push_back(instance);
     if (noting_) changes_.adopted.push_back(instance);
-    wait_for(instance, announce);
+    return true;
 }
 
 void ScriptClasses::wait_for(Handle instance, bool announce) {
@@ -284,7 +287,7 @@ Handle ScriptClasses::create(const Class& of) {
         wait_for(made, true);
         return made;
     }
-    adopt(made, true);
+    if (adopt(made)) wait_for(made, true);
     try {
         for (auto c = up.rbegin(); c != up.rend(); ++c)
             for (const auto& [property, value] : info(**c).defaults)

@@ -134,7 +134,8 @@ class ScriptClasses {
     const property::Class* definer(const property::Class& of, std::string_view name);
     void connect(const property::Class& of, const std::string& name);
     void observe(const property::Class& of);
-    void adopt(property::Handle instance, bool announce);
+    /// Whether the instance is new here.
+    bool adopt(property::Handle instance);
     void wait_for(property::Handle instance, bool announce);
     bool push_state_function(lua_State* L, const property::Class& of, std::string_view state,
                              const char* name) const;

@@ -4,6 +4,7 @@
 #include <fettle/script/runtime.h>
 
 #include <lua/budget.h>
+#include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -308,7 +309,7 @@ void open_store(lua_State* L, Machine& machine) {
     note_name(L, guarded<varying<store_tostring>>, "tostring");
     machine.boxes.store = luaL_ref(L, LUA_REGISTRYINDEX);
     push_table(L, Store::root);
-    lua_setfield(L, -2, "store");
+    machine.globals.store = luaL_ref(L, LUA_REGISTRYINDEX);
 }
 
 }  // namespace fettle::script
