@@ -56,6 +56,24 @@ TEST_CASE("a number that changed in the file changes the living instance and not
     CHECK(game.number("world.ball.number") == 6);
 }
 
+TEST_CASE("a reload tells that start has changed and is not called again") {
+    const auto code = [](const std::string& above, const std::string& gravity) {
+        return above + "function start() print('start') world.size = " + gravity + " end";
+    };
+    Game game("world.size = 0 " + code("", "-10"));
+    const auto notes = [&](const std::string& text) {
+        game.write("main.lua", text);
+        return game.runtime->reload({"main.lua"}).notes;
+    };
+    CHECK(notes("world.size = 0 " + code("local x = 1\n", "-10")).empty());
+    const std::vector<std::string> told = notes("world.size = 0 " + code("", "-2"));
+    REQUIRE(told.size() == 1);
+    CHECK_THAT(told[0], contains("start() has changed"));
+    CHECK(stage::joined(game.printed) == "start");
+    CHECK(notes("world.size = 0 " + code("", "-2")).empty());
+    CHECK(notes("world.size = 0").empty());
+}
+
 TEST_CASE(
     "a snapshot from before a reload is restored with the handlers and timers of the new code") {
     const auto code = [](const std::string& age) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <calls/errors.h>
+#include <handlers/function_source.h>
 #include <lua/environment.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
@@ -38,6 +39,18 @@ int copy_of_globals(Machine& machine) {
     const int copy = luaL_ref(L, LUA_REGISTRYINDEX);
     lua_pop(L, 1);
     return copy;
+}
+
+/// The text of the game's `start`; "" if it has none.
+std::string text_of_start(Machine& machine) {
+    lua_State* const L = machine.lua.main;
+    push_registry(L, machine.globals.table);
+    push_text(L, "start");
+    lua_rawget(L, -2);
+    std::string text;
+    if (lua_isfunction(L, -1)) text = function_source(L, machine, lua_gettop(L)).text;
+    lua_pop(L, 2);
+    return text;
 }
 
 void set_global(lua_State* L, int table, const std::string& name) {
@@ -157,6 +170,7 @@ void TopLevel::bring_back(const Kept& kept, const Noted& made) {
 
 Reloaded TopLevel::reload(const std::function<bool()>& run) {
     lua_State* const L = machine_.lua.main;
+    const std::string start = text_of_start(machine_);
     Kept kept;
     set_aside(kept);
     const int before = copy_of_globals(machine_);
@@ -176,6 +190,11 @@ Reloaded TopLevel::reload(const std::function<bool()>& run) {
     if (result.done) {
         take(made, result);
         note_globals(before);
+        if (const std::string now = text_of_start(machine_);
+            !start.empty() && !now.empty() && now != start)
+            result.notes.emplace_back(
+                "start() has changed: it is called when a game begins, so its new values are seen "
+                "in the next run");
     } else {
         result.error = std::exchange(machine_.errors.caught, {});
         destroy_made(machine_, machine_.declarations.end());
