@@ -4,7 +4,7 @@
 local host_games, host_show, host_open =
     rawget(_G, "gallery_games"), rawget(_G, "gallery_show"), rawget(_G, "open_game")
 
-local margin, gap, top = 40, 28, 110          -- px
+local margin, gap = 40, 28                    -- px
 local widest_card, text_room = 400, 74        -- px
 local card_color, chosen_color = color("#242b38"), color("#32405a")
 local edge_color, chosen_edge = color("#3a4456"), color("#7fb2ff")
@@ -14,6 +14,35 @@ game.gallery = Object { chosen = 1, scroll = 0.0 }
 local games = {}
 for i, entry in ipairs(host_games and host_games() or {}) do
     games[i] = { name = entry[1], title = entry[2], about = entry[3] }
+end
+
+-- Lines of at most so many characters, and their number.
+local function wrapped(text, most, lines)
+    local out, line = {}, ""
+    for word in text:gmatch("%S+") do
+        if #line + #word + 1 > most and line ~= "" then
+            out[#out + 1], line = line, word
+        else
+            line = line == "" and word or line .. " " .. word
+        end
+    end
+    out[#out + 1] = line
+    if #out > lines then out[lines] = out[lines] .. " ..." end
+    local count = math.min(lines, #out)
+    return table.concat(out, "\n", 1, count), count
+end
+
+local function help()
+    local text = #games > 0 and
+        "Click a game, or choose it with the arrow keys and Enter, or a stick and A. To come back here, hold Escape or the back button." or
+        "There are no games here: open the gallery with fettle run."
+    return wrapped(text, (view.screen.x - 2 * margin) // 8.5, 6)
+end
+
+-- Where the cards begin, px.
+local function top()
+    local _, lines = help()
+    return 91 + 19 * lines
 end
 
 local function columns()
@@ -26,7 +55,7 @@ local function place_of(index)
     local width = (view.screen.x - 2 * margin - (count - 1) * gap) / count
     local picture = width * 0.625
     local column, row = (index - 1) % count, (index - 1) // count
-    return margin + column * (width + gap), top + row * (picture + text_room + gap) - gallery.scroll, width, picture
+    return margin + column * (width + gap), top() + row * (picture + text_room + gap) - gallery.scroll, width, picture
 end
 
 local function card_at(point)
@@ -48,19 +77,26 @@ local function scroll_to(where)
     gallery.scroll = math.max(0.0, math.min(lowest_scroll() + 0.0, where + 0.0))
 end
 
+-- Of a card that is higher than the window, the upper part.
 local function show_chosen()
     local _, upper, _, picture = place_of(gallery.chosen)
-    if upper < top then scroll_to(gallery.scroll + upper - top) end
     local over = upper + picture + text_room + margin - view.screen.y
-    if over > 0 then scroll_to(gallery.scroll + over) end
+    scroll_to(gallery.scroll + math.min(upper - top(), math.max(0, over)))
 end
 
 local function open(index)
-    if games[index] and host_open then host_open(games[index].name) end
+    if not games[index] or not host_open then return end
+    store.opened = games[index].name
+    host_open(games[index].name)
 end
 
+-- Who comes back finds the game that was opened.
 function start()
     view.background = color("#171c26")
+    for i, entry in ipairs(games) do
+        if entry.name == store.opened then gallery.chosen = i end
+    end
+    if #games > 0 then show_chosen() end
 end
 
 function mouse_moved(_, point)
@@ -76,6 +112,7 @@ function wheel(notches)
 end
 
 local function move_by(count)
+    if #games == 0 then return end
     gallery.chosen = math.max(1, math.min(#games, gallery.chosen + count))
     show_chosen()
 end
@@ -111,21 +148,6 @@ function action_pressed(action)
     end
 end
 
--- Lines of at most so many characters.
-local function wrapped(text, most, lines)
-    local out, line = {}, ""
-    for word in text:gmatch("%S+") do
-        if #line + #word + 1 > most and line ~= "" then
-            out[#out + 1], line = line, word
-        else
-            line = line == "" and word or line .. " " .. word
-        end
-    end
-    out[#out + 1] = line
-    if #out > lines then out[lines] = out[lines] .. " ..." end
-    return table.concat(out, "\n", 1, math.min(lines, #out))
-end
-
 local function draw_card(pen, index, card)
     local left, upper, width, picture = place_of(index)
     if upper > view.screen.y or upper + picture + text_room < 0 then return end
@@ -133,18 +155,18 @@ local function draw_card(pen, index, card)
     pen.box(vec(left + width / 2, upper + (picture + text_room) / 2), width, picture + text_room,
         chosen and chosen_color or card_color, chosen and chosen_edge or edge_color, chosen and 3 or 1.5)
     pen.text(vec(left + width / 2, upper + picture / 2), "...", 24, edge_color)
-    if host_show then host_show(card.name, left + 4, upper + 4, width - 8, picture - 4, top - 14) end
+    if host_show then host_show(card.name, left + 4, upper + 4, width - 8, picture - 4, top() - 14) end
     pen.text(vec(left + 14, upper + picture + 20), card.title, 20, "white", "left")
-    pen.text(vec(left + 14, upper + picture + 50), wrapped(card.about, width // 7, 2), 13, color("#a0a8b8"), "left")
+    pen.text(vec(left + 14, upper + picture + 50), (wrapped(card.about, width // 7, 2)), 13, color("#a0a8b8"), "left")
 end
 
 function draw(pen)
     pen.screen(function()
         for i, card in ipairs(games) do draw_card(pen, i, card) end
-        pen.box(vec(view.screen.x / 2, (top - 14) / 2), view.screen.x, top - 14, view.background)
+        local height = top() - 14
+        pen.box(vec(view.screen.x / 2, height / 2), view.screen.x, height, view.background)
         pen.text(vec(margin, 40), "Fettle", 36, "white", "left")
-        pen.text(vec(margin, 76), #games > 0 and
-            "Click a game, or choose it with the arrow keys and Enter, or a stick and A. To come back here, hold Escape or the back button." or
-            "There are no games here: open the gallery with fettle run.", 16, color("#a0a8b8"), "left")
+        local text, lines = help()
+        pen.text(vec(margin, 66.5 + 9.5 * lines), text, 16, color("#a0a8b8"), "left")
     end)
 end

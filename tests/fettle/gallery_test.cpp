@@ -61,6 +61,16 @@ TEST_CASE("the gallery opens a game of its list and nothing else") {
     CHECK(run_gallery(folder, "gallery_show('car')").status == 1);
 }
 
+TEST_CASE("who comes back to the gallery finds the game that was opened") {
+    const Folder folder;
+    CHECK(contains(run_gallery(folder, "print(gallery.chosen)").out, "1\n"));
+    const std::string right = "input.keys.right = true";
+    CHECK(fettle(folder, {"run", "--headless", "--steps", "9", "--at", "2:" + right, "--at",
+                          "4:input.keys.enter = true"})
+              .status == 0);
+    CHECK(contains(run_gallery(folder, "print(gallery.chosen)").out, "2\n"));
+}
+
 TEST_CASE("no other game has the functions of the gallery") {
     const Folder folder;
     const Outcome run =
