@@ -4,7 +4,7 @@ local things, sound = require("things"), require("sound")
 local screens = { name = "title", back = "title", age = 0, game = { count = 12, level = 0, sparks = 0, tries = 0 } }
 local ink, gold, cream, dim, faded = things.ink, things.gold, things.cream, color("#a99bc9"), things.faded
 local full, missing = color("white"), color("#564880")      -- the tints of sparks
-local menus = {}                                            -- functions that make them, by name
+local menus, left = {}, {}                                  -- by name: functions that make them, and what led out of them
 
 local looks = { accent = gold, on_accent = ink, text = cream, focus = cream, control = color("#3a2f5c"), panel = faded(ink, 0.92),
     border = faded(gold, 0.6), shade = faded(ink, 0.6), font = "bold", font_size = 28, radius = 6, spacing = 12, padding = 40 }
@@ -20,6 +20,7 @@ function screens.open(name, back)
     if screens.in_level() then return end
     local menu, first = menus[name](screens.game)
     game:add(menu, "menu")
+    if name == screens.back then first = menu:find("Item", function(each) return each.text == left[name] end)[1] or first end
     if first then first:focus() end
 end
 
@@ -31,6 +32,7 @@ Item = class("Item", Button) { look = "quiet", min_size = vec(340, 0) }
 local function item(text, action)
     return Item { text = text, pressed = function(event)
         sound.play("press")
+        left[screens.name] = text
         action(event.instance)
     end }
 end

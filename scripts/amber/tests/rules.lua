@@ -134,6 +134,7 @@ test("volumes are set, kept, and survive a rewind", function(t)
     t:tap("left")
     expect(audio.buses.music.volume):near(0.5)
     t:tap("escape")
+    expect(interface.focus.text):is("Settings")      -- where the player came from
     t:tap("escape")
     expect(screens.name):is("play")
     local heard = sounds.music:children()[1].time
