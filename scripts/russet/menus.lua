@@ -107,14 +107,14 @@ local function keep_score(won)
 end
 function menus.game_over()
     local number = game.scene.number
-    open("menu", { head("Game over", 44), line(points .. " points"), line(keep_score(false)),
+    open("menu", { head("Game over", 44), line(points .. " points"), line(points > 0 and keep_score(false) or ""),
         button("again", "Try " .. fx.places[number].name .. " again", function() menus.play(number, true) end, "accent"),
         button("title", "Title", menus.title) })
 end
 function menus.won(level, bonus)
-    local last = level.number == 6
+    local last, prize = level.number == 6, "coins " .. level.coins .. " of " .. level.all_coins
     local list = { head(last and "Home at last!" or fx.places[level.number].name), line("time " .. clock(level) .. "   +" .. bonus.time),
-        line("hearts " .. hearts .. "   +" .. bonus.hearts), line("coins " .. level.coins .. " of " .. level.all_coins .. "   +" .. bonus.coins),
+        line("hearts " .. hearts .. "   +" .. bonus.hearts), line((last and "the Boar King is beaten" or prize) .. "   +" .. bonus.coins),
         line(bonus.hits > 0 and "not hurt once   +300" or "hurt " .. level.hits .. " times"), head(points .. " points", 28) }
     if last then
         list[7], list[8] = line(keep_score(true)), button("title", "Title", menus.title, "accent")
