@@ -147,6 +147,11 @@ void ImGuiBackend::navigate_with_keys(bool on) {
                : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
 }
 
+void ImGuiBackend::close_menus() {
+    activate();
+    if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, true);
+}
+
 void ImGuiBackend::build_fonts(float font_size) {
     ImGuiIO& io = ImGui::GetIO();
     font_size_ = font_size;

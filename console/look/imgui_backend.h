@@ -34,6 +34,8 @@ class ImGuiBackend {
     /// Switches keyboard navigation on for popup lists (arrows, Escape). Otherwise the keys belong
     /// to the prompt.
     void navigate_with_keys(bool on);
+    /// Closes all popup lists.
+    void close_menus();
     /// `font_size` in pixels; the fonts are built again when it changes.
     void begin_frame(float width, float height, double seconds, float font_size);
     void end_frame();

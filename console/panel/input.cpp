@@ -108,10 +108,22 @@ bool Console::State::type_text(const InputEvent& event) {
     if (event.character == U'`' && settings.text("key") == "grave") return true;
     // Control and a letter give a control character, which widgets and the prompt do not use.
     if (event.character < 0x20 || event.character == 0x7f) return true;
-    if (widgets_have_keyboard())
+    if (widgets_have_keyboard() && !leaves_menu(event.character))
         feed(event);
     else
         prompt.type(event.character);
+    return true;
+}
+
+/// A letter that no field of an open menu takes closes the menu: it is the beginning of a command.
+bool Console::State::leaves_menu(char32_t character) {
+    if (character == U' ') return false;  // chooses an entry
+    // A field of a menu that has just been opened gets the keyboard some frames later.
+    for (int i = 0; i < 3 && !ImGui::IsAnyItemActive(); ++i) frame(0);
+    ui.activate();
+    if (ImGui::IsAnyItemActive()) return false;
+    ui.close_menus();
+    screen.popup_open = false;
     return true;
 }
 

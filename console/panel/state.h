@@ -105,6 +105,7 @@ struct Console::State {
     /// and a release, are separated by an extra frame.
     void feed(const app::InputEvent& event);
     bool widgets_have_keyboard();
+    bool leaves_menu(char32_t character);
     bool over_windows(float x, float y) const;
     bool click_game(float x, float y, bool menu);
     /// Selects what is in the box that was drawn with Shift.

@@ -2,6 +2,7 @@
 
 #include <fettle/property/exception_text.h>
 
+#include <attach/protocol.h>
 #include <game/console_layer.h>
 #include <game/session.h>
 
@@ -38,7 +39,7 @@ void Session::begin_to_listen() {
                         [this](std::string_view command) { return runtime_->evaluate(command); },
                     .complete =
                         [this](std::string_view input, std::size_t cursor) {
-                            return runtime_->complete(input, cursor);
+                            return runtime_->complete(input, cursor, most_candidates);
                         },
                     .note = [this](const std::string& what) { note(what); }});
             return note("fettle repl --attach " + std::to_string(listener_->place().process) +

@@ -251,4 +251,28 @@ TEST_CASE("the events of one frame arrive in order") {
     CHECK(rig.value("world.crate.mass") == Value(8.0));
 }
 
+TEST_CASE("letters close an open list or menu and are typed into the prompt") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw();
+    rig.console.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));
+    rig.draw(3);
+    const ImVec2 at = rig.widget("type");
+    rig.click(at.x, at.y);
+    rig.draw(2);
+    REQUIRE(rig.state().screen.popup_open);
+    rig.type("wor");
+    CHECK(rig.input() == "wor");
+    rig.draw(2);
+    CHECK_FALSE(rig.state().screen.popup_open);
+    rig.state().context_menu.open("world.ball");
+    rig.draw(3);
+    REQUIRE(rig.state().screen.popup_open);
+    rig.type("ld");
+    CHECK(rig.input() == "world");
+    rig.draw(2);
+    CHECK_FALSE(rig.state().screen.popup_open);
+    CHECK(rig.value("world.ball.type") == Value("dynamic"));
+}
+
 }  // namespace input_test

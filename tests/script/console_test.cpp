@@ -250,6 +250,7 @@ TEST_CASE("completion compares a bounded number of names and describes those tha
     CHECK(labels(s, "many.k").size() == 200);
     for (const auto& candidate : s.runtime->complete("many.k1", 7))
         CHECK(candidate.detail == candidate.label.substr(1));
+    CHECK(s.runtime->complete("many.k", 6, 20).size() == 20);
     // A value that is not listed is not read.
     int reads = 0;
     fettle::property::ClassDescriptor counted{.name = "Counted"};

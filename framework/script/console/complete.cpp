@@ -30,7 +30,6 @@ namespace fettle::script {
 
 namespace {
 
-constexpr std::size_t max_candidates = 200;
 // Children of one instance, or entries of one table, that are compared: each letter that somebody
 // types, here or in an attached terminal, must not delay the game.
 constexpr std::size_t max_compared = 2'000;
@@ -70,8 +69,9 @@ class Candidates {
     std::string_view typed() const { return typed_; }
     std::size_t replace_from() const { return replace_from_; }
 
-    /// The best ones. Of those with the same label, the best one, or else the first.
-    std::vector<Completion> take() {
+    /// The best ones, `most` at most. Of those with the same label, the best one, or else the
+    /// first.
+    std::vector<Completion> take(std::size_t most) {
         // Of many, few are listed: a heap need not order the others.
         std::vector<Entry*> heap;
         for (Entry& entry : entries_) heap.push_back(&entry);
@@ -82,7 +82,7 @@ class Candidates {
         std::ranges::make_heap(heap, worse);
         std::vector<Completion> result;
         std::unordered_set<std::string> labels;
-        for (; !heap.empty() && result.size() < max_candidates; heap.pop_back()) {
+        for (; !heap.empty() && result.size() < most; heap.pop_back()) {
             std::ranges::pop_heap(heap, worse);
             Entry& best = *heap.back();
             if (!labels.insert(best.completion.label).second) continue;
@@ -439,7 +439,8 @@ void add_all(lua_State* L, Machine& machine, std::string_view before, const Scan
 
 }  // namespace
 
-std::vector<Completion> complete(Machine& machine, std::string_view input, std::size_t cursor) {
+std::vector<Completion> complete(Machine& machine, std::string_view input, std::size_t cursor,
+                                 std::size_t most) {
     const std::string_view before = input.substr(0, std::min(cursor, input.size()));
     const Scan scanned = scan(before);
     const std::size_t token =
@@ -450,7 +451,7 @@ std::vector<Completion> complete(Machine& machine, std::string_view input, std::
         machine, "completion",
         [&](lua_State* L) {
             add_all(L, machine, before, scanned, out);
-            found = out.take();
+            found = out.take(most);
         },
         false);
     machine.errors.caught.reset();

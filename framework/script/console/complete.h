@@ -10,6 +10,7 @@ namespace fettle::script {
 
 struct Machine;
 
-std::vector<Completion> complete(Machine& machine, std::string_view input, std::size_t cursor);
+std::vector<Completion> complete(Machine& machine, std::string_view input, std::size_t cursor,
+                                 std::size_t most);
 
 }  // namespace fettle::script

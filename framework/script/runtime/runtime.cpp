@@ -354,10 +354,11 @@ Evaluation Runtime::evaluate(std::string_view command) {
     return script::evaluate(machine, command);
 }
 
-std::vector<Completion> Runtime::complete(std::string_view input, std::size_t cursor) {
+std::vector<Completion> Runtime::complete(std::string_view input, std::size_t cursor,
+                                          std::size_t most) {
     Machine& machine = live();
     const Life::Use use(machine.life);
-    return script::complete(machine, input, cursor);
+    return script::complete(machine, input, cursor, most);
 }
 
 bool Runtime::running() const {

@@ -190,8 +190,9 @@ class Runtime {
     /// Runs a command: an expression prints its value, an assignment echoes old and new, `path?`
     /// prints help.
     Evaluation evaluate(std::string_view command);
-    /// Completions for the text before `cursor` (byte offset), best first.
-    std::vector<Completion> complete(std::string_view input, std::size_t cursor);
+    /// Completions for the text before `cursor` (byte offset), best first, `most` of them at most.
+    std::vector<Completion> complete(std::string_view input, std::size_t cursor,
+                                     std::size_t most = 200);
     /// Whether a call into the scripts, or a console command, has not returned yet.
     bool running() const;
     /// Carries out `pin`, `plot`, `break_when` and the other functions that need a console
