@@ -160,6 +160,9 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float side = ImGui::GetTextLineHeight() + 2;
     const float right = at.x + ImGui::GetContentRegionAvail().x - side - em;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    legend_.clear();
+    std::string tip;
     for (std::size_t i = 0; i < plots.size(); ++i) {
         const Trace& trace = plots[i];
         const Trace::Sample* s = step >= 0 ? sample_at(trace, step) : nullptr;
@@ -167,8 +170,9 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
         if (s != nullptr)
             shown = trace.is_vector() ? property::Value(property::Vec2(s->x, s->y))
                                       : property::Value(s->x);
+        const bool fails = !trace.problem().empty();
         const std::string value =
-            trace.problem().empty() ? short_text(tree, shown, trace.what().unit) : trace.problem();
+            fails ? trace.problem() : short_text(tree, shown, trace.what().unit);
         const float y = at.y + static_cast<float>(i) * legend_line();
         float x = at.x;
         list.AddRectFilled(ImVec2(x, y + em * 0.5f), ImVec2(x + em * 0.8f, y + em * 0.7f),
@@ -177,14 +181,20 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
             list.AddRectFilled(ImVec2(x, y + em * 0.8f), ImVec2(x + em * 0.8f, y + em * 1.0f),
                                color_of(plots, i, true));
         x += em * 1.1f;
-        const float name = std::max(
-            em, std::min(text_width(trace.what().text), right - x - text_width(value) - em));
+        // A long error leaves half of the line for the name.
+        const float width = std::min(text_width(value), fails ? (right - x) / 2 : right - x);
+        const float name =
+            std::max(em, std::min(text_width(trace.what().text), right - x - width - em));
         draw_path_fit(list, ImVec2(x, y), palette::text, trace.what().text, name);
         x += name + em * 0.5f;
-        draw_text_fit(list, ImVec2(x, y),
-                      trace.problem().empty() ? palette::number : palette::error, value,
+        draw_text_fit(list, ImVec2(x, y), fails ? palette::error : palette::number, value,
                       std::max(1.0f, right - x));
+        const Rect line{ImVec2(at.x, y), ImVec2(right, y + legend_line())};
+        legend_.push_back({line, name});
+        if (ImGui::IsWindowHovered() && line.contains(mouse.x, mouse.y))
+            tip = trace.what().text + "\n" + (fails ? trace.problem() : tree.text(shown));
     }
+    if (!tip.empty()) ImGui::SetTooltip("%s", widget_text(tip).c_str());
     ImGui::SetCursorScreenPos(ImVec2(right + em, at.y));
     const bool pressed = ImGui::InvisibleButton("close", ImVec2(side, side));
     close_ = item_rect();

@@ -41,6 +41,12 @@ class PlotView {
     /// The rectangle of an entry of the menu.
     Rect entry(std::string_view label) const;
     const Rect& close_button() const { return close_; }
+    /// The lines of the legend, with the widths of the names in them.
+    struct Line {
+        Rect rect{};
+        float name = 0;
+    };
+    const std::vector<Line>& legend() const { return legend_; }
 
   private:
     struct Scale {
@@ -58,6 +64,7 @@ class PlotView {
     void draw_menu();
 
     Rect rect_, area_, close_;
+    std::vector<Line> legend_;
     std::vector<std::pair<std::string, Rect>> menu_;
     std::int64_t asked_ = -1;
 };

@@ -1,138 +1,22 @@
 // Pinned values, plots, breaks, searches of the past, keys and words with commands: the console
 // with the Lua runtime.
 
+#include <observed/plot_table.h>
+
 #include <fstream>
 #include <map>
-
-#include <observed/plot_table.h>
 #include <set>
 
 #include "catch.h"
-#include "rig.h"
+#include "observing_rig.h"
 #include "temporary_folder.h"
 
 namespace observing_test {
 
 using namespace fettle;
-using console::test::Rig;
+using console::test::ObservingRig;
 using property::Value;
 using property::Vec2;
-
-namespace {
-
-/// A rig whose commands are Lua, in a game that makes steps and keeps a past: the position of
-/// `world.ball` at step n is (n, -4).
-class ObservingRig : public Rig {
-  public:
-    ObservingRig() : runtime(tree, {}), lua(tree, runtime, options()) {
-        property::ClassDescriptor time;
-        time.name = "Clock";
-        for (const char* name : {"step", "oldest", "newest"})
-            time.properties.push_back(
-                {.name = name, .type = property::Type::integer, .default_value = Value(0)});
-        for (const char* name : {"paused", "step_once"})
-            time.properties.push_back(
-                {.name = name, .type = property::Type::boolean, .default_value = Value(false)});
-        property::Method go_to;
-        go_to.name = "go_to";
-        go_to.parameters = {{"step", property::Type::integer}};
-        go_to.required = 1;
-        go_to.context = this;
-        go_to.call = [](void* self, property::Tree&, property::Handle, property::Row,
-                        std::span<const Value> arguments) -> property::Result {
-            static_cast<ObservingRig*>(self)->went_to = arguments[0].integer();
-            return Value();
-        };
-        time.methods = {go_to};
-        tree.destroy(tree.child(tree.root(), "time"));
-        tree.create(tree.define(std::move(time)), tree.root(), "time");
-        lua.open();
-        show();
-    }
-    void run(const std::string& command) {
-        lua.state().run(command);
-        lua.between_frames();
-    }
-    void step(int count = 1) {
-        for (; count > 0 && !value("time.paused").boolean(); --count) {
-            ++now;
-            tree.set_step(static_cast<std::uint64_t>(now));
-            place(now);
-            tree.barrier();
-            lua.after_step();
-            lua.between_frames();
-        }
-    }
-    void show(int frames = 3) {
-        for (; frames > 0; --frames) {
-            surface.clear();
-            lua.draw(surface, 1.0 / 60);
-        }
-    }
-    std::string text() {
-        std::string all;
-        for (const console::LogLine& line : lua.state().log.lines()) all += line.text + "\n";
-        return all;
-    }
-    bool press_key(std::string_view name) {
-        const bool taken = lua.handle(console::test::key_event(name, true));
-        lua.handle(console::test::key_event(name, false));
-        return taken;
-    }
-    void click_at(ImVec2 at, const char* which = "left") {
-        for (const auto kind : {app::EventKind::mouse_moved, app::EventKind::mouse_pressed,
-                                app::EventKind::mouse_released}) {
-            app::InputEvent event;
-            event.kind = kind;
-            event.name = which;
-            event.x = at.x;
-            event.y = at.y;
-            lua.handle(event);
-            show(2);
-        }
-    }
-    const std::vector<console::Trace>& pins() { return lua.state().observing.pins(); }
-    const std::vector<console::Trace>& plots() { return lua.state().observing.plots(); }
-
-    std::int64_t now = 0, went_to = -1;
-    bool refuses = false;
-    std::vector<std::string> written;
-    std::vector<std::vector<console::test::Pixel>> pictures;
-    script::Runtime runtime;
-    console::Console lua;
-
-  private:
-    void place(std::int64_t n) {
-        const property::Tree::CauseScope cause(tree, property::Writer::simulation);
-        property::set(tree, "world.ball.position", Value(Vec2(static_cast<double>(n), -4)));
-        for (const char* name : {"time.step", "time.newest"}) property::set(tree, name, Value(n));
-    }
-    console::Options options() {
-        console::Options made;
-        made.clipboard = &clipboard;
-        made.write_file = [this](const std::string& kind, const std::string& content) {
-            if (refuses) throw std::runtime_error("the disk is full");
-            written.push_back(content);
-            return "/plots/plot-1." + kind;
-        };
-        made.write_picture = [this](float, float, const auto& draw) {
-            console::test::RasterSurface picture(1200, 600);
-            draw(picture);
-            pictures.push_back(picture.pixels());
-            CHECK(picture.faults() == 0);
-            return std::string("/plots/plot-1.png");
-        };
-        made.review = [this](std::int64_t from, const auto& look) {
-            for (std::int64_t n = std::max<std::int64_t>(from, 0); n <= now; ++n) {
-                place(n);
-                look(n);
-            }
-        };
-        return made;
-    }
-};
-
-}  // namespace
 
 TEST_CASE("a pinned value is shown with its unit and followed from the kept past on") {
     ObservingRig rig;
