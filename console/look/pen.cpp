@@ -109,7 +109,8 @@ void Pen::stroke(bool closed, const property::Paint& paint) {
         points_.pop_back();
     const auto count = static_cast<int>(points_.size());
     const int flags = closed ? ImDrawFlags_Closed : 0;
-    if (style_.as_drawn) {
+    const bool hidden = paint.fill.a <= 0 && paint.border.a <= 0;
+    if (style_.as_drawn && !hidden) {
         // What is not convex has its border only.
         if (closed && paint.fill.a > 0 && is_convex(points_))
             list_.AddConvexPolyFilled(points_.data(), count, color_of(paint.fill, style_.opacity));

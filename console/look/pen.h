@@ -58,7 +58,10 @@ class Pen : public property::Painter {
     void text(const property::Vec2&, std::string_view, double, property::Color,
               property::TextAlign) override {}
     void part_of(std::uint64_t) override {}
-    bool shows(property::Overlay) const override { return false; }
+    /// Shapes that are hidden have outlines: the game draws something else in their place.
+    bool shows(property::Overlay overlay) const override {
+        return overlay == property::Overlay::shapes;
+    }
     bool sees(const property::Vec2&, const property::Vec2&) const override { return true; }
     void begin_screen() override { push_screen(); }
     void end_screen() override { pop(); }

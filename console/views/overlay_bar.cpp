@@ -58,7 +58,8 @@ struct Named {
 
 // One line each, so that the table can be read.
 // clang-format off
-constexpr std::array<Named, 14> icons{{
+constexpr std::array<Named, 15> icons{{
+    {"shapes", [](Icon& i) { i.ring(-0.3f, -0.3f, 0.55f); i.box(-0.1f, -0.1f, 0.9f, 0.9f); }},
     {"aabbs", [](Icon& i) { i.box(-0.9f, -0.9f, 0.9f, 0.9f); i.ring(0, 0, 0.55f); }},
     {"contacts", [](Icon& i) { i.line(-0.9f, -0.5f, 0.9f, -0.5f); i.dot(0, -0.5f); i.line(0, -0.5f, 0, 0.8f); }},
     {"joints", [](Icon& i) { i.line(-0.7f, -0.7f, 0.7f, 0.7f); i.dot(-0.7f, -0.7f); i.dot(0.7f, 0.7f); }},

@@ -1971,6 +1971,7 @@ View = {}
 ---@field limits boolean Limits of joints: the angles and ways that they allow. · true or false · default false · not saved
 ---@field names boolean Names of bodies. Of those that would overlap one is drawn. · true or false · default false · not saved
 ---@field onion_skins boolean Earlier poses of the selected instance while the console is open, and later ones after going back. · true or false · default false · not saved
+---@field shapes boolean Outlines of all shapes, also of those that are not visible because the game draws something else. · true or false · default false · not saved
 ---@field timings boolean Frames a second, and where a frame's time goes. · true or false · default false · not saved
 ---@field velocities boolean Velocities of bodies, as lines. · true or false · default false · not saved
 ---@field wires boolean Formulas: arrows from what a formula reads to what it writes. · true or false · default false · not saved

@@ -98,4 +98,19 @@ TEST_CASE_METHOD(Haunted,
     CHECK(surface.faults() == 0);
 }
 
+TEST_CASE("what is hidden from the player is outlined, too") {
+    Haunted rig;
+    property::ClassDescriptor hidden{.name = "Hidden"};
+    hidden.properties = {{.name = "position", .type = property::Type::vec2}};
+    hidden.lifecycle.draw = [](void*, const property::Tree&, Handle, property::Row,
+                               property::Painter& painter, double) {
+        if (painter.shows(property::Overlay::shapes)) painter.circle(Vec2(-4, -2), 1, {});
+    };
+    rig.console.select(rig.tree.create(rig.tree.define(hidden), rig.tree.root(), "hidden"));
+    rig.draw();
+    CHECK(rig.lined(Vec2(-3, -2)));
+    CHECK(rig.lined(Vec2(-4, -1)));
+    CHECK_FALSE(rig.lined(Vec2(-4, -2)));
+}
+
 }  // namespace outline_test

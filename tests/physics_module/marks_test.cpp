@@ -74,6 +74,30 @@ TEST_CASE_METHOD(Marked, "impulses are drawn to one scale") {
     CHECK(by_side[1] / by_side[0] == Approx(4).epsilon(0.1));
 }
 
+TEST_CASE_METHOD(Marked, "outlines of shapes are also those of hidden ones") {
+    const Handle ball = make("Body", world(), {{"position", Vec2(3, 1)}});
+    const Handle hidden = make("Circle", ball, {{"radius", 0.5}, {"visible", false}});
+    make("Circle", ball, {{"radius", 0.25}, {"sensor", true}});
+    const auto drawn_before = [&] {
+        FinePicture picture;
+        picture.overlays = {Overlay::shapes};
+        tree.draw(hidden, picture, 1.0);
+        return picture.figures;
+    }();
+    // The picture of the game stays as it is below the outlines.
+    REQUIRE(drawn_before.size() == 1);
+    CHECK(drawn_before[0].paint.fill.a == 0);
+    CHECK(drawn_before[0].paint.border.a == 0);
+    std::vector<Figure> outlines;
+    for (const Figure& mark : marks(Overlay::shapes))
+        if (mark.paint.fill.a == 0 && mark.paint.border.a > 0) outlines.push_back(mark);
+    REQUIRE(outlines.size() == 2);
+    CHECK(outlines[0].kind == "circle");
+    CHECK(outlines[0].paint.border.r != outlines[1].paint.border.r);
+    set(hidden, "visible", true);
+    CHECK(marks(Overlay::shapes).size() == 2);
+}
+
 TEST_CASE_METHOD(Marked, "the limits of a joint are drawn and those it does not have are not") {
     const Handle arm = make("Body", world(), {{"position", Vec2(1, 0)}});
     make("Box", arm);

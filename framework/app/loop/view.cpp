@@ -37,6 +37,8 @@ bool Show::overlay(Overlay overlay) const {
             return impulses;
         case Overlay::limits:
             return limits;
+        case Overlay::shapes:
+            return shapes;
     }
     return false;
 }
@@ -258,6 +260,10 @@ std::vector<Property> overlays(Show& show) {
                 [](Show& s) { return &s.impulses; }),
         overlay(show, "limits", "Limits of joints: the angles and ways that they allow.",
                 [](Show& s) { return &s.limits; }),
+        overlay(show, "shapes",
+                "Outlines of all shapes, also of those that are not visible because the game draws "
+                "something else.",
+                [](Show& s) { return &s.shapes; }),
         overlay(show, "blame",
                 "Who wrote last: what is drawn has the color of the line of a script, the console, "
                 "the inspector or the physics that wrote it.",

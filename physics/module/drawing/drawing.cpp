@@ -72,6 +72,16 @@ void draw_contacts(physics::World& world, Painter& painter, double alpha) {
     }
 }
 
+void draw_outlines(physics::World& world, Painter& painter, double alpha) {
+    for (const physics::Shape& shape : world.shapes()) {
+        const physics::Body body = shape.body();
+        if (!body || !sees(painter, shape.aabb(), last_motion(world, body.index()))) continue;
+        const Color color =
+            shape.sensor() ? Color{1.0f, 0.8f, 0.3f, 0.9f} : Color{0.45f, 0.95f, 0.6f, 0.9f};
+        draw_form(shape, Frame(world, body.index(), alpha), {{0, 0, 0, 0}, color, 1.5f}, painter);
+    }
+}
+
 void draw_boxes(physics::World& world, Painter& painter, double alpha) {
     const Paint paint{{0, 0, 0, 0}, {0.85f, 0.45f, 0.85f, 0.8f}, 1.0f};
     for (const physics::Shape& shape : world.shapes()) {
@@ -184,12 +194,14 @@ namespace {
 void draw_figure(Hosting& hosting, Row row, Painter& painter, double alpha) {
     HostedWorld& in = hosting.hosted(row);
     const Look look = in.looks.get(slot_of(row));
-    if (!look.visible) return;
+    if (!look.visible && !painter.shows(Overlay::shapes)) return;
     const physics::Shape shape = hosting.shape(row);
     const physics::Body owner = shape.body();
     const Vec2 reach = owner ? last_motion(in.world, owner.index()) : Vec2(0, 0);
     if (!sees(painter, shape.aabb(), reach)) return;
     Paint paint{.fill = hosting.fill_of(row), .border = hosting.border_of(row)};
+    // A painter of outlines does not use the colors: it draws what is hidden, too.
+    if (!look.visible) paint.fill.a = paint.border.a = 0;
     if (shape.sensor() && !look.fill) paint.fill.a *= sensor_opacity;
     const Frame frame = owner ? Frame(in.world, owner.index(), alpha) : Frame();
     const bool alone = !owner || owner.shape_count() < 2;
@@ -217,6 +229,7 @@ void draw_world_overlays(void* context, const property::Tree& tree, Handle, Row 
                          Painter& painter, double alpha) {
     Hosting& hosting = *static_cast<Hosting*>(context);
     physics::World& world = hosting.world(row);
+    if (painter.shows(Overlay::shapes)) draw_outlines(world, painter, alpha);
     if (painter.shows(Overlay::aabbs)) draw_boxes(world, painter, alpha);
     if (painter.shows(Overlay::joints)) draw_joints(world, painter, alpha);
     if (painter.shows(Overlay::islands)) draw_islands(world, painter, alpha);

@@ -31,6 +31,7 @@ struct Show {
     bool onion_skins = false;
     bool grid = false;
     bool timings = false;
+    bool shapes = false;
     bool overlay(property::Overlay overlay) const;
 };
 

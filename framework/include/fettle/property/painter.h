@@ -27,7 +27,8 @@ enum class Overlay : std::uint8_t {
     names,
     islands,
     impulses,
-    limits
+    limits,
+    shapes  ///< outlines of all shapes, also of those that are hidden
 };
 
 /// Fill and border of a drawn figure. Either may be transparent (alpha 0). Border width in pixels.
