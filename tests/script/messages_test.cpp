@@ -357,6 +357,18 @@ TEST_CASE("who looks for the scene in the functions for files is told where it i
     Stage s;
     CHECK_THAT(s.fails("print(scene.enemy)"),
                contains("scene.enemy: scene has load and save") && contains("is game.scene"));
+    // A path is printed without "game", and can be typed so.
+    s.run("game.scene = Body { mass = 3, Body { name = 'hero' } }");
+    CHECK(s.console("scene.hero.mass = 4") == "scene.hero.mass: 1 → 4 kg");
+    CHECK(s.console("scene.hero.mass") == "4 kg");
+    CHECK(s.console("scene.mass = 5") == "scene.mass: 3 → 5 kg");
+    CHECK(s.get("scene.mass") == stage::Value(5.0));
+    CHECK_THAT(s.console("scene.hero.mass is scene.mass + 1"), contains("= 6"));
+    CHECK(s.runtime->complete("scene.hero.mas", 14).at(0).text == "mass");
+    CHECK_THAT(s.fails("print(scene.enemy)"), contains("scene.enemy: scene has load and save"));
+    CHECK(s.prints("print(type(scene.load))") == "function");
+    s.run("scene.mine = 7");
+    CHECK(s.prints("print(scene.mine)") == "7");
 }
 
 TEST_CASE("a formula cannot hide a method of every instance") {

@@ -78,6 +78,21 @@ std::size_t path_start(std::string_view text, std::size_t end) {
 
 namespace {
 
+// Replaces a table of functions at the top of the stack by the instance with the same name, if only
+// the instance has the member: `scene.hero` beside `scene.load`.
+void prefer_instance(lua_State* L, Machine& machine, std::string_view first,
+                     std::string_view member) {
+    if (lua_type(L, -1) != LUA_TTABLE) return;
+    const Handle instance = machine.tree.child(machine.tree.root(), first);
+    if (!instance || !machine.tree.child(instance, member)) return;
+    push_text(L, member);
+    const bool has = lua_rawget(L, -2) != LUA_TNIL;
+    lua_pop(L, 1);
+    if (has) return;
+    lua_pop(L, 1);
+    push_instance(L, instance);
+}
+
 // Replaces the value at the top of the stack by its member `name` or `index`. Returns false if
 // there is none.
 bool descend(lua_State* L, Machine& machine, std::string_view name, lua_Integer index,
@@ -155,6 +170,8 @@ bool push_path(lua_State* L, Machine& machine, std::string_view path, const Prop
         } else {
             return false;
         }
+        if (index == 0 && name.size() + first.size() + 1 == i)
+            prefer_instance(L, machine, first, name);
         if (!descend(L, machine, name, index, read)) return false;
     }
     return true;

@@ -56,11 +56,38 @@ int save(lua_State* L) {
     return 0;
 }
 
-/// Who reads `scene.enemy` means the scene that go_to_scene has made.
-int unknown(lua_State* L) {
+/// Pushes game.scene if it has what the key at index 2 names. Paths of the tree are printed without
+/// `game`, so `scene.hero` means game.scene.hero.
+bool push_scene_with(lua_State* L) {
+    const property::Tree& tree = machine_of(L).tree;
+    const Handle made = tree.child(tree.root(), "scene");
+    if (!made || lua_type(L, 2) != LUA_TSTRING) return false;
+    const std::string_view key = lua_tostring(L, 2);
+    if (!tree.child(made, key) && tree.find(made, key) == nullptr) return false;
+    push_instance(L, made);
+    return true;
+}
+
+int member(lua_State* L) {
+    if (push_scene_with(L)) {
+        lua_pushvalue(L, 2);
+        lua_gettable(L, -2);
+        return 1;
+    }
     throw Error(ErrorKind::unknown_name,
                 "scene." + key_in_message(L, 2) +
                     ": scene has load and save; what go_to_scene has made is game.scene");
+}
+
+int set_member(lua_State* L) {
+    const bool of_scene = push_scene_with(L);
+    lua_pushvalue(L, 2);
+    lua_pushvalue(L, 3);
+    if (of_scene)
+        lua_settable(L, -3);
+    else
+        lua_rawset(L, 1);
+    return 0;
 }
 
 }  // namespace
@@ -119,7 +146,8 @@ void open_scenes(lua_State* L) {
     add_function<load>(L, "load");
     add_function<save>(L, "save");
     lua_newtable(L);
-    add_pure<unknown>(L, "__index");
+    add_pure<member>(L, "__index");
+    add_function<set_member>(L, "__newindex");
     name_metatable(L, "scene");
     lua_setmetatable(L, -2);
     lua_setfield(L, -2, "scene");
