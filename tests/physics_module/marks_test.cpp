@@ -96,6 +96,15 @@ TEST_CASE_METHOD(Marked, "outlines of shapes are also those of hidden ones") {
     CHECK(outlines[0].paint.border.r != outlines[1].paint.border.r);
     set(hidden, "visible", true);
     CHECK(marks(Overlay::shapes).size() == 2);
+    // A chain has no inside: its lines are seen.
+    make("Chain", make("Body", world(), {{"type", "static"}}),
+         {{"points", property::List{Vec2(0, 0), Vec2(3, 0), Vec2(5, 1)}}});
+    const auto lines = marks(Overlay::shapes);
+    REQUIRE(lines.size() == 4);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(lines[i + 2].kind == "line");
+        CHECK(lines[i + 2].paint.fill.a == 1);
+    }
 }
 
 TEST_CASE_METHOD(Marked, "the limits of a joint are drawn and those it does not have are not") {

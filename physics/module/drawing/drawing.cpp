@@ -77,8 +77,9 @@ void draw_outlines(physics::World& world, Painter& painter, double alpha) {
         const physics::Body body = shape.body();
         if (!body || !sees(painter, shape.aabb(), last_motion(world, body.index()))) continue;
         const Color color =
-            shape.sensor() ? Color{1.0f, 0.8f, 0.3f, 0.9f} : Color{0.45f, 0.95f, 0.6f, 0.9f};
-        draw_form(shape, Frame(world, body.index(), alpha), {{0, 0, 0, 0}, color, 1.5f}, painter);
+            shape.sensor() ? Color{1.0f, 0.8f, 0.3f, 1.0f} : Color{0.25f, 0.45f, 1.0f, 1.0f};
+        const Color inside = is_line(shape) ? color : Color{0, 0, 0, 0};
+        draw_form(shape, Frame(world, body.index(), alpha), {inside, color, 1.5f}, painter);
     }
 }
 

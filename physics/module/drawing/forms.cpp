@@ -60,13 +60,18 @@ void draw_polygon(const physics::Shape& shape, const Frame& frame, const Paint& 
                   Painter& painter) {
     const Placed placed(shape.vertices(), frame);
     const double rounding = rounding_of(shape);
-    if (shape.type() == ShapeType::segment && rounding == 0)
+    if (is_line(shape))
         draw_lines(placed.points(), false, paint.fill, line_width, painter);
     else
         painter.polygon(placed.points(), rounding, paint);
 }
 
 }  // namespace
+
+bool is_line(const physics::Shape& shape) {
+    return shape.type() == ShapeType::chain ||
+           (shape.type() == ShapeType::segment && rounding_of(shape) == 0);
+}
 
 Extent extent_of(const physics::Shape& shape, const Frame& frame) {
     if (is_round(shape)) {

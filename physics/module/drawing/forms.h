@@ -43,6 +43,9 @@ struct Extent {
 /// The box around a shape in this frame.
 Extent extent_of(const physics::Shape& shape, const Frame& frame);
 
+/// Whether the shape has no inside: it is drawn as lines with the color of the fill.
+bool is_line(const physics::Shape& shape);
+
 /// Draws a shape of any geometry.
 void draw_form(const physics::Shape& shape, const Frame& frame, const property::Paint& paint,
                property::Painter& painter);
