@@ -8,11 +8,15 @@ export function readHeaders(folder) {
   const umbrella = readFileSync(join(folder, "fettle_physics.h"), "utf8");
   const found = { enums: [], structs: new Map(), functions: [], callbacks: new Map() };
   for (const [, file] of umbrella.matchAll(/#include <(fettle\/physics_c\/\w+\.h)>/g))
-    readHeader(readFileSync(join(folder, file), "utf8"), found);
+    readHeader(inSinglePrecision(readFileSync(join(folder, file), "utf8")), found);
   return found;
 }
 
+/** What position.h says of the two types. */
+const inSinglePrecision = (text) => text.replace(/\bfettle_position\b/g, "fettle_vec2").replace(/\bfettle_coordinate\b/g, "float");
+
 function readHeader(text, found) {
+  text = text.replace(/^\/\*[^]*?\*\/|\/\* ---[^]*?\*\//g, "");  // what the whole header and its sections are about
   text = text.replace(/^#.*$/gm, "").replace(/\bFETTLE_PHYSICS_C_(BEGIN|END)\b/g, "");
   // A declaration ends with the first semicolon outside of braces and comments.
   const declaration = /\s*(?:\/\*((?:[^*]|\*(?!\/))*)\*\/\s*)?((?:\/\*(?:[^*]|\*(?!\/))*\*\/|\{(?:\/\*(?:[^*]|\*(?!\/))*\*\/|[^{}])*\}|[^;{}])*?);/gy;
