@@ -18,7 +18,7 @@ namespace detail {
 namespace {
 
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
-constexpr uint32_t archive_version = 21;
+constexpr uint32_t archive_version = 22;
 constexpr uint32_t coordinate_size = sizeof(WorldCoordinate);
 
 /// Hash of the sizes of the records as they are saved: a field that is added or removed makes
@@ -26,14 +26,16 @@ constexpr uint32_t coordinate_size = sizeof(WorldCoordinate);
 uint32_t records() {
     uint32_t mixed = 0x811c9dc5u;
     const auto add = [&](size_t size) { mixed = (mixed ^ uint32_t(size)) * 0x01000193u; };
-    for (const size_t size :
-         {encoded_size<BodyState>(), encoded_size<Pose>(), encoded_size<BodyRecord>(),
-          encoded_size<BodyTraits>(), encoded_size<IgnoredPair>(), encoded_size<SegmentRecord>(),
-          encoded_size<ShapeRecord>(), encoded_size<ShapeForm>(), encoded_size<ContactRecord>(),
-          encoded_size<ContactLinks>(), encoded_size<ManifoldPose>(), encoded_size<Island>(),
-          encoded_size<JointRecord>(), encoded_size<FieldRecord>(), encoded_size<WorldDef>(),
-          encoded_size<StepStatistics>(), encoded_size<ContactBeginEvent>(),
-          encoded_size<SensorEvent>(), encoded_size<JointBreakEvent>()})
+    for (const size_t size : {encoded_size<BodyState>(),      encoded_size<Pose>(),
+                              encoded_size<BodyRecord>(),     encoded_size<BodyTraits>(),
+                              encoded_size<IgnoredPair>(),    encoded_size<ContactNote>(),
+                              encoded_size<SegmentRecord>(),  encoded_size<ShapeRecord>(),
+                              encoded_size<ShapeForm>(),      encoded_size<ContactRecord>(),
+                              encoded_size<ContactLinks>(),   encoded_size<ManifoldPose>(),
+                              encoded_size<Island>(),         encoded_size<JointRecord>(),
+                              encoded_size<FieldRecord>(),    encoded_size<WorldDef>(),
+                              encoded_size<StepStatistics>(), encoded_size<ContactBeginEvent>(),
+                              encoded_size<SensorEvent>(),    encoded_size<JointBreakEvent>()})
         add(size);
     return mixed;
 }

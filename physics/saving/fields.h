@@ -194,6 +194,9 @@ void fields(auto& io, Some<ManifoldPose> auto& s) {
 void fields(auto& io, Some<IgnoredPair> auto& s) {
     fields_of<IgnoredPair>(io, s.shape_a, s.shape_b);
 }
+void fields(auto& io, Some<ContactNote> auto& s) {
+    fields_of<ContactNote>(io, s.shape_a, s.shape_b, s.user_data, s.ended);
+}
 
 // --- Joints
 

@@ -338,6 +338,13 @@ struct IgnoredPair {
     ShapeId shape_a, shape_b;
 };
 
+/// The number that the host has given to the contact of two shapes.
+struct ContactNote {
+    ShapeId shape_a, shape_b;  ///< in the order of a `ContactId`
+    uint64_t user_data = 0;
+    bool ended = false;  ///< the shapes separated in the last step
+};
+
 /// Bodies that fell asleep together and will wake together; linked through their records.
 struct Island {
     uint32_t first = none;

@@ -237,7 +237,8 @@ struct ActiveLists {
 struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
     WorldDef settings;
     std::vector<IgnoredPair> ignored_pairs;
-    Strips strips;              ///< cuts of the last step
+    std::vector<ContactNote> contact_notes;  ///< in the order of their pairs
+    Strips strips;                           ///< cuts of the last step
     float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio of the lengths
     float last_length = 0.0f;   ///< s; of the last step, with the usual number of its sub-steps
     int last_substeps = 0;      ///< number of the sub-steps of the last step
@@ -256,7 +257,8 @@ struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
             named("bodies", s.states, s.previous, s.body_generations),
             named("shapes", s.shape_generations), named("joints", s.joint_generations),
             named("", part<ObjectState>(s), part<BroadPhaseState>(s), part<ActiveLists>(s)),
-            named("contacts", s.ignored_pairs), named("events", s.events, s.pending));
+            named("contacts", s.ignored_pairs, s.contact_notes),
+            named("events", s.events, s.pending));
     }
 };
 

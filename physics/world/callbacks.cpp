@@ -76,17 +76,21 @@ class ContactCallbacks {
 
     void mix_all() {
         if (!world_.self.see_contacts()) return;
+        std::vector<uint32_t> asked;
         for (const uint32_t slot : world_.awake_contacts) {
             ContactRecord& c = world_.contacts[slot];
             c.disabled = false;
             if (!acts(c)) continue;
             remix(world_, world_.settings, c);  // changes by a callback are valid for one step only
-            if (!world_.self.mix) continue;
-            ContactEdit edit = edit_of(c);
-            const bool answered = world_.self.ask(in_mixing, [&] { world_.self.mix(edit); });
-            tell(edit, Answer::To::mixing, answered);
-            if (answered) accept(c, edit, nullptr);
+            if (world_.self.mix) asked.push_back(slot);
         }
+        ask_all(
+            uint32_t(asked.size()), in_mixing, world_.self.mix,
+            [&](uint32_t i) { return edit_of(world_.contacts[asked[i]]); },
+            [&](uint32_t i, const ContactEdit&, const ContactEdit& edit, bool answered) {
+                tell(edit, Answer::To::mixing, answered);
+                if (answered) accept(world_.contacts[asked[i]], edit, nullptr);
+            });
     }
 
     /// For the callback two shapes are one contact, however many of their parts touch. It is called
@@ -94,19 +98,35 @@ class ContactCallbacks {
     void before_solve_all() {
         if (!world_.self.before_solve) return;
         list_parts();
+        std::vector<Part> parts;     // of all pairs that are asked about
+        std::vector<uint32_t> ends;  // of the parts of each pair
         for (uint32_t i = 0; i < world_.awake_contacts.size(); ++i) {
             const ContactRecord& c = world_.contacts[world_.awake_contacts[i]];
             if (!acts(c) || c.disabled || !may_ask(c)) continue;
             const Part part = {pair_of(c), i};
             if (!is_of_outline(world_, c)) {
-                ask({&part, 1});
+                parts.push_back(part);
+                ends.push_back(uint32_t(parts.size()));
                 continue;
             }
             const auto [first, last] =
                 std::equal_range(parts_.begin(), parts_.end(), part,
                                  [](const Part& a, const Part& b) { return a.pair < b.pair; });
-            if (first->at == i) ask({&*first, size_t(last - first)});
+            if (first->at != i) continue;
+            parts.insert(parts.end(), first, last);
+            ends.push_back(uint32_t(parts.size()));
         }
+        const auto parts_of = [&](uint32_t i) {
+            const uint32_t begin = i > 0 ? ends[i - 1] : 0;
+            return std::span<const Part>(parts).subspan(begin, ends[i] - begin);
+        };
+        ask_all(
+            uint32_t(ends.size()), in_before_solve, world_.self.before_solve,
+            [&](uint32_t i) { return edit_of(parts_of(i)); },
+            [&](uint32_t i, const ContactEdit& before, const ContactEdit& edit, bool answered) {
+                tell(edit, Answer::To::before_solve, answered);
+                if (answered) accept(parts_of(i), before, edit);
+            });
     }
 
     /// Disables the contacts of the ignored pairs, and removes the pairs that have separated.
@@ -187,7 +207,7 @@ class ContactCallbacks {
             return a.pair != b.pair ? a.pair < b.pair : a.at < b.at;
         });
     }
-    ContactRecord& record(const Part& part) {
+    ContactRecord& record(const Part& part) const {
         return world_.contacts[world_.awake_contacts[part.at]];
     }
 
@@ -234,8 +254,31 @@ class ContactCallbacks {
         c.special = c.restitution > 0.0f || c.rolling_resistance > 0.0f || c.surface_speed != 0.0f;
     }
 
-    /// Calls the callback with the deepest of the parts and the impulse of all parts.
-    void ask(std::span<const Part> parts) {
+    /// Calls `function` for the contacts 0 … `count` - 1, which `make` describes, and gives `take`
+    /// what it was asked and what it answered, in this order. A function that may run on several
+    /// threads is asked about many contacts at a time.
+    void ask_all(uint32_t count, const char* name, const ContactCallback& function, auto&& make,
+                 auto&& take) {
+        WorldSelf& self = world_.self;
+        const bool parallel = self.parallel_callbacks;
+        const uint32_t most = std::min(count, parallel ? 4096u : 1u);
+        std::vector<ContactEdit> before(most), edits(most);
+        std::vector<char> answered(most);
+        for (uint32_t begin = 0; begin < count; begin += most) {
+            const uint32_t size = std::min(most, count - begin);
+            for (uint32_t i = 0; i < size; ++i) edits[i] = before[i] = make(begin + i);
+            self.asking_in_parallel = parallel;
+            self.ask_all(
+                name, parallel ? world_.threads : nullptr, size,
+                [&](uint32_t i) { function(edits[i]); }, answered);
+            self.asking_in_parallel = false;
+            for (uint32_t i = 0; i < size; ++i)
+                take(begin + i, before[i], edits[i], answered[i] != 0);
+        }
+    }
+
+    /// The deepest of the parts, with the impulse of all parts.
+    ContactEdit edit_of(std::span<const Part> parts) const {
         ContactEdit edit = edit_of(record(parts.front()));
         float impulse = edit.impulse;
         for (const Part& part : parts.subspan(1)) {
@@ -244,11 +287,10 @@ class ContactCallbacks {
             if (other.separation < edit.separation) edit = other;
         }
         edit.impulse = impulse;
-        const ContactEdit before = edit;
-        const bool answered =
-            world_.self.ask(in_before_solve, [&] { world_.self.before_solve(edit); });
-        tell(edit, Answer::To::before_solve, answered);
-        if (!answered) return;
+        return edit;
+    }
+
+    void accept(std::span<const Part> parts, const ContactEdit& before, const ContactEdit& edit) {
         if (edit.ignored) world_.ignored_pairs.push_back({edit.shape_a.id(), edit.shape_b.id()});
         for (const Part& part : parts) {
             ContactRecord& c = record(part);
@@ -330,6 +372,12 @@ void World::set_mixing(ContactCallback mix) {
     WorldData& data = edit(__func__);
     std::swap(data.self.mix, mix);
     remix_all(data);
+}
+void World::set_parallel_callbacks(bool parallel) {
+    edit(__func__).self.parallel_callbacks = parallel;
+}
+bool World::parallel_callbacks() const {
+    return data_->self.parallel_callbacks;
 }
 void World::on_refresh(RefreshCallback callback) {
     std::swap(edit(__func__).self.refresh, callback);

@@ -127,6 +127,7 @@ void WorldData::step(float dt) {
         dt);
     note_velocities_after(self.sums, columns());
     report_parted(touching());
+    note_ended_contacts();
     order_lists(objects(), active(), strips, body_scratch(), steps, reordering, threads);
     forget_ends(active(), body_scratch());
     statistics.finish_ms = clock.lap();
@@ -186,6 +187,7 @@ void WorldData::store_results(const SubSteps& sub, const JointStep& joint_step, 
 
 void WorldData::begin_step() {
     detail::refresh(editing());
+    forget_ended_contacts();
     std::swap(events, pending);
     const auto clear = [](auto& list) { list.clear(); };
     event_members(clear, pending);

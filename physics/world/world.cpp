@@ -192,6 +192,10 @@ void World::call_after_step(std::vector<std::function<void()>> calls, WorldLock&
 }
 
 void World::after_step(std::function<void()> act) const {
+    if (data_->self.asking_in_parallel)
+        throw Locked(
+            "World::after_step was called inside a callback that may run on several threads "
+            "(World::set_parallel_callbacks), so the order of the functions would be unknown");
     if (act) data_->self.after_step.push_back(std::move(act));
 }
 

@@ -70,6 +70,10 @@ struct WorldData : WorldState, StepScratch {
     }
     Activity activity() { return {*this, *this, *this, event_sink()}; }
 
+    // contact_data.cpp
+    void forget_ended_contacts();
+    void note_ended_contacts();
+
     // body_functions.cpp
     void ask_velocity_functions(float dt, int substeps);
     /// To be called when a step is over.

@@ -7,10 +7,12 @@
 #include <world/witness.h>
 #include <world/world_link.h>
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace fettle::physics::detail {
@@ -38,6 +40,8 @@ struct WorldSelf {
     WorldLink* link = nullptr;  ///< null: a state without a world
     PairFilter filter;
     ContactCallback mix, before_solve;
+    bool parallel_callbacks = false;  ///< these two are called on all threads of a step
+    bool asking_in_parallel = false;  ///< they are being called so
     RefreshCallback refresh;
     std::vector<std::function<void()>> after_step;  ///< to be called once, after a step
     const Owner* owner = nullptr;  ///< only it may populate the world; null: all may
@@ -107,6 +111,34 @@ struct WorldSelf {
         }
         leave_to(outer);
         return answered && !orphaned();
+    }
+    /// Makes the calls 0 … `count` - 1 as `ask` does, on the threads of `helpers`; null: in order
+    /// on this one. The first exception is that of the lowest number.
+    void ask_all(const char* callback, ThreadPool* helpers, uint32_t count, auto&& call,
+                 std::vector<char>& answered) const {
+        if (helpers == nullptr) {
+            for (uint32_t i = 0; i < count; ++i) answered[i] = ask(callback, [&] { call(i); });
+            return;
+        }
+        const char* const outer = enter(callback);
+        std::mutex mutex;
+        std::exception_ptr thrown;
+        size_t first = count;
+        share_out_range(helpers, count, 32, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) {
+                answered[i] = true;
+                try {
+                    call(uint32_t(i));
+                } catch (...) {
+                    answered[i] = false;
+                    const std::lock_guard lock(mutex);
+                    if (i < first) first = i, thrown = std::current_exception();
+                }
+            }
+        });
+        if (thrown && !thrown_) thrown_ = thrown;
+        leave_to(outer);
+        if (orphaned()) std::fill(answered.begin(), answered.end(), char(false));
     }
     /// Called if a function that the World is calling destroys it: keeps the data until that call
     /// is over.

@@ -200,6 +200,8 @@ inline const std::vector<Method>& every_method() {
         EDIT(World, keep_account, world, (things.body.id())),
         EDIT(World, wake_all, world, ()),
         EDIT(World, ignore_until_separated, world, (things.box, things.circle)),
+        EDIT(World, set_contact_data, world, (ContactId(), 0)),
+        EDIT(World, set_parallel_callbacks, world, (true)),
         EDIT(World, reserve, world, ({.bodies = 2})),
         EDIT(World, limit_simd_width, world, (4)),
         EDIT(World, set_threads, world, (2)),

@@ -75,7 +75,7 @@ static void count_refresh(void* user, const fettle_world* world, int32_t of, uin
 
 static const char* a_filter_lets_a_box_fall_through(void) {
     struct scene scene = new_scene();
-    fettle_vec2 position;
+    fettle_position position;
     DONE_C(fettle_world_set_filter(scene.world, pass_none, &scene));
     for (int i = 0; i < 60; ++i) DONE_C(fettle_world_step(scene.world, 1.0f / 60));
     CHECK_C(all_refused(&scene));
@@ -87,7 +87,8 @@ static const char* a_filter_lets_a_box_fall_through(void) {
 
 static const char* contacts_are_mixed_and_switched_off(void) {
     struct scene scene = new_scene();
-    fettle_vec2 position, velocity;
+    fettle_position position;
+    fettle_vec2 velocity;
     DONE_C(fettle_world_set_mixing(scene.world, no_friction, &scene));
     DONE_C(fettle_body_set_velocity(scene.world, scene.box, 0.5f, 0));
     for (int i = 0; i < 30; ++i) DONE_C(fettle_world_step(scene.world, 1.0f / 60));
@@ -160,7 +161,7 @@ static const char* queries_find_and_visit(void) {
     DONE_C(fettle_world_visit_ray(scene.world, 0, 5, 0, -5, NULL, visit_ray, &scene));
     CHECK_C(scene.calls == 3 && all_refused(&scene));
     DONE_C(fettle_world_cast_ray(scene.world, 0, 5, 0, -5, NULL, &is_found, &hit));
-    CHECK_C(is_found && hit.shape == scene.box_shape && fabsf(hit.point.y - 1) < 1e-3f);
+    CHECK_C(is_found && hit.shape == scene.box_shape && fabs(hit.point.y - 1) < 1e-3);
     DONE_C(fettle_world_cast_ray(scene.world, 5, 5, 6, 5, NULL, &is_found, NULL));
     CHECK_C(!is_found);
     DONE_C(fettle_geometry_init(&circle, sizeof circle, FETTLE_SHAPE_CIRCLE));
@@ -204,26 +205,26 @@ struct drawn {
     float highest;
 };
 
-static void draw_polygon(void* user, const fettle_vec2* points, uint32_t count, bool closed,
+static void draw_polygon(void* user, const fettle_position* points, uint32_t count, bool closed,
                          uint32_t color) {
     struct drawn* drawn = user;
     (void)closed, (void)color;
     ++drawn->polygons;
-    for (uint32_t i = 0; i < count; ++i) drawn->highest = fmaxf(drawn->highest, points[i].y);
+    for (uint32_t i = 0; i < count; ++i) drawn->highest = fmaxf(drawn->highest, (float)points[i].y);
     try_edits(&drawn->scene);
 }
 
-static void draw_circle(void* user, fettle_vec2 center, float radius, float angle, uint32_t color) {
+static void draw_circle(void* user, fettle_position center, float radius, float angle, uint32_t color) {
     (void)center, (void)radius, (void)angle, (void)color;
     ++((struct drawn*)user)->circles;
 }
 
-static void draw_segment(void* user, fettle_vec2 from, fettle_vec2 to, uint32_t color) {
+static void draw_segment(void* user, fettle_position from, fettle_position to, uint32_t color) {
     (void)from, (void)to, (void)color;
     ++((struct drawn*)user)->segments;
 }
 
-static void draw_point(void* user, fettle_vec2 at, uint32_t color) {
+static void draw_point(void* user, fettle_position at, uint32_t color) {
     (void)at, (void)color;
     ++((struct drawn*)user)->points;
 }

@@ -16,6 +16,7 @@ struct named_c_test {
 // Each list ends with a null name.
 extern const struct named_c_test worlds_in_c[];
 extern const struct named_c_test callbacks_in_c[];
+extern const struct named_c_test positions_in_c[];
 
 #ifdef __cplusplus
 }

@@ -24,4 +24,8 @@ TEST_CASE("worlds call functions in C and refuse edits inside them") {
     run_all(callbacks_in_c);
 }
 
+TEST_CASE("points of the world have in C the precision that they have in C++") {
+    run_all(positions_in_c);
+}
+
 }  // namespace in_c_test

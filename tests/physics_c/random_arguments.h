@@ -69,7 +69,7 @@ class Arguments {
   private:
     template <class T>
     T make() {
-        if constexpr (std::is_same_v<T, float>)
+        if constexpr (std::is_floating_point_v<T>)
             return number();
         else if constexpr (std::is_same_v<T, bool>)
             return below(2) == 0;
@@ -300,9 +300,9 @@ class Arguments {
     void mend(fettle_query_filter& filter) { filter.accept = below(2) == 0 ? accept : nullptr; }
     void mend(fettle_debug_draw& draw) {
         draw.polygon = nullptr;
-        draw.circle = [](void*, fettle_vec2, float, float, uint32_t) {};
-        draw.segment = [](void*, fettle_vec2, fettle_vec2, uint32_t) {};
-        draw.point = [](void*, fettle_vec2, uint32_t) {};
+        draw.circle = [](void*, fettle_position, float, float, uint32_t) {};
+        draw.segment = [](void*, fettle_position, fettle_position, uint32_t) {};
+        draw.point = [](void*, fettle_position, uint32_t) {};
     }
 
     // Pointers to results.

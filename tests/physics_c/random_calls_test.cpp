@@ -45,6 +45,8 @@ constexpr Call every_call[] = {
     CALL(fettle_shape_set_before_solve), CALL(fettle_shape_material),
     CALL(fettle_shape_set_material), CALL(fettle_world_is_touching),
     CALL(fettle_world_contacts_of), CALL(fettle_world_ignore_until_separated),
+    CALL(fettle_world_contact_data), CALL(fettle_world_set_contact_data),
+    CALL(fettle_world_parallel_callbacks), CALL(fettle_world_set_parallel_callbacks),
     CALL(fettle_body_force), CALL(fettle_body_set_force), CALL(fettle_body_torque),
     CALL(fettle_body_set_torque), CALL(fettle_body_apply_force),
     CALL(fettle_body_apply_force_at), CALL(fettle_body_apply_impulse),

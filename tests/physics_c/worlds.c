@@ -14,7 +14,7 @@ static fettle_id new_body(fettle_world* world, int32_t type, float x, float y) {
     fettle_id body = 0;
     fettle_body_def_init(&def, sizeof def);
     def.type = type;
-    def.position = (fettle_vec2){x, y};
+    def.position = (fettle_position){x, y};
     fettle_world_create_body(world, &def, &body);
     return body;
 }
@@ -39,7 +39,7 @@ static const char* a_ball_falls_on_a_box(void) {
     fettle_world* world = new_world();
     const fettle_id ground = new_body(world, FETTLE_BODY_STATIC, 0, -0.5f);
     const fettle_id ball = new_body(world, FETTLE_BODY_DYNAMIC, 0, 3);
-    fettle_vec2 position;
+    fettle_position position;
     fettle_events events;
     float mass;
     int touches = 0;
@@ -58,7 +58,7 @@ static const char* a_ball_falls_on_a_box(void) {
     }
     CHECK_C(touches == 1);
     DONE_C(fettle_body_position(world, ball, &position));
-    CHECK_C(fabsf(position.y - 0.5f) < 0.02f);
+    CHECK_C(fabs(position.y - 0.5) < 0.02);
     DONE_C(fettle_world_destroy(world));
     return NULL;
 }
@@ -144,7 +144,7 @@ static const char* values_without_meaning_are_refused_by_name(void) {
     fettle_world* world = new_world();
     const fettle_id ball = new_body(world, FETTLE_BODY_DYNAMIC, 1, 2);
     const fettle_id shape = add(world, ball, FETTLE_SHAPE_CIRCLE);
-    fettle_vec2 position;
+    fettle_position position;
     fettle_pose pose;
     bool inside;
     CHECK_C(fettle_body_set_position(world, ball, NAN, 0) == FETTLE_INVALID);
@@ -167,7 +167,7 @@ static const char* columns_are_the_states_themselves(void) {
     const fettle_id ball = new_body(world, FETTLE_BODY_DYNAMIC, 0, 5);
     fettle_columns columns;
     fettle_body_state state;
-    fettle_vec2 position;
+    fettle_position position;
     int32_t written;
     DONE_C(fettle_world_columns(world, &columns));
     CHECK_C(fettle_slot(ball) < columns.body_slots);
@@ -239,13 +239,13 @@ static const char* joints_are_told_apart_by_their_type(void) {
     fettle_world* world = new_world();
     fettle_joint_def def;
     fettle_id joint, other;
-    fettle_vec2 position;
+    fettle_position position;
     float angle;
     const fettle_id ball = new_body(world, FETTLE_BODY_DYNAMIC, 1, 0);
     add(world, ball, FETTLE_SHAPE_CIRCLE);
     DONE_C(fettle_joint_def_init(&def, sizeof def));
     def.body_b = ball;
-    def.anchor_b = (fettle_vec2){-1, 0};
+    def.anchor_b = (fettle_position){-1, 0};
     DONE_C(fettle_world_create_revolute_joint(world, &def, &joint));
     DONE_C(fettle_revolute_joint_set_motor_speed(world, joint, 2));
     DONE_C(fettle_revolute_joint_set_max_motor_torque(world, joint, INFINITY));
@@ -256,7 +256,7 @@ static const char* joints_are_told_apart_by_their_type(void) {
     DONE_C(fettle_revolute_joint_angle(world, joint, &angle));
     CHECK_C(fabsf(angle - 2) < 0.05f);
     DONE_C(fettle_body_position(world, ball, &position));
-    CHECK_C(fabsf(position.x * position.x + position.y * position.y - 1) < 0.02f);
+    CHECK_C(fabs(position.x * position.x + position.y * position.y - 1) < 0.02);
     DONE_C(fettle_world_create_joint_like(world, world, joint, &other));
     DONE_C(fettle_revolute_joint_motor_speed(world, other, &angle));
     CHECK_C(angle == 2);
@@ -269,14 +269,14 @@ static const char* a_liquid_lifts_what_is_lighter(void) {
     fettle_world* world = new_world();
     fettle_field_def def, told;
     fettle_id field;
-    fettle_vec2 position;
+    fettle_position position;
     const fettle_id ball = new_body(world, FETTLE_BODY_DYNAMIC, 0, -5);
     add(world, ball, FETTLE_SHAPE_CIRCLE);
     DONE_C(fettle_field_def_init(&def, sizeof def, FETTLE_FIELD_BUOYANCY));
     DONE_C(fettle_world_create_field(world, &def, &field));
     run(world, 600);
     DONE_C(fettle_body_position(world, ball, &position));
-    CHECK_C(fabsf(position.y) < 0.1f);
+    CHECK_C(fabs(position.y) < 0.1);
     told.size = sizeof told;
     DONE_C(fettle_field_definition(world, field, &told));
     CHECK_C(told.type == FETTLE_FIELD_BUOYANCY && told.density == 2);
@@ -372,7 +372,8 @@ static const char* bodies_have_names_and_limits_and_are_disabled(void) {
     run(world, 60);
     DONE_C(fettle_world_moved_bodies(world, &found, 1, &count));
     CHECK_C(count == 1 && found == body);
-    fettle_vec2 place, velocity;
+    fettle_position place;
+    fettle_vec2 velocity;
     DONE_C(fettle_body_velocity(world, body, &velocity));
     CHECK_C(fabsf(velocity.y + 2) < 1e-3f);
     DONE_C(fettle_body_set_enabled(world, body, false));
@@ -398,8 +399,9 @@ static const char* contacts_are_named_by_two_shapes(void) {
     const fettle_id top = add(world, ground, FETTLE_SHAPE_BOX);
     const fettle_id round = add(world, ball, FETTLE_SHAPE_CIRCLE);
     fettle_contact contact;
-    fettle_vec2 place;
+    fettle_position place;
     uint32_t count = 0, material = 0;
+    uint64_t number = 0;
     bool touching = false;
     run(world, 10);
     DONE_C(fettle_world_is_touching(world, round, top, &touching));
@@ -411,6 +413,11 @@ static const char* contacts_are_named_by_two_shapes(void) {
     CHECK_C(fettle_shape_set_material(world, round, 65536) == FETTLE_INVALID &&
             message_has("material"));
     DONE_C(fettle_shape_set_contact_events(world, round, false));
+    DONE_C(fettle_world_set_contact_data(world, round, top, 7));
+    DONE_C(fettle_world_contact_data(world, top, round, &number));
+    CHECK_C(number == 7);
+    CHECK_C(fettle_world_set_contact_data(world, round, round, 7) == FETTLE_INVALID &&
+            message_has("do not touch"));
     DONE_C(fettle_world_ignore_until_separated(world, round, top));
     run(world, 60);
     DONE_C(fettle_body_position(world, ball, &place));

@@ -51,8 +51,13 @@ uint16_t checked(const Material& material) {
     return uint16_t(material.value);
 }
 
-physics::Vec2 checked(const FinitePoint& point) {
-    return {checked(Finite{"x", point.x}), checked(Finite{"y", point.y})};
+physics::Vec2 checked(const FiniteVector& vector) {
+    return {checked(Finite{"x", vector.x}), checked(Finite{"y", vector.y})};
+}
+physics::Position checked(const FinitePoint& point) {
+    // A coordinate beyond the range of a float is as good as infinite.
+    checked(FiniteVector{float(point.x), float(point.y)});
+    return {point.x, point.y};
 }
 
 }  // namespace fettle::physics_c

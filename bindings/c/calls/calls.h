@@ -34,8 +34,11 @@ struct Finite {
     const char* name;
     float value;
 };
-struct FinitePoint {
+struct FiniteVector {
     float x, y;
+};
+struct FinitePoint {
+    fettle_coordinate x, y;
 };
 /// Number of a material, which the library stores in 16 bits.
 struct Material {
@@ -48,7 +51,8 @@ struct Enumerated {
 };
 
 float checked(const Finite& number);
-physics::Vec2 checked(const FinitePoint& point);
+physics::Vec2 checked(const FiniteVector& vector);
+physics::Position checked(const FinitePoint& point);
 uint16_t checked(const Material& material);
 template <auto last>
 auto checked(const Enumerated<last>& of) {

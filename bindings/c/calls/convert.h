@@ -124,6 +124,11 @@ requires(kind_of<IdOf<Object>> != 0) fettle_id converted(const Object& object) {
 inline fettle_vec2 converted(const physics::Vec2& v) {
     return {v.x, v.y};
 }
+#ifdef FETTLE_PHYSICS_DOUBLE
+inline fettle_position converted(const physics::Position& p) {
+    return {p.x, p.y};
+}
+#endif
 inline fettle_aabb converted(const physics::Aabb& box) {
     return {converted(box.min), converted(box.max)};
 }
@@ -148,12 +153,15 @@ inline bool flag(const bool& byte) {
 inline physics::Vec2 vector_of(const fettle_vec2& v) {
     return {v.x, v.y};
 }
+inline physics::Position position_of(const fettle_position& p) {
+    return {p.x, p.y};
+}
 inline physics::Aabb box_of(const fettle_aabb& box) {
-    return {vector_of(box.min), vector_of(box.max)};
+    return {position_of(box.min), position_of(box.max)};
 }
 inline physics::Pose pose_of(const fettle_pose* pose) {
     return pose == nullptr ? physics::Pose{}
-                           : physics::Pose{vector_of(pose->position), pose->angle};
+                           : physics::Pose{position_of(pose->position), pose->angle};
 }
 [[noreturn]] void refuse_enumerator(const char* name, int32_t value, int32_t last);
 template <class Enum>

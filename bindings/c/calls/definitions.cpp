@@ -106,7 +106,7 @@ BodyDef definition_of(const fettle_body_def* def) {
     check_size(def->size, sizeof *def);
     BodyDef taken;
     taken.type = enumerator("type", def->type, BodyType::dynamic_body);
-    taken.position = vector_of(def->position);
+    taken.position = position_of(def->position);
     taken.angle = def->angle;
     taken.velocity = vector_of(def->velocity);
     taken.angular_velocity = def->angular_velocity;
@@ -160,8 +160,8 @@ JointDef definition_of(const fettle_world* world, const fettle_joint_def* def) {
     JointDef taken;
     taken.body_a = body_or_world("body_a", world, given.body_a).id();
     taken.body_b = body_or_world("body_b", world, given.body_b).id();
-    taken.anchor_a = vector_of(given.anchor_a);
-    taken.anchor_b = vector_of(given.anchor_b);
+    taken.anchor_a = position_of(given.anchor_a);
+    taken.anchor_b = position_of(given.anchor_b);
     taken.collide = flag(given.collide);
     taken.enabled = flag(given.enabled);
     taken.user_data = given.user_data;
@@ -179,7 +179,7 @@ MouseJointDef definition_of(const fettle_world* world, const fettle_mouse_joint_
     check_size(given.size, sizeof given);
     MouseJointDef taken;
     taken.body = body_named([] { return "body"; }, world, given.body).id();
-    taken.target = vector_of(given.target);
+    taken.target = position_of(given.target);
     if (flag(given.has_anchor)) taken.anchor = vector_of(given.anchor);
     taken.hertz = given.hertz;
     taken.damping_ratio = given.damping_ratio;

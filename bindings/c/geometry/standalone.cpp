@@ -97,7 +97,7 @@ fettle_code fettle_geometry_bounding_box(const fettle_geometry* geometry, const 
 }
 
 fettle_code fettle_geometry_contains(const fettle_geometry* geometry, const fettle_pose* pose,
-                                     float x, float y, bool* is_inside) {
+                                     fettle_coordinate x, fettle_coordinate y, bool* is_inside) {
     return guarded(__func__, [&] {
         bool& told = needed("contains", is_inside);
         told = contains(geometry_of(geometry), pose_of(pose), {x, y});
@@ -105,8 +105,9 @@ fettle_code fettle_geometry_contains(const fettle_geometry* geometry, const fett
 }
 
 fettle_code fettle_geometry_cast_ray(const fettle_geometry* geometry, const fettle_pose* pose,
-                                     float from_x, float from_y, float to_x, float to_y,
-                                     bool* found, fettle_surface_hit* hit) {
+                                     fettle_coordinate from_x, fettle_coordinate from_y,
+                                     fettle_coordinate to_x, fettle_coordinate to_y, bool* found,
+                                     fettle_surface_hit* hit) {
     return guarded(__func__, [&] {
         bool& told = needed("found", found);
         const auto entry =

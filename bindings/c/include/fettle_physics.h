@@ -16,6 +16,7 @@
 
 /* In the order of the declarations. */
 /* clang-format off */
+#include <fettle/physics_c/position.h>
 #include <fettle/physics_c/basics.h>
 #include <fettle/physics_c/definitions.h>
 #include <fettle/physics_c/contact.h>

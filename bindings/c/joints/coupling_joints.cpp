@@ -84,23 +84,23 @@ fettle_code fettle_motor_joint_set_damping_ratio(fettle_world* world, fettle_id 
 }
 
 fettle_code fettle_pulley_joint_ground_a(const fettle_world* world, fettle_id joint,
-                                         fettle_vec2* ground_a) {
+                                         fettle_position* ground_a) {
     return read<&PulleyJoint::ground_a>(__func__, world, joint, ground_a);
 }
 
-fettle_code fettle_pulley_joint_set_ground_a(fettle_world* world, fettle_id joint, float x,
-                                             float y) {
-    return edit<&PulleyJoint::set_ground_a>(__func__, world, joint, Vec2(x, y));
+fettle_code fettle_pulley_joint_set_ground_a(fettle_world* world, fettle_id joint,
+                                             fettle_coordinate x, fettle_coordinate y) {
+    return edit<&PulleyJoint::set_ground_a>(__func__, world, joint, Position(x, y));
 }
 
 fettle_code fettle_pulley_joint_ground_b(const fettle_world* world, fettle_id joint,
-                                         fettle_vec2* ground_b) {
+                                         fettle_position* ground_b) {
     return read<&PulleyJoint::ground_b>(__func__, world, joint, ground_b);
 }
 
-fettle_code fettle_pulley_joint_set_ground_b(fettle_world* world, fettle_id joint, float x,
-                                             float y) {
-    return edit<&PulleyJoint::set_ground_b>(__func__, world, joint, Vec2(x, y));
+fettle_code fettle_pulley_joint_set_ground_b(fettle_world* world, fettle_id joint,
+                                             fettle_coordinate x, fettle_coordinate y) {
+    return edit<&PulleyJoint::set_ground_b>(__func__, world, joint, Position(x, y));
 }
 
 fettle_code fettle_pulley_joint_ratio(const fettle_world* world, fettle_id joint, float* ratio) {

@@ -15,21 +15,23 @@ fettle_code fettle_mouse_joint_set_body(fettle_world* world, fettle_id joint, fe
 }
 
 fettle_code fettle_mouse_joint_anchor(const fettle_world* world, fettle_id joint,
-                                      fettle_vec2* anchor) {
+                                      fettle_position* anchor) {
     return read<&MouseJoint::anchor>(__func__, world, joint, anchor);
 }
 
-fettle_code fettle_mouse_joint_set_anchor(fettle_world* world, fettle_id joint, float x, float y) {
-    return edit<&MouseJoint::set_anchor>(__func__, world, joint, Vec2(x, y));
+fettle_code fettle_mouse_joint_set_anchor(fettle_world* world, fettle_id joint, fettle_coordinate x,
+                                          fettle_coordinate y) {
+    return edit<&MouseJoint::set_anchor>(__func__, world, joint, Position(x, y));
 }
 
 fettle_code fettle_mouse_joint_target(const fettle_world* world, fettle_id joint,
-                                      fettle_vec2* target) {
+                                      fettle_position* target) {
     return read<&MouseJoint::target>(__func__, world, joint, target);
 }
 
-fettle_code fettle_mouse_joint_set_target(fettle_world* world, fettle_id joint, float x, float y) {
-    return edit<&MouseJoint::set_target>(__func__, world, joint, Vec2(x, y));
+fettle_code fettle_mouse_joint_set_target(fettle_world* world, fettle_id joint, fettle_coordinate x,
+                                          fettle_coordinate y) {
+    return edit<&MouseJoint::set_target>(__func__, world, joint, Position(x, y));
 }
 
 fettle_code fettle_mouse_joint_hertz(const fettle_world* world, fettle_id joint, float* hertz) {

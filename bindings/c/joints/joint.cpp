@@ -51,30 +51,32 @@ fettle_code fettle_joint_dormant(const fettle_world* world, fettle_id joint, boo
 }
 
 fettle_code fettle_joint_anchor_a(const fettle_world* world, fettle_id joint,
-                                  fettle_vec2* anchor_a) {
+                                  fettle_position* anchor_a) {
     return read<&Joint::anchor_a>(__func__, world, joint, anchor_a);
 }
 
-fettle_code fettle_joint_set_anchor_a(fettle_world* world, fettle_id joint, float x, float y) {
-    return edit<&Joint::set_anchor_a>(__func__, world, joint, Vec2(x, y));
+fettle_code fettle_joint_set_anchor_a(fettle_world* world, fettle_id joint, fettle_coordinate x,
+                                      fettle_coordinate y) {
+    return edit<&Joint::set_anchor_a>(__func__, world, joint, Position(x, y));
 }
 
 fettle_code fettle_joint_anchor_b(const fettle_world* world, fettle_id joint,
-                                  fettle_vec2* anchor_b) {
+                                  fettle_position* anchor_b) {
     return read<&Joint::anchor_b>(__func__, world, joint, anchor_b);
 }
 
-fettle_code fettle_joint_set_anchor_b(fettle_world* world, fettle_id joint, float x, float y) {
-    return edit<&Joint::set_anchor_b>(__func__, world, joint, Vec2(x, y));
+fettle_code fettle_joint_set_anchor_b(fettle_world* world, fettle_id joint, fettle_coordinate x,
+                                      fettle_coordinate y) {
+    return edit<&Joint::set_anchor_b>(__func__, world, joint, Position(x, y));
 }
 
 fettle_code fettle_joint_world_anchor_a(const fettle_world* world, fettle_id joint,
-                                        fettle_vec2* world_anchor_a) {
+                                        fettle_position* world_anchor_a) {
     return read<&Joint::world_anchor_a>(__func__, world, joint, world_anchor_a);
 }
 
 fettle_code fettle_joint_world_anchor_b(const fettle_world* world, fettle_id joint,
-                                        fettle_vec2* world_anchor_b) {
+                                        fettle_position* world_anchor_b) {
     return read<&Joint::world_anchor_b>(__func__, world, joint, world_anchor_b);
 }
 

@@ -195,12 +195,14 @@ fettle_code fettle_pin_slot_joint_set_target_translation(fettle_world* world, fe
     return edit<&PinSlotJoint::set_target_translation>(__func__, world, joint, target_translation);
 }
 
-fettle_code fettle_groove_joint_end(const fettle_world* world, fettle_id joint, fettle_vec2* end) {
+fettle_code fettle_groove_joint_end(const fettle_world* world, fettle_id joint,
+                                    fettle_position* end) {
     return read<&GrooveJoint::end>(__func__, world, joint, end);
 }
 
-fettle_code fettle_groove_joint_set_end(fettle_world* world, fettle_id joint, float x, float y) {
-    return edit<&GrooveJoint::set_end>(__func__, world, joint, Vec2(x, y));
+fettle_code fettle_groove_joint_set_end(fettle_world* world, fettle_id joint, fettle_coordinate x,
+                                        fettle_coordinate y) {
+    return edit<&GrooveJoint::set_end>(__func__, world, joint, Position(x, y));
 }
 
 fettle_code fettle_groove_joint_translation(const fettle_world* world, fettle_id joint,

@@ -22,12 +22,14 @@ fettle_code fettle_body_set_type(fettle_world* world, fettle_id body, int32_t ty
                                  Enumerated<BodyType::dynamic_body>{"type", type});
 }
 
-fettle_code fettle_body_position(const fettle_world* world, fettle_id body, fettle_vec2* position) {
+fettle_code fettle_body_position(const fettle_world* world, fettle_id body,
+                                 fettle_position* position) {
     return read<&Body::position>(__func__, world, body, position);
 }
 
-fettle_code fettle_body_set_position(fettle_world* world, fettle_id body, float x, float y) {
-    return edit<&Body::set_position>(__func__, world, body, Vec2(x, y));
+fettle_code fettle_body_set_position(fettle_world* world, fettle_id body, fettle_coordinate x,
+                                     fettle_coordinate y) {
+    return edit<&Body::set_position>(__func__, world, body, Position(x, y));
 }
 
 fettle_code fettle_body_angle(const fettle_world* world, fettle_id body, float* angle) {
@@ -38,8 +40,8 @@ fettle_code fettle_body_set_angle(fettle_world* world, fettle_id body, float ang
     return edit<&Body::set_angle>(__func__, world, body, angle);
 }
 
-fettle_code fettle_body_set_pose(fettle_world* world, fettle_id body, float x, float y,
-                                 float angle) {
+fettle_code fettle_body_set_pose(fettle_world* world, fettle_id body, fettle_coordinate x,
+                                 fettle_coordinate y, float angle) {
     return edit<&Body::set_pose>(__func__, world, body, Pose{{x, y}, angle});
 }
 
@@ -61,8 +63,8 @@ fettle_code fettle_body_set_angular_velocity(fettle_world* world, fettle_id body
     return edit<&Body::set_angular_velocity>(__func__, world, body, angular_velocity);
 }
 
-fettle_code fettle_body_set_target(fettle_world* world, fettle_id body, float x, float y,
-                                   float angle, float dt) {
+fettle_code fettle_body_set_target(fettle_world* world, fettle_id body, fettle_coordinate x,
+                                   fettle_coordinate y, float angle, float dt) {
     return edit<&Body::set_target>(__func__, world, body, Pose{{x, y}, angle}, dt);
 }
 
@@ -87,9 +89,9 @@ fettle_code fettle_body_apply_force(fettle_world* world, fettle_id body, float x
 }
 
 fettle_code fettle_body_apply_force_at(fettle_world* world, fettle_id body, float x, float y,
-                                       float at_x, float at_y) {
+                                       fettle_coordinate at_x, fettle_coordinate at_y) {
     return on<Body>(__func__, world, body,
-                    [&](Body it) { it.apply_force(Vec2(x, y), Vec2(at_x, at_y)); });
+                    [&](Body it) { it.apply_force(Vec2(x, y), Position(at_x, at_y)); });
 }
 
 fettle_code fettle_body_apply_impulse(fettle_world* world, fettle_id body, float x, float y) {
@@ -97,9 +99,9 @@ fettle_code fettle_body_apply_impulse(fettle_world* world, fettle_id body, float
 }
 
 fettle_code fettle_body_apply_impulse_at(fettle_world* world, fettle_id body, float x, float y,
-                                         float at_x, float at_y) {
+                                         fettle_coordinate at_x, fettle_coordinate at_y) {
     return on<Body>(__func__, world, body,
-                    [&](Body it) { it.apply_impulse(Vec2(x, y), Vec2(at_x, at_y)); });
+                    [&](Body it) { it.apply_impulse(Vec2(x, y), Position(at_x, at_y)); });
 }
 
 fettle_code fettle_body_apply_torque(fettle_world* world, fettle_id body, float torque) {
@@ -285,7 +287,7 @@ fettle_code fettle_body_center_override(const fettle_world* world, fettle_id bod
 }
 
 fettle_code fettle_body_world_center(const fettle_world* world, fettle_id body,
-                                     fettle_vec2* world_center) {
+                                     fettle_position* world_center) {
     return read<&Body::world_center>(__func__, world, body, world_center);
 }
 
@@ -312,27 +314,27 @@ fettle_code fettle_body_interpolated(const fettle_world* world, fettle_id body, 
 }
 
 fettle_code fettle_body_world_point(const fettle_world* world, fettle_id body, float x, float y,
-                                    fettle_vec2* out) {
-    return read<&Body::world_point>(__func__, world, body, out, FinitePoint{x, y});
+                                    fettle_position* out) {
+    return read<&Body::world_point>(__func__, world, body, out, FiniteVector{x, y});
 }
 
-fettle_code fettle_body_local_point(const fettle_world* world, fettle_id body, float x, float y,
-                                    fettle_vec2* out) {
+fettle_code fettle_body_local_point(const fettle_world* world, fettle_id body, fettle_coordinate x,
+                                    fettle_coordinate y, fettle_vec2* out) {
     return read<&Body::local_point>(__func__, world, body, out, FinitePoint{x, y});
 }
 
 fettle_code fettle_body_world_vector(const fettle_world* world, fettle_id body, float x, float y,
                                      fettle_vec2* out) {
-    return read<&Body::world_vector>(__func__, world, body, out, FinitePoint{x, y});
+    return read<&Body::world_vector>(__func__, world, body, out, FiniteVector{x, y});
 }
 
 fettle_code fettle_body_local_vector(const fettle_world* world, fettle_id body, float x, float y,
                                      fettle_vec2* out) {
-    return read<&Body::local_vector>(__func__, world, body, out, FinitePoint{x, y});
+    return read<&Body::local_vector>(__func__, world, body, out, FiniteVector{x, y});
 }
 
-fettle_code fettle_body_velocity_at(const fettle_world* world, fettle_id body, float x, float y,
-                                    fettle_vec2* out) {
+fettle_code fettle_body_velocity_at(const fettle_world* world, fettle_id body, fettle_coordinate x,
+                                    fettle_coordinate y, fettle_vec2* out) {
     return read<&Body::velocity_at>(__func__, world, body, out, FinitePoint{x, y});
 }
 

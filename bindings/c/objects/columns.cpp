@@ -25,6 +25,14 @@ ContactId contact_named(const fettle_world* world, fettle_id shape_a, fettle_id 
     return ContactId::of(handle<Shape>(world, shape_a).id(), handle<Shape>(world, shape_b).id());
 }
 
+/// As `contact_named`, also of shapes that were destroyed.
+ContactId former_contact(fettle_id shape_a, fettle_id shape_b) {
+    const auto id = [](fettle_id shape) {
+        return ShapeId{unpacked(shape, kind_of<ShapeId>), uint32_t(shape >> 32)};
+    };
+    return ContactId::of(id(shape_a), id(shape_b));
+}
+
 uint32_t body_slot(const World& world, uint32_t slot) {
     if (slot >= world.body_slots() || world.body_generation(slot) == 0)
         throw Failure{FETTLE_STALE,
@@ -124,6 +132,21 @@ fettle_code fettle_world_ignore_until_separated(fettle_world* world, fettle_id s
     });
 }
 
+fettle_code fettle_world_contact_data(const fettle_world* world, fettle_id shape_a,
+                                      fettle_id shape_b, uint64_t* user_data) {
+    return guarded(__func__, [&] {
+        uint64_t& told = needed("user_data", user_data);
+        told = live(world).contact_data(former_contact(shape_a, shape_b));
+    });
+}
+
+fettle_code fettle_world_set_contact_data(fettle_world* world, fettle_id shape_a, fettle_id shape_b,
+                                          uint64_t user_data) {
+    return guarded(__func__, [&] {
+        editable(world).set_contact_data(contact_named(world, shape_a, shape_b), user_data);
+    });
+}
+
 fettle_code fettle_world_state(const fettle_world* world, uint32_t slot, fettle_body_state* state) {
     return guarded(__func__, [&] {
         const World& of = live(world);
@@ -191,7 +214,7 @@ fettle_code fettle_world_write_velocity(fettle_world* world, uint32_t slot, floa
     return guarded(__func__, [&] {
         World& to = editable(world);
         int32_t& told = needed("written", written);
-        told = int32_t(to.write_velocity(body_slot(to, slot), checked(FinitePoint{x, y})));
+        told = int32_t(to.write_velocity(body_slot(to, slot), checked(FiniteVector{x, y})));
     });
 }
 
@@ -200,7 +223,7 @@ fettle_code fettle_world_set_velocity(fettle_world* world, uint32_t slot, float 
     return guarded(__func__, [&] {
         World& to = editable(world);
         bool& told = needed("moves", moves);
-        told = to.set_velocity(body_slot(to, slot), checked(FinitePoint{x, y}));
+        told = to.set_velocity(body_slot(to, slot), checked(FiniteVector{x, y}));
     });
 }
 
@@ -235,7 +258,7 @@ fettle_code fettle_worlds_apply_forces(fettle_world* const* worlds, uint32_t wor
         auto found = checked_bodies(worlds, world_count, bodies, body_count);
         if (!found.empty()) needed("forces", forces);
         for (uint32_t i = 0; i < world_count; ++i) editable(worlds[i]);
-        for (size_t i = 0; i < found.size(); ++i) checked(FinitePoint{forces[i].x, forces[i].y});
+        for (size_t i = 0; i < found.size(); ++i) checked(FiniteVector{forces[i].x, forces[i].y});
         for (size_t i = 0; i < found.size(); ++i) found[i].apply_force(vector_of(forces[i]));
     });
 }

@@ -76,8 +76,8 @@ FieldDef definition_of(const fettle_field_def* def) {
                                         given.drag, vector_of(given.flow)};
             break;
         case FieldType::attractor:
-            taken.force =
-                AttractorField{vector_of(given.center), given.strength, given.falloff, given.core};
+            taken.force = AttractorField{position_of(given.center), given.strength, given.falloff,
+                                         given.core};
             break;
     }
     if (flag(given.has_region)) taken.region = box_of(given.region);

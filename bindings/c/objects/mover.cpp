@@ -67,7 +67,7 @@ Mover mover_of(const fettle_world* world, const fettle_mover_def* def,
     MoverState taken;
     taken.on_ground = flag(state.on_ground);
     taken.climbing = flag(state.climbing);
-    taken.position = vector_of(state.position);
+    taken.position = position_of(state.position);
     taken.ground_normal = vector_of(state.ground_normal);
     taken.ground = shape_or_none(world, state.ground);
     taken.dropped = shape_or_none(world, state.dropped);

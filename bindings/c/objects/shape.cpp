@@ -298,17 +298,17 @@ fettle_code fettle_shape_aabb(const fettle_world* world, fettle_id shape, fettle
 }
 
 fettle_code fettle_shape_world_vertices(const fettle_world* world, fettle_id shape,
-                                        fettle_vec2* out, uint32_t room, uint32_t* count) {
+                                        fettle_position* out, uint32_t room, uint32_t* count) {
     return list<&Shape::world_vertices>(__func__, world, shape, out, room, count);
 }
 
-fettle_code fettle_shape_contains(const fettle_world* world, fettle_id shape, float x, float y,
-                                  bool* inside) {
+fettle_code fettle_shape_contains(const fettle_world* world, fettle_id shape, fettle_coordinate x,
+                                  fettle_coordinate y, bool* inside) {
     return read<&Shape::contains>(__func__, world, shape, inside, FinitePoint{x, y});
 }
 
 fettle_code fettle_shape_world_center(const fettle_world* world, fettle_id shape,
-                                      fettle_vec2* world_center) {
+                                      fettle_position* world_center) {
     return read<&Shape::world_center>(__func__, world, shape, world_center);
 }
 

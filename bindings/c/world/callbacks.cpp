@@ -99,6 +99,14 @@ fettle_code fettle_world_set_before_solve(fettle_world* world, fettle_contact_ca
     return edit<&World::set_before_solve>(__func__, world, contact_callback(world, function, user));
 }
 
+fettle_code fettle_world_set_parallel_callbacks(fettle_world* world, bool parallel_callbacks) {
+    return edit<&World::set_parallel_callbacks>(__func__, world, parallel_callbacks);
+}
+
+fettle_code fettle_world_parallel_callbacks(const fettle_world* world, bool* parallel_callbacks) {
+    return read<&World::parallel_callbacks>(__func__, world, parallel_callbacks);
+}
+
 fettle_code fettle_body_set_velocity_function(fettle_world* world, fettle_id body,
                                               fettle_velocity_function function, void* user) {
     return on<fettle::physics::Body>(__func__, world, body, [&](fettle::physics::Body it) {

@@ -13,27 +13,27 @@ class Pen : public DebugDraw {
   public:
     explicit Pen(const fettle_debug_draw& draw) : draw_(draw) {}
 
-    void polygon(std::span<const Vec2> points, bool closed, uint32_t color) override {
+    void polygon(std::span<const Position> points, bool closed, uint32_t color) override {
         if (draw_.polygon == nullptr) return;
         placed_.clear();
-        for (const Vec2& p : points) placed_.push_back(converted(p));
+        for (const Position& p : points) placed_.push_back(converted(p));
         draw_.polygon(draw_.user, placed_.data(), uint32_t(placed_.size()), closed, color);
     }
-    void circle(const Vec2& center, float radius, float angle, uint32_t color) override {
+    void circle(const Position& center, float radius, float angle, uint32_t color) override {
         if (draw_.circle != nullptr)
             draw_.circle(draw_.user, converted(center), radius, angle, color);
     }
-    void segment(const Vec2& from, const Vec2& to, uint32_t color) override {
+    void segment(const Position& from, const Position& to, uint32_t color) override {
         if (draw_.segment != nullptr)
             draw_.segment(draw_.user, converted(from), converted(to), color);
     }
-    void point(const Vec2& at, uint32_t color) override {
+    void point(const Position& at, uint32_t color) override {
         if (draw_.point != nullptr) draw_.point(draw_.user, converted(at), color);
     }
 
   private:
     const fettle_debug_draw& draw_;
-    std::vector<fettle_vec2> placed_;
+    std::vector<fettle_position> placed_;
 };
 
 DebugDrawOptions options_of(const fettle_debug_draw& draw) {

@@ -50,15 +50,15 @@ fettle_code fettle_query_filter_init(fettle_query_filter* filter, size_t size) {
     return init(__func__, filter, size, defaults);
 }
 
-fettle_code fettle_world_query_point(const fettle_world* world, float x, float y,
-                                     const fettle_query_filter* filter, fettle_id* out,
-                                     uint32_t room, uint32_t* count) {
+fettle_code fettle_world_query_point(const fettle_world* world, fettle_coordinate x,
+                                     fettle_coordinate y, const fettle_query_filter* filter,
+                                     fettle_id* out, uint32_t room, uint32_t* count) {
     return guarded(__func__, [&] {
         tell_list(live(world).query_point({x, y}, filter_of(world, filter)), out, room, count);
     });
 }
 
-fettle_code fettle_world_visit_point(fettle_world* world, float x, float y,
+fettle_code fettle_world_visit_point(fettle_world* world, fettle_coordinate x, fettle_coordinate y,
                                      const fettle_query_filter* filter,
                                      fettle_shape_visitor visitor, void* user) {
     return guarded(__func__, [&] {
@@ -128,17 +128,19 @@ fettle_code fettle_world_visit_overlap_geometry(fettle_world* world,
     });
 }
 
-fettle_code fettle_world_cast_ray(const fettle_world* world, float from_x, float from_y, float to_x,
-                                  float to_y, const fettle_query_filter* filter, bool* found,
-                                  fettle_ray_hit* hit) {
+fettle_code fettle_world_cast_ray(const fettle_world* world, fettle_coordinate from_x,
+                                  fettle_coordinate from_y, fettle_coordinate to_x,
+                                  fettle_coordinate to_y, const fettle_query_filter* filter,
+                                  bool* found, fettle_ray_hit* hit) {
     return guarded(__func__, [&] {
         tell_hit(live(world).cast_ray({from_x, from_y}, {to_x, to_y}, filter_of(world, filter)),
                  found, hit);
     });
 }
 
-fettle_code fettle_world_cast_ray_all(const fettle_world* world, float from_x, float from_y,
-                                      float to_x, float to_y, const fettle_query_filter* filter,
+fettle_code fettle_world_cast_ray_all(const fettle_world* world, fettle_coordinate from_x,
+                                      fettle_coordinate from_y, fettle_coordinate to_x,
+                                      fettle_coordinate to_y, const fettle_query_filter* filter,
                                       fettle_ray_hit* out, uint32_t room, uint32_t* count) {
     return guarded(__func__, [&] {
         const auto found =
@@ -147,8 +149,9 @@ fettle_code fettle_world_cast_ray_all(const fettle_world* world, float from_x, f
     });
 }
 
-fettle_code fettle_world_visit_ray(fettle_world* world, float from_x, float from_y, float to_x,
-                                   float to_y, const fettle_query_filter* filter,
+fettle_code fettle_world_visit_ray(fettle_world* world, fettle_coordinate from_x,
+                                   fettle_coordinate from_y, fettle_coordinate to_x,
+                                   fettle_coordinate to_y, const fettle_query_filter* filter,
                                    fettle_ray_visitor visitor, void* user) {
     return guarded(__func__, [&] {
         const auto found =
@@ -184,7 +187,8 @@ fettle_code fettle_world_cast_geometry(const fettle_world* world, const fettle_g
     });
 }
 
-fettle_code fettle_world_closest(const fettle_world* world, float x, float y, float reach,
+fettle_code fettle_world_closest(const fettle_world* world, fettle_coordinate x,
+                                 fettle_coordinate y, float reach,
                                  const fettle_query_filter* filter, bool* found,
                                  fettle_point_hit* hit) {
     return guarded(__func__, [&] {
@@ -204,8 +208,8 @@ fettle_code fettle_distance(const fettle_world* world_a, fettle_id shape_a,
     });
 }
 
-fettle_code fettle_world_explode(fettle_world* world, float x, float y, float radius, float impulse,
-                                 const fettle_query_filter* filter) {
+fettle_code fettle_world_explode(fettle_world* world, fettle_coordinate x, fettle_coordinate y,
+                                 float radius, float impulse, const fettle_query_filter* filter) {
     return guarded(__func__, [&] {
         editable(world).explode({x, y}, radius, impulse, filter_of(world, filter));
     });
@@ -224,7 +228,7 @@ fettle_code fettle_world_explode_surfaces(fettle_world* world, const fettle_expl
         const fettle_explosion_def& given = needed("def", def);
         check_size(given.size, sizeof given);
         editable(world).explode(
-            {vector_of(given.point), given.radius, given.falloff, given.impulse_per_length},
+            {position_of(given.point), given.radius, given.falloff, given.impulse_per_length},
             filter_of(world, filter));
     });
 }

@@ -223,6 +223,17 @@ class World(Queries):
         """Two shapes that touch have no contact until they have separated."""
         check(lib.fettle_world_ignore_until_separated(self._pointer, id_of(a, Shape), id_of(b, Shape)))
 
+    def contact_data(self, a, b):
+        """A number of the program for two shapes that touch; 0 if there is none."""
+        out = ffi.new("uint64_t*")
+        check(lib.fettle_world_contact_data(self._pointer, id_of(a, Shape), id_of(b, Shape), out))
+        return out[0]
+
+    def set_contact_data(self, a, b, number):
+        """Sets a number for two shapes that touch. It is kept until they separate."""
+        number = to_number("uint64_t", number, "number")
+        check(lib.fettle_world_set_contact_data(self._pointer, id_of(a, Shape), id_of(b, Shape), number))
+
     @property
     def moved_bodies(self):
         """Bodies that the last step has moved."""

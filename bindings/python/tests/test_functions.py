@@ -71,6 +71,37 @@ class Functions(unittest.TestCase):
         with self.assertRaises(fettle.Stale):
             kept[0].friction = 1
 
+    def test_callbacks_may_run_on_several_threads(self):
+        world, ground, ball = a_world()
+        world.threads, world.parallel_callbacks = 2, True
+        for i in range(100):
+            world.body(position=(i * 0.3 - 5, 2)).add(fettle.Circle(0.1))
+        calls = []
+        world.set_before_solve(lambda contact: calls.append(contact.shape_b.body))
+        run(world, 60)
+        self.assertGreater(len(calls), 100)
+
+        def fail(contact):
+            raise KeyError(contact.friction)
+
+        world.set_before_solve(fail)
+        with self.assertRaises(KeyError):
+            world.step(1 / 60)
+
+    def test_a_contact_has_a_number_until_the_shapes_separate(self):
+        world, ground, ball = a_world()
+        pair = ground.shapes[0], ball.shapes[0]
+        with self.assertRaisesRegex(fettle.Invalid, "do not touch"):
+            world.set_contact_data(*pair, 1)
+        run(world, 60)
+        world.set_contact_data(*pair, 2**63)
+        self.assertEqual(world.contact_data(*reversed(pair)), 2**63)
+        with self.assertRaisesRegex(fettle.Invalid, "number"):
+            world.set_contact_data(*pair, -1)
+        ball.position = (0, 3)
+        run(world, 2)
+        self.assertEqual(world.contact_data(*pair), 0)
+
     def test_a_contact_can_be_ignored_until_the_shapes_have_separated(self):
         world, ground, ball = a_world()
         run(world, 60)

@@ -44,6 +44,7 @@ const leftOut = new Map([
   [/^fettle_owner_|^fettle_world_set_owner$/, "for engines that keep data for every object of a world"],
   [/^fettle_world_(on_)?refresh$/, "for hosts that read the memory of a world while it is edited"],
   [/^fettle_world_set_scheduler$/, "the package has one thread"],
+  [/^fettle_world_(set_)?parallel_callbacks$/, "the package has one thread"],
   [/^fettle_worlds_/, "saves calls from languages that are slower than JavaScript"],
 ]);
 

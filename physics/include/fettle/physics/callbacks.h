@@ -12,7 +12,8 @@
 // called inside an edit that requires it. `VelocityFunction` is called after them, and
 // `PositionFunction` at the end of the step, for one body after the other in slot order.
 // `QueryFilter::accept` (query.h) is called inside a query, `RefreshCallback` inside a read. All
-// run on the caller's thread, one after the other. One of the shapes that they get may belong to
+// run on the caller's thread, one after the other, unless `World::set_parallel_callbacks` says
+// otherwise. One of the shapes that they get may belong to
 // the world's border.
 //
 // **What such a function may do with the world that calls it:** call all `const` methods (read

@@ -200,7 +200,7 @@ class World {
     /// not part of the state and changes no result. The setter throws std::runtime_error if the
     /// system provides fewer, and leaves the number unchanged. If it is higher than the number of
     /// processors, only as many threads work as there are processors. Callbacks run on the thread
-    /// of the caller.
+    /// of the caller, unless `set_parallel_callbacks` says otherwise.
     int threads() const;
     void set_threads(int threads);
     /// Uses threads of the host instead: `threads` tasks (1 … 64) share the work of a step, and the
@@ -235,6 +235,13 @@ class World {
     /// Called for every contact before it is solved, once for two shapes; may also disable the
     /// contact for the step.
     void set_before_solve(ContactCallback callback);
+    /// True: the last two callbacks are called on all threads that work on a step, for several
+    /// contacts at a time and in no order. They must be safe to run so; they may read the world,
+    /// but must not destroy it, and `after_step` throws Locked in them. What they set is taken in
+    /// the order of the contacts: if that depends on nothing but what they get, so do the results.
+    /// False, as at first: on the thread of the caller, one after the other.
+    void set_parallel_callbacks(bool parallel);
+    bool parallel_callbacks() const;
 
     /// Called before a read updates edited data. The moment of this update affects all later
     /// results, to the last bit: to repeat edits exactly, repeat the same updates between them with
@@ -353,6 +360,13 @@ class World {
     /// callback disabled it in each step; that callback is not called. Both must be shapes of this
     /// world. It has no effect on shapes that are apart. It belongs to the state.
     void ignore_until_separated(const Shape& a, const Shape& b);
+    /// A number of the host for two shapes that touch, without effect; 0 if there is none. It is
+    /// kept until the shapes separate, and can still be read after the step that tells
+    /// `contact_end`. It belongs to the state.
+    uint64_t contact_data(const ContactId& id) const;
+    /// Throws std::invalid_argument if the shapes do not touch; 0 removes the number and is always
+    /// allowed.
+    void set_contact_data(const ContactId& id, uint64_t user_data);
     /// Bodies that have another pose than before the last step, in slot order: those that a host
     /// has to draw elsewhere. Bodies that were teleported since are not among them.
     std::vector<Body> moved_bodies() const;

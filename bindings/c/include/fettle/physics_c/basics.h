@@ -1,7 +1,7 @@
 /* What all functions have in common.
  *
  * Units are SI (m, kg, s, N), angles are in radians, counter-clockwise; numbers are single
- * precision.
+ * precision, and so are points of the world, unless position.h says otherwise.
  *
  * Results. A function returns FETTLE_DONE, or another code after an error; then it has changed
  * nothing and written to none of its out parameters, and fettle_last_error() has the reason. A
@@ -21,7 +21,7 @@
 
 #pragma once
 
-#include <fettle/physics_c/export.h>
+#include <fettle/physics_c/position.h>
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -64,21 +64,16 @@ typedef uint64_t fettle_id;
 /** Slot of the object in the columns of its world (columns.h): the low 28 bits of the id. */
 uint32_t fettle_slot(fettle_id id);
 
-/** A point or a vector, in m unless its user says otherwise. */
-typedef struct fettle_vec2 {
-    float x, y; /* to the right and upwards */
-} fettle_vec2;
-
 /** Axis-aligned box. */
 typedef struct fettle_aabb {
-    fettle_vec2 min; /* lower left corner */
-    fettle_vec2 max; /* the upper right corner */
+    fettle_position min; /* lower left corner */
+    fettle_position max; /* the upper right corner */
 } fettle_aabb;
 
 /** Where a body is. */
 typedef struct fettle_pose {
-    fettle_vec2 position; /* of the origin, m */
-    float angle;          /* rad, not wrapped */
+    fettle_position position; /* of the origin, m */
+    float angle;              /* rad, not wrapped */
 } fettle_pose;
 
 /** What moves a body. */

@@ -20,16 +20,18 @@ fettle_code fettle_body_type(const fettle_world* world, fettle_id body, int32_t*
 fettle_code fettle_body_set_type(fettle_world* world, fettle_id body, int32_t type);
 
 /** Of the origin, m, world; coordinates from -1e8 to 1e8. The setter teleports. */
-fettle_code fettle_body_position(const fettle_world* world, fettle_id body, fettle_vec2* position);
-fettle_code fettle_body_set_position(fettle_world* world, fettle_id body, float x, float y);
+fettle_code fettle_body_position(const fettle_world* world, fettle_id body,
+                                 fettle_position* position);
+fettle_code fettle_body_set_position(fettle_world* world, fettle_id body, fettle_coordinate x,
+                                     fettle_coordinate y);
 
 /** Rad, counter-clockwise, not wrapped; from -1e8 to 1e8. The setter teleports. */
 fettle_code fettle_body_angle(const fettle_world* world, fettle_id body, float* angle);
 fettle_code fettle_body_set_angle(fettle_world* world, fettle_id body, float angle);
 
 /** Sets position (m) and angle (rad) in one teleport; ranges as for position and angle. */
-fettle_code fettle_body_set_pose(fettle_world* world, fettle_id body, float x, float y,
-                                 float angle);
+fettle_code fettle_body_set_pose(fettle_world* world, fettle_id body, fettle_coordinate x,
+                                 fettle_coordinate y, float angle);
 
 /** Of the center of mass, m/s; finite. A step limits it to 10 000 m/s. A static or infinitely
     heavy body has none, and setting one has no effect. */
@@ -46,8 +48,8 @@ fettle_code fettle_body_set_angular_velocity(fettle_world* world, fettle_id body
 /** Sets both velocities so that steps of `dt` s in all bring it to the pose, if nothing disturbs
    it: to be called before each step for a platform that follows a path. The angle is not wrapped.
  */
-fettle_code fettle_body_set_target(fettle_world* world, fettle_id body, float x, float y,
-                                   float angle, float dt);
+fettle_code fettle_body_set_target(fettle_world* world, fettle_id body, fettle_coordinate x,
+                                   fettle_coordinate y, float angle, float dt);
 
 /** N, applied at the center of mass in every step until changed; finite. */
 fettle_code fettle_body_force(const fettle_world* world, fettle_id body, fettle_vec2* force);
@@ -62,7 +64,7 @@ fettle_code fettle_body_apply_force(fettle_world* world, fettle_id body, float x
 
 /** Adds a force (N, finite) at a point of the world (m, finite), for the next step only. */
 fettle_code fettle_body_apply_force_at(fettle_world* world, fettle_id body, float x, float y,
-                                       float at_x, float at_y);
+                                       fettle_coordinate at_x, fettle_coordinate at_y);
 
 /** Adds an impulse (N s, finite) at the center of mass: changes the velocity at once. */
 fettle_code fettle_body_apply_impulse(fettle_world* world, fettle_id body, float x, float y);
@@ -70,7 +72,7 @@ fettle_code fettle_body_apply_impulse(fettle_world* world, fettle_id body, float
 /** Adds an impulse (N s, finite) at a point of the world (m, finite): changes both velocities at
     once. */
 fettle_code fettle_body_apply_impulse_at(fettle_world* world, fettle_id body, float x, float y,
-                                         float at_x, float at_y);
+                                         fettle_coordinate at_x, fettle_coordinate at_y);
 
 /** Adds a torque (N m, finite) for the next step only. */
 fettle_code fettle_body_apply_torque(fettle_world* world, fettle_id body, float torque);
@@ -192,7 +194,7 @@ fettle_code fettle_body_center_override(const fettle_world* world, fettle_id bod
 
 /** Center of mass, world, m. */
 fettle_code fettle_body_world_center(const fettle_world* world, fettle_id body,
-                                     fettle_vec2* world_center);
+                                     fettle_position* world_center);
 
 /** Sum over the shapes, m2. */
 fettle_code fettle_body_area(const fettle_world* world, fettle_id body, float* area);
@@ -213,11 +215,11 @@ fettle_code fettle_body_interpolated(const fettle_world* world, fettle_id body, 
 
 /** Body coordinates (m) to the world. Coordinates are finite. */
 fettle_code fettle_body_world_point(const fettle_world* world, fettle_id body, float x, float y,
-                                    fettle_vec2* out);
+                                    fettle_position* out);
 
 /** World coordinates (m) to those of the body. Coordinates are finite. */
-fettle_code fettle_body_local_point(const fettle_world* world, fettle_id body, float x, float y,
-                                    fettle_vec2* out);
+fettle_code fettle_body_local_point(const fettle_world* world, fettle_id body, fettle_coordinate x,
+                                    fettle_coordinate y, fettle_vec2* out);
 
 /** Direction in body coordinates to the world. Coordinates are finite. */
 fettle_code fettle_body_world_vector(const fettle_world* world, fettle_id body, float x, float y,
@@ -229,8 +231,8 @@ fettle_code fettle_body_local_vector(const fettle_world* world, fettle_id body, 
 
 /** Velocity (m/s) of the point of the body that is at a point of the world (m). Coordinates are
     finite. */
-fettle_code fettle_body_velocity_at(const fettle_world* world, fettle_id body, float x, float y,
-                                    fettle_vec2* out);
+fettle_code fettle_body_velocity_at(const fettle_world* world, fettle_id body, fettle_coordinate x,
+                                    fettle_coordinate y, fettle_vec2* out);
 
 /** J. */
 fettle_code fettle_body_kinetic_energy(const fettle_world* world, fettle_id body,

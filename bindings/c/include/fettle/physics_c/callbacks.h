@@ -20,7 +20,7 @@ FETTLE_PHYSICS_C_BEGIN
     four of them are valid for the step. */
 typedef struct fettle_contact_edit {
     fettle_id shape_a, shape_b;      /* the normal points from a to b */
-    fettle_vec2 point;               /* world, m: middle of the manifold of the deepest part */
+    fettle_position point;           /* world, m: middle of the manifold of the deepest part */
     fettle_vec2 normal;              /* from a to b */
     float speed;                     /* m/s, approach speed along the normal */
     float impulse;                   /* N s, normal impulse of the last step */
@@ -63,6 +63,14 @@ fettle_code fettle_world_set_mixing(fettle_world* world, fettle_contact_callback
 /** Called for every contact before it is solved, once for two shapes. A null function: none. */
 fettle_code fettle_world_set_before_solve(fettle_world* world, fettle_contact_callback function,
                                           void* user);
+
+/** True: the last two functions are called on all threads that work on a step, for several contacts
+    at a time and in no order. They must be safe to run so and must not destroy the world, and
+    fettle_world_after_step is refused in them. What they set is taken in the order of the contacts:
+    if that depends on nothing but what they get, so do the results. False, as at first: on the
+    thread of the caller, one after the other. */
+fettle_code fettle_world_set_parallel_callbacks(fettle_world* world, bool parallel_callbacks);
+fettle_code fettle_world_parallel_callbacks(const fettle_world* world, bool* parallel_callbacks);
 
 /** The motion of a body in a step, before contacts and joints act. The last two members may be
     set; they are limited, and NaN changes nothing. */

@@ -9,11 +9,11 @@ FETTLE_PHYSICS_C_BEGIN
 
 /** State of a body that changes in each step. */
 typedef struct fettle_body_state {
-    fettle_vec2 position;   /* of the origin, m */
-    float angle;            /* rad, not wrapped */
-    float angular_velocity; /* rad/s */
-    fettle_vec2 velocity;   /* of the center of mass, m/s */
-    float cosine, sine;     /* of the angle */
+    fettle_position position; /* of the origin, m */
+    float angle;              /* rad, not wrapped */
+    float angular_velocity;   /* rad/s */
+    fettle_vec2 velocity;     /* of the center of mass, m/s */
+    float cosine, sine;       /* of the angle */
 } fettle_body_state;
 
 /** Arrays of a world. A body has the index fettle_slot(id) in them, which does not change while it
@@ -46,6 +46,15 @@ fettle_code fettle_world_contacts_of(const fettle_world* world, fettle_id shape_
     effect on shapes that are apart. */
 fettle_code fettle_world_ignore_until_separated(fettle_world* world, fettle_id shape_a,
                                                 fettle_id shape_b);
+
+/** A number of the host for two shapes that touch, without effect; 0 if there is none. It is kept
+    until the shapes separate, and can still be read after the step that tells the end of the
+    contact. It belongs to the state of the world. FETTLE_INVALID if a number is set for shapes that
+    do not touch; 0 removes it and is always allowed. */
+fettle_code fettle_world_contact_data(const fettle_world* world, fettle_id shape_a,
+                                      fettle_id shape_b, uint64_t* user_data);
+fettle_code fettle_world_set_contact_data(fettle_world* world, fettle_id shape_a, fettle_id shape_b,
+                                          uint64_t user_data);
 
 /** One element of a column. FETTLE_STALE if the slot is free or does not exist. */
 fettle_code fettle_world_state(const fettle_world* world, uint32_t slot, fettle_body_state* state);

@@ -8,7 +8,7 @@ FETTLE_PHYSICS_C_BEGIN
 
 /** A point of a contact. */
 typedef struct fettle_contact_point {
-    fettle_vec2 point;     /* world, m */
+    fettle_position point; /* world, m */
     float separation;      /* m, negative: overlap */
     float normal_impulse;  /* N s in one sub-step */
     float tangent_impulse; /* N s in one sub-step */

@@ -58,15 +58,15 @@ fettle_code fettle_motor_joint_set_damping_ratio(fettle_world* world, fettle_id 
 
 /** The wheel above a; world, m, from -1e8 to 1e8. */
 fettle_code fettle_pulley_joint_ground_a(const fettle_world* world, fettle_id joint,
-                                         fettle_vec2* ground_a);
-fettle_code fettle_pulley_joint_set_ground_a(fettle_world* world, fettle_id joint, float x,
-                                             float y);
+                                         fettle_position* ground_a);
+fettle_code fettle_pulley_joint_set_ground_a(fettle_world* world, fettle_id joint,
+                                             fettle_coordinate x, fettle_coordinate y);
 
 /** The wheel above b; world, m, from -1e8 to 1e8. */
 fettle_code fettle_pulley_joint_ground_b(const fettle_world* world, fettle_id joint,
-                                         fettle_vec2* ground_b);
-fettle_code fettle_pulley_joint_set_ground_b(fettle_world* world, fettle_id joint, float x,
-                                             float y);
+                                         fettle_position* ground_b);
+fettle_code fettle_pulley_joint_set_ground_b(fettle_world* world, fettle_id joint,
+                                             fettle_coordinate x, fettle_coordinate y);
 
 /** Force on b divided by the force on a, from 0.001 to 1000. */
 fettle_code fettle_pulley_joint_ratio(const fettle_world* world, fettle_id joint, float* ratio);

@@ -35,34 +35,34 @@ typedef struct fettle_world_def {
 /** A body. body.h has ranges, and the functions that change each of these values later. */
 typedef struct fettle_body_def {
     uint32_t size;
-    int32_t type;           /* FETTLE_BODY_DYNAMIC; one of fettle_body_type */
-    fettle_vec2 position;   /* (0, 0) m */
-    float angle;            /* 0 rad */
-    float angular_velocity; /* 0 rad/s */
-    fettle_vec2 velocity;   /* (0, 0) m/s */
-    fettle_vec2 force;      /* (0, 0) N, applied at the center of mass in every step */
-    float torque;           /* 0 N m, applied in every step */
-    float gravity_scale;    /* 1 */
-    float linear_damping;   /* 0 1/s */
-    float angular_damping;  /* 0 1/s */
-    float mass;             /* kg, if has_mass; infinity: does not move */
-    float inertia;          /* kg m2, if has_inertia; infinity: does not rotate */
-    fettle_vec2 center;     /* center of mass in body coordinates, m, if has_center */
-    bool has_mass;          /* false: from the shapes */
-    bool has_inertia;       /* false: from the shapes */
-    bool has_center;        /* false: from the shapes */
-    bool awake;             /* true */
-    bool can_sleep;         /* true */
-    bool bullet;            /* false; true: continuous collision with moving bodies, too */
-    bool locked_x;          /* false */
-    bool locked_y;          /* false */
-    bool locked_rotation;   /* false */
-    bool enabled;           /* true; false: takes no part in steps and queries */
-    bool has_sleep_speed;   /* false: that of the world */
-    float sleep_speed;      /* m/s, if has_sleep_speed; at least 0 */
-    float max_speed;        /* infinity, m/s; above 0 */
-    const char* name;       /* null: none; at most 63 bytes, which are copied */
-    uint64_t user_data;     /* 0 */
+    int32_t type;             /* FETTLE_BODY_DYNAMIC; one of fettle_body_type */
+    fettle_position position; /* (0, 0) m */
+    float angle;              /* 0 rad */
+    float angular_velocity;   /* 0 rad/s */
+    fettle_vec2 velocity;     /* (0, 0) m/s */
+    fettle_vec2 force;        /* (0, 0) N, applied at the center of mass in every step */
+    float torque;             /* 0 N m, applied in every step */
+    float gravity_scale;      /* 1 */
+    float linear_damping;     /* 0 1/s */
+    float angular_damping;    /* 0 1/s */
+    float mass;               /* kg, if has_mass; infinity: does not move */
+    float inertia;            /* kg m2, if has_inertia; infinity: does not rotate */
+    fettle_vec2 center;       /* center of mass in body coordinates, m, if has_center */
+    bool has_mass;            /* false: from the shapes */
+    bool has_inertia;         /* false: from the shapes */
+    bool has_center;          /* false: from the shapes */
+    bool awake;               /* true */
+    bool can_sleep;           /* true */
+    bool bullet;              /* false; true: continuous collision with moving bodies, too */
+    bool locked_x;            /* false */
+    bool locked_y;            /* false */
+    bool locked_rotation;     /* false */
+    bool enabled;             /* true; false: takes no part in steps and queries */
+    bool has_sleep_speed;     /* false: that of the world */
+    float sleep_speed;        /* m/s, if has_sleep_speed; at least 0 */
+    float max_speed;          /* infinity, m/s; above 0 */
+    const char* name;         /* null: none; at most 63 bytes, which are copied */
+    uint64_t user_data;       /* 0 */
 } fettle_body_def;
 
 /** Surface, mass and filter of a shape. shape.h has ranges, and functions that change them later.
@@ -112,8 +112,8 @@ typedef struct fettle_joint_def {
     bool enabled;                   /* true */
     fettle_id body_a;               /* 0 */
     fettle_id body_b;               /* 0 */
-    fettle_vec2 anchor_a;           /* (0, 0) m, body coordinates */
-    fettle_vec2 anchor_b;           /* (0, 0) m, body coordinates */
+    fettle_position anchor_a;       /* (0, 0) m, body coordinates */
+    fettle_position anchor_b;       /* (0, 0) m, body coordinates */
     uint64_t user_data;             /* 0 */
     float break_force;              /* infinity, N; joint.h describes these six */
     float break_torque;             /* infinity, N m */
@@ -126,15 +126,15 @@ typedef struct fettle_joint_def {
 /** A mouse joint. */
 typedef struct fettle_mouse_joint_def {
     uint32_t size;
-    bool has_anchor;     /* false: the point of the body that is at the target */
-    bool enabled;        /* true */
-    fettle_id body;      /* must be set */
-    fettle_vec2 target;  /* (0, 0) m, world */
-    fettle_vec2 anchor;  /* m, body coordinates, if has_anchor */
-    float hertz;         /* 5 Hz; from 0 (slack) to infinity */
-    float damping_ratio; /* 0.7; at least 0 */
-    float max_force;     /* infinity, N; at least 0 */
-    uint64_t user_data;  /* 0 */
+    bool has_anchor;        /* false: the point of the body that is at the target */
+    bool enabled;           /* true */
+    fettle_id body;         /* must be set */
+    fettle_position target; /* (0, 0) m, world */
+    fettle_vec2 anchor;     /* m, body coordinates, if has_anchor */
+    float hertz;            /* 5 Hz; from 0 (slack) to infinity */
+    float damping_ratio;    /* 0.7; at least 0 */
+    float max_force;        /* infinity, N; at least 0 */
+    uint64_t user_data;     /* 0 */
 } fettle_mouse_joint_def;
 
 /** What a field of force does. */
@@ -161,12 +161,12 @@ typedef struct fettle_field_def {
     float quadratic;      /* drag: 0 N s2/m2 for each m2; at least 0 */
     float level;          /* buoyancy: 0 m; points with normal * point below it are submerged */
     fettle_vec2 normal;   /* buoyancy: (0, 1); upwards, of any length but 0 */
-    float drag;         /* buoyancy: 2 1/s; share of the displaced mass that resists; at least 0 */
-    fettle_vec2 center; /* attractor: (0, 0) m, world */
-    float strength;     /* attractor: 10 m/s2 at a distance of 1 m; negative repels */
-    float core;         /* attractor: 0.5 m; nearer, the pull is proportional to the distance */
-    uint64_t mask;      /* all bits; it acts on shapes of these categories */
-    uint64_t user_data; /* 0 */
+    float drag; /* buoyancy: 2 1/s; share of the displaced mass that resists; at least 0 */
+    fettle_position center; /* attractor: (0, 0) m, world */
+    float strength;         /* attractor: 10 m/s2 at a distance of 1 m; negative repels */
+    float core;             /* attractor: 0.5 m; nearer, the pull is proportional to the distance */
+    uint64_t mask;          /* all bits; it acts on shapes of these categories */
+    uint64_t user_data;     /* 0 */
 } fettle_field_def;
 
 /** Writes the defaults and `size`. FETTLE_INVALID unless `size` is the size of the structure. */

@@ -20,14 +20,14 @@ typedef struct fettle_debug_draw {
     float fraction;     /* 1; pose between the previous (0) and the current one (1), finite */
     void* user;         /* null; passed to each function */
     /** An outline, counter-clockwise; `closed`: it goes back to its first point. */
-    void (*polygon)(void* user, const fettle_vec2* points, uint32_t count, bool closed,
+    void (*polygon)(void* user, const fettle_position* points, uint32_t count, bool closed,
                     uint32_t color);
     /** A circle, with the angle of its body. */
-    void (*circle)(void* user, fettle_vec2 center, float radius, float angle, uint32_t color);
+    void (*circle)(void* user, fettle_position center, float radius, float angle, uint32_t color);
     /** A line between two points. */
-    void (*segment)(void* user, fettle_vec2 from, fettle_vec2 to, uint32_t color);
+    void (*segment)(void* user, fettle_position from, fettle_position to, uint32_t color);
     /** A point, to be drawn in a size of the host. */
-    void (*point)(void* user, fettle_vec2 at, uint32_t color);
+    void (*point)(void* user, fettle_position at, uint32_t color);
 } fettle_debug_draw;
 
 /** Writes the defaults and `size`; all functions are null. FETTLE_INVALID unless `size` is the size

@@ -11,7 +11,7 @@ FETTLE_PHYSICS_C_BEGIN
 typedef struct fettle_contact_event {
     fettle_id shape_a, shape_b; /* the normal points away from a */
     fettle_id body_a, body_b;   /* of these shapes */
-    fettle_vec2 point;          /* world, m: middle of the manifold */
+    fettle_position point;      /* world, m: middle of the manifold */
     fettle_vec2 normal;         /* from a to b */
     float speed;                /* m/s, approach speed along the normal (begin: before the step) */
     float impulse;              /* N s: that stops the approach (persist: of the last step) */

@@ -18,9 +18,9 @@ typedef struct fettle_mass_properties {
 
 /** The point where a ray enters a geometry. */
 typedef struct fettle_surface_hit {
-    fettle_vec2 point;  /* m */
-    fettle_vec2 normal; /* of the surface, outward */
-    float fraction;     /* 0 at the start of the ray, 1 at its end */
+    fettle_position point; /* m */
+    fettle_vec2 normal;    /* of the surface, outward */
+    float fraction;        /* 0 at the start of the ray, 1 at its end */
 } fettle_surface_hit;
 
 /** The contact points of two convex parts. */
@@ -82,13 +82,14 @@ fettle_code fettle_geometry_bounding_box(const fettle_geometry* geometry, const 
 
 /** Whether a point is in the geometry or on its edge. */
 fettle_code fettle_geometry_contains(const fettle_geometry* geometry, const fettle_pose* pose,
-                                     float x, float y, bool* contains);
+                                     fettle_coordinate x, fettle_coordinate y, bool* contains);
 
 /** The point where a ray enters a geometry. `found` tells whether there is one: not if the ray
     begins inside; only then `hit`, which may be null, is written. */
 fettle_code fettle_geometry_cast_ray(const fettle_geometry* geometry, const fettle_pose* pose,
-                                     float from_x, float from_y, float to_x, float to_y,
-                                     bool* found, fettle_surface_hit* hit);
+                                     fettle_coordinate from_x, fettle_coordinate from_y,
+                                     fettle_coordinate to_x, fettle_coordinate to_y, bool* found,
+                                     fettle_surface_hit* hit);
 
 /** Distance and nearest points of two geometries. A chain counts on both sides. */
 fettle_code fettle_geometry_distance(const fettle_geometry* a, const fettle_pose* pose_a,

@@ -15,13 +15,15 @@ fettle_code fettle_mouse_joint_set_body(fettle_world* world, fettle_id joint, fe
 
 /** Body coordinates, m, from -1e8 to 1e8. */
 fettle_code fettle_mouse_joint_anchor(const fettle_world* world, fettle_id joint,
-                                      fettle_vec2* anchor);
-fettle_code fettle_mouse_joint_set_anchor(fettle_world* world, fettle_id joint, float x, float y);
+                                      fettle_position* anchor);
+fettle_code fettle_mouse_joint_set_anchor(fettle_world* world, fettle_id joint, fettle_coordinate x,
+                                          fettle_coordinate y);
 
 /** World, m, from -1e8 to 1e8. */
 fettle_code fettle_mouse_joint_target(const fettle_world* world, fettle_id joint,
-                                      fettle_vec2* target);
-fettle_code fettle_mouse_joint_set_target(fettle_world* world, fettle_id joint, float x, float y);
+                                      fettle_position* target);
+fettle_code fettle_mouse_joint_set_target(fettle_world* world, fettle_id joint, fettle_coordinate x,
+                                          fettle_coordinate y);
 
 /** Stiffness, Hz, from 0 to infinity. */
 fettle_code fettle_mouse_joint_hertz(const fettle_world* world, fettle_id joint, float* hertz);

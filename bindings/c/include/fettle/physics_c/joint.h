@@ -39,21 +39,23 @@ fettle_code fettle_joint_dormant(const fettle_world* world, fettle_id joint, boo
 
 /** Body coordinates of a, m, from -1e8 to 1e8. */
 fettle_code fettle_joint_anchor_a(const fettle_world* world, fettle_id joint,
-                                  fettle_vec2* anchor_a);
-fettle_code fettle_joint_set_anchor_a(fettle_world* world, fettle_id joint, float x, float y);
+                                  fettle_position* anchor_a);
+fettle_code fettle_joint_set_anchor_a(fettle_world* world, fettle_id joint, fettle_coordinate x,
+                                      fettle_coordinate y);
 
 /** Body coordinates of b, m, from -1e8 to 1e8. */
 fettle_code fettle_joint_anchor_b(const fettle_world* world, fettle_id joint,
-                                  fettle_vec2* anchor_b);
-fettle_code fettle_joint_set_anchor_b(fettle_world* world, fettle_id joint, float x, float y);
+                                  fettle_position* anchor_b);
+fettle_code fettle_joint_set_anchor_b(fettle_world* world, fettle_id joint, fettle_coordinate x,
+                                      fettle_coordinate y);
 
 /** Anchor a in the world, m. */
 fettle_code fettle_joint_world_anchor_a(const fettle_world* world, fettle_id joint,
-                                        fettle_vec2* world_anchor_a);
+                                        fettle_position* world_anchor_a);
 
 /** Anchor b in the world, m. */
 fettle_code fettle_joint_world_anchor_b(const fettle_world* world, fettle_id joint,
-                                        fettle_vec2* world_anchor_b);
+                                        fettle_position* world_anchor_b);
 
 /** Whether it acts at all. */
 fettle_code fettle_joint_enabled(const fettle_world* world, fettle_id joint, bool* enabled);

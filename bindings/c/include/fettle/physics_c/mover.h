@@ -33,7 +33,7 @@ typedef struct fettle_mover_state {
     uint32_t size;
     bool on_ground;            /* after the last move */
     bool climbing;             /* true: it moves freely, without ground, steps and rides */
-    fettle_vec2 position;      /* of its feet, m */
+    fettle_position position;  /* of its feet, m */
     fettle_vec2 ground_normal; /* zero in the air */
     fettle_id ground;          /* the shape on which it stands; 0 in the air */
     fettle_id dropped;         /* the shape through which it falls; 0: none */
@@ -57,10 +57,10 @@ typedef struct fettle_moved {
 
 /** A plane that bounds the motion of a mover. */
 typedef struct fettle_mover_plane {
-    fettle_vec2 normal; /* from the shape to the mover; its length is 1 */
-    fettle_vec2 point;  /* on the surface, m */
-    float separation;   /* m; negative when they overlap */
-    fettle_id shape;    /* that bounds it */
+    fettle_vec2 normal;    /* from the shape to the mover; its length is 1 */
+    fettle_position point; /* on the surface, m */
+    float separation;      /* m; negative when they overlap */
+    fettle_id shape;       /* that bounds it */
 } fettle_mover_plane;
 
 /** Write the defaults and `size`. FETTLE_INVALID unless `size` is the size of the structure. */

@@ -30,26 +30,26 @@ fettle_code fettle_query_filter_init(fettle_query_filter* filter, size_t size);
 
 /** Where a ray or a cast shape meets a shape. */
 typedef struct fettle_ray_hit {
-    fettle_id shape;    /* that was found */
-    fettle_vec2 point;  /* world, m */
+    fettle_id shape;       /* that was found */
+    fettle_position point; /* world, m */
     fettle_vec2 normal; /* outward; opposite to the motion if a cast shape overlaps at the start */
     float fraction;     /* 0 at the start of the ray, 1 at its end */
 } fettle_ray_hit;
 
 /** A point on a shape. */
 typedef struct fettle_point_hit {
-    fettle_id shape;    /* that was found */
-    fettle_vec2 point;  /* on its surface; the query point if that is inside */
-    fettle_vec2 normal; /* outward; zero inside */
-    float distance;     /* m; 0 inside */
+    fettle_id shape;       /* that was found */
+    fettle_position point; /* on its surface; the query point if that is inside */
+    fettle_vec2 normal;    /* outward; zero inside */
+    float distance;        /* m; 0 inside */
 } fettle_point_hit;
 
 /** Distance between two shapes. */
 typedef struct fettle_separation {
-    float distance;      /* m; 0 when they overlap */
-    fettle_vec2 point_a; /* nearest to b, world, m */
-    fettle_vec2 point_b; /* nearest to a */
-    fettle_vec2 normal;  /* from a to b; zero when they overlap */
+    float distance;          /* m; 0 when they overlap */
+    fettle_position point_a; /* nearest to b, world, m */
+    fettle_position point_b; /* nearest to a */
+    fettle_vec2 normal;      /* from a to b; zero when they overlap */
 } fettle_separation;
 
 /** Called for each find; false ends the query. */
@@ -58,10 +58,10 @@ typedef bool (*fettle_ray_visitor)(void* user, const fettle_world* world,
                                    const fettle_ray_hit* hit);
 
 /** Shapes that contain a point. */
-fettle_code fettle_world_query_point(const fettle_world* world, float x, float y,
-                                     const fettle_query_filter* filter, fettle_id* out,
-                                     uint32_t room, uint32_t* count);
-fettle_code fettle_world_visit_point(fettle_world* world, float x, float y,
+fettle_code fettle_world_query_point(const fettle_world* world, fettle_coordinate x,
+                                     fettle_coordinate y, const fettle_query_filter* filter,
+                                     fettle_id* out, uint32_t room, uint32_t* count);
+fettle_code fettle_world_visit_point(fettle_world* world, fettle_coordinate x, fettle_coordinate y,
                                      const fettle_query_filter* filter,
                                      fettle_shape_visitor visitor, void* user);
 
@@ -96,16 +96,19 @@ fettle_code fettle_world_visit_overlap_geometry(fettle_world* world,
 
 /** The first shape on a ray. `found` tells whether there is one; only then `hit`, which may be
    null, is written. */
-fettle_code fettle_world_cast_ray(const fettle_world* world, float from_x, float from_y, float to_x,
-                                  float to_y, const fettle_query_filter* filter, bool* found,
-                                  fettle_ray_hit* hit);
+fettle_code fettle_world_cast_ray(const fettle_world* world, fettle_coordinate from_x,
+                                  fettle_coordinate from_y, fettle_coordinate to_x,
+                                  fettle_coordinate to_y, const fettle_query_filter* filter,
+                                  bool* found, fettle_ray_hit* hit);
 
 /** All shapes on a ray, nearest first. */
-fettle_code fettle_world_cast_ray_all(const fettle_world* world, float from_x, float from_y,
-                                      float to_x, float to_y, const fettle_query_filter* filter,
+fettle_code fettle_world_cast_ray_all(const fettle_world* world, fettle_coordinate from_x,
+                                      fettle_coordinate from_y, fettle_coordinate to_x,
+                                      fettle_coordinate to_y, const fettle_query_filter* filter,
                                       fettle_ray_hit* out, uint32_t room, uint32_t* count);
-fettle_code fettle_world_visit_ray(fettle_world* world, float from_x, float from_y, float to_x,
-                                   float to_y, const fettle_query_filter* filter,
+fettle_code fettle_world_visit_ray(fettle_world* world, fettle_coordinate from_x,
+                                   fettle_coordinate from_y, fettle_coordinate to_x,
+                                   fettle_coordinate to_y, const fettle_query_filter* filter,
                                    fettle_ray_visitor visitor, void* user);
 
 /** The first shape that a shape, which may be of another world (`of`), meets along a motion (m); at
@@ -123,7 +126,8 @@ fettle_code fettle_world_cast_geometry(const fettle_world* world, const fettle_g
 
 /** The shape nearest to a point, at most `reach` (m, from 0 to infinity) away; the border is
    ignored. `found` and `hit` as for fettle_world_cast_ray. */
-fettle_code fettle_world_closest(const fettle_world* world, float x, float y, float reach,
+fettle_code fettle_world_closest(const fettle_world* world, fettle_coordinate x,
+                                 fettle_coordinate y, float reach,
                                  const fettle_query_filter* filter, bool* found,
                                  fettle_point_hit* hit);
 
@@ -135,8 +139,8 @@ fettle_code fettle_distance(const fettle_world* world_a, fettle_id shape_a,
 /** An explosion that acts on the surfaces which face it. */
 typedef struct fettle_explosion_def {
     uint32_t size;
-    fettle_vec2 point; /* (0, 0) m */
-    float radius;      /* 1 m, at least 0; nearer shapes get the full impulse */
+    fettle_position point; /* (0, 0) m */
+    float radius;          /* 1 m, at least 0; nearer shapes get the full impulse */
     float falloff; /* 0 m, at least 0; the impulse falls to 0 over this distance beyond radius */
     float impulse_per_length; /* 1 N s for each meter of the perimeter of a shape, seen from the
                                  center of the explosion; negative pulls */
@@ -151,7 +155,7 @@ fettle_code fettle_world_explode_surfaces(fettle_world* world, const fettle_expl
 
 /** Pushes dynamic bodies away from a point: with `impulse` (N s, finite) at distance 0, falling
     linearly to 0 at `radius` (m, from 0 to 1e8), at the nearest point of the body. */
-fettle_code fettle_world_explode(fettle_world* world, float x, float y, float radius, float impulse,
-                                 const fettle_query_filter* filter);
+fettle_code fettle_world_explode(fettle_world* world, fettle_coordinate x, fettle_coordinate y,
+                                 float radius, float impulse, const fettle_query_filter* filter);
 
 FETTLE_PHYSICS_C_END

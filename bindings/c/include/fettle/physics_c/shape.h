@@ -219,15 +219,15 @@ fettle_code fettle_shape_aabb(const fettle_world* world, fettle_id shape, fettle
 
 /** As fettle_shape_vertices, in the world. A list: see basics.h. */
 fettle_code fettle_shape_world_vertices(const fettle_world* world, fettle_id shape,
-                                        fettle_vec2* out, uint32_t room, uint32_t* count);
+                                        fettle_position* out, uint32_t room, uint32_t* count);
 
 /** Whether a point of the world (m, finite) is inside. */
-fettle_code fettle_shape_contains(const fettle_world* world, fettle_id shape, float x, float y,
-                                  bool* inside);
+fettle_code fettle_shape_contains(const fettle_world* world, fettle_id shape, fettle_coordinate x,
+                                  fettle_coordinate y, bool* inside);
 
 /** Centroid, world, m. */
 fettle_code fettle_shape_world_center(const fettle_world* world, fettle_id shape,
-                                      fettle_vec2* world_center);
+                                      fettle_position* world_center);
 
 /** Whether it has any contact; sensors do not count. */
 fettle_code fettle_shape_is_touching(const fettle_world* world, fettle_id shape, bool* is_touching);

@@ -129,8 +129,10 @@ fettle_code fettle_pin_slot_joint_set_target_translation(fettle_world* world, fe
 /* --- groove joints --- */
 
 /** Coordinates of a, m, from -1e8 to 1e8; the groove begins at anchor a. */
-fettle_code fettle_groove_joint_end(const fettle_world* world, fettle_id joint, fettle_vec2* end);
-fettle_code fettle_groove_joint_set_end(fettle_world* world, fettle_id joint, float x, float y);
+fettle_code fettle_groove_joint_end(const fettle_world* world, fettle_id joint,
+                                    fettle_position* end);
+fettle_code fettle_groove_joint_set_end(fettle_world* world, fettle_id joint, fettle_coordinate x,
+                                        fettle_coordinate y);
 
 /** m, of the pin from the begin of the groove. */
 fettle_code fettle_groove_joint_translation(const fettle_world* world, fettle_id joint,
