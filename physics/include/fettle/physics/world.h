@@ -241,7 +241,7 @@ class World {
     /// the order of the contacts: if that depends on nothing but what they get, so do the results.
     /// False, as at first: on the thread of the caller, one after the other.
     void set_parallel_callbacks(bool parallel);
-    bool parallel_callbacks() const;
+    bool parallel_callbacks() const;  ///< whether they may run so
 
     /// Called before a read updates edited data. The moment of this update affects all later
     /// results, to the last bit: to repeat edits exactly, repeat the same updates between them with

@@ -16,9 +16,10 @@ typedef struct fettle_vec2 {
 } fettle_vec2;
 
 #ifndef FETTLE_PHYSICS_DOUBLE
-/** A point of the world, m, and one of its coordinates. Where the library was built with
-    FETTLE_PHYSICS_DOUBLE, they have double precision. */
+/** A point of the world, m. Where the library was built with FETTLE_PHYSICS_DOUBLE, it has double
+    precision. */
 typedef fettle_vec2 fettle_position;
+/** One coordinate of a point of the world, m. */
 typedef float fettle_coordinate;
 #endif
 
