@@ -68,6 +68,26 @@ TEST_CASE("a rod keeps its length under load and in a fast swing") {
     REQUIRE(highest < 0.05f);
 }
 
+TEST_CASE("a rod follows its length as the rope of a winch does") {
+    for (const float speed : {1.0f, 4.0f}) {
+        World world;
+        Body ball = add_ball(world, {0, -9}, 0.2f);
+        DistanceJoint rod = hang(world, ball, {0, 0});
+        for (int i = 0; i < 120; ++i) {
+            rod.set_length(rod.length() - speed * frame);
+            world.step(frame);
+            REQUIRE(rod.distance() == Approx(rod.length()).margin(0.1f * speed));
+        }
+    }
+    World world({.gravity = {0, 0}});  // and one that is set at once comes there soon
+    Body ball = add_ball(world, {0, -9}, 0.2f);
+    DistanceJoint rod = hang(world, ball, {0, 0});
+    rod.set_length(6);
+    run(world, 1.0f);
+    REQUIRE(rod.distance() == Approx(6).margin(0.02));
+    REQUIRE(ball.velocity().length() < 0.1f);
+}
+
 TEST_CASE("a rod tells the force it holds with") {
     World world;
     Body ball = add_ball(world, {0, -2}, 0.5f, {.density = 5.0f});
