@@ -69,7 +69,16 @@ class Reader {
         advance();
         std::string content;
         while (at_ < text_.size() && text_[at_] != quote && text_[at_] != '\n') {
-            if (text_[at_] == '\\') advance();
+            if (text_[at_] == '\\') {
+                advance();
+                if (at_ < text_.size() && text_[at_] == 'z') {  // skips the white space behind it
+                    advance();
+                    while (at_ < text_.size() &&
+                           std::isspace(static_cast<unsigned char>(text_[at_])) != 0)
+                        advance();
+                    continue;
+                }
+            }
             if (at_ < text_.size()) {
                 content += text_[at_];
                 advance();

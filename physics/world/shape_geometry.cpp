@@ -67,15 +67,8 @@ float polygon_rounding(const ShapeRecord& record) {
     return record.figure.as<PolygonFigure>().rounding;
 }
 
-/// Returns `points`: the library and a step have the same type of vector.
-std::span<const Vec2> as_vectors(std::span<const Vec2> points) {
-    static_assert(sizeof(Vec2) == sizeof(Vec2) && alignof(Vec2) <= alignof(Vec2));
-    return {reinterpret_cast<const Vec2*>(points.data()), points.size()};
-}
-
 std::vector<Vec2> list_of(std::span<const Vec2> points) {
-    const auto all = as_vectors(points);
-    return {all.begin(), all.end()};
+    return {points.begin(), points.end()};
 }
 
 }  // namespace
@@ -154,13 +147,13 @@ void Shape::set_rounding(float rounding) {
 
 std::span<const Vec2> Shape::vertices() const {
     WorldData& data = live();
-    if (!data.is_solid(id_.index)) return as_vectors(data.outline_of(id_.index));
+    if (!data.is_solid(id_.index)) return data.outline_of(id_.index);
     if (data.forms[id_.index].count < 2) return {};
     // The hull of a polygon was computed when it was written. The refresh callback may read other
     // shapes, which moves all records, so no reference is taken before it.
     if (data.shapes[id_.index].type != ShapeType::polygon) data.read_shape(id_.index);
     const ShapeForm& form = data.forms[id_.index];
-    return as_vectors({&data.pool.local[form.begin], form.count});
+    return {&data.pool.local[form.begin], form.count};
 }
 
 HullStatus Shape::try_set_vertices(std::span<const Vec2> points) {
@@ -202,7 +195,7 @@ bool Shape::closed() const {
 void Shape::set_closed(bool closed) {
     FETTLE_EDIT_SHAPE
     if (record.type != ShapeType::chain) wrong_type("closed", record.type);
-    check_chain(as_vectors(data.outline_of(id_.index)), closed);
+    check_chain(data.outline_of(id_.index), closed);
     record.closed = closed;
     geometry_changed(data, id_.index);
 }

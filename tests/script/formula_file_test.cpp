@@ -62,6 +62,14 @@ TEST_CASE("several functions on one line are distinguished") {
     CHECK_THAT(text, contains(R"("c": {"is": "function() return 30 end", "value": 30})"));
 }
 
+TEST_CASE("the text of a formula is found that has a string over several lines") {
+    Stage s;
+    s.run(
+        "world.shadow = Body {}\n"
+        "world.shadow.mass = formula(function() return #'a\\z\n   end' end)");
+    CHECK_THAT(saved(s, "shadow"), contains(R"("is": "function() return #'a\\z\n   end' end")"));
+}
+
 TEST_CASE("the text of a formula made inside other functions is found") {
     Stage s;
     s.run(

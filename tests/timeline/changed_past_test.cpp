@@ -54,6 +54,18 @@ TEST_CASE_METHOD(Branching, "a branch without a change is the past as it was") {
     CHECK(was.size() == 101);
 }
 
+TEST_CASE_METHOD(Branching, "a branch begins after the last restored snapshot") {
+    play(40);
+    const property::Snapshot kept = tree.snapshot();
+    play(20);
+    tree.restore(kept);
+    play(30);
+    const Ways was = as_it_was(20, "world.ball.position");
+    CHECK(branch(
+              20, [] {}, "world.ball.position") == was);
+    CHECK(was.begin()->first == 40);
+}
+
 TEST_CASE_METHOD(Branching, "a branch differs by its change and leaves no trace") {
     play(120);
     const Ways was = as_it_was(20, "world.ball.position");

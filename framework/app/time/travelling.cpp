@@ -63,17 +63,24 @@ void Timeline::rewind(double seconds) {
     travel(std::clamp(to, oldest(), newest()));
 }
 
-void Timeline::review(std::int64_t from, const std::function<void(std::int64_t step)>& look) {
-    require_between_steps("the past cannot be looked at");
-    settle();
-    if (!keeps()) return;
+/// The keyframe from which the steps from `from` on are repeated; a later one if time jumped
+/// meanwhile, because the steps before a jump do not lead to the present.
+const Timeline::Keyframe& Timeline::start_of(std::int64_t from) const {
     const std::int64_t here = place_.here;
     auto frame = std::prev(keyframes_.end());
     while (frame != keyframes_.begin() && (frame->step > here || frame->step > from) &&
            !(frame->step <= here && frame->jumped_to))
         --frame;
-    from = std::max(from, frame->step);
-    replay(*frame, here, [&](std::int64_t step) {
+    return *frame;
+}
+
+void Timeline::review(std::int64_t from, const std::function<void(std::int64_t step)>& look) {
+    require_between_steps("the past cannot be looked at");
+    settle();
+    if (!keeps()) return;
+    const Keyframe& frame = start_of(from);
+    from = std::max(from, frame.step);
+    replay(frame, place_.here, [&](std::int64_t step) {
         if (step >= from) look(step);
     });
 }
@@ -84,11 +91,11 @@ void Timeline::repeat_with(std::int64_t from, const std::function<void()>& chang
     settle();
     require(from);
     const std::int64_t here = place_.here;
-    auto frame = std::prev(keyframes_.end());
-    while (frame != keyframes_.begin() && (frame->step > here || frame->step > from)) --frame;
-    look_elsewhere(*frame, [&] {
+    const Keyframe& frame = start_of(from);
+    from = std::max(from, frame.step);
+    look_elsewhere(frame, [&] {
         for (const auto& each : steps_)
-            if (each->number > frame->step && each->number <= from) redo(*each);
+            if (each->number > frame.step && each->number <= from) redo(*each);
         change();
         look(from);
         for (const auto& each : steps_) {

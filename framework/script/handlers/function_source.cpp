@@ -75,8 +75,15 @@ class FunctionFinder {
     }
     void skip_string(char quote) {
         std::size_t i = at_ + 1;
-        for (; i < text_.size() && text_[i] != quote && text_[i] != '\n'; ++i)
-            if (text_[i] == '\\') ++i;
+        for (; i < text_.size() && text_[i] != quote && text_[i] != '\n'; ++i) {
+            if (text_[i] != '\\') continue;
+            ++i;
+            if (i >= text_.size() || text_[i] != 'z') continue;
+            // It skips the white space behind it, also line ends.
+            while (i + 1 < text_.size() &&
+                   std::isspace(static_cast<unsigned char>(text_[i + 1])) != 0)
+                ++i;
+        }
         skip_to(i + 1);
     }
     void word() {

@@ -81,8 +81,8 @@ class Timeline {
     /// with the tree in the state after step `from`, then `look` for each step up to the present
     /// one. Writes of scripts come from the log, since scripts do not run; the modules compute new
     /// values. At the end the tree is as it was, bit for bit, also if `change`, `look` or a step
-    /// throws: the exception is thrown then. Throws as `go_to` does, and Error(out_of_range) if
-    /// `from` is not kept.
+    /// throws: the exception is thrown then. If a snapshot was restored after `from`, begins
+    /// there. Throws as `go_to` does, and Error(out_of_range) if `from` is not kept.
     void repeat_with(std::int64_t from, const std::function<void()>& change,
                      const std::function<void(std::int64_t step)>& look);
 
@@ -229,6 +229,7 @@ class Timeline {
     std::string new_branch_name() const;
     std::vector<Other>::iterator other_branch(const std::string& name);
     void exchange_with(Other& other);
+    const Keyframe& start_of(std::int64_t from) const;
     void look_elsewhere(const Keyframe& frame, const std::function<void()>& repeat);
     void drop_after(std::int64_t step);
     void drop_oldest();
