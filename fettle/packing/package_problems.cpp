@@ -5,6 +5,7 @@
 
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/game_files.h>
+#include <fettle/script/syntax.h>
 
 #include <files/game_path.h>
 #include <packing/literal_names.h>
@@ -78,6 +79,9 @@ std::vector<std::string> problems_of(const ArchiveFiles& files,
     std::vector<std::string> problems;
     for (const auto& [file, content] : files) {
         const bool script = file.ends_with(".lua");
+        if (script)
+            if (std::string why = script::syntax_error(content, file); !why.empty())
+                problems.push_back(std::move(why));
         const std::string ending = fs::path(file).extension().string();
         constexpr std::string_view data[] = {".json", ".tmj", ".tmx", ".tsj", ".tsx"};
         if (!script && std::ranges::find(data, ending) == std::end(data)) continue;

@@ -8,9 +8,9 @@
 
 namespace fettle::program {
 
-/// The reasons why the package would not run elsewhere, one line each: its texts name a file that
-/// is missing, whose name differs, or that has an absolute path. `made`: names of files that the
-/// game makes.
+/// The reasons why the package would not run elsewhere, one line each: a script does not
+/// compile, or a text names a file that is missing, whose name differs, or that has an absolute
+/// path. `made`: names of files that the game makes.
 std::vector<std::string> problems_of(const ArchiveFiles& files,
                                      const std::vector<std::string>& made);
 

@@ -67,6 +67,18 @@ TEST_CASE("an archive of a game runs as its folder does") {
     CHECK(contains(fettle(folder, {"where", archive}).out, "org.example.cave/saves"));
 }
 
+TEST_CASE("a game with a script that does not compile is not packed") {
+    const Folder folder;
+    folder.write("game/main.lua", "require('enemy')");
+    folder.write("game/enemy.lua", "local speed = 3\nlocal t = { a = 1 b = 2 }\n");
+    const Outcome packed = fettle(
+        folder, {"package", (folder / "game").string(), "--file", (folder / "a.fettle").string()});
+    CHECK(packed.status != 0);
+    CHECK(contains(packed.err, "enemy.lua:2: '}' expected near 'b'"));
+    CHECK(contains(packed.err, "nothing was made"));
+    CHECK_FALSE(std::filesystem::exists(folder / "a.fettle"));
+}
+
 TEST_CASE("errors in an archive have their places and unknown files their nearest names") {
     const Folder folder;
     folder.write("game/main.lua", "local name = 'art/hero' require('part')(name .. '.tgaa')");
