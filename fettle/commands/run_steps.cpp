@@ -51,15 +51,16 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen) {
         }
     }
     if (status != success || session.runtime().quit_status()) return status;
-    const auto tell_unreached = [&](const char* option, const auto& all) {
+    const auto tell_unreached = [&](const char* option, const auto& all, std::uint64_t reached) {
         for (const auto& [step, chunk] : all)
-            if (step > session.loop().lived())
+            if (step > reached)
                 tell(option + (" " + std::to_string(step)) +
                      " was never reached: the run ended with its step " +
                      std::to_string(session.loop().lived()));
     };
-    tell_unreached("--at", options.at);
-    tell_unreached("--console", options.console);
+    // A chunk runs before its step, which is never made if the chunk pauses the game.
+    tell_unreached("--at", options.at, session.chunks_until());
+    tell_unreached("--console", options.console, session.typed_until());
     return status;
 }
 

@@ -4,9 +4,12 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
+#include <set>
 #include <string_view>
 
 #include <fettle/property/exception_text.h>
+#include <fettle/property/storage/scene.h>
 
 #include <files/game_path.h>
 #include <game/game_window.h>
@@ -40,9 +43,16 @@ bool Session::follows_files() const {
     return options_.follow && replayed_ == nullptr && options_.record.empty() && !isolated();
 }
 
+/// Each file once: the game and Fettle may have read it by different paths.
+std::vector<fs::path> Session::watched_files() const {
+    std::set<fs::path> files;
+    for (const fs::path& file : files_.seen()) files.insert(fs::absolute(file).lexically_normal());
+    return {files.begin(), files.end()};
+}
+
 Session::Followed Session::follow_files() {
     if (!follows_files() || !watch_.due() || runtime_->running()) return Followed::nothing;
-    const std::vector<fs::path> changed = watch_.changed(files_.seen());
+    const std::vector<fs::path> changed = watch_.changed(watched_files());
     return changed.empty() ? Followed::nothing : take_changes(changed);
 }
 
@@ -50,15 +60,17 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
     // A game whose main.lua has failed has no state to keep.
     if (!run_.loaded) return Followed::restart;
     const auto begin = std::chrono::steady_clock::now();
-    const fs::path folder = folder_of(options_.game);
+    const fs::path folder = fs::absolute(folder_of(options_.game)).lexically_normal();
     run_.followed = true;
     problems_.erase("");
     std::vector<std::string> names, read;
+    std::map<std::string, std::size_t> scenes;  // how often each was read
     bool code = false;
     for (const fs::path& file : changed) {
-        const fs::path name = file.lexically_normal().lexically_relative(folder.lexically_normal());
+        const fs::path name = file.lexically_relative(folder);
         names.push_back(name.generic_string());
         renew(names.back());
+        if (is_scene(file)) scenes[names.back()] = files_.times_seen(file);
         if (!problems_.contains(names.back())) read.push_back(names.back());
         code = code || (!is_media(file) && names.back() != "game.json");
     }
@@ -78,12 +90,41 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
     if (code) follow_preferences(*preferences_, interface_);
     const std::chrono::duration<double, std::milli> lasted =
         std::chrono::steady_clock::now() - begin;
-    note("reloaded " + join(read) + " in " + std::to_string(std::lround(lasted.count())) + " ms");
+    // A scene is there again only if the top level loads it.
+    std::erase_if(read, [&](const std::string& name) {
+        const auto scene = scenes.find(name);
+        if (scene == scenes.end() || files_.times_seen(folder / name) > scene->second) return false;
+        note(name + " has changed, and is there when the game loads it again");
+        return true;
+    });
+    if (!read.empty())
+        note("reloaded " + join(read) + " in " + std::to_string(std::lround(lasted.count())) +
+             " ms");
     run_.failed = false;
     if (loop_->halted() && loop_->retry())
         note("step " + std::to_string(services_->clock.step + 1) + " runs again");
     show_problems();
     return Followed::changed;
+}
+
+/// Whether the file is a scene; an error in it, or in another JSON file, is one of that file.
+bool Session::is_scene(const fs::path& file) {
+    const std::string name =
+        file.lexically_relative(fs::absolute(folder_of(options_.game)).lexically_normal())
+            .generic_string();
+    std::error_code error;
+    if (file.extension() != ".json" || !fs::exists(file, error) || name == "game.json" ||
+        problems_.contains(name))
+        return false;
+    run_.renewed = name;
+    bool scene = false;
+    try {
+        scene = property::check_scene_text(tree_, files_.read(file), name);
+    } catch (const std::exception& failure) {
+        tell_problem_of_files(property::exception_text(failure));
+    }
+    run_.renewed.clear();
+    return scene;
 }
 
 /// A file may have been removed in the meantime.

@@ -395,7 +395,7 @@ void Session::start() {
     run_.loaded = runtime_->load(options_.game);
     if (!run_.loaded && !runtime_->interrupted()) run_.failed = true;
     if (run_.loaded) open_moment();
-    if (follows_files()) watch_.changed(files_.seen());
+    if (follows_files()) watch_.changed(watched_files());
     tweaks_->game_loaded();
     if (const std::size_t open = tweaks_->open_earlier(); open > 0 && replayed_ == nullptr)
         note(std::to_string(open) +
@@ -431,6 +431,7 @@ void Session::print_outside(std::string_view text) {
 }
 
 void Session::run_at(std::uint64_t step) {
+    if (!loop_->stopped()) run_.chunks_until = step;
     for (const auto& [when, chunk] : options_.at)
         if (when == step && !loop_->stopped())
             (void)runtime_->run(chunk, "at " + std::to_string(step));

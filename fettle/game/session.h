@@ -81,6 +81,9 @@ class Session {
     void add_layer(app::Layer& layer);
     /// The exit status; it depends on errors and quit().
     int exit_status() const;
+    /// The last step before which chunks of --at, or commands of --console, were run.
+    std::uint64_t chunks_until() const { return run_.chunks_until; }
+    std::uint64_t typed_until() const { return run_.typed; }
     bool failed() const { return run_.failed; }
 
     /// The result of reading changed files. `restart`: main.lua had failed
@@ -98,6 +101,8 @@ class Session {
 
   private:
     bool follows_files() const;
+    std::vector<std::filesystem::path> watched_files() const;
+    bool is_scene(const std::filesystem::path& file);
     Followed take_changes(const std::vector<std::filesystem::path>& changed);
     script::Reloaded reload_code(const std::vector<std::string>& names);
     script::Reloaded reload_media(const std::vector<std::string>& names);
@@ -142,6 +147,7 @@ class Session {
         bool loaded = false;                   // main.lua and start() had no error
         std::vector<std::string> early_notes;  // notes from before the console existed
         std::uint64_t typed = 0;               // the last step whose --console commands were run
+        std::uint64_t chunks_until = 0;        // the last step whose --at chunks were run
         bool stepped = false;  // the modules have made a step, which is not delivered yet
         bool failed = false;
         bool ending = false;

@@ -123,6 +123,55 @@ TEST_CASE("an image or a setting in error is reported and not as read again") {
     CHECK_FALSE(contains(end.err, "reloaded game.json"));
 }
 
+TEST_CASE("files that are reloaded have their names whatever path the game was given by") {
+    Run run;
+    run.folder.write("game/main.lua",
+                     "world.ball = Body { mass = 2 } "
+                     "function reloaded(files) print(#files, files[1]) quit() end");
+    const std::string relative = std::filesystem::relative(run.game).string();
+    RunningProgram program(run.folder, {"run", relative, "--headless", "--steps", "1000000000",
+                                        "--reload", "--console", "100:world.ball.mass = 5",
+                                        "--console", "200:keep('world.ball.*')"});
+    const auto end = program.end();
+    INFO(end.out << end.err);
+    CHECK(end.status == 0);
+    CHECK(contains(end.out, "1\tmain.tweaks.json\n"));
+    CHECK(contains(end.err, "reloaded main.tweaks.json in "));
+}
+
+TEST_CASE("a changed scene is told truly and an error in it has its line") {
+    Run run;
+    const std::string scene = R"({"fettle_scene": 1, "class": "Body", "properties": {"mass": )";
+    run.folder.write("game/top.json", scene + "2}}");
+    run.folder.write("game/later.json", scene + "2}}");
+    run.folder.write("game/main.lua",
+                     "world.ball = scene.load('top.json') "
+                     "function start() scene.load('later.json', world, 'later') end "
+                     "after(1, function() scene.save('begun.json', world) end) "
+                     "function reloaded(files) if files[1] == 'top.json' then "
+                     "print(world.ball.mass, world.later.mass) quit() end end");
+    RunningProgram program = run.begin();
+    REQUIRE(program.makes("game/begun.json"));
+    const auto pause = [](int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); };
+    pause(500);
+    run.folder.write("game/later.json", "{ nonsense");
+    pause(1000);
+    run.folder.write("game/later.json", "{\n\"fettle_scene\": 1, \"class\": \"Bodi\"}");
+    pause(1000);
+    run.folder.write("game/later.json", scene + "30}}");
+    pause(1000);
+    run.folder.write("game/top.json", scene + "30}}");
+    const auto end = program.end();
+    INFO(end.out << end.err);
+    CHECK(end.status == 0);
+    CHECK(end.out == "30.0\t2.0\n");
+    CHECK(contains(end.err, "later.json:1:"));
+    CHECK(contains(end.err, "later.json:2:"));
+    CHECK(contains(end.err, "later.json has changed, and is there when the game loads it again"));
+    CHECK_FALSE(contains(end.err, "reloaded later.json"));
+    CHECK(contains(end.err, "reloaded top.json in "));
+}
+
 TEST_CASE("a run follows no files without the option and none while it is recorded") {
     Run run;
     run.folder.write("game/main.lua",

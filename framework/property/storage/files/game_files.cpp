@@ -124,7 +124,17 @@ void GameFiles::put(const Path& file, std::optional<std::string> content) {
 }
 
 std::vector<fs::path> GameFiles::seen() const {
-    return {seen_.begin(), seen_.end()};
+    std::vector<fs::path> files;
+    for (const auto& [file, times] : seen_) files.push_back(file);
+    return files;
+}
+
+std::size_t GameFiles::times_seen(const Path& file) const {
+    const Path wanted = fs::absolute(file).lexically_normal();
+    std::size_t sum = 0;
+    for (const auto& [each, times] : seen_)
+        if (fs::absolute(each).lexically_normal() == wanted) sum += times;
+    return sum;
 }
 
 std::vector<std::string> GameFiles::held_below(const Path& folder) const {

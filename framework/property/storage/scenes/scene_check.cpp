@@ -5,6 +5,7 @@
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/scene.h>
 
+#include <json/unknown_keys.h>
 #include <scenes/instance_paths.h>
 #include <scenes/scene_plan.h>
 #include <scenes/scene_value.h>
@@ -155,6 +156,15 @@ class SceneCheck {
 
 void check_scene(const Tree& tree, const Document& document, Handle parent, std::string_view name) {
     SceneCheck(tree, document, parent, name).run();
+}
+
+bool check_scene_text(const Tree& tree, std::string_view text, std::string_view file_name) {
+    const Document document{std::string(text), std::string(file_name)};
+    const Document::Node& root = document.root();
+    if (root.kind != Document::Kind::object || document.member(root, version_key) == nullptr)
+        return false;
+    check_scene(tree, document);
+    return true;
 }
 
 }  // namespace fettle::property

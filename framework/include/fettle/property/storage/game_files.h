@@ -71,6 +71,8 @@ class GameFiles {
     /// The game's files that were read or found missing so far, without those that are held in
     /// memory.
     std::vector<std::filesystem::path> seen() const;
+    /// How often that file was read, or looked for.
+    std::size_t times_seen(const std::filesystem::path& file) const;
     /// Names below the folder of files that are held in memory, with forward slashes.
     std::vector<std::string> held_below(const std::filesystem::path& folder) const;
     /// Bytes that may be written from now on, all files together; further writes throw FileError.
@@ -92,7 +94,7 @@ class GameFiles {
     void note_overwritten(const Path& file);
     void add(Finding finding);
 
-    void see(const Path& file) { seen_.insert(file); }
+    void see(const Path& file) { ++seen_[file]; }
 
     struct Known {
         bool looked_at = false, overwritten = false;
@@ -103,7 +105,7 @@ class GameFiles {
     bool in_memory_ = false;
     std::map<Path, std::optional<std::string>> held_;  // in place of the files on the disk
     std::map<Path, Known> known_;
-    std::set<Path> seen_;  // as they were passed
+    std::map<Path, std::size_t> seen_;  // as they were passed; how often
     std::optional<std::size_t> writable_;
     std::vector<Finding> findings_;  // not yet reported
     std::function<void(const Finding&)> listener_;
