@@ -39,6 +39,8 @@ assert(Body {}.friction > 0.5)
     CHECK_THAT(s.fails("Ball.lives = 3"), contains("a class takes functions"));
     CHECK_THAT(s.fails("function Ball:mass() end"), contains("is a property already"));
     CHECK_THAT(s.fails("function Ball:contact_begn() end"), contains("contact_begin"));
+    CHECK_THAT(s.fails("world.b = Body { contact_begn = function() end }"),
+               contains("did you mean \"contact_begin\""));
     CHECK_THAT(s.fails("function Body:step() end"), contains("derive one"));
 }
 

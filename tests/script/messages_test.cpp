@@ -9,6 +9,19 @@ namespace messages_test {
 using stage::Stage;
 using stage::starts_with;
 
+TEST_CASE("the caret of a syntax error is at the token that the message names") {
+    const auto [text, column] = GENERATE(table<std::string, int>({{"local t = { a = 1 b = 2 }", 19},
+                                                                  {"foo(1, 2 3)", 10},
+                                                                  {"x = = 1", 5},
+                                                                  {"if x then y = 1 end end", 21},
+                                                                  {"local s = 'end' end x", 17},
+                                                                  {"x = 1\ny = = 2", 5}}));
+    Stage s;
+    s.fails(text);
+    INFO(text);
+    CHECK(s.errors.front().column == column);
+}
+
 TEST_CASE("errors of library functions name the line and the argument") {
     const auto [call, reported] = GENERATE(table<std::string, std::string>({
         {"ipairs(nil)", "ipairs: needs a list, not nil"},

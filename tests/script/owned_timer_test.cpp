@@ -74,6 +74,15 @@ TEST_CASE("an error in a coroutine of an instance goes to the caller or names th
     CHECK_THAT(s.errors[0].message, contains("later"));
 }
 
+TEST_CASE("an error of a function of Fettle tells where the timer was made") {
+    Stage s;
+    s.run("world.b = Body {}\nafter(0.1, world.b.delete)\nworld.b:every(0.1, world.b.children)");
+    s.step(10);
+    REQUIRE_FALSE(s.errors.empty());
+    CHECK_THAT(s.errors[0].message, contains("delete: needs an instance, not nil"));
+    CHECK(s.errors[0].context == "timer of main.lua:2");
+}
+
 TEST_CASE("wrong arguments name the method") {
     Stage s;
     s.run("world.ball = Body {}");

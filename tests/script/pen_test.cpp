@@ -78,6 +78,9 @@ TEST_CASE("a pen reports arguments that it cannot draw") {
     const auto [call, reported] = GENERATE(table<std::string, std::string>({
         {"pen.circle(vec(0, 0), 1, 'golden')",
          "pen.circle: \"golden\" is no color (did you mean \"gold\"?)"},
+        {"pen.circle(0, 0, 5)", "pen.circle: needs a vec"},
+        {"pen.line(0, 0, 5, 5)", "pen.line: needs a vec"},
+        {"pen.point(0, 5)", "pen.point: needs a vec"},
         {"pen.rect(vec(0, 0), 1, 1)", "pen has no rect (did you mean \"box\"?)"},
         {"pen.circle(vec(0, 0), -1)", "pen.circle: -1 is no radius, which is 0 or more"},
         {"pen.box(vec(0, 0), 1, -2)", "pen.box: -2 is no height, which is 0 or more"},

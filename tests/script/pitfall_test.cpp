@@ -82,6 +82,14 @@ TEST_CASE("a handler that touches what a script deleted is still an error") {
     CHECK(s.notes.empty());
 }
 
+TEST_CASE("a short name that is gone is not taken for a method") {
+    Game s;
+    s.run("world.ball = Body {} world.ball:delete()");
+    const std::string said = s.fails("print(world.ball)");
+    CHECK_THAT(said, contains("world.ball: no such name"));
+    CHECK(said.find("did you mean") == std::string::npos);
+}
+
 TEST_CASE("a vector in a variable is connected and a note says so once") {
     Game s;
     s.run("world.ball = Body {} world.ball.position.x = 3 world.ball.position.y = 4");

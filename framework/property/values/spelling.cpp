@@ -24,6 +24,11 @@ bool is_part(std::string_view name, std::string_view longer) {
            (longer[more - 1] == '_' && same_but_for_case(name, longer.substr(more)));
 }
 
+/// "ball" and "all": most words of three letters are as near to many others.
+bool unlike(std::string_view a, std::string_view b) {
+    return std::min(a.size(), b.size()) == 3 && a.size() != b.size() && lower(a[0]) != lower(b[0]);
+}
+
 }  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {
@@ -81,6 +86,7 @@ std::string nearest(std::string_view name, std::span<const std::string> candidat
         if (candidate == name) continue;
         std::size_t distance = edit_distance(name, candidate, limit);
         if (distance >= std::max(name.size(), candidate.size())) distance = limit + 1;
+        if (unlike(name, candidate)) distance = limit + 1;
         if (distance > limit && is_part(name, candidate)) distance = limit;
         if (distance < best_distance) {
             best_distance = distance;

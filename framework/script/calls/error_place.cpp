@@ -38,8 +38,10 @@ int column_of(const std::string& line, const std::string& word) {
 
 }  // namespace
 
-int guess_column(const ScriptError& error) {
+int guess_column(const ScriptError& error, const Sources::Stop& stop) {
     const std::string& text = error.message;
+    if (text == stop.message && stop.column < error.source_line.size())
+        return static_cast<int>(shown_width(error.source_line.substr(0, stop.column))) + 1;
     for (std::size_t open = text.find('\''); open != std::string::npos;) {
         const std::size_t close = text.find('\'', open + 1);
         if (close == std::string::npos) break;

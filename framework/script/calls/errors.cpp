@@ -177,7 +177,7 @@ ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State*
             error.message = error.file + ":" + std::to_string(error.line) + ": " + error.message;
     }
     error.source_line = machine.sources.line(error.file, error.line);
-    error.column = guess_column(error);
+    error.column = guess_column(error, machine.sources.stop);
     shorten_source(error);
     error.traceback = traceback_of(L, level);
     if (found) error.locals = locals_of(L, frame);

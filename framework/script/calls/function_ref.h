@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 
 #include <lua/lua_api.h>
 
@@ -23,7 +24,13 @@ class FunctionRef {
     std::size_t holds() const { return holds_; }
     void set_holds(std::size_t bytes) { holds_ = bytes; }
 
+    /// Where a function of Fettle was given to a timer, as in `after(1, world.b.delete)`: its
+    /// errors have no place of their own. "" for a function of a script.
+    const std::string& given_at() const { return given_at_; }
+    void set_given_at(std::string place) { given_at_ = std::move(place); }
+
   private:
+    std::string given_at_;
     std::shared_ptr<lua_State*> alive_;
     int reference_;
     std::size_t holds_ = 0;

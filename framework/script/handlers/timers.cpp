@@ -72,7 +72,10 @@ void Timers::erase(Queue::iterator entry) {
 std::uint64_t Timers::add(lua_State* L, double due, double interval, Handle owner) {
     const std::uint64_t id = next_id_++;
     const std::size_t holds = noting_ ? held_memory(L, machine_, -1) : 0;
+    std::string place = lua_iscfunction(L, -1) != 0 ? position(L) : "";
+    if (place.ends_with(": ")) place.resize(place.size() - 2);
     const auto function = std::make_shared<FunctionRef>(L, machine_);
+    function->set_given_at(std::move(place));
     function->set_holds(holds);
     insert({due, id}, {.interval = interval,
                        .function = function,
@@ -366,7 +369,10 @@ void Timers::start(lua_State* L, Handle owner) {
 
 // Runs a function as a coroutine, so that it can wait.
 bool Timers::fire(const Timer& timer) {
-    const Context context(timer.function ? "timer" : "coroutine", timer.owner);
+    std::string what = timer.function ? "timer" : "coroutine";
+    if (timer.function && !timer.function->given_at().empty())
+        what += " of " + timer.function->given_at();
+    const Context context(what, timer.owner);
     return protected_run(machine_, context, [&](lua_State* L) {
         if (!timer.function) {
             push_registry(L, timer.thread);

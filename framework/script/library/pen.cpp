@@ -124,8 +124,10 @@ double length_at(lua_State* L, int index, const char* what, const char* of) {
 
 int circle(lua_State* L) {
     drop_self(L);
-    painter(L).circle(point_at(L, 1, "pen.circle"), length_at(L, 2, "pen.circle", "radius"),
-                      paint_at(L, 3, "pen.circle"));
+    // One by one: of several wrong arguments, the first is told.
+    const Vec2 center = point_at(L, 1, "pen.circle");
+    const double radius = length_at(L, 2, "pen.circle", "radius");
+    painter(L).circle(center, radius, paint_at(L, 3, "pen.circle"));
     return 0;
 }
 
@@ -164,15 +166,17 @@ int polygon(lua_State* L) {
 
 int line(lua_State* L) {
     drop_self(L);
-    painter(L).line(point_at(L, 1, "pen.line"), point_at(L, 2, "pen.line"),
-                    color_or(L, 3, "pen.line", {1, 1, 1, 1}), width_or(L, 4, "pen.line", 1.5));
+    const Vec2 from = point_at(L, 1, "pen.line"), to = point_at(L, 2, "pen.line");
+    const Color color = color_or(L, 3, "pen.line", {1, 1, 1, 1});
+    painter(L).line(from, to, color, width_or(L, 4, "pen.line", 1.5));
     return 0;
 }
 
 int point(lua_State* L) {
     drop_self(L);
-    painter(L).point(point_at(L, 1, "pen.point"), color_or(L, 2, "pen.point", {1, 1, 1, 1}),
-                     width_or(L, 3, "pen.point", 4));
+    const Vec2 position = point_at(L, 1, "pen.point");
+    const Color color = color_or(L, 2, "pen.point", {1, 1, 1, 1});
+    painter(L).point(position, color, width_or(L, 3, "pen.point", 4));
     return 0;
 }
 
@@ -326,7 +330,8 @@ int radial(lua_State* L) {
 
 int clip(lua_State* L) {
     drop_self(L);
-    painter(L).clip(point_at(L, 1, "pen.clip"), point_at(L, 2, "pen.clip"));
+    const Vec2 lower = point_at(L, 1, "pen.clip");
+    painter(L).clip(lower, point_at(L, 2, "pen.clip"));
     return 0;
 }
 

@@ -37,7 +37,37 @@ int Sources::load(lua_State* L, const std::string& text, const std::string& name
     texts[name] = code;
     // A first line of `#!...` is for the shell.
     if (code.starts_with('#')) code.remove_prefix(std::min(code.find('\n'), code.size()));
-    return load_text(L, code, ("@" + name).c_str());
+    const int status = load_text(L, code, ("@" + name).c_str());
+    if (status == LUA_ERRSYNTAX) note_stop(L, code, ("@" + name).c_str());
+    return status;
+}
+
+/// Compiles the text again, byte by byte: Lua stops reading at the byte after the wrong token.
+void Sources::note_stop(lua_State* L, std::string_view code, const char* name) {
+    constexpr std::string_view before_token = " near '";
+    std::string message = string_at(L, -1);
+    const std::size_t near = message.rfind(before_token);
+    if (near == std::string::npos || !message.ends_with('\'')) return;
+    const std::size_t begin = near + before_token.size();
+    const std::string token = message.substr(begin, message.size() - 1 - begin);
+    struct Reading {
+        std::string_view code;
+        std::size_t read = 0;
+    } reading{code};
+    const auto read_byte = [](lua_State* in, void* data, std::size_t* size) -> const char* {
+        auto& its = *static_cast<Reading*>(data);
+        *size = its.read < its.code.size() ? 1 : 0;
+        if (*size == 0) return nullptr;
+        machine_of(in).budget.charge_by_the_clock(in, 1);
+        return &its.code[its.read++];
+    };
+    (void)lua_load(L, read_byte, &reading, name, "t");
+    lua_pop(L, 1);
+    const std::size_t at = code.substr(0, reading.read).rfind(token);
+    if (token.empty() || at == std::string_view::npos) return;
+    const std::size_t line_end = code.substr(0, at).rfind('\n');
+    stop.message = std::move(message);
+    stop.column = line_end == std::string_view::npos ? at : at - line_end - 1;
 }
 
 std::string Sources::line(const std::string& file, int line) const {

@@ -40,8 +40,19 @@ struct Sources {
     /// Compiles a text and stores it for error messages under `name`. Returns a status of Lua; the
     /// function or the message is at the top of the stack.
     int load(lua_State* L, const std::string& text, const std::string& name);
+    /// The last text that did not compile: its message, and where in its line the token begins that
+    /// the message names. Lua tells the line only.
+    struct Stop {
+        std::string message;
+        std::size_t column = 0;  // bytes before the token
+    };
+    Stop stop{};
+
     /// A line of a chunk, from 1; "" if unknown.
     std::string line(const std::string& file, int line) const;
+
+  private:
+    void note_stop(lua_State* L, std::string_view code, const char* name);
 };
 
 }  // namespace fettle::script

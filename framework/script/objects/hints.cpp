@@ -67,7 +67,11 @@ std::string Hints::meaning(const Class& of, std::string_view name) const {
 
 std::string Hints::did_you_mean(const Class& of, std::string_view name) const {
     if (const std::string meant = meaning(of, name); !meant.empty()) return meaning_hint(meant);
-    return property::suggestion(name, of.member_names());
+    if (std::string meant = property::suggestion(name, of.member_names()); !meant.empty())
+        return meant;
+    std::vector<std::string> events;
+    for (const property::Event* event : of.events()) events.push_back(event->name);
+    return property::suggestion(name, events);
 }
 
 /// A hint at a child that has the property: "its Circle has radius".

@@ -19,8 +19,12 @@ namespace fettle::script {
 
 namespace {
 
-void refuse_near_miss(Machine& machine, Handle instance, const Class& of, std::string_view name) {
+/// `handles`: the value is a function, so that an event may be meant.
+void refuse_near_miss(Machine& machine, Handle instance, const Class& of, std::string_view name,
+                      bool handles) {
     std::vector<std::string> names = of.member_names();
+    if (handles)
+        for (const property::Event* event : of.events()) names.push_back(event->name);
     machine.classes.add_function_names(of, names);
     for (const std::string& declared : names)
         if (property::near_miss(name, declared))
@@ -139,7 +143,7 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const Class& 
         write_property(machine, instance, *property, value);
         return;
     }
-    refuse_near_miss(machine, instance, of, name);
+    refuse_near_miss(machine, instance, of, name, lua_isfunction(L, 3));
     if (lua_isnil(L, 3)) return;
     if (is_formula(L, 3)) {
         define_formula(L, machine, 3, instance, name);

@@ -72,9 +72,12 @@ const std::vector<Synonym>& callbacks() {
         {"resize", {"resized"}},
         {"exit close quitting", {"closing"}},
         {"contact collide collided collision collisionenter collisionenter2d begincontact touched "
+         "contactstart contactstarted contactbegan collisionstart collisionstarted "
          "bodyentered hit",
          {"contact_begin"}},
-        {"collisionexit collisionexit2d endcontact bodyexited", {"contact_end"}},
+        {"collisionexit collisionexit2d endcontact contactstop contactstopped contactended "
+         "collisionstop collisionended bodyexited",
+         {"contact_end"}},
         {"trigger triggerenter triggerenter2d areaentered overlap", {"sensor_begin"}},
         {"triggerexit triggerexit2d areaexited", {"sensor_end"}},
         {"destroy destroyed remove removed exittree", {"deleted"}},
