@@ -15,8 +15,9 @@ typedef struct fettle_position {
     double x, y; /* to the right and upwards */
 } fettle_position;
 
-/* A program and a library of different precision do not link. */
+/** Another name, so that a program and a library of different precision do not link. */
 #define fettle_world_create fettle_world_create_double
+/** As `fettle_world_create`. */
 #define fettle_replay_create fettle_replay_create_double
 
 FETTLE_PHYSICS_C_END
