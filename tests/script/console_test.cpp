@@ -124,7 +124,7 @@ TEST_CASE("errors in the console show line and caret and the nearest name") {
     CHECK(lines[2] == "                   ^");
     e = s.runtime->evaluate("x = = 2");
     REQUIRE(e.error);
-    CHECK(e.error->column == 3);
+    CHECK(e.error->column == 5);
     e = s.runtime->evaluate("nil + 1");
     REQUIRE(e.error);
     CHECK_THAT(e.error->message, contains("arithmetic on a nil value"));

@@ -6,6 +6,7 @@
 
 namespace messages_test {
 
+using fettle::script::Evaluation;
 using stage::Stage;
 using stage::starts_with;
 
@@ -20,6 +21,9 @@ TEST_CASE("the caret of a syntax error is at the token that the message names") 
     s.fails(text);
     INFO(text);
     CHECK(s.errors.front().column == column);
+    const Evaluation typed = s.runtime->evaluate(text);
+    REQUIRE(typed.error);
+    CHECK(typed.error->column == column);
 }
 
 TEST_CASE("errors of library functions name the line and the argument") {

@@ -154,7 +154,9 @@ Compiled compile(lua_State* L, std::string_view command) {
     if (load_text(L, expression, chunk_name) == LUA_OK) return Compiled::expression;
     lua_pop(L, 1);
     if (load_text(L, command, chunk_name) == LUA_OK) return Compiled::statements;
-    return ends_early(L) ? Compiled::incomplete : Compiled::wrong;
+    if (ends_early(L)) return Compiled::incomplete;
+    machine_of(L).sources.note_stop(L, command, chunk_name);
+    return Compiled::wrong;
 }
 
 // Handles `a.b is expr`: sets a formula with this text for the property `b` of `a`. Returns false

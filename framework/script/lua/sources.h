@@ -48,11 +48,12 @@ struct Sources {
     };
     Stop stop{};
 
+    /// Sets `stop` for a text that did not compile; its message is at the top of the stack and
+    /// stays there.
+    void note_stop(lua_State* L, std::string_view code, const char* name);
+
     /// A line of a chunk, from 1; "" if unknown.
     std::string line(const std::string& file, int line) const;
-
-  private:
-    void note_stop(lua_State* L, std::string_view code, const char* name);
 };
 
 }  // namespace fettle::script
