@@ -9,8 +9,8 @@
 
 namespace fettle::script {
 
-const char* take_piece(lua_State* L, std::string_view& left, std::size_t* size) {
-    constexpr std::size_t longest = 256;
+const char* take_piece(lua_State* L, std::string_view& left, std::size_t* size,
+                       std::size_t longest) {
     *size = std::min(left.size(), longest);
     machine_of(L).budget.charge_by_the_clock(L, *size);
     const char* const piece = left.data();
@@ -25,9 +25,16 @@ int load_text(lua_State* L, std::string_view code, const char* name) {
     return lua_load(L, read, &code, name, "t");
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+    return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
+std::string_view without_shell_line(std::string_view text) {
+    return text.starts_with('#') ? text.substr(std::min(text.find('\n'), text.size())) : text;
+}
+
 int Sources::load(lua_State* L, const std::string& text, const std::string& name) {
-    std::string_view code = text;
-    if (code.starts_with("\xEF\xBB\xBF")) code.remove_prefix(3);  // a byte order mark
+    std::string_view code = without_byte_order_mark(text);
     if (code.starts_with(LUA_SIGNATURE[0])) {
         push_text(L, name +
                          ": this is compiled Lua, which is not loaded; a script is loaded as "
@@ -35,8 +42,7 @@ int Sources::load(lua_State* L, const std::string& text, const std::string& name
         return LUA_ERRSYNTAX;
     }
     texts[name] = code;
-    // A first line of `#!...` is for the shell.
-    if (code.starts_with('#')) code.remove_prefix(std::min(code.find('\n'), code.size()));
+    code = without_shell_line(code);
     const int status = load_text(L, code, ("@" + name).c_str());
     if (status == LUA_ERRSYNTAX) note_stop(L, code, ("@" + name).c_str());
     return status;
@@ -50,20 +56,13 @@ void Sources::note_stop(lua_State* L, std::string_view code, const char* name) {
     if (near == std::string::npos || !message.ends_with('\'')) return;
     const std::size_t begin = near + before_token.size();
     const std::string token = message.substr(begin, message.size() - 1 - begin);
-    struct Reading {
-        std::string_view code;
-        std::size_t read = 0;
-    } reading{code};
-    const auto read_byte = [](lua_State* in, void* data, std::size_t* size) -> const char* {
-        auto& its = *static_cast<Reading*>(data);
-        *size = its.read < its.code.size() ? 1 : 0;
-        if (*size == 0) return nullptr;
-        machine_of(in).budget.charge_by_the_clock(in, 1);
-        return &its.code[its.read++];
+    std::string_view left = code;
+    const auto read_byte = [](lua_State* in, void* rest, std::size_t* size) {
+        return take_piece(in, *static_cast<std::string_view*>(rest), size, 1);
     };
-    (void)lua_load(L, read_byte, &reading, name, "t");
+    (void)lua_load(L, read_byte, &left, name, "t");
     lua_pop(L, 1);
-    const std::size_t at = code.substr(0, reading.read).rfind(token);
+    const std::size_t at = code.substr(0, code.size() - left.size()).rfind(token);
     if (token.empty() || at == std::string_view::npos) return;
     const std::size_t line_end = code.substr(0, at).rfind('\n');
     stop.message = std::move(message);

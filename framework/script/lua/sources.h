@@ -29,8 +29,15 @@ inline bool is_library(const lua_Debug& frame) {
 int load_text(lua_State* L, std::string_view code, const char* name);
 
 /// The next piece of a text that is compiled, for a function that lua_load calls: short enough to
-/// be compiled within milliseconds.
-const char* take_piece(lua_State* L, std::string_view& left, std::size_t* size);
+/// be compiled within milliseconds. `longest`: bytes.
+const char* take_piece(lua_State* L, std::string_view& left, std::size_t* size,
+                       std::size_t longest = 256);
+
+/// The text without a byte order mark at its beginning.
+std::string_view without_byte_order_mark(std::string_view text);
+/// The text without a first line `#!...`, which is for the shell. The line end stays, so that lines
+/// keep their numbers.
+std::string_view without_shell_line(std::string_view text);
 
 struct Sources {
     property::GameFiles& files;

@@ -1,15 +1,14 @@
-#include <algorithm>
 #include <memory>
 
 #include <fettle/script/syntax.h>
 
 #include <lua/lua_api.h>
+#include <lua/sources.h>
 
 namespace fettle::script {
 
 std::string syntax_error(std::string_view text, const std::string& name) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
-    if (text.starts_with('#')) text.remove_prefix(std::min(text.find('\n'), text.size()));
+    text = without_shell_line(without_byte_order_mark(text));
     const std::unique_ptr<lua_State, void (*)(lua_State*)> lua(luaL_newstate(), lua_close);
     if (!lua) return name + ": no memory is left to compile it";
     const int status =
