@@ -70,7 +70,7 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
         const fs::path name = file.lexically_relative(folder);
         names.push_back(name.generic_string());
         renew(names.back());
-        if (is_scene(file)) scenes[names.back()] = files_.times_seen(file);
+        if (is_scene(file, names.back())) scenes[names.back()] = files_.times_seen(file);
         if (!problems_.contains(names.back())) read.push_back(names.back());
         code = code || (!is_media(file) && names.back() != "game.json");
     }
@@ -108,10 +108,7 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
 }
 
 /// Whether the file is a scene; an error in it, or in another JSON file, is one of that file.
-bool Session::is_scene(const fs::path& file) {
-    const std::string name =
-        file.lexically_relative(fs::absolute(folder_of(options_.game)).lexically_normal())
-            .generic_string();
+bool Session::is_scene(const fs::path& file, const std::string& name) {
     std::error_code error;
     if (file.extension() != ".json" || !fs::exists(file, error) || name == "game.json" ||
         problems_.contains(name))

@@ -102,7 +102,7 @@ class Session {
   private:
     bool follows_files() const;
     std::vector<std::filesystem::path> watched_files() const;
-    bool is_scene(const std::filesystem::path& file);
+    bool is_scene(const std::filesystem::path& file, const std::string& name);
     Followed take_changes(const std::vector<std::filesystem::path>& changed);
     script::Reloaded reload_code(const std::vector<std::string>& names);
     script::Reloaded reload_media(const std::vector<std::string>& names);
