@@ -33,6 +33,19 @@ TEST_CASE("to_world is the inverse of to_screen") {
     CHECK(back.y == Approx(point.y));
 }
 
+TEST_CASE("the transform of a view maps points as to_screen does") {
+    for (const double angle : {0.0, 0.7, -2.0})
+        for (const Fit fit : {Fit::expand, Fit::letterbox}) {
+            View view;
+            view.center = {-7.5, 12.25};
+            view.angle = angle;
+            view.fit = fit;
+            view.screen = {1013, 777};
+            for (const Vec2& point : {Vec2(0, 0), Vec2(-6.1, 13), Vec2(200, -30)})
+                CHECK((view.world_to_screen()(point) - view.to_screen(point)).length() < 1e-9);
+        }
+}
+
 TEST_CASE("width and corners follow the height and the size of the screen") {
     Game game;
     CHECK(game.get("view.width").number() == 32);

@@ -41,6 +41,8 @@ void Canvas::begin(Color background) {
 void Canvas::set_view(const View& view) {
     draw_collected();
     view_ = view;
+    world_to_pixels_ = view_.world_to_screen();
+    set_state(State(state()));
 }
 
 void Canvas::begin_screen() {
@@ -61,6 +63,7 @@ void Canvas::set_state(const State& next) {
     if (now.opacity != next.opacity) draw_collected();
     if (now.blend != next.blend || !same_clip) flush();
     transformed_ = !next.transform.is_identity();
+    to_pixels_ = next.on_screen ? next.transform : world_to_pixels_ * next.transform;
     Painter::set_state(next);
 }
 
@@ -141,11 +144,6 @@ void Canvas::draw(const std::vector<CanvasVertex>& vertices, sf::PrimitiveType t
                           sf::BlendMode::Factor::One, sf::BlendMode::Equation::Add);
     target_.draw(reinterpret_cast<const sf::Vertex*>(vertices.data()), vertices.size(), type,
                  states);
-}
-
-Vec2 Canvas::exact(const Vec2& position) const {
-    const Vec2 p = transformed_ ? state().transform(position) : position;
-    return state().on_screen ? p : view_.to_screen(p);
 }
 
 sf::Vector2f Canvas::pixel(const Vec2& position) const {

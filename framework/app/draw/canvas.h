@@ -92,7 +92,7 @@ class Canvas : public property::Painter, public Surface {
     void set_clip(float left, float top, float right, float bottom);
     property::Paint faded(const property::Paint& paint) const;
     property::Color faded(property::Color color) const;
-    property::Vec2 exact(const property::Vec2& position) const;  // px
+    property::Vec2 exact(const property::Vec2& position) const { return to_pixels_(position); }
     sf::Vector2f pixel(const property::Vec2& position) const;
     double pixels(double length) const;
     bool outside(const property::Vec2& lower, const property::Vec2& upper) const;
@@ -150,10 +150,12 @@ class Canvas : public property::Painter, public Surface {
     View view_{};
     Pictures pictures_{};
     Shade shade_{};
-    bool shading_ = false;                 // a figure with a gradient is being drawn
-    bool transformed_ = false;             // state().transform is not the identity
-    const sf::Texture* source_ = nullptr;  // texture of strip_
-    std::vector<CanvasVertex> strip_{};    // one strip; degenerate triangles join the figures
+    bool shading_ = false;                   // a figure with a gradient is being drawn
+    bool transformed_ = false;               // state().transform is not the identity
+    property::Transform world_to_pixels_{};  // of view_
+    property::Transform to_pixels_{};        // of the coordinates that the state gives
+    const sf::Texture* source_ = nullptr;    // texture of strip_
+    std::vector<CanvasVertex> strip_{};      // one strip; degenerate triangles join the figures
     Outline outline_{};
     std::vector<sf::Vector2f> corners_{};
     /// The type of the straight sides of corners_. `touching`: no gap may show between this figure

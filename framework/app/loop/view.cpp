@@ -74,6 +74,13 @@ Vec2 View::to_world(const Vec2& pixels) const {
     return center + world;
 }
 
+property::Transform View::world_to_screen() const {
+    const double z = zoom(), c = std::cos(angle), s = std::sin(angle);
+    property::Transform made{Vec2(z * c, z * s), Vec2(z * s, -z * c), Vec2(0, 0)};
+    made.origin = 0.5 * screen - made.direction(center);
+    return made;
+}
+
 namespace {
 
 Property derived(Property property, std::vector<std::string> sources) {

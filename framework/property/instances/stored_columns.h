@@ -33,6 +33,13 @@ class StoredColumns {
         return (*std::get_if<std::vector<T>>(&columns_[property.stored_index]))[row];
     }
 
+    /// Null if the property is not stored as a `T`.
+    template <class T>
+    const T* find(const Property& property, std::uint32_t row) const {
+        const auto* const column = std::get_if<std::vector<T>>(&columns_[property.stored_index]);
+        return column == nullptr ? nullptr : &(*column)[row];
+    }
+
     /// A sparse property. `any_sparse`: whether some row may have another value than 0.
     double sparse(std::uint32_t index, std::uint32_t row) const;
     bool any_sparse(std::uint32_t index) const;

@@ -75,7 +75,7 @@ void Emitters::draw(Row& row, property::Painter& painter, double alpha) {
         local
             ? property::place_below(*tree_, self, painter.on_screen(), alpha).value_or(Transform())
             : Transform());
-    const property::Blend blend = blend_of(read.value(of_.blend));
+    const property::Blend blend = blend_of(read.in_place(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
     // Back to the moment of the picture, between the last two steps.
     const auto back = static_cast<float>((alpha - 1) * row.state.moved);

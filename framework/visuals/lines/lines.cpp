@@ -137,7 +137,7 @@ void Lines::draw(const property::Tree& tree, Handle self, Painter& painter, doub
     painter.push(property::place_below(tree, tree.parent(self), screen, alpha)
                      .value_or(property::Transform()) *
                  property::local_pose(read.vec2(of_.position), read.number(of_.angle), 1, screen));
-    const property::Blend blend = blend_of(read.value(of_.blend));
+    const property::Blend blend = blend_of(read.in_place(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
     draw_segments(painter, self, segments, read.number(of_.width), read.color(of_.color));
     painter.pop();

@@ -50,10 +50,12 @@ Frame whole_of(const Sheet& sheet) {
 
 /// Null if it has no image.
 const Sheet* Sprites::sheet(Row& row) {
-    const Value name = tree_->peek(row.self, *of_.image);
+    const Reader read(*tree_, row.self);
+    const Value& name = read.in_place(of_.image);
     if (row.sheet == nullptr || !(name == row.name)) {
         row.name = name;
-        row.sheet = name.text().empty() ? nullptr : images_.get("Sprite.image", name.text());
+        row.sheet =
+            row.name.text().empty() ? nullptr : images_.get("Sprite.image", row.name.text());
     }
     return row.sheet.get();
 }
@@ -69,8 +71,8 @@ std::int64_t Sprites::frames_in(const Row& row, const Sheet& sheet) const {
 
 Sprites::Playing Sprites::playing(const Row& row, const Sheet& sheet) const {
     Playing all{.count = frames_in(row, sheet)};
-    const Value value = tree_->peek(row.self, *of_.animation);
-    const std::string& name = value.text();
+    const Reader read(*tree_, row.self);
+    const std::string& name = read.in_place(of_.animation).text();
     if (name.empty() || !sheet.found) return all;
     if (const Animation* const found = sheet.animation(name))
         return {found, 0, static_cast<std::int64_t>(found->frames.size())};
@@ -177,7 +179,7 @@ std::uint64_t Sprites::hash() const {
 
 Vec2 Sprites::size_of(const Row& row, const Frame& frame, bool on_screen) const {
     const Reader read(*tree_, row.self);
-    const Value given = read.value(of_.size);
+    const Value& given = read.in_place(of_.size);
     if (given.is(property::Type::vec2)) return given.vec2();
     return on_screen ? frame.size : Vec2(frame.size / read.number(of_.pixels_per_unit));
 }
@@ -205,7 +207,7 @@ void Sprites::draw(Row& row, property::Painter& painter, double alpha) {
     painter.push(property::place_below(*tree_, tree_->parent(row.self), on_screen, alpha)
                      .value_or(property::Transform()) *
                  local);
-    const property::Blend blend = blend_of(read.value(of_.blend));
+    const property::Blend blend = blend_of(read.in_place(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
     const Vec2 lower(left, on_screen ? top : bottom), upper(right, on_screen ? bottom : top);
     painter.picture(row.sheet->picture, shown.area, lower, upper, read.color(of_.tint),

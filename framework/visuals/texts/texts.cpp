@@ -186,7 +186,7 @@ void Texts::draw(Row& row, Painter& painter, double alpha) {
     painter.push(property::place_below(*tree_, tree_->parent(row.self), screen, alpha)
                      .value_or(property::Transform()) *
                  property::local_pose(read.vec2(of_.position), read.number(of_.angle), 1, screen));
-    const property::Blend blend = blend_of(read.value(of_.blend));
+    const property::Blend blend = blend_of(read.in_place(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
     const double size = read.number(of_.size);
     const Vec2 anchor = read.vec2(of_.anchor);

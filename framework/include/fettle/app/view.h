@@ -76,6 +76,8 @@ struct View {
 
     property::Vec2 to_screen(const property::Vec2& world) const;
     property::Vec2 to_world(const property::Vec2& pixels) const;
+    /// `to_screen` for many points. Far from the origin it is less exact.
+    property::Transform world_to_screen() const;
 
   private:
     void keep_to_limits();
