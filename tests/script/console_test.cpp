@@ -99,12 +99,29 @@ TEST_CASE("the console says what the name of a new property may mean") {
     CHECK(s.console("world.ball.hq = 3") == "world.ball.hq: nil → 3");
 }
 
+TEST_CASE("an error in an expression is at its token and not at its beginning") {
+    Stage s;
+    const stage::Evaluation typed = s.runtime->evaluate("1 + 2 ) 3");
+    REQUIRE(typed.error);
+    CHECK_THAT(typed.error->message, contains("near ')'"));
+    CHECK(typed.error->column == 7);
+}
+
+TEST_CASE("help of a member's name explains it in the classes that have it") {
+    Stage s;
+    CHECK_THAT(s.console("help('apply_impulse')"), contains("no such name"));
+    s.run("Ball = class('Ball', Object) { lives = 3, doc = { lives = 'Left.' } }");
+    CHECK_THAT(s.console("help('lives')"), contains("Ball.lives") && contains("Left."));
+    CHECK_THAT(s.console("help lives"), contains("Ball.lives"));
+}
+
 TEST_CASE("the console waits for the rest of an incomplete chunk") {
     Stage s;
     CHECK(s.console("for i = 1, 3 do") == "incomplete");
     CHECK(s.console("world.ball = Body {") == "incomplete");
     CHECK(s.console("x = [[a") == "incomplete");
     CHECK(s.console("f(") == "incomplete");
+    CHECK(s.console("1 +") == "incomplete");
     CHECK(s.console("for i = 1, 3 do\nprint(i)\nend") == "1|2|3");
     CHECK_THAT(s.console("for for"), contains("error: console:1:"));
 }

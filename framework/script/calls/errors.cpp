@@ -13,6 +13,7 @@
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
+#include <text/other_languages.h>
 #include <values/short_text.h>
 #include <values/values.h>
 
@@ -128,28 +129,32 @@ std::string error_text(lua_State* L, int index) {
                                       ": " + short_text(L, index));
 }
 
-void add_missing_position(lua_State* L, lua_State* from, int level) {
+void complete_message(lua_State* L, lua_State* from, int level) {
     if (lua_type(from, -1) != LUA_TSTRING) return;
     lua_Debug frame;
     if (!lua_getstack(L, level, &frame) || !lua_checkstack(L, 4)) return;
     lua_getinfo(L, "f", &frame);
     const lua_CFunction raiser = lua_tocfunction(L, -1);
     lua_pop(L, 1);
-    if (raiser == nullptr) return;
     const auto& unchanged = machine_of(L).errors.raise_unchanged;
-    if (std::find(unchanged.begin(), unchanged.end(), raiser) != unchanged.end()) return;
+    const bool by_lua = raiser == nullptr;  // which puts its position before the message
+    if (!by_lua && std::find(unchanged.begin(), unchanged.end(), raiser) != unchanged.end()) return;
     ScriptError error;
     error.message = string_at(from, -1);
     place_from_message(error);
-    if (error.line > 0) return;
-    std::string placed = with_refusal(machine_of(L).budget, error.message);
-    if (placed == error.message) placed.insert(0, position(L));
+    std::string completed = error.message;
+    if (!by_lua && error.line == 0) {
+        completed = with_refusal(machine_of(L).budget, completed);
+        if (completed == error.message) completed.insert(0, position(L));
+    }
+    completed += hint_for_value(error.message);
+    if (completed == error.message) return;
     lua_pop(from, 1);
-    push_text(from, placed);
+    push_text(from, completed);
 }
 
 int placing_handler(lua_State* L) {
-    if (!machine_of(L).budget.stopping()) add_missing_position(L, L, 1);
+    if (!machine_of(L).budget.stopping()) complete_message(L, L, 1);
     return 1;
 }
 
@@ -211,7 +216,7 @@ int describing_handler(lua_State* L) {
     Machine& machine = machine_of(L);
     try {
         lua_settop(L, 1);
-        add_missing_position(L, L, 1);
+        complete_message(L, L, 1);
         machine.errors.caught = describe_error(machine, L, 1, L, 1);
     } catch (const std::exception&) {
         machine.errors.caught.reset();

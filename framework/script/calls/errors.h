@@ -30,10 +30,10 @@ ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State*
 /// A message for an error object of any type, without control characters. The only script function
 /// that it calls is the object's own `__tostring`.
 std::string error_text(lua_State* L, int index);
-/// Adds the script's position to the error at the top of the stack `from` if it has none, because a
-/// C function raised it. Lua's own functions do so for errors in nested calls. `level`: the
-/// function that raised the error, on the stack of `L`.
-void add_missing_position(lua_State* L, lua_State* from, int level);
+/// Completes the error at the top of the stack `from`. If a C function raised it, it gets the
+/// script's position, as Lua's own functions do; if Lua raised it, a hint for those who know
+/// another language. `level`: the function that raised the error, on the stack of `L`.
+void complete_message(lua_State* L, lua_State* from, int level);
 /// The same as a message handler for lua_pcall.
 int placing_handler(lua_State* L);
 /// The current place of the script, without an error.

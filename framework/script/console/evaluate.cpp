@@ -150,12 +150,21 @@ bool ends_early(lua_State* L) {
 
 // Leaves the compiled function or the error message on the stack.
 Compiled compile(lua_State* L, std::string_view command) {
-    const std::string expression = "return " + std::string(command);
+    constexpr std::string_view expression_begin = "return ";
+    const std::string expression = std::string(expression_begin) + std::string(command);
     if (load_text(L, expression, chunk_name) == LUA_OK) return Compiled::expression;
     lua_pop(L, 1);
     if (load_text(L, command, chunk_name) == LUA_OK) return Compiled::statements;
     if (ends_early(L)) return Compiled::incomplete;
-    machine_of(L).sources.note_stop(L, command, chunk_name);
+    Sources& sources = machine_of(L).sources;
+    sources.note_stop(L, command, chunk_name);
+    // A text that does not begin as a statement was meant as an expression.
+    if (sources.stop.message.empty() || sources.stop.column > 0) return Compiled::wrong;
+    lua_pop(L, 1);
+    (void)load_text(L, expression, chunk_name);
+    if (ends_early(L)) return Compiled::incomplete;
+    sources.note_stop(L, expression, chunk_name);
+    sources.stop.column -= std::min(expression_begin.size(), sources.stop.column);
     return Compiled::wrong;
 }
 

@@ -297,6 +297,25 @@ bool is_path(std::string_view text) {
     }
 }
 
+/// Help for the properties, methods and events of any class that have this name.
+std::vector<std::string> members_called(const property::Tree& tree, const std::string& name) {
+    std::vector<std::string> lines;
+    const auto add = [&lines](std::vector<std::string> more, const std::string& before = {}) {
+        if (!more.empty()) more.front().insert(0, before);
+        lines.insert(lines.end(), more.begin(), more.end());
+    };
+    for (const Class* of : tree.classes()) {
+        if (const Property* property = of->property(name);
+            property != nullptr && property->owner == of && !property->hidden)
+            add(property_help(tree, *property));
+        if (const Method* method = of->method(name); method != nullptr && method->owner == of)
+            add(method_help(*method), of->name());
+        if (const property::Event* event = of->event(name); event != nullptr && event->owner == of)
+            add({of->name() + " event " + name, "  " + event->doc});
+    }
+    return lines;
+}
+
 std::vector<std::string> known_names(const property::Tree& tree) {
     std::vector<std::string> names;
     for (const Class* of : tree.classes()) names.push_back(of->name());
@@ -322,6 +341,7 @@ std::vector<std::string> help_lines(lua_State* L, int index) {
         const std::string name = string_at(L, index);
         auto lines = help_for(machine, name);
         if (!lines.empty()) return lines;
+        if (lines = members_called(machine.tree, name); !lines.empty()) return lines;
         if (is_path(name))
             return {name + ": no such name" +
                     property::suggestion(name, known_names(machine.tree))};

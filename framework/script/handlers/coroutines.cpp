@@ -86,7 +86,7 @@ int resume(lua_State* L) {
     int results = 0;
     const int status = run_thread(L, thread, arguments, results);
     if (status > LUA_YIELD) {
-        add_missing_position(thread, thread, 0);
+        complete_message(thread, thread, 0);
         lua_pushboolean(L, 0);
         lua_xmove(thread, L, 1);
         return 2;
@@ -150,7 +150,7 @@ int resume_thread(lua_State* L, lua_State* thread, int arguments) {
     int results = 0;
     const int status = run_thread(L, thread, arguments, results);
     if (status <= LUA_YIELD) return results;
-    add_missing_position(thread, thread, 0);
+    complete_message(thread, thread, 0);
     machine.errors.thread_error = describe_error(machine, thread, 0, thread, -1);
     lua_xmove(thread, L, 1);
     // The same text as in the description, so that the outer message handler recognizes the error.

@@ -14,6 +14,7 @@
 #include <objects/reflection.h>
 #include <objects/script_classes.h>
 #include <reference/language.h>
+#include <text/other_languages.h>
 #include <text/words.h>
 #include <values/recording.h>
 #include <values/values.h>
@@ -115,8 +116,9 @@ int read_global(lua_State* L) {
         lua_pushnil(L);
         return 1;
     }
-    throw Error(ErrorKind::unknown_name,
-                std::string(name) + ": no such name" + suggest(machine, name));
+    const std::string hint = hint_for_name(name);
+    throw Error(ErrorKind::unknown_name, std::string(name) + ": no such name" +
+                                             (hint.empty() ? suggest(machine, name) : hint));
 }
 
 // Names that a game cannot give another meaning.

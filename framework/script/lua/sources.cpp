@@ -6,6 +6,7 @@
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
+#include <text/other_languages.h>
 
 namespace fettle::script {
 
@@ -51,7 +52,8 @@ int Sources::load(lua_State* L, const std::string& text, const std::string& name
 /// Compiles the text again, byte by byte: Lua stops reading at the byte after the wrong token.
 void Sources::note_stop(lua_State* L, std::string_view code, const char* name) {
     constexpr std::string_view before_token = " near '";
-    std::string message = string_at(L, -1);
+    stop = {};
+    const std::string message = string_at(L, -1);
     const std::size_t near = message.rfind(before_token);
     if (near == std::string::npos || !message.ends_with('\'')) return;
     const std::size_t begin = near + before_token.size();
@@ -65,8 +67,12 @@ void Sources::note_stop(lua_State* L, std::string_view code, const char* name) {
     const std::size_t at = code.substr(0, code.size() - left.size()).rfind(token);
     if (token.empty() || at == std::string_view::npos) return;
     const std::size_t line_end = code.substr(0, at).rfind('\n');
-    stop.message = std::move(message);
-    stop.column = line_end == std::string_view::npos ? at : at - line_end - 1;
+    const std::size_t begins = line_end == std::string_view::npos ? 0 : line_end + 1;
+    stop.column = at - begins;
+    const std::string_view line = code.substr(begins, code.find('\n', at) - begins);
+    stop.message = message + hint_for_syntax(message, line, stop.column);
+    lua_pop(L, 1);
+    push_text(L, stop.message);
 }
 
 std::string Sources::line(const std::string& file, int line) const {

@@ -55,8 +55,8 @@ struct Sources {
     };
     Stop stop{};
 
-    /// Sets `stop` for a text that did not compile; its message is at the top of the stack and
-    /// stays there.
+    /// Sets `stop` for a text that did not compile; its message is at the top of the stack, and
+    /// gets a hint for those who know another language.
     void note_stop(lua_State* L, std::string_view code, const char* name);
 
     /// A line of a chunk, from 1; "" if unknown.

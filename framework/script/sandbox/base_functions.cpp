@@ -307,7 +307,7 @@ int call_handler(lua_State* L) {
     Machine& machine = machine_of(L);
     if (machine.budget.stopping()) return 1;
     lua_settop(L, 1);
-    add_missing_position(L, L, 1);
+    complete_message(L, L, 1);
     lua_pushvalue(L, lua_upvalueindex(1));
     lua_insert(L, 1);
     lua_call(L, 1, 1);

@@ -2,6 +2,7 @@
 #include <span>
 
 #include <text/synonyms.h>
+#include <text/words.h>
 
 namespace fettle::script {
 
@@ -14,7 +15,8 @@ struct Synonym {
 
 const std::vector<Synonym>& properties() {
     static const std::vector<Synonym> table = {
-        {"pos location place", {"position", "center"}},
+        {"pos location place getposition", {"position", "center", "world"}},
+        {"position", {"center", "world"}},  // of the view and the mouse
         {"x y", {"position = vec(x, y)", "center = vec(x, y)"}},
         {"rot rotation orientation heading direction", {"angle"}},
         {"vel linearvelocity", {"velocity"}},
@@ -40,6 +42,16 @@ const std::vector<Synonym>& properties() {
         {"layer collisionlayer", {"category"}},
         {"collisionmask", {"mask"}},
         {"g", {"gravity"}},
+        {"destroy remove kill free queuefree despawn", {"delete"}},
+        {"addforce applycentralforce", {"apply_force"}},
+        {"addimpulse applylinearimpulse applycentralimpulse", {"apply_impulse"}},
+        {"addtorque", {"apply_torque"}},
+        {"magnitude mag norm", {"length"}},
+        {"addchild append insert spawn", {"add"}},
+        {"child getchild getchildren getchildcount", {"children"}},
+        {"findchild findfirstchild getnode", {"find"}},
+        {"addeventlistener connect", {"on"}},
+        {"raytest raycastclosest raycastany", {"raycast"}},
         {"return", {"enter"}},
         {"ctrl control lctrl", {"left_control"}},
         {"rctrl", {"right_control"}},
@@ -93,18 +105,9 @@ std::string plain(std::string_view name) {
     return text;
 }
 
-bool holds(std::string_view words, std::string_view word) {
-    for (std::size_t at = 0; at <= words.size();) {
-        const std::size_t end = std::min(words.find(' ', at), words.size());
-        if (words.substr(at, end - at) == word) return true;
-        at = end + 1;
-    }
-    return false;
-}
-
 std::vector<std::string_view> look_up(const std::vector<Synonym>& table, std::string_view word) {
     for (const Synonym& synonym : table)
-        if (holds(synonym.words, word)) return synonym.meant;
+        if (holds_word(synonym.words, word)) return synonym.meant;
     return {};
 }
 
@@ -112,6 +115,29 @@ std::vector<std::string_view> look_up(const std::vector<Synonym>& table, std::st
 
 std::vector<std::string_view> property_synonyms(std::string_view name) {
     return look_up(properties(), plain(name));
+}
+
+std::string without_get_or_set(std::string_view name) {
+    for (const std::string_view verb : {"get", "set", "Get", "Set"}) {
+        if (!name.starts_with(verb) || name.size() <= verb.size()) continue;
+        std::string_view rest = name.substr(verb.size());
+        if (rest.front() == '_')
+            rest.remove_prefix(1);
+        else if (rest.front() < 'A' || rest.front() > 'Z')
+            continue;
+        return snake_case(rest);
+    }
+    return {};
+}
+
+std::string snake_case(std::string_view name) {
+    std::string snake;
+    for (const char c : name) {
+        const bool capital = c >= 'A' && c <= 'Z';
+        if (capital && !snake.empty()) snake += '_';
+        snake += static_cast<char>(capital ? c + 32 : c);
+    }
+    return snake;
 }
 
 std::vector<std::string_view> callback_synonyms(std::string_view name) {

@@ -1,7 +1,7 @@
 #pragma once
-// Names from other engines for properties, keys and callbacks: `pos` for `position`, `r` for
-// `radius`, the key "return" for "enter". The caller must check whether a class has the returned
-// name.
+// Names from other engines for properties, methods, keys and callbacks: `pos` for `position`, `r`
+// for `radius`, the key "return" for "enter". The caller must check whether a class has the
+// returned name.
 
 #include <string>
 #include <string_view>
@@ -9,9 +9,13 @@
 
 namespace fettle::script {
 
-/// Names of properties, or of keys of a keyboard, that `name` may mean, the most likely first. The
-/// part after a blank shows how to write it: "position = vec(x, y)".
+/// Names of properties, methods, or keys of a keyboard that `name` may mean, the most likely first.
+/// The part after a blank shows how to write it: "position = vec(x, y)".
 std::vector<std::string_view> property_synonyms(std::string_view name);
+/// `linear_velocity` for `getLinearVelocity` and `set_linear_velocity`; "" for any other name.
+std::string without_get_or_set(std::string_view name);
+/// `angular_velocity` for `angularVelocity`.
+std::string snake_case(std::string_view name);
 /// Callbacks and events that a function named `name` may be meant for.
 std::vector<std::string_view> callback_synonyms(std::string_view name);
 

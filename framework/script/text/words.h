@@ -25,6 +25,16 @@ inline bool among(const std::vector<std::string>& names, std::string_view name) 
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Whether the word is one of `words`, which blanks separate.
+inline bool holds_word(std::string_view words, std::string_view word) {
+    for (std::size_t at = 0; at <= words.size();) {
+        const std::size_t end = std::min(words.find(' ', at), words.size());
+        if (words.substr(at, end - at) == word) return true;
+        at = end + 1;
+    }
+    return false;
+}
+
 /// The text without blanks at both ends.
 inline std::string_view trimmed(std::string_view text) {
     const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };

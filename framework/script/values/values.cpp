@@ -11,6 +11,8 @@
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <text/synonyms.h>
+#include <text/words.h>
 #include <values/declarations.h>
 #include <values/description.h>
 #include <values/members.h>
@@ -350,8 +352,11 @@ int push_method(lua_State* L, const std::string& noun, std::vector<std::string> 
     for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) fields.push_back(string_at(L, -2));
     std::sort(fields.begin(), fields.end());  // Lua has no fixed order
     const std::string name = key_in_message(L, 2);
-    throw Error(ErrorKind::unknown_name,
-                noun + " has no " + name + property::suggestion(name, fields));
+    std::string hint = property::suggestion(name, fields);
+    for (const std::string_view meant : property_synonyms(name))
+        if (hint.empty() && among(fields, meant))
+            hint = " (did you mean \"" + std::string(meant) + "\"?)";
+    throw Error(ErrorKind::unknown_name, noun + " has no " + name + hint);
 }
 
 void refuse_type(lua_State* L, int index, std::string_view needed) {

@@ -241,6 +241,10 @@ int vec_make(lua_State* L) {
         push_vec(L, {0, 0});
         return 1;
     }
+    if (lua_gettop(L) != 2 && lua_type(L, 1) == LUA_TNUMBER)
+        throw Error(ErrorKind::wrong_type, "vec: needs x and y, not " +
+                                               std::to_string(lua_gettop(L)) +
+                                               (lua_gettop(L) == 1 ? " number" : " values"));
     push_vec(L, {check_number(L, 1, "vec"), check_number(L, 2, "vec")});
     return 1;
 }

@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <span>
+
+#include <text/other_languages.h>
+#include <text/words.h>
+
+namespace fettle::script {
+
+namespace {
+
+struct Foreign {
+    std::string_view words;  // separated by blanks
+    std::string_view here;   // what is written in their place
+};
+
+/// Names of variables and functions.
+constexpr Foreign foreign_names[] = {
+    {"null None undefined nullptr NULL", "nil"},
+    {"True TRUE", "true"},
+    {"False FALSE", "false"},
+    {"this", "self"},
+    {"unpack", "table.unpack(list)"},
+    {"loadstring", "load(text)"},
+    {"len", "#list"},
+    {"PI", "math.pi"},
+    {"rand randf randi rnd randint", "random(from, to)"},
+    {"Vector2 Vec2 vec2 Vector vector Point", "vec(x, y)"},
+    {"printf puts echo println", "print(...)"},
+    {"range", "for i = 1, n do ... end"},
+    {"instantiate spawn", "world:add(Body { ... })"},
+    {"setTimeout delay schedule invoke", "after(seconds, action)"},
+    {"setInterval", "every(seconds, action)"},
+    {"include import using dofile loadfile", "require(\"name\")"},
+    {"exit", "quit()"},
+    {"pause", "time.paused = true"},
+    {"resume unpause", "time.paused = false"},
+    {"try catch", "pcall(action, ...)"},
+};
+
+/// Functions in tables of other versions of Lua.
+constexpr Foreign foreign_functions[] = {
+    {"pow", "a ^ b"},
+    {"mod", "a % b"},
+    {"getn maxn", "#list"},
+    {"foreach foreachi", "for key, value in pairs(t) do ... end"},
+    {"gfind", "string.gmatch(text, pattern)"},
+    {"log10", "math.log(x, 10)"},
+    {"atan2", "math.atan(y, x)"},
+    {"round", "math.floor(x + 0.5)"},
+    {"clamp", "math.max(lowest, math.min(x, highest))"},
+    {"exit", "quit()"},
+};
+
+constexpr std::string_view in_math =
+    "sin cos tan asin acos atan sqrt abs floor ceil exp fmod modf min max pi huge";
+constexpr std::string_view only_files =
+    " (a game reads and writes files with store, save_game, scene and require only)";
+
+/// Words at the beginning of a statement.
+constexpr Foreign foreign_statements[] = {
+    {"var let const auto int float double string bool", "local name = value"},
+    {"elif elsif", "elseif"},
+    {"continue", "goto continue, and ::continue:: before the end of the loop"},
+    {"func def fn void", "function name(...) ... end"},
+    {"import include using", "require(\"name\")"},
+    {"switch case", "if ... then ... elseif ... then ... end"},
+    {"try catch", "pcall(action, ...)"},
+    {"new", "Body { ... }"},
+    {"extends", "class(\"Name\", Body) { ... }"},
+    {"class", "Name = class(\"Name\", Body) { ... }"},
+};
+
+/// The longest come first, because others are parts of them.
+constexpr Foreign foreign_signs[] = {
+    {"!=", "~= for \"not equal\""},
+    {"&&", "and"},
+    {"||", "or"},
+    {"++", "a = a + 1"},
+    {"+= -= *= /= %= ^= |= &=", "a = a + b"},
+    {"=>", "function(...) ... end"},
+    {"->", "a.b or a:b()"},
+    {"/* */", "--[[ ... ]] for comments"},
+    {"!", "not"},
+    {"?", "a and b or c"},
+};
+
+template <std::size_t size>
+std::string_view in_place_of(const Foreign (&table)[size], std::string_view word) {
+    for (const Foreign& each : table)
+        if (holds_word(each.words, word)) return each.here;
+    return {};
+}
+
+std::string written(std::string_view here) {
+    return here.empty() ? std::string() : " (write " + std::string(here) + ")";
+}
+
+/// The first text between single quotes behind `from`.
+std::string_view quoted(std::string_view text, std::size_t from) {
+    const std::size_t open = text.find('\'', from);
+    if (open == std::string_view::npos) return {};
+    const std::size_t close = text.find('\'', open + 1);
+    return close == std::string_view::npos ? std::string_view()
+                                           : text.substr(open + 1, close - open - 1);
+}
+
+/// The sign of another language of which the byte at `at` is a part.
+std::string_view sign_at(std::string_view line, std::size_t at) {
+    for (const Foreign& each : foreign_signs)
+        for (std::size_t begin = 0; begin < each.words.size();) {
+            const std::size_t end = std::min(each.words.find(' ', begin), each.words.size());
+            const std::string_view sign = each.words.substr(begin, end - begin);
+            for (std::size_t before = 0; before < sign.size() && before <= at; ++before)
+                if (line.substr(at - before).starts_with(sign)) return each.here;
+            begin = end + 1;
+        }
+    return {};
+}
+
+/// The word that ends before `at`; blanks between them do not count.
+std::string_view word_before(std::string_view line, std::size_t at) {
+    std::size_t end = at;
+    while (end > 0 && line[end - 1] == ' ') --end;
+    std::size_t begin = end;
+    while (begin > 0 && is_word(line[begin - 1])) --begin;
+    return line.substr(begin, end - begin);
+}
+
+std::string_view word_at(std::string_view line, std::size_t at) {
+    std::size_t end = at;
+    while (end < line.size() && is_word(line[end])) ++end;
+    return line.substr(at, end - at);
+}
+
+}  // namespace
+
+std::string hint_for_name(std::string_view name) {
+    if (name == "love") return " (the guide has a page for those who come from LÖVE)";
+    if (name == "io") return std::string(only_files);
+    if (name == "self") return " (it exists in methods only: function Ball:name() ... end)";
+    if (holds_word(in_math, name)) return " (did you mean \"math." + std::string(name) + "\"?)";
+    const std::string_view here = in_place_of(foreign_names, name);
+    return written(here.empty() ? in_place_of(foreign_functions, name) : here);
+}
+
+std::string hint_for_value(std::string_view message) {
+    const auto name_after = [message](std::string_view beginning) {
+        const std::size_t at = message.find(beginning);
+        return at == std::string_view::npos ? std::string_view() : quoted(message, at);
+    };
+    if (const auto name = name_after("attempt to call a nil value (field "); !name.empty())
+        return name == "execute" ? std::string(only_files)
+                                 : written(in_place_of(foreign_functions, name));
+    // A callback that the game does not define is nil; other unknown names are errors.
+    if (name_after("attempt to call a nil value (global ") == "step")
+        return written("time.step_once = true to make one step");
+    if (const auto name = name_after("attempt to get length of a function value ("); !name.empty())
+        return written("#it:" + std::string(name) + "() if this is a method of it");
+    if (message.find("attempt to add a 'string' with a ") != std::string_view::npos)
+        return written(".. to join texts");
+    return {};
+}
+
+std::string hint_for_syntax(std::string_view message, std::string_view line, std::size_t column) {
+    if (column >= line.size()) return {};
+    const std::string_view rest = line.substr(column);
+    if (rest.starts_with("//") || (column > 0 && line.substr(column - 1).starts_with("//")))
+        return written("-- before a comment");
+    if (const std::string_view here = sign_at(line, column); !here.empty()) return written(here);
+    const bool block = message.find("'then' expected") != std::string_view::npos ||
+                       message.find("'do' expected") != std::string_view::npos;
+    const std::string_view opens =
+        message.find("'do' expected") != std::string_view::npos ? "do" : "then";
+    if (block && rest.starts_with('=')) return written("== to compare");
+    if (block && (rest.starts_with('{') || rest.starts_with(':')))
+        return written(std::string(opens) + " ... end");
+    if (rest.starts_with('{') && line.substr(0, column).find(')') != std::string_view::npos)
+        return written("the lines of a function without { }, and end behind them");
+    if (const std::string_view here = in_place_of(foreign_statements, word_before(line, column));
+        !here.empty())
+        return written(here);
+    if (const std::string_view here = in_place_of(foreign_statements, word_at(line, column));
+        !here.empty())
+        return written(here);
+    return {};
+}
+
+}  // namespace fettle::script

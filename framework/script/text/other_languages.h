@@ -1,0 +1,18 @@
+#pragma once
+// Words and signs of other languages, and of older versions of Lua: what stands in their place
+// here. Each hint is " (write ...)", to be added to a message, or "".
+
+#include <string>
+#include <string_view>
+
+namespace fettle::script {
+
+/// For a name that no variable has: `null`, `unpack`, `sqrt`.
+std::string hint_for_name(std::string_view name);
+/// For a message of Lua about a value: "attempt to call a nil value (field 'pow')".
+std::string hint_for_value(std::string_view message);
+/// For a text that does not compile. `line`: where Lua stopped; `column`: bytes of the line before
+/// the token that the message names.
+std::string hint_for_syntax(std::string_view message, std::string_view line, std::size_t column);
+
+}  // namespace fettle::script
