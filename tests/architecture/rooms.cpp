@@ -143,7 +143,7 @@ const std::vector<DividedPart>& divided_parts() {
          {
              {"text", {}},
              {"reference", {"text"}},
-             {"lua", {}},
+             {"lua", {"text"}},
              {"values", {"text", "reference", "lua"}},
              {"calls", {"text", "lua", "values"}},
              {"sandbox", {"text", "lua", "values", "calls"}},

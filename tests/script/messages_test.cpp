@@ -26,41 +26,6 @@ TEST_CASE("the caret of a syntax error is at the token that the message names") 
     CHECK(typed.error->column == column);
 }
 
-TEST_CASE("words of other languages and of older versions of Lua have a hint") {
-    const auto [code, hint] = GENERATE(table<std::string, std::string>({
-        {"unpack({1})", "unpack: no such name (write table.unpack(list))"},
-        {"local _ = null", "null: no such name (write nil)"},
-        {"sqrt(2)", "(did you mean \"math.sqrt\"?)"},
-        {"math.pow(2, 3)", "(field 'pow') (write a ^ b)"},
-        {"local _ = 'a' + 1", "(write .. to join texts)"},
-        {"local _ = #world.children", "(write #it:children()"},
-        {"world:destroy()", "world.destroy: no such name (did you mean \"delete\"?)"},
-        {"world:getScale()", "world.getScale: no such name (did you mean \"scale\"?)"},
-        {"local _ = vec(3, 4).magnitude", "(did you mean \"length\"?)"},
-        {"if 1 != 2 then end", "near '!' (write ~= for \"not equal\")"},
-        {"x = 1 x += 1", "near '+' (write a = a + b)"},
-        {"if x = 1 then end", "near '=' (write == to compare)"},
-        {"if true { x = 1 }", "near '{' (write then ... end)"},
-        {"while true: x = 1", "near ':' (write do ... end)"},
-        {"var y = 1", "near 'y' (write local name = value)"},
-        {"x = true && false", "near '&' (write and)"},
-        {"// a comment", "(write -- before a comment)"},
-    }));
-    CAPTURE(code);
-    Stage s;
-    CHECK_THAT(s.fails("\n" + code), starts_with("main.lua:2: ") && contains(hint));
-    const Evaluation typed = s.runtime->evaluate(code);
-    REQUIRE(typed.error);
-    CHECK_THAT(typed.error->message, contains(hint));
-}
-
-TEST_CASE("a field of a game that happens to have such a name has no hint for it") {
-    Stage s;
-    CHECK_THAT(s.fails("local enemy = {} enemy.spawn()"), !contains("write"));
-    CHECK_THAT(s.fails("error('attempt to call a nil value (field \\'pow\\')')"),
-               !contains("write"));
-}
-
 TEST_CASE("errors of library functions name the line and the argument") {
     const auto [call, reported] = GENERATE(table<std::string, std::string>({
         {"ipairs(nil)", "ipairs: needs a list, not nil"},
