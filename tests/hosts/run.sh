@@ -184,16 +184,24 @@ case_web() {
     fi
 }
 
-# page_picture PICTURE STEPS: index.html of this folder in a browser, after so many steps.
-page_picture() {
+# page_shows PICTURE STEPS COLOR...: index.html of this folder in a browser shows the colors after so many steps.
+page_shows() {
+    local picture=$1 steps=$2 attempt
+    shift 2
     # A page of modules needs a server.
     "$python" -u -m http.server --bind 127.0.0.1 0 >server.log 2>&1 &
     local server=$! port=
     # shellcheck disable=SC2064  # the number of this server
     trap "kill $server" EXIT
     until port=$(sed -n 's/.*http:\/\/127\.0\.0\.1:\([0-9]*\).*/\1/p' server.log) && [[ -n $port ]]; do sleep 0.1; done
-    timeout 600 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$folder/chromium" --window-size=1000,600 \
-        --virtual-time-budget=20000 --screenshot="$1" "http://127.0.0.1:$port/index.html?steps=$2"
+    # Virtual time does not wait for the compilation of WebAssembly: on a busy machine the picture comes before it.
+    for attempt in 1 2 3 4 5; do
+        timeout 600 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$folder/chromium" \
+            --window-size=1000,600 --virtual-time-budget=$((20000 * attempt)) --screenshot="$picture" \
+            "http://127.0.0.1:$port/index.html?steps=$steps"
+        if shows "$picture" "$@"; then return; fi
+    done
+    return 1
 }
 
 case_web_demo() {
@@ -201,8 +209,7 @@ case_web_demo() {
     needs_python pygame
     web_project
     cp -- "$project"/bindings/web/demo/* .
-    page_picture "$folder/web.png" 100
-    shows "$folder/web.png" gold "#ff6347" "#708070"
+    page_shows "$folder/web.png" 100 gold "#ff6347" "#708070"
 }
 
 # Entities of bitECS, which is from npm, with bodies of Fettle: its tests, and its page.
@@ -213,8 +220,7 @@ case_web_bitecs() {
     npm install --no-audit --no-fund bitecs@0.4.0 || cannot "npm could not install bitecs"
     cp -- "$project"/examples/bitecs/* .
     node --test game.test.mjs
-    page_picture "$folder/bitecs.png" 200
-    shows "$folder/bitecs.png" gold "#ff6347" "#708070"
+    page_shows "$folder/bitecs.png" 200 gold "#ff6347" "#708070"
 }
 
 # The other engines are from npm; without the network the table has Fettle alone.
