@@ -260,6 +260,24 @@ TEST_CASE_METHOD(Fixture, "a new watcher gets the current value if requested") {
           Log{"a world.ball.mass nil>2", "p world.ball.radius nil>0.5", "a world.ball.mass 1>2"});
 }
 
+TEST_CASE_METHOD(Fixture, "the first old value of a new watcher is that of its beginning") {
+    tree.watch(ball, "mass", note("a"));
+    tree.set(ball, "mass", 2);
+    tree.watch(world, note("other"));  // of another instance, so it divides no change
+    tree.set(ball, "mass", 3);
+    tree.watch(ball, "mass", note("b"));
+    tree.set(ball, "mass", 4);
+    tree.set(ball, "mass", 5);
+    tree.barrier();
+    CHECK(log == Log{"a world.ball.mass 1>3", "a world.ball.mass 3>5", "b world.ball.mass 3>5"});
+    tree.watch(ball, "radius", note("c"));
+    log.clear();
+    tree.set(ball, "radius", 2);
+    tree.watch(ball, "radius", note("d"));
+    tree.barrier();
+    CHECK(log == Log{"c world.ball.radius 0.5>2"});
+}
+
 TEST_CASE_METHOD(Fixture, "ad-hoc properties are watched like declared ones") {
     tree.watch_pattern("world.ball.*", note("p"));
     tree.set_or_add(ball, "lives", 3);

@@ -36,6 +36,14 @@ TEST_CASE("words of other languages and of older versions of Lua have a hint") {
     CHECK_THAT(typed.error->message, contains(hint));
 }
 
+TEST_CASE("an unknown event has the classes that have it, or its name here") {
+    Stage s;
+    CHECK_THAT(s.fails("world:on('contact_begin', print)"),
+               contains("no event \"contact_begin\"; Body has it"));
+    CHECK_THAT(s.fails("Body:on('collided', print)"),
+               contains("no event \"collided\" (did you mean \"contact_begin\"?)"));
+}
+
 TEST_CASE("a field of a game that happens to have such a name has no hint for it") {
     Stage s;
     CHECK_THAT(s.fails("local enemy = {} enemy.spawn()"), !contains("write"));

@@ -86,13 +86,8 @@ void Changes::queue_change(Handle handle, const Property& property, const Value&
                         moves_by_itself(property) ? new_value : Value());
     const auto [place, first] = queue.changes.try_emplace(cell, queue.items.size());
     if (!first) {
-        Change& waiting = std::get<Change>(queue.items[place->second].what);
-        if (waiting.instance == handle) {
-            waiting.new_value = new_value;
-            waiting.cause = cause;
-            queue.items[place->second].until = watchers.last_id();
-            return;
-        }
+        QueueItem& item = queue.items[place->second];
+        if (std::get<Change>(item.what).instance == handle && join(item, new_value, cause)) return;
         place->second = queue.items.size();
     }
     queue_item({.what = Change{.instance = handle,
@@ -203,18 +198,27 @@ void Changes::compare_shadows() {
     queue_item({.kind = QueueItem::Kind::motion, .what = std::move(motion)});
 }
 
+bool Changes::join(QueueItem& item, const Value& new_value, const Cause& cause) {
+    Change& waiting = std::get<Change>(item.what);
+    if (item.until != watchers.last_id()) {
+        Watchers::List watching;  // in order of registration
+        watchers.of_change(waiting, watchers.last_id(), watching);
+        if (!watching.empty() && watching.back()->id > item.until) return false;
+    }
+    waiting.new_value = new_value;
+    waiting.cause = cause;
+    item.until = watchers.last_id();
+    return true;
+}
+
 /// Merges a change into the queued change of the same cell, so that the cell is reported once.
 void Changes::join_queued(Motion& motion) {
     std::erase_if(motion.changes, [&](const CellChange& change) {
         const auto place = queue.changes.find({change.instance.index, change.property->symbol});
         if (place == queue.changes.end()) return false;
         QueueItem& item = queue.items[place->second];
-        Change& waiting = std::get<Change>(item.what);
-        if (waiting.instance != change.instance) return false;
-        waiting.new_value = change.new_value;
-        waiting.cause = motion.cause;
-        item.until = watchers.last_id();
-        return true;
+        return std::get<Change>(item.what).instance == change.instance &&
+               join(item, change.new_value, motion.cause);
     });
 }
 

@@ -107,6 +107,9 @@ struct Changes {
     std::string describe(const QueueItem& item, std::size_t part) const;
 
   private:
+    /// Adds to a queued change, unless a watcher that has begun since then would get an older value
+    /// than it has seen. False in that case: the rest is a change of its own.
+    bool join(QueueItem& item, const Value& new_value, const Cause& cause);
     void join_queued(Motion& motion);
     void count_interest(const Watcher& watcher, int sign);
     std::uint32_t top_of(const Pattern& pattern) const;

@@ -12,6 +12,8 @@
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <text/synonyms.h>
+#include <text/words.h>
 #include <values/declarations.h>
 #include <values/records.h>
 #include <values/values.h>
@@ -172,12 +174,25 @@ property::EventHandler event_handler(Machine& machine, const Event& event, const
     };
 }
 
-const Event& event_of(const Class& of, const std::string& name) {
+/// "; Body and Shape have it", or "".
+std::string classes_with(const property::Tree& tree, std::string_view event) {
+    std::string text;
+    for (const Class* of : tree.classes())
+        if (const Event* found = of->event(event); found != nullptr && found->owner == of)
+            text += (text.empty() ? "; " : " and ") + of->name();
+    return text.empty() ? text : text + (text.find(" and ") == text.npos ? " has it" : " have it");
+}
+
+const Event& event_of(const property::Tree& tree, const Class& of, const std::string& name) {
     if (const Event* event = of.event(name)) return *event;
     std::vector<std::string> names = {"created"};
     for (const Event* event : of.events()) names.push_back(event->name);
-    throw Error(ErrorKind::unknown_name,
-                of.name() + ": no event \"" + name + "\"" + property::suggestion(name, names));
+    std::string hint = classes_with(tree, name);
+    for (const std::string_view meant : callback_synonyms(name))
+        if (hint.empty() && among(names, meant))
+            hint = " (did you mean \"" + std::string(meant) + "\"?)";
+    if (hint.empty()) hint = property::suggestion(name, names);
+    throw Error(ErrorKind::unknown_name, of.name() + ": no event \"" + name + "\"" + hint);
 }
 
 }  // namespace
@@ -200,7 +215,7 @@ Subscription event_subscription(lua_State* L, Machine& machine, const Class& of,
                     return tree.watch_created(
                         of, existence_handler(machine, "created", called, scene), options);
                 }};
-    const Event& event = event_of(of, name);
+    const Event& event = event_of(tree, of, name);
     return {function, [&machine, &tree, &of, &event, options, whole_class, scene](
                           Handle instance, const Function& called) {
                 auto handler = event_handler(machine, event, called, scene);

@@ -47,7 +47,7 @@ struct Cause {
 struct Change {
     Handle instance;                     ///< that it is about; it may be deleted
     const Property* property = nullptr;  ///< that has changed
-    Value old_value;                     ///< at the last barrier
+    Value old_value;                     ///< at the last barrier, or when the watcher began
     Value new_value;                     ///< now
     Cause cause;                         ///< of the last change
 };
