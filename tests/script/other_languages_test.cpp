@@ -44,6 +44,13 @@ TEST_CASE("an unknown event has the classes that have it, or its name here") {
                contains("no event \"collided\" (did you mean \"contact_begin\"?)"));
 }
 
+TEST_CASE("an unknown name that a child has names the child's class") {
+    Stage s;
+    s.run("world.b = Body {}");
+    CHECK_THAT(s.fails("local _ = world.mass"),
+               contains("world.mass: no such name; its Body has mass"));
+}
+
 TEST_CASE("a field of a game that happens to have such a name has no hint for it") {
     Stage s;
     CHECK_THAT(s.fails("local enemy = {} enemy.spawn()"), !contains("write"));

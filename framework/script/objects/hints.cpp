@@ -70,7 +70,6 @@ std::string Hints::did_you_mean(const Class& of, std::string_view name) const {
     return property::suggestion(name, events);
 }
 
-/// A hint at a child that has the property: "its Circle has radius".
 std::string Hints::child_with(Handle instance, std::string_view name) const {
     std::vector<std::string_view> names = {name};
     for (const std::string_view way : property_synonyms(name)) names.push_back(name_in(way));

@@ -25,6 +25,8 @@ class Hints {
     /// A hint for a name that a person has just added at the console: ` (did you mean "mass"?)`,
     /// `; its Circle has radius`, or "". It is given each time.
     std::string of_added(property::Handle instance, std::string_view name) const;
+    /// A hint at a child that has the property: "its Circle has radius", or "".
+    std::string child_with(property::Handle instance, std::string_view name) const;
     /// To be called when the game is loaded: notes functions that are never called although their
     /// names look like callbacks.
     void game_loaded();
@@ -34,7 +36,6 @@ class Hints {
   private:
     void tell(const std::string& about, const std::string& note);
     std::string meaning(const property::Class& of, std::string_view name) const;
-    std::string child_with(property::Handle instance, std::string_view name) const;
     void check_globals();
     void check_classes();
     bool is_called(const std::string& name) const;

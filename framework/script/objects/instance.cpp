@@ -13,6 +13,7 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/generic_methods.h>
+#include <objects/hints.h>
 #include <objects/instance.h>
 #include <objects/methods.h>
 #include <objects/script_classes.h>
@@ -112,6 +113,9 @@ void require_name(lua_State* L, const property::Tree& tree, Handle instance) {
         for (const std::string_view way : property_synonyms(word))
             look(way.substr(0, way.find(' ')));
     if (hint.empty()) hint = property::suggestion(name, names);
+    if (const std::string child = machine.hints.child_with(instance, name);
+        hint.empty() && !child.empty())
+        hint = "; " + child;
     throw Error(ErrorKind::unknown_name,
                 path_of(machine.tree, instance, name) + ": no such name" + hint);
 }
