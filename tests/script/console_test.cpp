@@ -107,6 +107,14 @@ TEST_CASE("an error in an expression is at its token and not at its beginning") 
     CHECK(typed.error->column == 7);
 }
 
+TEST_CASE("the name of an instance that is below others has its path as a hint") {
+    Stage s;
+    s.run("world.stage = Object {} world.stage.ball = Body {}");
+    CHECK_THAT(s.console("ball.mass = 3"),
+               contains("ball: no such name (did you mean \"world.stage.ball\"?)"));
+    CHECK_THAT(s.console("ball.mass is 3"), contains("(did you mean \"world.stage.ball\"?)"));
+}
+
 TEST_CASE("help of a member's name explains it in the classes that have it") {
     Stage s;
     CHECK_THAT(s.console("help('apply_impulse')"), contains("no such name"));

@@ -95,6 +95,29 @@ std::string suggest(Machine& machine, std::string_view name) {
     return property::suggestion(name, names);
 }
 
+/// The path of the first instance with that name, below others; "" if there is none nearby.
+std::string path_of_instance(const property::Tree& tree, std::string_view name) {
+    constexpr std::size_t most = 20'000;  // instances that are looked at
+    std::vector<Handle> level = tree.children(tree.root());
+    for (std::size_t i = 0; i < level.size() && i < most; ++i) {
+        if (tree.name(level[i]) == name) return tree.path(level[i]);
+        for (Handle child = tree.first_child(level[i]); child && level.size() < most;
+             child = tree.next_sibling(child))
+            level.push_back(child);
+    }
+    return {};
+}
+
+/// What a name that nothing has may mean.
+std::string hint_for(Machine& machine, std::string_view name) {
+    if (std::string hint = hint_for_name(name); !hint.empty()) return hint;
+    // At the console, where people write what they see on the screen.
+    if (machine.recording.active)
+        if (const std::string path = path_of_instance(machine.tree, name); !path.empty())
+            return " (did you mean \"" + path + "\"?)";
+    return suggest(machine, name);
+}
+
 int read_global(lua_State* L) {
     Machine& machine = machine_of(L);
     if (lua_type(L, 2) != LUA_TSTRING) {
@@ -116,9 +139,8 @@ int read_global(lua_State* L) {
         lua_pushnil(L);
         return 1;
     }
-    const std::string hint = hint_for_name(name);
-    throw Error(ErrorKind::unknown_name, std::string(name) + ": no such name" +
-                                             (hint.empty() ? suggest(machine, name) : hint));
+    throw Error(ErrorKind::unknown_name,
+                std::string(name) + ": no such name" + hint_for(machine, name));
 }
 
 // Names that a game cannot give another meaning.
