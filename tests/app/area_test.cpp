@@ -1,4 +1,4 @@
-#include <draw/area.h>
+#include <outlines/area.h>
 
 #include <catch.h>
 

@@ -1,4 +1,4 @@
-#include <draw/joined.h>
+#include <outlines/joined.h>
 
 #include <catch.h>
 

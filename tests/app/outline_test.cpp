@@ -1,4 +1,4 @@
-#include <draw/outline.h>
+#include <outlines/outline.h>
 
 #include <catch.h>
 

@@ -1,4 +1,4 @@
-#include <draw/sight.h>
+#include <outlines/sight.h>
 
 #include <catch.h>
 

@@ -180,7 +180,8 @@ const std::vector<DividedPart>& divided_parts() {
          {},
          {
              {"sfml", {}},
-             {"draw", {"sfml"}},
+             {"outlines", {"sfml"}},
+             {"draw", {"sfml", "outlines"}},
              {"window", {"sfml", "draw"}},
              {"input", {}},
              {"time", {}},

@@ -12,14 +12,14 @@
 #include <fettle/app/view.h>
 #include <fettle/property/painter.h>
 
-#include <draw/area.h>
 #include <draw/atlas.h>
-#include <draw/joined.h>
-#include <draw/outline.h>
 #include <draw/pictures.h>
-#include <draw/rim.h>
 #include <draw/shade.h>
-#include <draw/sight.h>
+#include <outlines/area.h>
+#include <outlines/joined.h>
+#include <outlines/outline.h>
+#include <outlines/rim.h>
+#include <outlines/sight.h>
 #include <sfml/sfml.h>
 
 namespace fettle::app {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <draw/canvas.h>
-#include <draw/rim.h>
+#include <outlines/rim.h>
 
 namespace fettle::app {
 

@@ -1,7 +1,7 @@
 // Parts of one whole: they are collected, and drawn together with one border.
 
 #include <draw/canvas.h>
-#include <draw/rim.h>
+#include <outlines/rim.h>
 
 namespace fettle::app {
 

@@ -1,4 +1,4 @@
-#include <draw/rim.h>
+#include <outlines/rim.h>
 
 #include <algorithm>
 #include <cmath>

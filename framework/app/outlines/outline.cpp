@@ -1,10 +1,10 @@
-#include <draw/outline.h>
+#include <outlines/outline.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include <draw/vectors.h>
+#include <outlines/vectors.h>
 
 namespace fettle::app {
 

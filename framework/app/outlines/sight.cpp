@@ -1,10 +1,10 @@
-#include <draw/sight.h>
+#include <outlines/sight.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include <draw/outline.h>
+#include <outlines/outline.h>
 
 namespace fettle::app {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <draw/outline.h>
+#include <outlines/outline.h>
 
 namespace fettle::app {
 

@@ -7,7 +7,7 @@
 
 #include <fettle/property/painter.h>
 
-#include <draw/outline.h>
+#include <outlines/outline.h>
 #include <sfml/sfml.h>
 
 namespace fettle::app {

@@ -1,10 +1,10 @@
-#include <draw/joined.h>
+#include <outlines/joined.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include <draw/vectors.h>
+#include <outlines/vectors.h>
 
 namespace fettle::app {
 
