@@ -87,4 +87,31 @@ TEST_CASE("the joints of a body die with it") {
     world.step(frame);
 }
 
+TEST_CASE("bodies do not fall asleep while a joint draws them together") {
+    const float apart = GENERATE(0.5f, 3.0f, 12.0f), mass = GENERATE(1.0f, 30.0f);
+    const bool falls = GENERATE(false, true);
+    World world({.gravity = {0, falls ? -10.0f : 0.0f}});
+    if (falls) add_floor(world, 100.0f);
+    std::vector<Joint> joints;
+    const auto pair = [&](auto join) {
+        const float y = falls ? 0.5f : 4.0f * float(joints.size());
+        const float x = falls ? 30.0f * float(joints.size()) : 0.0f;
+        Body a = add_box(world, {x, y}), b = add_box(world, {x + 1 + apart, y});
+        b.set_mass(mass);
+        joints.push_back(join(JointDef{
+            .body_a = a.id(), .body_b = b.id(), .anchor_a = {0.5f, 0}, .anchor_b = {-0.5f, 0}}));
+    };
+    pair([&](const JointDef& ends) { return world.create_revolute_joint(ends); });
+    pair([&](const JointDef& ends) { return world.create_weld_joint(ends); });
+    pair([&](const JointDef& ends) {
+        PrismaticJointDef rail = ends;
+        rail.axis = {0, 1};
+        return world.create_prismatic_joint(rail);
+    });
+    for (int i = 0; i < 60 * 20; ++i) world.step(1.0f / 60);
+    for (const Joint& joint : joints) CHECK(joint.separation() < 0.01f);
+    for (const Body& body : world.bodies())
+        if (body.type() == BodyType::dynamic_body) CHECK_FALSE(body.awake());
+}
+
 }  // namespace joint_test
