@@ -18,6 +18,7 @@
 #include <commands/run.h>
 #include <commands/test.h>
 #include <commands/where.h>
+#include <files/game_path.h>
 
 namespace fettle::program {
 namespace {
@@ -42,6 +43,8 @@ int run_command(int argc, char** argv) {
     CLI::App app("Fettle: 2D games in which every property of every object is live.", "fettle");
     app.set_version_flag("--version", version_text());
     app.allow_extras();
+    if (const auto first_page = guide(); !first_page.empty())
+        app.footer("The guide: " + first_page.string());
     const Command commands[] = {add_run(app),     add_test(app), add_new_game(app), add_where(app),
                                 add_package(app), add_repl(app), add_docs(app)};
     if (argc < 2) return refuse("expected a command, as in fettle run");

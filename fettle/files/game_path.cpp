@@ -13,14 +13,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Finds a file of Fettle itself: installed beside the program, or in the source folder of the
-// build.
-fs::path find_own_file(const fs::path& file) {
+// Finds a file of Fettle itself: installed beside the program, in a folder of `share`, or in the
+// source folder of the build.
+fs::path find_own_file(const fs::path& file, const char* share, const char* in_sources) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-    for (const fs::path& folder : {program / "../share/fettle", fs::path(FETTLE_SOURCE_DIR)})
+    for (const fs::path& folder :
+         {program / "../share" / share, fs::path(FETTLE_SOURCE_DIR) / in_sources})
         if (fs::exists(folder / file, error)) return fs::weakly_canonical(folder / file);
     return {};
+}
+fs::path find_own_file(const fs::path& file) {
+    return find_own_file(file, "fettle", "");
 }
 
 }  // namespace
@@ -34,6 +38,10 @@ fs::path gallery() {
 
 fs::path assets() {
     return find_own_file("assets");
+}
+
+fs::path guide() {
+    return find_own_file("guide/README.md", "doc/fettle", "docs");
 }
 
 fs::path installed_modules() {

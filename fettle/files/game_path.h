@@ -20,6 +20,9 @@ std::filesystem::path gallery();
 /// Fettle's own assets; empty when they are missing.
 std::filesystem::path assets();
 
+/// The first page of the guide; empty when it is missing.
+std::filesystem::path guide();
+
 /// The folder of the modules that are installed with the program.
 std::filesystem::path installed_modules();
 

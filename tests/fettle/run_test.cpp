@@ -193,7 +193,9 @@ TEST_CASE("errors of the command line are explained and give status 2") {
 
 TEST_CASE("help and version end with status 0") {
     const Folder folder;
-    CHECK(fettle(folder, {"--help"}).status == 0);
+    const Outcome all = fettle(folder, {"--help"});
+    CHECK(all.status == 0);
+    CHECK_THAT(all.output, contains("The guide: ") && contains("guide/README.md"));
     const Outcome help = fettle(folder, {"run", "--help"});
     CHECK(help.status == 0);
     CHECK(contains(help.out, "--headless"));

@@ -90,6 +90,7 @@ for game in "$root"/usr/share/fettle/scripts/*/main.lua; do
     game=${game#"$root"}
     expect 'at[[:space:]]+29' somebody fettle run "${game%/main.lua}" --headless --steps 60 --at '30:print("at", time.step)'
 done
+expect '^The guide: /usr/share/doc/fettle/guide/README.md' somebody fettle --help
 expect 'physics' somebody fettle run --headless --steps 2 --module physics --eval 'print(modules.physics.file)'
 
 # --- Building ----------------------------------------------------------------------------------------------------------------
