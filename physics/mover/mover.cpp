@@ -2,6 +2,7 @@
 
 #include <checks/arguments.h>
 #include <mover/moving.h>
+#include <mover/support.h>
 #include <world/world_data.h>
 
 #include <cmath>
@@ -175,6 +176,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
         obstacles.set_time(float(i) / float(ways));
         moving.advance((1.0f / float(ways)) * way);
     }
+    moving.touch((1.0f / float(ways)) * way);
     if (walks && !moving.step && !moving.ground()) moving.settle(def_.snap);
     state_.position = moving.position;
 
@@ -184,7 +186,12 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     report_hits(moved, moving, obstacles, world, data);
 
     Vec2 left = moving.clipped(wanted);
-    const auto found = state_.climbing || lifts ? std::nullopt : moving.ground();
+    auto found = state_.climbing || lifts ? std::nullopt : moving.ground();
+    // What falls freely is no ground: nothing has weight on it, and it carries nobody.
+    const uint32_t own = world.is_valid(def_.body) ? def_.body.index : 0;
+    if (found && obstacles[found->obstacle].dynamic &&
+        !is_held(data, obstacles[found->obstacle].body, own))
+        found.reset();
     // Without ground it may be on the edge of a step.
     state_.on_ground = found || moving.step;
     Plane ground = moving.step.value_or(Plane{});

@@ -24,6 +24,7 @@ std::vector<Bound> Moving::bounds(Vec2 way, bool with_distance) const {
         if (with_distance && plane.separation > skin) least = skin - plane.separation;
         if (with_distance && plane.separation < 0.5f * skin)
             least = min(0.5f * skin - plane.separation, most);
+        if (!with_distance) least = min(0.0f, dot(plane.normal, obstacles_.gives_way(plane)));
         all.push_back({plane.normal, least});
         if (!settings_.walks || !is_steep(plane)) continue;
         const Vec2 aside = normalized(lateral(plane.normal));
@@ -65,6 +66,13 @@ void Moving::slide(Vec2 way) {
         way = (1.0f - t) * allowed;
         if (length(way) < 1e-5f) return;
     }
+}
+
+void Moving::touch(Vec2 way) {
+    obstacles_.planes_at(position, settings_.skin, none, planes_);
+    std::erase_if(planes_,
+                  [this](const Plane& plane) { return !obstacles_[plane.obstacle].leads; });
+    note_hits(way, 0.0f);
 }
 
 void Moving::advance(Vec2 way) {

@@ -110,10 +110,14 @@ void Obstacles::add(uint32_t shape, const Position& position, uint32_t carrier, 
     const BodyRecord& body = data_.bodies[made.body];
     made.center = body.center;
     made.dynamic = body.mobility == Mobility::dynamic;
-    if (body.mobility == Mobility::kinematic || made.body == carrier) {
+    if (body.mobility != Mobility::fixed) {
         const Vec2 offset = made.center - position;
         const Nearest near = nearest_points(capsule_.solid(0.0f), made.solid, offset);
         made.shift = motion_of(data_, made.body, position + near.on_b, dt);
+        made.leads = made.dynamic && made.body != carrier;
+        // A body that is pushed leads the mover, which stays in touch with it. One that comes
+        // towards the mover is at rest, because the mover may stop it.
+        if (made.leads) made.shift = max(0.0f, dot(made.shift, near.normal)) * near.normal;
     }
     if (made.solid.kind == FormKind::piece && made.solid.form.count == 2) {
         made.one_sided = true;
@@ -135,7 +139,8 @@ void Obstacles::put_aside(float distance) {
 
 float Obstacles::farthest_shift() const {
     float longest = 0.0f;
-    for (const Obstacle& each : all_) longest = max(longest, length(each.shift));
+    for (const Obstacle& each : all_)
+        if (!each.leads) longest = max(longest, length(each.shift));
     return longest;
 }
 
@@ -212,6 +217,14 @@ std::optional<Plane> Obstacles::plane(uint32_t index, const Position& position) 
             return std::nullopt;
     }
     return plane;
+}
+
+Vec2 Obstacles::gives_way(const Plane& plane) const {
+    const Obstacle& obstacle = all_[plane.obstacle];
+    if (!obstacle.dynamic) return {};
+    const BodyState& state = data_.states[obstacle.body];
+    return state.velocity +
+           cross(state.angular_velocity, plane.point - data_.bodies[obstacle.body].center);
 }
 
 void Obstacles::planes_at(const Position& position, float reach, uint32_t kept,

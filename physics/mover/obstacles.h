@@ -48,7 +48,8 @@ struct Obstacle {
     bool border = false;  ///< a side of the bounds: `front` is its normal, `depth` its place
     bool one_sided = false;
     bool dynamic = false;
-    Vec2 front;  ///< unit vector out of the solid side of a one-sided obstacle
+    bool leads = false;  ///< dynamic, and not the ground: it moves only away from the mover
+    Vec2 front;          ///< unit vector out of the solid side of a one-sided obstacle
     WorldCoordinate depth = 0;
     float clear = 0.0f;  ///< m: the mover is at least this far away
 };
@@ -73,7 +74,7 @@ class Obstacles {
     void set_time(float time);
     /// To be called when the mover was moved by this distance (m) other than by a `cast`.
     void put_aside(float distance);
-    float farthest_shift() const;  ///< m: of the obstacle that moves most in the step
+    float farthest_shift() const;  ///< m: of the obstacle that may reach the mover and moves most
     /// The planes within `reach` at this position, nearest first, at most 16. A corner that is
     /// flush with a nearer plane is left out, unless its obstacle is `kept`.
     void planes_at(const Position& position, float reach, uint32_t kept,
@@ -84,6 +85,8 @@ class Obstacles {
     std::optional<Vec2> ray(const Position& from, Vec2 motion) const;
     /// The plane of one obstacle. None if it does not act on a mover at this position.
     std::optional<Plane> plane(uint32_t obstacle, const Position& position) const;
+    /// The velocity of a dynamic body at a plane, m/s; zero for all other obstacles.
+    Vec2 gives_way(const Plane& plane) const;
     const Obstacle& operator[](uint32_t index) const { return all_[index]; }
     WorldData& data() const { return data_; }
 

@@ -169,4 +169,53 @@ TEST_CASE("a mover does not catch on the seams of random tiles") {
     }
 }
 
+TEST_CASE("what falls freely falls as fast below a mover as alone") {
+    const float drop = GENERATE(0.5f, 2.0f, 10.0f, 20.0f), density = GENERATE(1.0f, 7.0f, 40.0f);
+    const bool on_another = GENERATE(false, true);
+    World world;
+    add_floor(world);
+    Body crate = world.create_body({.position = {0, drop + 0.5f}});
+    crate.add(Box{.width = 2, .height = 1}, {.density = density});
+    if (on_another) {
+        Body top = world.create_body({.position = {0, drop + 1.25f}});
+        top.add(Box{.width = 1.5f, .height = 0.5f}, {.density = density});
+    }
+    Mover mover({}, {0, drop + (on_another ? 1.51f : 1.01f)});
+    Vec2 velocity = {};
+    const int steps = int(std::sqrt(drop / 5.0f) / frame) - 1;
+    for (int i = 0; i < steps; ++i) {
+        if (!mover.on_ground()) velocity.y -= 10.0f * frame;
+        const Moved moved = mover.move(world, velocity, frame);
+        velocity = moved.velocity;
+        CHECK_FALSE(moved.crushed);
+        world.step(frame);
+        const float fallen = 10.0f * frame * float(i + 1);
+        CHECK(-crate.velocity().y == Approx(fallen).margin(0.1f));
+    }
+    const float feet = mover.position().y - crate.position().y - (on_another ? 1.0f : 0.5f);
+    CHECK(feet > -0.02f);
+    CHECK(feet < 0.25f);
+}
+
+TEST_CASE("a mover that pushes a crate stays in touch with it") {
+    const float walk = GENERATE(1.5f, 3.0f, 6.0f), density = GENERATE(1.0f, 10.0f, 60.0f);
+    World world;
+    add_floor(world, 200.0f);
+    Body crate = add_box(world, {1, 0.4f}, 0.8f);
+    crate.shapes().front().set_density(density);
+    Mover mover({}, {0, 0.01f});
+    Vec2 velocity = {};
+    for (int i = 0; i < 240; ++i) {
+        velocity.x = walk;
+        if (!mover.on_ground()) velocity.y -= 10.0f * frame;
+        const Moved moved = mover.move(world, velocity, frame);
+        velocity = moved.velocity;
+        world.step(frame);
+        if (i < 60) continue;
+        CHECK(moved.hit_wall);
+        CHECK(crate.position().x - 0.4f - mover.position().x - 0.4f < 0.02f);
+        CHECK(moved.motion.x > 0.75f * walk * frame);
+    }
+}
+
 }  // namespace mover_family_test

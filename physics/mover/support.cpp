@@ -1,0 +1,40 @@
+#include <mover/support.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace fettle::physics::detail {
+namespace {
+
+bool is_pushed(const Load& load) {
+    return load.force.x != 0.0f || load.force.y != 0.0f || load.torque != 0.0f;
+}
+
+}  // namespace
+
+bool is_held(const WorldData& data, uint32_t body, uint32_t left_out) {
+    constexpr size_t most = 64;  // bodies that are looked at; a larger heap lies somewhere
+    if (data.field_slots.count > 0) return true;
+    std::vector<uint32_t> group = {body};
+    bool held = false;
+    const auto reach = [&](uint32_t other) {
+        if (other == left_out && left_out != 0) return;
+        held = held || data.bodies[other].mobility != Mobility::dynamic;
+        if (std::ranges::find(group, other) == group.end()) group.push_back(other);
+    };
+    for (size_t i = 0; i < group.size() && !held; ++i) {
+        const BodyRecord& record = data.bodies[group[i]];
+        if (i >= most || is_pushed(record.load) || is_pushed(record.step_load)) return true;
+        data.for_each_joint(group[i], [&](uint32_t joint, uint32_t side) {
+            if (data.joints[joint].moves()) reach(data.joints[joint].bodies[side ^ 1]);
+        });
+        data.for_each_contact(group[i], [&](uint32_t contact) {
+            const ContactRecord& c = data.contacts[contact];
+            if (c.manifold.count > 0 && !c.sensor && !c.disabled)
+                reach(data.other_body(contact, group[i]));
+        });
+    }
+    return held;
+}
+
+}  // namespace fettle::physics::detail
