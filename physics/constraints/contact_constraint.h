@@ -67,11 +67,13 @@ struct ContactExtra {
     Corner corner;
     uint32_t rolling = 0;  ///< index + 1 of a contact of curved surfaces; 0: none
     float restitution = 0.0f;
+    bool in_impact = false;  ///< its impact is computed before the sub-steps
     float rolling_resistance =
         0.0f;  ///< m: the greatest angular impulse divided by the normal impulse
     float rolling_mass = 0.0f;
     float rolling_impulse = 0.0f;
     float surface_speed = 0.0f;
+    float impact[2] = {};    ///< normal impulse of an impact without restitution, for a sub-step
     float approach[2] = {};  ///< relative normal velocity before the step
     float greatest[2] = {};  ///< greatest normal impulse of the sub-steps
     float total[2] = {};     ///< sum of normal impulses over the sub-steps

@@ -121,8 +121,9 @@ class JointFunctions {
         return {push, bodies[side].angular_velocity, length(push) * length(lever)};
     }
 
-    static void write_rows(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows) {
-        for (size_t i = 0; i < array.joints.size(); ++i) {
+    static void write_rows(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows,
+                           JointRange range) {
+        for (size_t i = range.begin; i < range.end; ++i) {
             Constraint& c = array.as<Constraint>()[i];
             c.write_rows(rows, bodies[c.ends.a], bodies[c.ends.b]);
         }

@@ -338,6 +338,21 @@ void choose_bouncing(const ObjectState& objects, const ActiveLists& active,
     });
 }
 
+/// By solver body: whether a joint holds it. Empty if no joint acts.
+std::vector<bool> jointed_bodies(const ObjectState& objects, const ActiveLists& active,
+                                 const BodyScratch& bodies) {
+    std::vector<bool> jointed;
+    for (const auto& list : active.awake_joints) {
+        for (const uint32_t joint : list) {
+            if (jointed.empty()) jointed.resize(bodies.solver_bodies.size());
+            for (const uint32_t body : objects.joints[joint].bodies)
+                if (bodies.solver_ends[body].moves())
+                    jointed[bodies.solver_ends[body].index()] = true;
+        }
+    }
+    return jointed;
+}
+
 }  // namespace
 
 /// The list has gaps only between the pieces of different threads.
@@ -352,6 +367,8 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
     const size_t count = awake.size();
     const bool any_hubs = !schedule.hubs.empty();
     const bool blocks_stay = blocks.may_be_linked(active.awake_bodies);
+    const std::vector<bool> jointed =
+        groups ? jointed_bodies(objects, active, bodies) : std::vector<bool>();
     acting.resize(count);
     scratch.acting_pieces.resize((count + piece_length - 1) / piece_length);
     share_out_range(threads, count, piece_length, [&](size_t begin, size_t end) {
@@ -375,6 +392,13 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
             auto flags = uint8_t((record.touching ? ActingContact::is_touching : 0) |
                                  (record.hit_events ? ActingContact::reports_hits : 0));
             if (record.special && record.restitution > 0.0f) {
+                const bool meets =
+                    approaches(record, bodies.solver_bodies[a.index()],
+                               bodies.solver_bodies[b.index()], settings.restitution_threshold);
+                flags |=
+                    ActingContact::has_restitution | (meets ? ActingContact::approaches_fast : 0);
+                piece.meets |= meets;
+            } else if (!jointed.empty() && (jointed[a.index()] || jointed[b.index()])) {
                 const bool meets =
                     approaches(record, bodies.solver_bodies[a.index()],
                                bodies.solver_bodies[b.index()], settings.restitution_threshold);

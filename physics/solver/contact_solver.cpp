@@ -114,28 +114,30 @@ inline void solve_normals(ContactConstraint& c, const SolverBody& a, const Solve
                p.normal_lever_b * i1 + q.normal_lever_b * i2);
 }
 
-inline float tangent_impulse(ConstraintPoint& p, float velocity, float friction) {
-    const float greatest = friction * p.normal_impulse;
+inline float tangent_impulse(ConstraintPoint& p, float velocity, float friction, float impact) {
+    const float greatest = friction * (p.normal_impulse + impact);
     const float total = clamp(p.tangent_impulse - p.tangent_mass * velocity, -greatest, greatest);
     const float impulse = total - p.tangent_impulse;
     p.tangent_impulse = total;
     return impulse;
 }
 
-inline void solve_friction(ContactConstraint& c, SolvedPair& pair, float surface_speed) {
+/// `impacts`: normal impulses beside those of the points, in a sub-step.
+inline void solve_friction(ContactConstraint& c, SolvedPair& pair, float surface_speed,
+                           const float (&impacts)[2]) {
     const Vec2 t = right_perp(c.normal);
     const float slip = dot(t, pair.vb - pair.va) + surface_speed;
     ConstraintPoint& p = c.points[0];
     const float v1 = slip + (p.tangent_lever_b * pair.wb - p.tangent_lever_a * pair.wa);
     if (c.count == 1) {
-        const float impulse = tangent_impulse(p, v1, c.friction);
+        const float impulse = tangent_impulse(p, v1, c.friction, impacts[0]);
         pair.apply(t, impulse, p.tangent_lever_a * impulse, p.tangent_lever_b * impulse);
         return;
     }
     ConstraintPoint& q = c.points[1];
     const float v2 = slip + (q.tangent_lever_b * pair.wb - q.tangent_lever_a * pair.wa);
-    const float i1 = tangent_impulse(p, v1, c.friction);
-    const float i2 = tangent_impulse(q, v2 + c.coupling_tangent * i1, c.friction);
+    const float i1 = tangent_impulse(p, v1, c.friction, impacts[0]);
+    const float i2 = tangent_impulse(q, v2 + c.coupling_tangent * i1, c.friction, impacts[1]);
     pair.apply(t, i1 + i2, p.tangent_lever_a * i1 + q.tangent_lever_a * i2,
                p.tangent_lever_b * i1 + q.tangent_lever_b * i2);
 }
@@ -214,11 +216,11 @@ void ContactSolver::relax() {
         SolvedPair pair(c, a, b);
         solve_normals<false>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
         if (c.extra == 0) {
-            solve_friction(c, pair, 0.0f);
+            solve_friction(c, pair, 0.0f, {0.0f, 0.0f});
         } else {
             ContactExtra& extra = extras[c.extra - 1];
             solve_rolling(c, extra, pair);
-            solve_friction(c, pair, extra.surface_speed);
+            solve_friction(c, pair, extra.surface_speed, extra.impact);
             extra.record(c);
         }
         pair.store(a, b);
@@ -304,7 +306,7 @@ bool is_fast(const ContactExtra& extra, float restitution_threshold) {
 
 bool ContactSolver::may_bounce() const {
     for (const ContactExtra& extra : extras)
-        if (extra.restitution > 0.0f && is_fast(extra, restitution_threshold)) return true;
+        if (extra.in_impact && is_fast(extra, restitution_threshold)) return true;
     return false;
 }
 
@@ -315,7 +317,7 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, std::span<uint8_t> change
     for (const ContactConstraint& c : constraints) {
         // Neither body has changed since the last pass.
         if (pass > 1 && changed[c.a] + 1 < pass && changed[c.b] + 1 < pass) continue;
-        if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
+        if (c.extra == 0 || !extras[c.extra - 1].in_impact) continue;
         ContactExtra& extra = extras[c.extra - 1];
         if (!passes_on(extra.restitution, pass)) continue;
         const SolverBody &a = bodies[c.a], &b = bodies[c.b];
@@ -344,7 +346,8 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, std::span<uint8_t> change
                        p.normal_mass > 0.0f;
             // Velocities are those half a sub-step before their positions. Without this term, every
             // bounce would lose the work of the forces in a sub-step.
-            v[k] = velocity + 0.5f * change;
+            v[k] = extra.restitution > 0.0f ? velocity + 0.5f * change
+                                            : velocity + max(p.separation, 0.0f) / dt;
         }
         if (!meets[0] && !meets[1]) continue;
         any = true;
@@ -356,6 +359,7 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, std::span<uint8_t> change
             pair.apply(c.normal, impulse, p.normal_lever_a * impulse, p.normal_lever_b * impulse);
             extra.greatest[k] = max(extra.greatest[k], impulse);
             extra.total[k] += impulse;
+            if (!(extra.restitution > 0.0f)) extra.impact[k] += impulse / float(substeps);
         }
         pair.store(bodies[c.a], bodies[c.b]);
         const auto note = [&](uint32_t body) {

@@ -72,9 +72,11 @@ class DirectSolver {
     void write(DirectPass pass) {
         RowWriter writer(rows_, scales_, h_, pass);
         follow_curved_contacts(input_);
-        for (size_t i = 0; i < input_.joints.joint_arrays.size(); ++i)
+        for (size_t i = 0; i < input_.joints.joint_arrays.size(); ++i) {
+            JointArray& array = input_.joints.joint_arrays[i];
             joint_kind(JointScratch::type_of(i))
-                .write_rows(input_.joints.joint_arrays[i], bodies_, writer);
+                .write_rows(array, bodies_, writer, {0, array.joints.size()});
+        }
         for (ContactConstraint& c : constraints_) {
             write_rows(writer, c, c.extra != 0 ? &extras_[c.extra - 1] : nullptr, bodies_[c.a],
                        bodies_[c.b], input_.settings.push_speed,

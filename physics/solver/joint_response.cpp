@@ -28,7 +28,7 @@ double JointResponse::Answer::less(const Answer& other) const {
     return sum;
 }
 
-void JointResponse::read(const SolverInput& input, float h) {
+JointResponse::JointResponse(const SolverInput& input, float h) : input_(input), h_(h) {
     const std::vector<SolverBody>& bodies = input.bodies.solver_bodies;
     scales_.assign(bodies.size(), {});
     for (size_t i = 1; i < bodies.size() && i <= input.active.awake_bodies.size(); ++i) {
@@ -37,41 +37,64 @@ void JointResponse::read(const SolverInput& input, float h) {
         scales_[i] = {record.flags.locked_x ? 0.0 : linear, record.flags.locked_y ? 0.0 : linear,
                       std::sqrt(double(bodies[i].inverse_inertia))};
     }
-    std::vector<DirectRow> rows;
-    for (size_t i = 0; i < input.joints.joint_arrays.size(); ++i) {
-        RowWriter writer(rows, scales_, h, DirectPass::relaxed);
-        joint_kind(JointScratch::type_of(i))
-            .write_rows(input.joints.joint_arrays[i], input.bodies.solver_bodies, writer);
-        for (const DirectRow& row : rows)
-            if (row.rigid && row.low == -DirectRow::no_limit && row.high == DirectRow::no_limit)
-                rows_.push_back(row);
-    }
-    find_components();
+    list_joints();
 }
 
-void JointResponse::find_components() {
+/// Each list is in the order of the arrays.
+void JointResponse::list_joints() {
     UnionFind sets;
     sets.reset(scales_.size());
-    for (const DirectRow& row : rows_)
-        if (moves(scales_[row.jacobian.a]) && moves(scales_[row.jacobian.b]))
-            sets.unite(row.jacobian.a, row.jacobian.b);
-    component_of_.assign(scales_.size(), none);
-    std::vector<uint32_t> of_root(scales_.size(), none);
-    for (uint32_t i = 0; i < rows_.size(); ++i) {
-        for (const uint32_t body : {rows_[i].jacobian.a, rows_[i].jacobian.b}) {
-            if (!moves(scales_[body]) || component_of_[body] != none) continue;
-            uint32_t& component = of_root[sets.find(body)];
-            if (component == none) {
-                component = uint32_t(components_.size());
-                components_.emplace_back();
-            }
-            component_of_[body] = component;
-            components_[component].bodies.push_back(body);
+    std::vector<uint32_t> ends;  // a body that moves, of each joint; or 0
+    const auto& arrays = input_.joints.joint_arrays;
+    for (uint32_t array = 0; array < arrays.size(); ++array) {
+        for (uint32_t i = 0; i < arrays[array].joints.size(); ++i) {
+            const auto [a, b] = input_.objects.joints[arrays[array].joints[i]].bodies;
+            const uint32_t end_a = input_.bodies.solver_ends[a].index(),
+                           end_b = input_.bodies.solver_ends[b].index();
+            const bool moves_a = moves(scales_[end_a]), moves_b = moves(scales_[end_b]);
+            if (moves_a && moves_b) sets.unite(end_a, end_b);
+            joints_.push_back({array, i, none});
+            ends.push_back(moves_a ? end_a : moves_b ? end_b : 0);
         }
-        const Jacobian& j = rows_[i].jacobian;
-        const uint32_t component = component_of_[moves(scales_[j.a]) ? j.a : j.b];
-        if (component != none) components_[component].rows.push_back(i);
     }
+    first_joints_.assign(scales_.size(), none);
+    for (uint32_t i = uint32_t(joints_.size()); i-- > 0;)
+        if (ends[i] != 0) joints_[i].next = std::exchange(first_joints_[sets.find(ends[i])], i);
+    for (uint32_t body = 0; body < scales_.size(); ++body)
+        first_joints_[body] = first_joints_[sets.find(body)];
+    component_of_.assign(joints_.size(), none);
+}
+
+uint32_t JointResponse::component_of(uint32_t body) {
+    const uint32_t first = first_joints_[body];
+    if (first == none) return none;
+    if (component_of_[first] == none) {
+        component_of_[first] = uint32_t(components_.size());
+        read(first, components_.emplace_back());
+    }
+    return component_of_[first];
+}
+
+void JointResponse::read(uint32_t first_joint, Component& component) {
+    std::vector<DirectRow> rows;
+    for (uint32_t i = first_joint; i != none; i = joints_[i].next) {
+        const auto [array, index, next] = joints_[i];
+        RowWriter writer(rows, scales_, h_, DirectPass::relaxed);
+        joint_kind(JointScratch::type_of(array))
+            .write_rows(input_.joints.joint_arrays[array], input_.bodies.solver_bodies, writer,
+                        {index, index + 1});
+        for (const DirectRow& row : rows) {
+            if (!row.rigid || row.low != -DirectRow::no_limit || row.high != DirectRow::no_limit)
+                continue;
+            component.rows.push_back(row);
+            for (const uint32_t body : {row.jacobian.a, row.jacobian.b})
+                if (moves(scales_[body])) component.bodies.push_back(body);
+        }
+    }
+    std::sort(component.bodies.begin(), component.bodies.end());
+    component.bodies.erase(std::unique(component.bodies.begin(), component.bodies.end()),
+                           component.bodies.end());
+    factorize(component);
 }
 
 double JointResponse::between(const Jacobian& one, const Jacobian& other) const {
@@ -84,10 +107,10 @@ double JointResponse::between(const Jacobian& one, const Jacobian& other) const 
 }
 
 void JointResponse::factorize(Component& component) const {
-    const std::vector<uint32_t>& rows = component.rows;
+    const std::vector<DirectRow>& rows = component.rows;
     std::vector<std::pair<uint32_t, uint32_t>> ends;  // body, place of a row on it
     for (uint32_t i = 0; i < rows.size(); ++i)
-        for (const uint32_t body : {rows_[rows[i]].jacobian.a, rows_[rows[i]].jacobian.b})
+        for (const uint32_t body : {rows[i].jacobian.a, rows[i].jacobian.b})
             if (moves(scales_[body])) ends.emplace_back(body, i);
     std::sort(ends.begin(), ends.end());
     std::vector<std::pair<uint32_t, uint32_t>> pairs;  // of rows with a body in common
@@ -102,7 +125,7 @@ void JointResponse::factorize(Component& component) const {
     constexpr double yielding = 1e-9;
     std::vector<Eigen::Triplet<double>> entries;
     for (const auto& [i, k] : pairs) {
-        const double value = between(rows_[rows[i]].jacobian, rows_[rows[k]].jacobian);
+        const double value = between(rows[i].jacobian, rows[k].jacobian);
         entries.emplace_back(int(i), int(k), i == k ? value * (1.0 + yielding) : value);
     }
     const auto size = Eigen::Index(rows.size());
@@ -114,16 +137,15 @@ void JointResponse::factorize(Component& component) const {
 JointResponse::Answer JointResponse::answer(const Jacobian& contact) {
     Answer answer;
     answer.contact = contact;
-    const uint32_t of_a = component_of_[contact.a], of_b = component_of_[contact.b];
+    const uint32_t of_a = component_of(contact.a), of_b = component_of(contact.b);
     for (const uint32_t which : {of_a, of_b}) {
         if (which == none || (!answer.parts.empty() && which == of_a)) continue;
-        Component& component = components_[which];
-        if (component.factor == nullptr) factorize(component);
+        const Component& component = components_[which];
         Answer::Part& part = answer.parts.emplace_back();
         part.component = which;
         part.velocities.resize(Eigen::Index(component.rows.size()));
         for (size_t i = 0; i < component.rows.size(); ++i)
-            part.velocities[Eigen::Index(i)] = between(rows_[component.rows[i]].jacobian, contact);
+            part.velocities[Eigen::Index(i)] = between(component.rows[i].jacobian, contact);
         part.impulses = component.factor->solve(part.velocities);
         if (component.factor->info() != Eigen::Success || !part.impulses.allFinite())
             part.impulses.setZero(part.velocities.size());

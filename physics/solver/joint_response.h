@@ -33,10 +33,10 @@ class JointResponse {
         double less(const Answer& other) const;
     };
 
-    /// Reads the rows of all acting joints. `h`: length of a sub-step.
-    void read(const SolverInput& input, float h);
+    /// Finds what the acting joints connect. `h`: length of a sub-step.
+    JointResponse(const SolverInput& input, float h);
     bool acts_on(uint32_t a, uint32_t b) const {
-        return !component_of_.empty() && (component_of_[a] != none || component_of_[b] != none);
+        return first_joints_[a] != none || first_joints_[b] != none;
     }
     Answer answer(const Jacobian& contact);
     /// Applies the impulses of the joints; calls `changed(body)` for every body that they move.
@@ -45,27 +45,37 @@ class JointResponse {
         for (const Answer::Part& part : answer.parts) {
             const Component& component = components_[part.component];
             for (size_t i = 0; i < component.rows.size(); ++i)
-                push(rows_[component.rows[i]].jacobian, -impulse * part.impulses[Eigen::Index(i)],
-                     bodies);
+                push(component.rows[i].jacobian, -impulse * part.impulses[Eigen::Index(i)], bodies);
             for (const uint32_t body : component.bodies) changed(body);
         }
     }
 
   private:
     static constexpr uint32_t none = ~0u;
+    /// Bodies that joints connect. It is made when an impact hits it.
     struct Component {
-        std::vector<uint32_t> bodies, rows;
+        std::vector<uint32_t> bodies;
+        std::vector<DirectRow> rows;
         std::unique_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> factor;
     };
+    /// A joint in the list of its component.
+    struct Place {
+        uint32_t array, index, next;
+    };
 
-    void find_components();
+    void list_joints();
+    uint32_t component_of(uint32_t body);
+    void read(uint32_t first_joint, Component& component);
     void factorize(Component& component) const;
     double between(const Jacobian& one, const Jacobian& other) const;
     void push(const Jacobian& row, double impulse, std::span<SolverBody> bodies) const;
 
+    const SolverInput& input_;
+    float h_;
     std::vector<MassScale> scales_;
-    std::vector<DirectRow> rows_;
-    std::vector<uint32_t> component_of_;  ///< by solver body; `none` without joints
+    std::vector<Place> joints_;
+    std::vector<uint32_t> first_joints_;  ///< of its component, by solver body; or `none`
+    std::vector<uint32_t> component_of_;  ///< by first joint; `none` until it is hit
     std::vector<Component> components_;
 };
 

@@ -103,11 +103,13 @@ void give_extras(SingleContacts& contacts) {
 }
 
 void prepare_extra_of(size_t single, const ObjectState& objects, const Columns& columns,
-                      std::span<const SolverBody> bodies, SingleContacts& contacts, float ratio) {
+                      std::span<const SolverBody> bodies, bool in_impact, SingleContacts& contacts,
+                      float ratio) {
     const ContactConstraint& c = contacts.constraints[single];
     const ContactRecord& record = objects.contacts[c.contact];
     ContactExtra& extra = contacts.extras[c.extra - 1];
     prepare_extra(record, c, bodies[c.a], bodies[c.b], ratio, extra);
+    extra.in_impact = in_impact;
     if ((contacts.notes[single] & passes) != 0) extra.corner = corner_of(objects, record);
     if (extra.rolling == 0) return;
     const auto bend = [&](uint32_t shape, Vec2 normal) {
@@ -171,16 +173,17 @@ void prepare(const ObjectState& objects, const Columns& columns, const BodyScrat
                                   max(a.inverse_mass, b.inverse_mass),
                                   min(gyration_of(a), gyration_of(b)));
             const bool corner = !record.curved && passes_corner(objects, bodies, record, dt);
-            contacts.notes[i] =
-                uint8_t((record.special ? needs_extra : 0) | (corner ? needs_extra | passes : 0) |
-                        (record.curved ? needs_extra | rolls : 0));
+            contacts.notes[i] = uint8_t(
+                (record.special || acting[contacts.acting[i]].bounces() ? needs_extra : 0) |
+                (corner ? needs_extra | passes : 0) | (record.curved ? needs_extra | rolls : 0));
         }
     });
     give_extras(contacts);
     share_out_range(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
             if (contacts.constraints[i].extra != 0)
-                prepare_extra_of(i, objects, columns, bodies.solver_bodies, contacts, ratio);
+                prepare_extra_of(i, objects, columns, bodies.solver_bodies,
+                                 acting[contacts.acting[i]].bounces(), contacts, ratio);
     });
 }
 

@@ -259,8 +259,7 @@ struct alignas(line_size) FirstBlock {
         const int substeps = step.input.settings.substeps;
         if (step.input.joints.acting_joints() > 0) {
             // An impact that goes through joints may reach bodies of any strip.
-            JointResponse joints;
-            joints.read(step.input, step.h);
+            JointResponse joints(step.input, step.h);
             ContactSolver fast = serial, others = passing;
             for (uint8_t pass = 1; pass <= ContactSolver::most_passes; ++pass) {
                 const bool any = fast.bounce(substeps, pass, step.bodies.bounced, &joints);

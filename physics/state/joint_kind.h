@@ -49,9 +49,10 @@ struct JointKind {
     /// its center of mass and an angular impulse about it.
     JointLoad (*load_on)(const JointArray& array, size_t index, const JointImpulses& impulses,
                          size_t side);
-    /// Writes the rows of all joints, at the current poses of their bodies. The conditions of
+    /// Writes the rows of some joints, at the current poses of their bodies. The conditions of
     /// `solve` and `relax` are all written at once.
-    void (*write_rows)(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows);
+    void (*write_rows)(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows,
+                       JointRange range);
     /// Writes impulses back to the records, and notes which motors move their bodies.
     void (*store)(JointArray& array, std::span<const SolverBody> bodies, ObjectState& objects,
                   const JointStep& step, JointRange range);

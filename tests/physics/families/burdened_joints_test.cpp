@@ -1,4 +1,5 @@
-// Joints under loads that do not come from another joint: a force, or what lies on a light body.
+// Joints under loads that do not come from another joint: a force, what lies on a light body, or an
+// impact.
 // FETTLE_SEEDS=n: n worlds of each family.
 
 #include <fettle/physics/physics.h>
@@ -82,6 +83,42 @@ float gap_of_arm(unsigned seed) {
     return gap;
 }
 
+/// A heavy wagon without restitution falls on its light wheels. Returns the greatest speed at which
+/// it rises, as a part of the speed at which it lands.
+float bounce_of_wagon(unsigned seed) {
+    Random random{std::mt19937(seed)};
+    World world;
+    Body ground = world.create_body({.type = BodyType::static_body});
+    ground.add(Box{.width = 400, .height = 2, .center = {0, -1}});
+    const float drop = random(0.5f, 6), ratio = random(5, 80), radius = random(0.15f, 0.5f);
+    const float length = random(1, 3), height = random(0.3f, 1);
+    Body wagon = world.create_body(
+        {.position = {0, drop + radius + height / 2}, .angle = random(-0.3f, 0.3f)});
+    wagon.add(Box{.width = length, .height = height}, {.group = -1});
+    std::vector<Body> parts = {wagon};
+    for (const float side : {-0.5f, 0.5f}) {
+        const Position axle = wagon.world_point({side * length, -height / 2});
+        Body wheel = world.create_body({.position = axle});
+        wheel.add(Circle{.radius = radius},
+                  {.density = wagon.mass() / ratio / (3.14159f * radius * radius), .group = -1});
+        pin(world, wagon, wheel, Vec2(axle));
+        parts.push_back(wheel);
+    }
+    const float across = random(-5, 5), down = random(0, 5);
+    for (Body& part : parts) part.set_velocity({across, -down});
+    float rise = 0.0f;
+    for (int i = 0; i < 300; ++i) {
+        world.step(dt);
+        float mass = 0.0f, momentum = 0.0f;
+        for (const Body& part : parts) {
+            mass += part.mass();
+            momentum += part.mass() * part.velocity().y;
+        }
+        rise = std::max(rise, momentum / mass);
+    }
+    return rise / std::sqrt(down * down + 2 * 9.81f * drop);
+}
+
 }  // namespace
 
 TEST_CASE("a joint yields to a force of any size in proportion to the force") {
@@ -117,6 +154,20 @@ TEST_CASE("an arm with a heavy load in its scoop is not drawn apart") {
     std::printf("joints of a loaded arm part by %.0f mm, at most %.0f\n", 1000 * double(sum),
                 1000 * double(worst));
     CHECK(sum < 0.1f);
+}
+
+TEST_CASE("a heavy wagon on light wheels hardly bounces without restitution") {
+    float worst = 0, sum = 0;
+    const unsigned seeds = seeds_or(60);
+    for (unsigned seed = 0; seed < seeds; ++seed) {
+        const float part = bounce_of_wagon(seed);
+        worst = std::max(worst, part);
+        sum += part / float(seeds);
+    }
+    std::printf("wagons on light wheels rise at %.2f of the speed of their fall, at most %.2f\n",
+                double(sum), double(worst));
+    CHECK(sum < 0.35f);
+    CHECK(worst < 0.8f);
 }
 
 }  // namespace burdened_joints_test
