@@ -51,11 +51,11 @@ struct ActingContact {
     enum Flag : uint8_t {
         is_touching = 1,
         reports_hits = 2,
-        has_restitution = 4,
-        approaches_fast = 8,  ///< fast enough for a bounce
+        on_impact_path = 4,   ///< an impact may go through it: restitution, or joints of a body
+        approaches_fast = 8,  ///< fast enough for an impact
         in_impact = 16        ///< an impact may pass through it in this step
     };
-    bool bounces() const { return (flags & has_restitution) != 0; }
+    bool takes_impacts() const { return (flags & on_impact_path) != 0; }
     bool meets() const { return (flags & approaches_fast) != 0; }
     /// It is solved in a group, but its share of an impact is computed for it alone.
     bool passes_impacts() const { return (flags & in_impact) != 0 && !serially; }

@@ -28,7 +28,7 @@ uint8_t Hubs::hub_of(SolverEnd end) const {
 void Hubs::settle(ActingContact& c, std::span<const SolverBody> bodies) const {
     c.node = 1;
     const uint8_t hub_a = hub_of(c.end_a), hub_b = hub_of(c.end_b);
-    if ((hub_a == 0) == (hub_b == 0) || !c.both_move() || c.serially || c.bounces()) return;
+    if ((hub_a == 0) == (hub_b == 0) || !c.both_move() || c.serially || c.takes_impacts()) return;
     const uint8_t hub = std::max(hub_a, hub_b);
     const SolverEnd other = hub_a != 0 ? c.end_b : c.end_a;
     if (!would_bear(hubs_[hub - 1].inverse_mass_at_rim, bodies[other.index()].inverse_mass)) return;

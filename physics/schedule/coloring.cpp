@@ -291,7 +291,7 @@ bool approaches(const ContactRecord& record, const SolverBody& a, const SolverBo
 }
 
 /// Contacts whose shapes approach fast are solved one at a time. Their impact can reach the whole
-/// heap in this step (the bodies that contacts with restitution and joints connect); the other
+/// heap in this step (the bodies that joints, and contacts that take impacts, connect); the other
 /// contacts of the heap pass the impact on.
 void choose_bouncing(const ObjectState& objects, const ActiveLists& active,
                      const BodyScratch& bodies, ContactScratch& scratch) {
@@ -300,7 +300,7 @@ void choose_bouncing(const ObjectState& objects, const ActiveLists& active,
     const auto for_each = [&](auto&& visit) {
         for (ActingPiece& piece : scratch.acting_pieces)
             for (uint32_t i = piece.begin; i < piece.end(); ++i)
-                if (scratch.acting[i].bounces()) visit(scratch.acting[i], piece);
+                if (scratch.acting[i].takes_impacts()) visit(scratch.acting[i], piece);
     };
     const auto index = [&](uint32_t body) { return bodies.solver_ends[body].index(); };
     const auto bodies_of = [&](const ActingContact& c) {
@@ -391,19 +391,13 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
                                   passes_corner(objects, bodies, record, dt);
             auto flags = uint8_t((record.touching ? ActingContact::is_touching : 0) |
                                  (record.hit_events ? ActingContact::reports_hits : 0));
-            if (record.special && record.restitution > 0.0f) {
+            if ((record.special && record.restitution > 0.0f) ||
+                (!jointed.empty() && (jointed[a.index()] || jointed[b.index()]))) {
                 const bool meets =
                     approaches(record, bodies.solver_bodies[a.index()],
                                bodies.solver_bodies[b.index()], settings.restitution_threshold);
                 flags |=
-                    ActingContact::has_restitution | (meets ? ActingContact::approaches_fast : 0);
-                piece.meets |= meets;
-            } else if (!jointed.empty() && (jointed[a.index()] || jointed[b.index()])) {
-                const bool meets =
-                    approaches(record, bodies.solver_bodies[a.index()],
-                               bodies.solver_bodies[b.index()], settings.restitution_threshold);
-                flags |=
-                    ActingContact::has_restitution | (meets ? ActingContact::approaches_fast : 0);
+                    ActingContact::on_impact_path | (meets ? ActingContact::approaches_fast : 0);
                 piece.meets |= meets;
             }
             ActingContact& c = *last++;

@@ -174,7 +174,7 @@ void prepare(const ObjectState& objects, const Columns& columns, const BodyScrat
                                   min(gyration_of(a), gyration_of(b)));
             const bool corner = !record.curved && passes_corner(objects, bodies, record, dt);
             contacts.notes[i] = uint8_t(
-                (record.special || acting[contacts.acting[i]].bounces() ? needs_extra : 0) |
+                (record.special || acting[contacts.acting[i]].takes_impacts() ? needs_extra : 0) |
                 (corner ? needs_extra | passes : 0) | (record.curved ? needs_extra | rolls : 0));
         }
     });
@@ -183,7 +183,7 @@ void prepare(const ObjectState& objects, const Columns& columns, const BodyScrat
         for (size_t i = begin; i < end; ++i)
             if (contacts.constraints[i].extra != 0)
                 prepare_extra_of(i, objects, columns, bodies.solver_bodies,
-                                 acting[contacts.acting[i]].bounces(), contacts, ratio);
+                                 acting[contacts.acting[i]].takes_impacts(), contacts, ratio);
     });
 }
 
