@@ -213,6 +213,19 @@ void begin_sums(const SolverInput& input, const Columns& columns, uint64_t steps
     }
 }
 
+void add_to_joint(std::span<VelocitySums> all, uint32_t joint, uint32_t solver_body,
+                  const double (&on)[3], double impulse) {
+    if (solver_body == 0) return;
+    for (VelocitySums& sums : all) {
+        if (sums.solver_body != solver_body) continue;
+        VelocitySums::OfJoint& sum = sum_of_joint(sums, joint);
+        const auto twist = float(impulse * on[2]);
+        sum.impulse = sum.impulse + Vec2{float(impulse * on[0]), float(impulse * on[1])};
+        sum.twist += twist;
+        sums.turn.size += std::fabs(twist);
+    }
+}
+
 void add_biased(const SolverInput& input) {
     for (VelocitySums& sums : input.sums) {
         if (sums.solver_body == 0 || sums.block != 0) continue;

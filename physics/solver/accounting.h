@@ -12,6 +12,10 @@ namespace fettle::physics::detail {
 
 /// Begins the sums of a step, after the forces were gathered. `h`: sub-step, s.
 void begin_sums(const SolverInput& input, const Columns& columns, uint64_t steps, float h);
+/// Adds an impulse of a joint on a body that is none of a sub-step. `on`: what an impulse of 1 does
+/// along x and y and to the rotation.
+void add_to_joint(std::span<VelocitySums> all, uint32_t joint, uint32_t solver_body,
+                  const double (&on)[3], double impulse);
 /// To be called before the first sub-step of a block, after its bounces.
 void begin_substeps(const SolverInput& input, const SolverBlock& block);
 /// To be called after the biased pass of a sub-step of the first block: the levers of joints and of

@@ -1,4 +1,5 @@
 #include <partition/union_find.h>
+#include <solver/accounting.h>
 #include <solver/joint_passes.h>
 #include <solver/joint_response.h>
 
@@ -79,17 +80,21 @@ void JointResponse::read(uint32_t first_joint, Component& component) {
     std::vector<DirectRow> rows;
     for (uint32_t i = first_joint; i != none; i = joints_[i].next) {
         const auto [array, index, next] = joints_[i];
+        const size_t first_row = component.rows.size();
         RowWriter writer(rows, scales_, h_, DirectPass::relaxed);
         joint_kind(JointScratch::type_of(array))
             .write_rows(input_.joints.joint_arrays[array], input_.bodies.solver_bodies, writer,
                         {index, index + 1});
         for (const DirectRow& row : rows) {
-            if (!row.rigid || row.low != -DirectRow::no_limit || row.high != DirectRow::no_limit)
+            if (!row.rigid || row.low != -DirectRow::no_limit || row.high != DirectRow::no_limit ||
+                row.kept == nullptr)
                 continue;
             component.rows.push_back(row);
+            component.rows.back().impulse = 0.0;
             for (const uint32_t body : {row.jacobian.a, row.jacobian.b})
                 if (moves(scales_[body])) component.bodies.push_back(body);
         }
+        component.members.push_back({array, index, first_row, component.rows.size()});
     }
     std::sort(component.bodies.begin(), component.bodies.end());
     component.bodies.erase(std::unique(component.bodies.begin(), component.bodies.end()),
@@ -153,7 +158,8 @@ JointResponse::Answer JointResponse::answer(const Jacobian& contact) {
     return answer;
 }
 
-void JointResponse::push(const Jacobian& row, double impulse, std::span<SolverBody> bodies) const {
+void JointResponse::push(DirectRow& row, double impulse, std::span<SolverBody> bodies) const {
+    row.impulse += impulse;
     const auto add = [&](uint32_t body, const double(&on)[3]) {
         const MassScale& s = scales_[body];
         if (!moves(s)) return;
@@ -162,8 +168,59 @@ void JointResponse::push(const Jacobian& row, double impulse, std::span<SolverBo
         b.velocity.y += float(impulse * s.y * s.y * on[1]);
         b.angular_velocity += float(impulse * s.turn * s.turn * on[2]);
     };
-    add(row.a, row.on_a);
-    add(row.b, row.on_b);
+    add(row.jacobian.a, row.jacobian.on_a);
+    add(row.jacobian.b, row.jacobian.on_b);
+}
+
+void JointResponse::report() const {
+    if (!input_.sums.empty())
+        for (const Component& component : components_)
+            for (const Member& member : component.members) add_to_sums(component, member);
+    for (Strain& strain : input_.joints.strains) {
+        for (const uint32_t body : input_.objects.joints[strain.joint].bodies) {
+            const uint32_t first = first_joints_[input_.bodies.solver_ends[body].index()];
+            if (first == none || component_of_[first] == none) continue;
+            add_to_strain(components_[component_of_[first]], strain);
+            break;
+        }
+    }
+}
+
+void JointResponse::add_to_sums(const Component& component, const Member& member) const {
+    const uint32_t joint = input_.joints.joint_arrays[member.array].joints[member.index];
+    for (size_t i = member.first_row; i < member.row_end; ++i) {
+        const Jacobian& row = component.rows[i].jacobian;
+        const double impulse = component.rows[i].impulse;
+        if (impulse == 0.0) continue;
+        add_to_joint(input_.sums, joint, row.a, row.on_a, impulse);
+        add_to_joint(input_.sums, joint, row.b, row.on_b, impulse);
+    }
+}
+
+/// The load of a joint is linear in its impulses, so it shows what those of the answers add.
+void JointResponse::add_to_strain(const Component& component, Strain& strain) const {
+    const auto member = std::lower_bound(component.members.begin(), component.members.end(), strain,
+                                         [](const Member& one, const Strain& other) {
+                                             return std::pair(one.array, one.index) <
+                                                    std::pair(other.array, other.index);
+                                         });
+    if (member == component.members.end() || member->array != strain.array ||
+        member->index != strain.index)
+        return;
+    const JointArray& array = input_.joints.joint_arrays[member->array];
+    const auto load_of = joint_kind(JointScratch::type_of(member->array)).load;
+    const JointLoad before = load_of(array, member->index);
+    const std::span rows(component.rows.data() + member->first_row,
+                         member->row_end - member->first_row);
+    std::vector<float> kept;
+    for (const DirectRow& row : rows) {
+        kept.push_back(*row.kept);
+        *row.kept += float(row.impulse);
+    }
+    const JointLoad after = load_of(array, member->index);
+    for (size_t i = 0; i < rows.size(); ++i) *rows[i].kept = kept[i];
+    strain.force = strain.force + (after.push - before.push);
+    strain.torque += after.twist - before.twist;
 }
 
 }  // namespace fettle::physics::detail

@@ -40,22 +40,29 @@ class JointResponse {
     }
     Answer answer(const Jacobian& contact);
     /// Applies the impulses of the joints; calls `changed(body)` for every body that they move.
-    void apply(const Answer& answer, double impulse, std::span<SolverBody> bodies,
-               auto&& changed) const {
+    void apply(const Answer& answer, double impulse, std::span<SolverBody> bodies, auto&& changed) {
         for (const Answer::Part& part : answer.parts) {
-            const Component& component = components_[part.component];
+            Component& component = components_[part.component];
             for (size_t i = 0; i < component.rows.size(); ++i)
-                push(component.rows[i].jacobian, -impulse * part.impulses[Eigen::Index(i)], bodies);
+                push(component.rows[i], -impulse * part.impulses[Eigen::Index(i)], bodies);
             for (const uint32_t body : component.bodies) changed(body);
         }
     }
+    /// Adds the impulses of all answers to the sums of velocities and to the strains of joints.
+    void report() const;
 
   private:
     static constexpr uint32_t none = ~0u;
+    /// A joint of a component, and its rows.
+    struct Member {
+        uint32_t array, index;
+        size_t first_row, row_end;
+    };
     /// Bodies that joints connect. It is made when an impact hits it.
     struct Component {
         std::vector<uint32_t> bodies;
-        std::vector<DirectRow> rows;
+        std::vector<DirectRow> rows;  ///< joint by joint; `impulse`: of all answers
+        std::vector<Member> members;
         std::unique_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> factor;
     };
     /// A joint in the list of its component.
@@ -67,8 +74,10 @@ class JointResponse {
     uint32_t component_of(uint32_t body);
     void read(uint32_t first_joint, Component& component);
     void factorize(Component& component) const;
+    void add_to_sums(const Component& component, const Member& member) const;
+    void add_to_strain(const Component& component, Strain& strain) const;
     double between(const Jacobian& one, const Jacobian& other) const;
-    void push(const Jacobian& row, double impulse, std::span<SolverBody> bodies) const;
+    void push(DirectRow& row, double impulse, std::span<SolverBody> bodies) const;
 
     const SolverInput& input_;
     float h_;

@@ -261,10 +261,12 @@ struct alignas(line_size) FirstBlock {
             // An impact that goes through joints may reach bodies of any strip.
             JointResponse joints(step.input, step.h);
             ContactSolver fast = serial, others = passing;
-            for (uint8_t pass = 1; pass <= ContactSolver::most_passes; ++pass) {
-                const bool any = fast.bounce(substeps, pass, step.bodies.bounced, &joints);
-                if (!others.bounce(substeps, pass, step.bodies.bounced, &joints) && !any) return;
+            bool any = true;
+            for (uint8_t pass = 1; any && pass <= ContactSolver::most_passes; ++pass) {
+                any = fast.bounce(substeps, pass, step.bodies.bounced, &joints);
+                any |= others.bounce(substeps, pass, step.bodies.bounced, &joints);
             }
+            joints.report();
             return;
         }
         std::atomic<bool> any = true;

@@ -140,6 +140,44 @@ TEST_CASE("joints and springs and pulleys are in the sum") {
     }
 }
 
+TEST_CASE("an impact that goes through joints is in the sum of every body") {
+    for (const double restitution : {0.0, 0.6}) {
+        Game game;
+        game.floor();
+        const Handle hull = game.body("Box", {0, 1.1});
+        std::vector<Handle> bodies = {hull};
+        for (const double side : {-0.5, 0.5}) {
+            const Handle wheel = game.body("Circle", {side, 0.6});
+            game.set(game.shape_of(wheel), "restitution", restitution);
+            game.set(wheel, "mass", 0.05);
+            game.make("RevoluteJoint", game.world(),
+                      {{"body_a", hull}, {"body_b", wheel}, {"anchor_a", Vec2(side, -0.5)}});
+            bodies.push_back(wheel);
+        }
+        for (const Handle body : bodies) {
+            game.set(body, "velocity", Vec2(1, -8));
+            for (const char* name : {"velocity", "angular_velocity"}) lines(game, body, name);
+        }
+        for (int i = 0; i < 12; ++i) {
+            game.step();
+            for (const Handle body : bodies) {
+                const auto moves = lines(game, body, "velocity"),
+                           turns_by = lines(game, body, "angular_velocity");
+                const Vec2 is = game.vec(body, "velocity");
+                const double turn = game.number(body, "angular_velocity");
+                std::string all;
+                for (const auto& part : {moves, turns_by})
+                    for (const std::string& line : part) all += line + "\n";
+                INFO(restitution << ", step " << i << "\n" << all);
+                CHECK((sum_of(moves) - is).length() < 1e-3 * (1 + is.length()));
+                CHECK(std::abs(turns(turns_by) - turn) < 1e-3 * (1 + std::abs(turn)));
+                CHECK_FALSE(has(moves, "the rest"));
+                CHECK_FALSE(has(turns_by, "the rest"));
+            }
+        }
+    }
+}
+
 TEST_CASE("a conveyor and a bounce and a rolling ellipse are in the sum") {
     Game game;
     const Handle floor = game.floor();

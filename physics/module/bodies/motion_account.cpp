@@ -43,7 +43,7 @@ class Motion {
         for (const physics::JointShare& share : account->joints)
             push(named(share.joint), share.change, share.impulse);
         add("damping (" + path_ + ".linear_damping): ", account->damping);
-        add("the rest (locked axes, limits of speed, blows through joints): ", account->rest);
+        add("the rest (locked axes, limits of speed): ", account->rest);
         add("written since the step: ", body_.velocity() - account->after);
         return std::move(lines_);
     }
@@ -72,8 +72,7 @@ class Motion {
         for (const physics::JointShare& share : account->joints)
             push(named(share.joint), share.turn, share.twist);
         add("damping (" + path_ + ".angular_damping): ", turn.damping);
-        add("the rest (limits of speed, bounces of curved shapes, blows through joints): ",
-            turn.rest);
+        add("the rest (limits of speed, bounces of curved shapes): ", turn.rest);
         add("written since the step: ", body_.angular_velocity() - turn.after);
         return std::move(lines_);
     }
