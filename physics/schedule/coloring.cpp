@@ -338,10 +338,11 @@ void choose_bouncing(const ObjectState& objects, const ActiveLists& active,
     });
 }
 
-/// By solver body: whether a joint holds it. Empty if no joint acts.
+/// By solver body: whether a joint holds it. Empty if no joint acts or nothing can touch.
 std::vector<bool> jointed_bodies(const ObjectState& objects, const ActiveLists& active,
                                  const BodyScratch& bodies) {
     std::vector<bool> jointed;
+    if (active.awake_contacts.empty()) return jointed;
     for (const auto& list : active.awake_joints) {
         for (const uint32_t joint : list) {
             if (jointed.empty()) jointed.resize(bodies.solver_bodies.size());
