@@ -20,7 +20,7 @@ bool is_held(const WorldData& data, uint32_t body, uint32_t left_out) {
     const auto reach = [&](uint32_t other) {
         if (other == left_out && left_out != 0) return;
         held = held || data.bodies[other].mobility != Mobility::dynamic;
-        if (std::ranges::find(group, other) == group.end()) group.push_back(other);
+        if (std::find(group.begin(), group.end(), other) == group.end()) group.push_back(other);
     };
     for (size_t i = 0; i < group.size() && !held; ++i) {
         const BodyRecord& record = data.bodies[group[i]];
