@@ -73,7 +73,7 @@ struct ContactExtra {
     float rolling_mass = 0.0f;
     float rolling_impulse = 0.0f;
     float surface_speed = 0.0f;
-    float impact[2] = {};    ///< normal impulse of an impact without restitution, for a sub-step
+    float impact[2] = {};    ///< normal impulse of an impact, for a sub-step: friction follows it
     float approach[2] = {};  ///< relative normal velocity before the step
     float greatest[2] = {};  ///< greatest normal impulse of the sub-steps
     float total[2] = {};     ///< sum of normal impulses over the sub-steps

@@ -359,7 +359,7 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, std::span<uint8_t> change
             pair.apply(c.normal, impulse, p.normal_lever_a * impulse, p.normal_lever_b * impulse);
             extra.greatest[k] = max(extra.greatest[k], impulse);
             extra.total[k] += impulse;
-            if (!(extra.restitution > 0.0f)) extra.impact[k] += impulse / float(substeps);
+            extra.impact[k] += impulse / float(substeps);
         }
         pair.store(bodies[c.a], bodies[c.b]);
         const auto note = [&](uint32_t body) {

@@ -92,4 +92,42 @@ TEST_CASE("friction mixes by the geometric mean and restitution by the greater")
     REQUIRE(box.contacts()[0].restitution == Approx(0.3f));
 }
 
+TEST_CASE("a bounce has the friction of Coulomb") {
+    const float friction = GENERATE(0.1f, 0.2f), restitution = GENERATE(0.01f, 0.3f, 0.9f);
+    const float speed = GENERATE(2.0f, 4.0f);
+    const int substeps = GENERATE(1, 4);
+    const std::vector<Geometry> forms = {Circle{}, Box{}, Segment{.rounding = 0.3f}, Ellipse{}};
+    for (const Geometry& form : forms) {
+        World world({.gravity = {0, 0}, .substeps = substeps});
+        Body floor = world.create_body({.type = BodyType::static_body});
+        floor.add(Box{.width = 400, .height = 1, .center = {0, -0.5f}}, {.friction = friction});
+        Body body = world.create_body(
+            {.position = {0, 0.8f}, .velocity = {10, -speed}, .locked_rotation = true});
+        body.add(form, {.friction = friction, .restitution = restitution});
+        run(world, 0.9f);
+        CHECK(body.velocity().y == Approx(restitution * speed).margin(0.01f));
+        CHECK(10 - body.velocity().x ==
+              Approx(friction * (1 + restitution) * speed).epsilon(0.01f));
+    }
+}
+
+TEST_CASE("a spinning ball kicks off the floor, and its bounce never adds energy") {
+    const float spin = GENERATE(-20.0f, -5.0f, 5.0f, 20.0f);
+    World world({.gravity = {0, 0}});
+    Body floor = world.create_body({.type = BodyType::static_body});
+    floor.add(Box{.width = 400, .height = 1, .center = {0, -0.5f}});
+    Body ball =
+        world.create_body({.position = {0, 0.8f}, .velocity = {0, -4}, .angular_velocity = spin});
+    ball.add(Circle{}, {.restitution = 0.8f});
+    const auto energy = [&] {
+        return 0.5f * (ball.mass() * ball.velocity().length_squared() +
+                       ball.inertia() * ball.angular_velocity() * ball.angular_velocity());
+    };
+    const float before = energy();
+    run(world, 1.0f);
+    // It ends without slip: a third of the speed of its rim, with the inertia of a disc.
+    CHECK(ball.velocity().x == Approx(-spin * 0.5f / 3).epsilon(0.1f));
+    CHECK(energy() < before);
+}
+
 }  // namespace surface_test

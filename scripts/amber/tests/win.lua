@@ -9,7 +9,7 @@ local solutions = {
     { { wait = 2 }, { cut = "rope" }, { wait = 2.5 }, { back = 4 } },
     { { cut = "rope" }, { back = 9 } },
     { { wait = 1 }, { cut = "rope" }, { wait = 1.3 }, { back = 4 } },
-    { { wait = 5 }, { cut = "rope" }, { wait = 0.7 }, { back = 6 } },
+    { { wait = 5 }, { cut = "rope" }, { wait = 0.5 }, { back = 7 } },
     { { cut = "thread" }, { wait = 1.9 }, { back = 3 } },
     { { wait = 8 }, { cut = "rope" }, { wait = 1.5 }, { back = 8 } },
     { { cut = "rope" }, { wait = 2 }, { cut = "thread" }, { wait = 3.4 }, { back = 6 } },
