@@ -49,6 +49,41 @@ TEST_CASE_METHOD(Fixture, "an edit by a person is undone and redone") {
     CHECK_FALSE(tree.redo().done);
 }
 
+TEST_CASE_METHOD(Fixture, "a setting that no snapshot has is no edit, and leaves redo as it is") {
+    const auto flag = [](const char* name, bool transient) {
+        Property property{.name = name, .type = Type::boolean, .default_value = false};
+        property.transient = transient;
+        return property;
+    };
+    const Class& marks = tree.define({.name = "Marks",
+                                      .snapshots = Snapshots::never,
+                                      .properties = {flag("names", true), flag("kept", false)}});
+    const Handle shown = tree.create(marks, tree.root(), "marks");
+    console([&] { tree.set(ball, "mass", 5); });
+    tree.undo();
+    console([&] {
+        tree.set(shown, "names", true);
+        tree.set_formula(shown, tree.property(shown, "names"),
+                         {[](const Tree&) { return Value(true); }, "true"});
+        tree.reset(shown, tree.property(shown, "names"));
+    });
+    REQUIRE(tree.history().size() == 1);
+    CHECK(tree.redo().done);
+    CHECK(mass() == 5);
+    console([&] {
+        tree.begin_edit("both");
+        tree.set(ball, "mass", 6);
+        tree.set(shown, "names", true);
+        tree.end_edit();
+    });
+    CHECK(tree.undo().changes.size() == 1);
+    CHECK(mass() == 5);
+    CHECK(tree.get(shown, "names") == Value(true));
+    // A value that others than snapshots keep is an edit: the keys of an action, for example.
+    console([&] { tree.set(shown, "kept", true); });
+    CHECK(tree.undo().name == "marks.kept: false → true");
+}
+
 TEST_CASE_METHOD(Fixture, "writes by callbacks belong to the game and are no edits") {
     as(Writer::script, [&] { tree.set(ball, "mass", 5); });
     tree.set(ball, "mass", 6);

@@ -53,7 +53,8 @@ class History {
     /// The current state of a cell that is about to be edited, if the edit is recorded. Names and
     /// parents are recorded as moves instead.
     std::optional<CellState> before_edit(Handle instance, const Property& property) const {
-        if (!structure_.changes.recording() || property.binding.kind == BindingKind::node)
+        if (!structure_.changes.recording() || property.binding.kind == BindingKind::node ||
+            is_of_present(instance, property))
             return {};
         return capture(instance, property);
     }
@@ -172,6 +173,11 @@ class History {
     void resolve(UndoResult& result);
     bool may_resolve(const Unresolved& cell) const;
     CellState capture(Handle instance, Symbol name) const;
+    /// Whether neither saved games nor going back in time change the property, such as
+    /// `view.show.names` and `console.height`: writing it is no edit of the game.
+    bool is_of_present(Handle instance, const Property& property) const {
+        return property.transient && tree_.class_of(instance).snapshots() == Snapshots::never;
+    }
     void write_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result);
     int depth_ = 0;
     std::vector<bool> scripts_;     // for each open edit: whether writes by scripts belong to it
