@@ -25,6 +25,7 @@ constexpr float margin = 8;       // pixels around the windows
 constexpr float handle_size = 6;  // width of the edge for resizing, in pixels
 // The least sizes of the windows, in ems.
 constexpr float least_panel = 26, least_height = 8;  // the panel: its width and height
+constexpr float least_log = 5;       // the panel without overlays: title, two lines, prompt
 constexpr float stacked_below = 44;  // the watch list and the plot, in narrower windows
 constexpr float least_plot = 9, least_list = 4, least_frames = 7, least_inspector = 8;
 
@@ -123,9 +124,12 @@ float Console::State::panel_height() {
     if (!observing.pins().empty() && (!plotted || screen.width < stacked_below * em))
         below += least_list * em + margin;
     if (options.frames != nullptr && shows("timings")) below += least_frames * em + margin;
+    const float overlays = settings.flag("overlays") ? views.overlay_bar.height() : 0;
+    const float whole = std::max(1.0f, screen.height - 2 * margin);
+    const float least = std::min(whole, least_log * em + overlays);
     const float most =
-        std::min(screen.height - 2 * margin, std::max(screen.height - below, least_height * em));
-    return std::max(1.0f, std::min(settings.number("height") * screen.height, most));
+        std::min(whole, std::max(screen.height - below, std::max(least, least_height * em)));
+    return std::clamp(settings.number("height") * screen.height, least, most);
 }
 
 /// The lowest place that is free above what is at the lower edge.
@@ -137,11 +141,11 @@ float Console::State::free_above() const {
     return low;
 }
 
-/// Draws the time bar along the lower edge, beside the inspector if that reaches down so far.
+/// Draws the time bar along the lower edge. It leaves the room of the inspector beside it also
+/// while that does not reach down so far: a selection moves nothing.
 void Console::State::draw_time_bar(float right) {
     if (!settings.flag("time_bar") || !views.time_bar.available()) return views.time_bar.hide();
     const float low = screen.height - margin;
-    if (screen.inspector_rect.high.y < low - views.time_bar.height()) right = 0;
     time_marks.look();
     views.time_bar.draw(ImVec2(margin, low), screen.width - 2 * margin - right,
                         settings.number("opacity"), ui.bold());
@@ -182,7 +186,6 @@ void Console::State::draw_frames(float right) {
     const float room = low - screen.panel_rect.high.y - margin;
     const float tall =
         std::min(FrameView::height(), std::max(room, least_frames * ImGui::GetFontSize()));
-    if (screen.inspector_rect.high.y < low - tall) right = 0;
     const double dt = views.time_bar.available() ? views.time_bar.times().dt : 1.0 / 60;
     views.frame_view.draw(ImVec2(margin, low),
                           ImVec2(std::max(120.0f, screen.width - 2 * margin - right), tall), tree,
@@ -197,7 +200,6 @@ void Console::State::draw_observed(float right) {
     float room = low - screen.panel_rect.high.y - margin;
     if (options.frames != nullptr && shows("timings"))
         room -= least_frames * ImGui::GetFontSize() + margin;
-    if (screen.inspector_rect.high.y < low - room) right = 0;
     const float wide = screen.width - 2 * margin - right, em = ImGui::GetFontSize();
     const bool pinned = !observing.pins().empty(), plotted = !observing.plots().empty();
     const float opacity = settings.number("opacity");
@@ -327,10 +329,14 @@ void Console::State::draw_title(float cell) {
     ImGui::PopFont();
     x += 2 * cell;
     if (tree.alive(inspector.selected())) {
-        std::string it = "it = " + tree.path(inspector.selected());
-        draw_text_fit(list, ImVec2(x, at.y + 1), palette::accent, it,
-                      std::max(0.0f, right - x - cell));
-        x += std::min(text_width(it), right - x) + 3 * cell;
+        // In a narrow window the inspector below says it.
+        constexpr float least_cells = 12;
+        const std::string it = "it = " + tree.path(inspector.selected());
+        const float room = right - x - cell, wide = std::min(text_width(it), room);
+        if (wide < room || room >= least_cells * cell) {
+            draw_text_fit(list, ImVec2(x, at.y + 1), palette::accent, it, wide);
+            x += wide + 3 * cell;
+        }
     }
     constexpr std::string_view hints = "Tab complete   ↑ history   Ctrl-R search   Esc close";
     const FontScope font(fonts().sans);
@@ -377,15 +383,17 @@ void Console::State::draw_inspector(float left, float inspector_width) {
 }
 
 /// Draws the inspector in the room between the panel and what is at the lower edge, if there is
-/// enough.
+/// enough. If nothing is selected, the game is visible in the lower half.
 void Console::State::draw_inspector_below() {
+    const float least = least_inspector * ImGui::GetFontSize();
     const float top = screen.panel_rect.high.y + margin, room = free_above() - top;
-    if (!settings.flag("inspector") || room < least_inspector * ImGui::GetFontSize()) {
+    const float tall = tree.alive(inspector.selected()) ? room : std::max(least, room / 2);
+    if (!settings.flag("inspector") || room < least) {
         screen.inspector_rect = {};
         return inspector.editor().end_drag();
     }
     ImGui::SetNextWindowPos(ImVec2(margin, top));
-    ImGui::SetNextWindowSize(ImVec2(screen.width - 2 * margin, room));
+    ImGui::SetNextWindowSize(ImVec2(screen.width - 2 * margin, tall));
     ImGui::SetNextWindowBgAlpha(settings.number("opacity"));
     ImGui::Begin("##inspector", nullptr, panel_flags);
     screen.inspector_rect = window_rect();

@@ -138,17 +138,19 @@ bool OverlayBar::draw_button(const Property& property, bool on) {
 
 void OverlayBar::draw() {
     buttons_.clear();
+    height_ = 0;
     const Handle of = show();
     if (!of) return;
+    const float top = ImGui::GetCursorPosY();
     for (const Property* each : tree_.class_of(of).properties()) {
         if (each->type != Type::boolean || each->read_only) continue;
         const bool on = last_value(tree_, of, *each).boolean();
         if (!draw_button(*each, on)) continue;
-        // No edit by a person: undo and the list of tweaks do not have it.
-        const property::Tree::CauseScope cause(tree_, property::Writer::module);
+        const property::Tree::CauseScope cause(tree_, property::Writer::inspector);
         tree_.set(of, *each, Value(!on));
     }
     ImGui::NewLine();
+    height_ = ImGui::GetCursorPosY() - top;
 }
 
 }  // namespace fettle::console

@@ -22,6 +22,8 @@ class OverlayBar {
     int lit() const;
     /// Draws the buttons into the current window, in as many rows as they need.
     void draw();
+    /// In the last picture, in pixels.
+    float height() const { return height_; }
     /// The rectangle of a button in the last picture; for tests.
     Rect button(const std::string& name) const;
 
@@ -31,6 +33,7 @@ class OverlayBar {
 
     property::Tree& tree_;
     std::map<std::string, Rect> buttons_;
+    float height_ = 0;
 };
 
 }  // namespace fettle::console

@@ -16,6 +16,7 @@ constexpr float prompt_gutter = 2;  // columns
 constexpr std::size_t menu_rows = 10;
 constexpr float row_padding = 5;  // pixels
 constexpr double blink_seconds = 0.55;
+constexpr float gap = 5, edge = 8;  // pixels between the prompt and the list, and around it
 
 float columns(std::string_view text) {
     return static_cast<float>(cell_count(text));
@@ -63,12 +64,12 @@ void PromptView::draw(float height, float cell, bool focused) {
     draw_caret(text_origin, line_height, cell, focused);
     list.PopClipRect();
 
-    signature_anchor_ = ImVec2(text_origin.x, end.y + 5);
+    signature_anchor_ = ImVec2(text_origin.x, end.y + gap);
     if (prompt_.menu().open()) {
         const TextEdit& edit = prompt_.edit();
         std::size_t from = prompt_.menu().selection().replace_from;
         menu_anchor_ =
-            ImVec2(text_origin.x + static_cast<float>(edit.column_of(from)) * cell, end.y + 5);
+            ImVec2(text_origin.x + static_cast<float>(edit.column_of(from)) * cell, end.y + gap);
     }
 }
 
@@ -159,33 +160,49 @@ void PromptView::draw_menu(float cell, ImFont* bold) {
         label_width = std::max(label_width, columns(candidate.completion.label) * cell);
         detail_width = std::max(detail_width, columns(candidate.completion.detail) * cell);
     }
-    ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGuiStyle& style = ImGui::GetStyle();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const ImGuiStyle& style = ImGui::GetStyle();
     label_width = std::min(label_width, 32 * cell);
-    bool scrolls = menu.candidates().size() > menu_rows;
+    const bool may_scroll = menu.candidates().size() > menu_rows;
     float width = label_width + std::min(detail_width, 60 * cell) + 5 * cell +
-                  2 * style.WindowPadding.x + (scrolls ? style.ScrollbarSize : 0);
-    width = std::min(std::max(width, 36 * cell), screen.x - 16);
-    ImVec2 at(std::clamp(menu_anchor_.x - style.WindowPadding.x - cell, 8.0f,
-                         std::max(8.0f, screen.x - width - 8)),
-              menu_anchor_.y);
+                  2 * style.WindowPadding.x + (may_scroll ? style.ScrollbarSize : 0);
+    width = std::min(std::max(width, 36 * cell), screen.x - 2 * edge);
+    const float inner = width - 2 * style.WindowPadding.x;
+    const float row_height = ImGui::GetTextLineHeightWithSpacing() + row_padding;
+    float facts_width = inner - label_width - 4 * cell - (may_scroll ? style.ScrollbarSize : 0);
+    Description description = describe(inner - 2 * cell, facts_width);
+
+    // Below the prompt or above it, with as many rows as there is room for.
+    const float wanted = static_cast<float>(std::min(menu_rows, menu.candidates().size()));
+    const float frame = 2 * style.WindowPadding.y;
+    const float below = screen.y - edge - menu_anchor_.y, above = rect_.low.y - gap - edge;
+    const bool upward = frame + wanted * row_height + description.height > below && above > below;
+    const float room = (upward ? above : below) - frame;
+    constexpr float least_rows = 3;
+    if (room - description.height < std::min(wanted, least_rows) * row_height) description = {};
+    const float rows =
+        std::clamp(std::floor((room - description.height) / row_height), 1.0f, wanted);
+    const float height = frame + rows * row_height + description.height;
+    const bool scrolls = static_cast<float>(menu.candidates().size()) > rows;
+
+    const ImVec2 at(std::clamp(menu_anchor_.x - style.WindowPadding.x - cell, edge,
+                               std::max(edge, screen.x - width - edge)),
+                    upward ? rect_.low.y - gap - height : menu_anchor_.y);
     ImGui::SetNextWindowPos(at);
-    ImGui::SetNextWindowSize(ImVec2(width, 0));
+    ImGui::SetNextWindowSize(ImVec2(width, height));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::popup);
     ImGui::Begin("##candidates", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+                     ImGuiWindowFlags_NoSavedSettings);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(style.ItemSpacing.x, 0));
-    float row_height = ImGui::GetTextLineHeightWithSpacing() + row_padding;
-    auto rows = static_cast<float>(std::min(menu_rows, menu.candidates().size()));
-    float inner = width - 2 * style.WindowPadding.x;
     ImGui::BeginChild("rows", ImVec2(inner, rows * row_height));
-    if (shown_selection_ != menu.selected()) {
+    if (shown_selection_ != menu.selected() || shown_rows_ != rows) {
         auto row = static_cast<float>(menu.selected());
         float view = ImGui::GetScrollY();
         ImGui::SetScrollY(std::clamp(view, (row + 1 - rows) * row_height, row * row_height));
         shown_selection_ = menu.selected();
+        shown_rows_ = rows;
     }
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(menu.candidates().size()), row_height);
@@ -195,7 +212,7 @@ void PromptView::draw_menu(float cell, ImFont* bold) {
                            label_width, cell);
     ImGui::EndChild();
     ImGui::PopStyleVar();
-    if (menu.open()) draw_description(cell, bold);
+    if (menu.open() && description.height > 0) draw_description(description, cell, bold);
     menu_rect_ = window_rect();
     ImGui::End();
     ImGui::PopStyleColor();
@@ -265,21 +282,38 @@ void PromptView::draw_candidate(std::size_t index, float width, float label_widt
     if (clicked) prompt_.accept_candidate(index);
 }
 
-void PromptView::draw_description(float cell, ImFont* bold) {
+/// What is said of the chosen candidate below the list. `width`: of its text in pixels;
+/// `facts_width`: the room for its facts in the list, where they are said if they fit.
+PromptView::Description PromptView::describe(float width, float facts_width) const {
     const script::Completion& chosen = prompt_.menu().selection();
-    if (chosen.doc.empty()) return;
+    Description found{.facts = {}, .doc = wrapped(chosen.doc, width)};
+    if (text_width(chosen.detail) > facts_width) found.facts = wrapped(chosen.detail, width);
+    if (found.facts.empty() && found.doc.empty()) return found;
+    const float spacing = ImGui::GetStyle().ItemSpacing.y;
+    const auto height = [&](const std::string& text) {
+        return text.empty()
+                   ? 0
+                   : ImGui::CalcTextSize(text.data(), text.data() + text.size()).y + spacing;
+    };
+    found.height = 2 * spacing + 1 + ImGui::GetTextLineHeight() + spacing + height(found.facts) +
+                   height(found.doc);
+    return found;
+}
+
+void PromptView::draw_description(const Description& description, float cell, ImFont* bold) {
     ImGui::Spacing();
     ImGui::Separator();
-    ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - cell);
     ImGui::Indent(cell);
     compat::push_font(bold);
-    text_line(chosen.label);
+    text_line(prompt_.menu().selection().label);
     ImGui::PopFont();
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::note);
+    if (!description.facts.empty()) text_line(description.facts);
+    ImGui::PopStyleColor();
     ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
-    text_line(chosen.doc);
+    if (!description.doc.empty()) text_line(description.doc);
     ImGui::PopStyleColor();
     ImGui::Unindent(cell);
-    ImGui::PopTextWrapPos();
 }
 
 }  // namespace fettle::console

@@ -4,6 +4,8 @@
 
 #include <imgui.h>
 
+#include <string>
+
 #include <look/rect.h>
 #include <prompt/prompt.h>
 
@@ -31,7 +33,14 @@ class PromptView {
     void draw_lines(ImVec2 origin, float line_height, float cell);
     void draw_caret(ImVec2 origin, float line_height, float cell, bool focused);
     void draw_candidate(std::size_t index, float width, float label_width, float cell);
-    void draw_description(float cell, ImFont* bold);
+    /// Texts with line breaks, and the height of both with the name, in pixels; 0 if there are
+    /// none.
+    struct Description {
+        std::string facts, doc;
+        float height = 0;
+    };
+    Description describe(float width, float facts_width) const;
+    void draw_description(const Description& description, float cell, ImFont* bold);
     void draw_signature();
     void follow_caret(ImVec2 size, float line_height, float cell);
 
@@ -44,6 +53,7 @@ class PromptView {
     bool clicked_ = false;
     Rect rect_, menu_rect_, signature_rect_;
     std::size_t shown_selection_ = 0;
+    float shown_rows_ = 0;  // of the list
 };
 
 }  // namespace fettle::console

@@ -27,14 +27,18 @@ void colored(ImU32 color, const std::string& text) {
     ImGui::PopStyleColor();
 }
 
-/// Draws a text shortened to `width`; a tooltip shows all of it.
-void fitted(ImU32 color, const std::string& text, float width) {
+using Draw = void (*)(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width);
+
+/// Draws a text shortened to `width`; a tooltip shows all of it, and `more`.
+void fitted(ImU32 color, const std::string& text, float width, Draw draw = draw_text_fit,
+            const std::string& more = {}) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float whole = text_width(text);
-    draw_text_fit(*ImGui::GetWindowDrawList(), at, color, text, width);
+    draw(*ImGui::GetWindowDrawList(), at, color, text, width);
     ImGui::Dummy(ImVec2(std::max(1.0f, std::min(whole, width)), ImGui::GetTextLineHeight()));
-    if (whole > width && ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", widget_text(std::string_view(text).substr(0, 4000)).c_str());
+    if ((whole > width || !more.empty()) && ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s",
+                          widget_text(std::string_view(text).substr(0, 4000)).append(more).c_str());
 }
 
 }  // namespace
@@ -123,13 +127,16 @@ void TweakList::draw_row(int row) {
     // It has the same height without buttons.
     ImGui::TableNextRow(0, button_height() + 2 * ImGui::GetStyle().CellPadding.y);
     ImGui::TableNextColumn();
-    fitted(palette::path, tweak.path, ImGui::GetContentRegionAvail().x);
+    fitted(palette::path, tweak.path, ImGui::GetContentRegionAvail().x, draw_path_fit,
+           times_ ? "" : "\n" + when(tweak));
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemClicked(0) && follow) follow(tweak.path);
     ImGui::TableNextColumn();
     draw_change(tweak);
-    ImGui::TableNextColumn();
-    colored(tweak.earlier ? palette::accent : palette::faint, when(tweak));
+    if (times_) {
+        ImGui::TableNextColumn();
+        colored(tweak.earlier ? palette::accent : palette::faint, when(tweak));
+    }
     ImGui::TableNextColumn();
     if (tweak.kept)
         return fitted(palette::note, "kept in " + tweak.kept_in, ImGui::GetContentRegionAvail().x);
@@ -151,10 +158,8 @@ void TweakList::draw(float height) {
     const float left = std::max(1.0f, height - (ImGui::GetCursorPosY() - top));
     constexpr int flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp |
                           ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_PadOuterX;
-    if (!ImGui::BeginTable("tweaks", 4, flags, ImVec2(0, left))) return;
-    ImGui::TableSetupColumn("what", 0, 3);
-    ImGui::TableSetupColumn("change", 0, 4);
-    // The times and the buttons are never cut; paths and values may be.
+    // The times and the buttons are never cut; paths and values may be. In a narrow window the
+    // times are in the tooltip of the path.
     float times = 0;
     bool earlier = false;
     for (const Tweak& tweak : rows_) {
@@ -165,9 +170,15 @@ void TweakList::draw(float height) {
     const auto wide = [&](const char* label) {
         return text_width(label) + 2 * style.FramePadding.x + style.ItemSpacing.x;
     };
-    ImGui::TableSetupColumn("when", ImGuiTableColumnFlags_WidthFixed, times);
-    ImGui::TableSetupColumn("do", ImGuiTableColumnFlags_WidthFixed,
-                            wide("keep") + (earlier ? wide("make again") : 0) + wide("drop"));
+    const float buttons = wide("keep") + (earlier ? wide("make again") : 0) + wide("drop");
+    constexpr float least_values = 30;  // ems of paths and values beside the times
+    times_ =
+        ImGui::GetContentRegionAvail().x - times - buttons >= least_values * ImGui::GetFontSize();
+    if (!ImGui::BeginTable("tweaks", times_ ? 4 : 3, flags, ImVec2(0, left))) return;
+    ImGui::TableSetupColumn("what", 0, 3);
+    ImGui::TableSetupColumn("change", 0, 4);
+    if (times_) ImGui::TableSetupColumn("when", ImGuiTableColumnFlags_WidthFixed, times);
+    ImGui::TableSetupColumn("do", ImGuiTableColumnFlags_WidthFixed, buttons);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows_.size()));
     while (clipper.Step())

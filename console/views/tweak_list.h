@@ -35,6 +35,8 @@ class TweakList {
 
     /// The rectangle of a button of a row, or of the header (row -1), in pixels. For tests.
     Rect button(int row, std::string_view label) const;
+    /// Whether the times have a column of their own.
+    bool shows_times() const { return times_; }
 
   private:
     using Tweak = property::Tweak;
@@ -48,6 +50,7 @@ class TweakList {
     property::Tweaks* tweaks_;
     std::vector<Tweak> rows_;
     double refreshed_ = -1;
+    bool times_ = true;
     struct Drawn {
         int row;
         std::string label;

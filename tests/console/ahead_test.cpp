@@ -54,6 +54,7 @@ struct AheadRig : Rig {
         tree.create(tree.define(std::move(seer)), tree.root(), "seer");
         property::ClassDescriptor show;
         show.name = "Show";
+        show.snapshots = property::Snapshots::never;
         for (const char* name : {"contacts", "onion_skins", "timings"})
             show.properties.push_back({.name = name,
                                        .type = Type::boolean,
@@ -276,7 +277,55 @@ TEST_CASE_METHOD(AheadRig, "the buttons of overlays stay inside of a narrow pane
     }
 }
 
+TEST_CASE_METHOD(AheadRig,
+                 "a panel that is low grows by the row of overlays, which hides no prompt") {
+    edit("console.height", 0.15, property::Writer::console);
+    edit("console.scale", 2.0, property::Writer::console);
+    edit("console.overlays", true, property::Writer::console);
+    edit("console.inspector_width", 800.0, property::Writer::console);
+    draw(3);
+    const auto& bar = state().views.overlay_bar;
+    const console::Rect prompt = state().views.prompt_view.rect();
+    CHECK(prompt.low.y > bar.button("timings").high.y);
+    CHECK(prompt.high.y <= state().screen.panel_rect.high.y);
+}
+
 // --- Small windows
+
+TEST_CASE_METHOD(AheadRig, "a selection does not move what is at the lower edge") {
+    property::set(tree, "view.show.timings", Value(true));
+    draw(3);
+    const float frames = state().views.frame_view.rect().high.x;
+    CHECK(frames > 0);
+    state().choose(tree.child(tree.child(tree.root(), "world"), "ball"));
+    draw(3);
+    CHECK(state().views.frame_view.rect().high.x == frames);
+}
+
+TEST_CASE_METHOD(AheadRig, "in a narrow window without a selection the game is visible") {
+    console::test::RasterSurface small(400, 700);
+    for (int i = 0; i < 3; ++i) console.draw(small, 1.0 / 60);
+    REQUIRE_FALSE(state().screen.inspector_rect.empty());
+    CHECK(state().screen.inspector_rect.high.y < 600);
+}
+
+TEST_CASE_METHOD(AheadRig, "candidates are inside of the window at each height of the console") {
+    const auto height = GENERATE(0.15, 0.45, 0.7, 1.0);
+    const auto scale = GENERATE(1.0, 2.0);
+    edit("console.height", height, property::Writer::console);
+    edit("console.scale", scale, property::Writer::console);
+    type("world.ball.");
+    key("tab");
+    draw(3);
+    INFO(height << " " << scale);
+    REQUIRE(state().prompt.menu().open());
+    const console::Rect list = state().views.prompt_view.menu_rect(),
+                        prompt = state().views.prompt_view.rect();
+    CHECK(list.low.y >= 0);
+    CHECK(list.high.y <= static_cast<float>(surface.height()));
+    CHECK(list.high.y - list.low.y > 60);
+    CHECK((list.low.y >= prompt.high.y || list.high.y <= prompt.low.y));
+}
 
 TEST_CASE_METHOD(AheadRig,
                  "in a narrow window the inspector is below the panel and covers nothing") {

@@ -74,6 +74,15 @@ TEST_CASE("a row of the list of tweaks stays in its place when the one above it 
     CHECK(rig.state().views.tweak_list.button(1, "keep").low.y == before);
 }
 
+TEST_CASE("in a narrow window the list of tweaks leaves the times to tooltips") {
+    TweakedRig rig;
+    CHECK(rig.state().views.tweak_list.shows_times());
+    console::test::RasterSurface narrow(400, 700);
+    for (int i = 0; i < 3; ++i) rig.console.draw(narrow, 1.0 / 60);
+    CHECK_FALSE(rig.state().views.tweak_list.shows_times());
+    CHECK_FALSE(rig.state().views.tweak_list.button(1, "drop").empty());
+}
+
 TEST_CASE("a command shows its output in place of the list of tweaks") {
     TweakedRig rig;
     rig.type("world.ball.mass");

@@ -219,7 +219,10 @@ class Motion {
     std::string text(const Value& value) const {
         return hosting_.tree.text(value, property::Precision::single_precision);
     }
-    std::string text(const physics::Vec2& v) const { return text(to_value(v)); }
+    /// Without the sign of a zero.
+    std::string text(const physics::Vec2& v) const {
+        return text(to_value(physics::Vec2(v.x + 0.0f, v.y + 0.0f)));
+    }
     void say(const std::string& what, const physics::Vec2& v) {
         lines_.push_back(what + text(v) + unit_);
     }
