@@ -17,7 +17,7 @@ input.actions.choose = { { "a", "d", "s", "w" }, { "left", "right", "down", "up"
 local function load_level(index, screen)
     run.level, run.sparks = index, 0
     if world:has("level") then world.level:delete() end
-    scene.load(string.format("levels/%02d.json", index), world, "level")
+    scene.load(string.format("levels/%02d.json", index), world, "level").number = index
     things.taken, things.chosen, amber_cuts, clock, fade = {}, nil, {}, 0, 1
     fx.clear()
     rewind.begin()
@@ -68,6 +68,8 @@ end
 
 function rewind.restored()
     sound.restored()
+    run.level = world.level.number
+    screens.restored()
     for name in pairs(amber_cuts) do world.level[name].enabled = false end
     if screens.name == "home" then fly_home() end
 end

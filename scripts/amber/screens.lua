@@ -24,6 +24,11 @@ function screens.open(name, back)
     if first then first:focus() end
 end
 
+-- What was restored may be of another screen: a moment that was shared, or the title before this level.
+function screens.restored()
+    if screens.in_level() == game:has("menu") then screens.open(game:has("menu") and "title" or "play") end
+end
+
 local function opens(name) return function() screens.open(name, screens.name) end end
 local function back() screens.open(screens.back) end
 local function plays(level) return function() screens.game.play(level) end end
