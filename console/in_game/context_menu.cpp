@@ -73,6 +73,7 @@ void ContextMenu::draw_instance(property::Handle instance) {
     if (select_class && item("Select all of its class", "All edits go to all of them"))
         select_class(tree_.class_of(instance));
     if (item("Put into the prompt", "The path, at the cursor")) insert(path);
+    if (item("Keep", "Writes the edits of it into the game")) run("keep(" + lua_string(path) + ")");
     if (tree_.class_of(instance).creatable() && item("Delete", "undo brings it back"))
         run(path + ":delete()");
 }

@@ -59,11 +59,21 @@ std::vector<std::string> Breaks::look() {
     return lines;
 }
 
+/// A number that fits into a float has the digits of one: 6.4440784, not 6.44407844543457.
+std::string Breaks::text_of(const Value& value) const {
+    const auto fits = [](double number) { return static_cast<float>(number) == number; };
+    const bool single = value.is(Type::number)
+                            ? fits(value.number())
+                            : value.is(Type::vec2) && fits(value.vec2().x) && fits(value.vec2().y);
+    return tree_.text(value, single ? property::Precision::single_precision
+                                    : property::Precision::double_precision);
+}
+
 /// Describes the break with the values that its condition reads: they show why it became true.
 void Breaks::describe(const Break& broken, const Value& before,
                       std::vector<std::string>& lines) const {
     lines.push_back("break at step " + std::to_string(tree_.step()) + ": " + broken.condition.text +
-                    ": " + tree_.text(before) + " → " + tree_.text(broken.last));
+                    ": " + text_of(before) + " → " + text_of(broken.last));
     for (const std::string& path : paths_in(tree_, broken.condition.text)) {
         try {
             const property::Place place = property::resolve(tree_, path);

@@ -26,6 +26,7 @@ class Breaks {
         property::Value last;
         bool failed = false;
     };
+    std::string text_of(const property::Value& value) const;
     void describe(const Break& broken, const property::Value& before,
                   std::vector<std::string>& lines) const;
 

@@ -82,6 +82,7 @@ void TimeMarks::leave_for(const std::string& branch,
     // If another branch has the old name, that branch was left; otherwise the present branch was
     // renamed.
     if (const auto left = others.find(branch_); left != others.end()) {
+        std::erase_if(edits_, [&](const TimeMark& mark) { return mark.step > left->second; });
         left_[branch_] = others_;
         if (const auto there = left_.find(branch); there != left_.end()) {
             others_ = there->second;
@@ -95,12 +96,14 @@ void TimeMarks::leave_for(const std::string& branch,
 
 void TimeMarks::look() {
     if (frames_++ % frames_apart != 0) return;
-    edits_.clear();
+    // Going back restores the history as it was then. What was seen of later steps stays marked.
+    const auto now = static_cast<std::int64_t>(tree_.step());
+    std::erase_if(edits_, [&](const TimeMark& mark) { return mark.step <= now; });
     for (const property::HistoryEntry& entry : tree_.history()) {
+        const auto step = static_cast<std::int64_t>(entry.cause.step);
         if (edits_.size() == most) break;
-        if (entry.undone) continue;
-        edits_.push_back(
-            {TimeMark::Kind::edit, static_cast<std::int64_t>(entry.cause.step), entry.name});
+        if (entry.undone || step > now) continue;
+        edits_.push_back({TimeMark::Kind::edit, step, entry.name});
     }
 }
 

@@ -341,7 +341,7 @@ local fettle_FieldDescription = {}
 ---@field class string The name of its class. · any text · read-only
 ---@field name string What its parent calls it: the last part of its path. · any text · default computed · not saved
 ---@field parent Object? The instance it hangs under. · any instance · default computed · not saved
----@field z number The order of drawing: a larger z is drawn later, over a smaller one; equal ones in the order of the tree. It is added to the z of everything below. · -1000000000 to 1000000000 · default 0
+---@field z number The order of drawing: a larger z is drawn later, over a smaller one; equal ones in the order of the tree. It is added to the z of everything below. · -1e9 to 1e9 · default 0
 local fettle_Object = {}
 
 ---Gives a new instance its place here and returns it.
@@ -601,7 +601,7 @@ StepStatistics = {}
 
 ---Bodies below it are simulated together. Its child `step` describes the last step.
 ---@class World : Object
----@field bounds vec[]? Walls around the world, given by their lower left and upper right corner; nil: none. · m · -100000000 to 100000000 · default nil · may be nil
+---@field bounds vec[]? Walls around the world, given by their lower left and upper right corner; nil: none. · m · -1e8 to 1e8 · default nil · may be nil
 ---@field bounds_friction number Friction of the walls of the bounds. · at least 0 · default 0.6
 ---@field bounds_restitution number Share of the speed with which bodies separate from the walls of the bounds. · 0 to 1 · default 0
 ---@field contact_damping number Damping ratio of contacts. · at least 0 · default 10
@@ -835,13 +835,13 @@ World = {}
 
 ---A rigid body: its shapes are its children. It is simulated while it is below a World.
 ---@class Body : Object
----@field angle number Angle by which it is turned, counter-clockwise; not wrapped after a full turn. · rad · -100000000 to 100000000 · default 0 · simulated
+---@field angle number Angle by which it is turned, counter-clockwise; not wrapped after a full turn. · rad · -1e8 to 1e8 · default 0 · simulated
 ---@field angular_damping number Share of its angular velocity that it loses in a second, for small values. · 1/s · at least 0 · default 0
 ---@field angular_velocity number Angular velocity, counter-clockwise. A step limits it to 3 rad in each of its parts (`World.substeps`): 720 rad/s with the defaults. · rad/s · any finite number · default 0 · simulated
 ---@field awake boolean True if it takes part in the step. A body that rests for a while falls asleep, together with all bodies that it touches, until one of them is disturbed. · true or false · default true · simulated
 ---@field bullet boolean True if it cannot pass through other moving bodies at any speed. · true or false · default false
 ---@field can_sleep boolean True if it may fall asleep. · true or false · default true
----@field center vec Center of mass in the coordinates of the body, computed from the shapes unless it is set; nil computes it again. · m · -100000000 to 100000000 · default computed · simulated
+---@field center vec Center of mass in the coordinates of the body, computed from the shapes unless it is set; nil computes it again. · m · -1e8 to 1e8 · default computed · simulated
 ---@field color color? Color of its shapes that have no own color; nil: a color for the type of the body. · channels 0 to 1 · default nil · may be nil
 ---@field contact_force number Sum of the forces of its contacts. · N · any finite number · read-only, simulated
 ---@field contact_impulses number[] Impulses that separated the two in the last step. · N s · any length · read-only, simulated
@@ -859,7 +859,7 @@ World = {}
 ---@field locked_y boolean True if it cannot move along y. · true or false · default false
 ---@field mass number Mass: area times density of its shapes, unless it is set; nil computes it again. With infinite mass nothing moves it. A dynamic body without shapes has 1 kg. · kg · 1e-30 to inf · default computed · simulated, may be infinite
 ---@field max_speed number Limit of the speed. World.substeps says how often it is applied in a step. · m/s · 1e-30 to inf · default inf · may be infinite
----@field position vec Position of its origin in the world. A write moves it at once. · m · -100000000 to 100000000 · default vec(0, 0) · simulated
+---@field position vec Position of its origin in the world. A write moves it at once. · m · -1e8 to 1e8 · default vec(0, 0) · simulated
 ---@field sleep_speed number It rests below this speed; that of the world unless it is set; nil uses that of the world again. · m/s · at least 0 · default 0.05 · simulated
 ---@field torque number Torque in every step until it is changed. · N m · any finite number · default 0
 ---@field type "static"|"kinematic"|"dynamic" How it moves. "static": not at all; "kinematic": with its velocity, and no force changes that; "dynamic": by forces, contacts and joints. · "static", "kinematic", "dynamic" · default "dynamic"
@@ -1062,9 +1062,9 @@ Shape = {}
 
 ---A disc.
 ---@class Circle : Shape
----@field center vec Its center in the coordinates of the body. · m · -1000000 to 1000000 · default vec(0, 0)
+---@field center vec Its center in the coordinates of the body. · m · -1e6 to 1e6 · default vec(0, 0)
 ---@field orientation_mark boolean True if a line from its middle to its rim is drawn, which shows how it is turned. · true or false · default false
----@field radius number Distance from its center to its rim. · m · 0.00001 to 1000000 · default 0.5
+---@field radius number Distance from its center to its rim. · m · 0.00001 to 1e6 · default 0.5
 local fettle_Circle = {}
 
 ---A disc.
@@ -1074,11 +1074,11 @@ Circle = {}
 
 ---A rectangle.
 ---@class Box : Shape
----@field angle number Its angle on the body, counter-clockwise. · rad · -100000000 to 100000000 · default 0
----@field center vec Its center in the coordinates of the body. · m · -1000000 to 1000000 · default vec(0, 0)
----@field height number Distance from bottom to top, rounding included. · m · 0.00001 to 1000000 · default 1
----@field rounding number Radius of its corners; more than half the smaller side counts as half. · m · 0 to 1000000 · default 0
----@field width number Distance from its left to its right side, rounding included. · m · 0.00001 to 1000000 · default 1
+---@field angle number Its angle on the body, counter-clockwise. · rad · -1e8 to 1e8 · default 0
+---@field center vec Its center in the coordinates of the body. · m · -1e6 to 1e6 · default vec(0, 0)
+---@field height number Distance from bottom to top, rounding included. · m · 0.00001 to 1e6 · default 1
+---@field rounding number Radius of its corners; more than half the smaller side counts as half. · m · 0 to 1e6 · default 0
+---@field width number Distance from its left to its right side, rounding included. · m · 0.00001 to 1e6 · default 1
 local fettle_Box = {}
 
 ---A rectangle.
@@ -1088,8 +1088,8 @@ Box = {}
 
 ---A straight line without thickness and without mass.
 ---@class Segment : Shape
----@field from vec One end in the coordinates of the body. · m · -1000000 to 1000000 · default vec(-0.5, 0)
----@field to vec The other end in the coordinates of the body. · m · -1000000 to 1000000 · default vec(0.5, 0)
+---@field from vec One end in the coordinates of the body. · m · -1e6 to 1e6 · default vec(-0.5, 0)
+---@field to vec The other end in the coordinates of the body. · m · -1e6 to 1e6 · default vec(0.5, 0)
 local fettle_Segment = {}
 
 ---A straight line without thickness and without mass.
@@ -1099,9 +1099,9 @@ Segment = {}
 
 ---A straight line with round ends and a thickness.
 ---@class Capsule : Shape
----@field from vec One end in the coordinates of the body. · m · -1000000 to 1000000 · default vec(-0.25, 0)
----@field radius number Radius around the line between its ends. · m · 0.00001 to 1000000 · default 0.25
----@field to vec The other end in the coordinates of the body. · m · -1000000 to 1000000 · default vec(0.25, 0)
+---@field from vec One end in the coordinates of the body. · m · -1e6 to 1e6 · default vec(-0.25, 0)
+---@field radius number Radius around the line between its ends. · m · 0.00001 to 1e6 · default 0.25
+---@field to vec The other end in the coordinates of the body. · m · -1e6 to 1e6 · default vec(0.25, 0)
 local fettle_Capsule = {}
 
 ---A straight line with round ends and a thickness.
@@ -1111,8 +1111,8 @@ Capsule = {}
 
 ---A convex polygon.
 ---@class Polygon : Shape
----@field rounding number Radius that is added on all sides. · m · 0 to 1000000 · default 0
----@field vertices vec[] Its corners in the coordinates of the body, counter-clockwise. The convex hull of the written points becomes the shape. · m · -1000000 to 1000000 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0, 0.5)}
+---@field rounding number Radius that is added on all sides. · m · 0 to 1e6 · default 0
+---@field vertices vec[] Its corners in the coordinates of the body, counter-clockwise. The convex hull of the written points becomes the shape. · m · -1e6 to 1e6 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0, 0.5)}
 local fettle_Polygon = {}
 
 ---Extends the polygon to that point; a point inside changes nothing.
@@ -1126,11 +1126,11 @@ Polygon = {}
 
 ---An ellipse, exactly.
 ---@class Ellipse : Shape
----@field angle number Its angle on the body, counter-clockwise. · rad · -100000000 to 100000000 · default 0
----@field center vec Its center in the coordinates of the body. · m · -1000000 to 1000000 · default vec(0, 0)
+---@field angle number Its angle on the body, counter-clockwise. · rad · -1e8 to 1e8 · default 0
+---@field center vec Its center in the coordinates of the body. · m · -1e6 to 1e6 · default vec(0, 0)
 ---@field orientation_mark boolean True if a line from its middle to its rim is drawn, which shows how it is turned. · true or false · default false
----@field radius_x number Half its width at angle 0. · m · 0.00001 to 1000000 · default 0.5
----@field radius_y number Half its height at angle 0. · m · 0.00001 to 1000000 · default 0.25
+---@field radius_x number Half its width at angle 0. · m · 0.00001 to 1e6 · default 0.5
+---@field radius_y number Half its height at angle 0. · m · 0.00001 to 1e6 · default 0.25
 local fettle_Ellipse = {}
 
 ---An ellipse, exactly.
@@ -1140,7 +1140,7 @@ Ellipse = {}
 
 ---A polygon that may be concave. It collides in convex pieces, but is one shape.
 ---@class Concave : Shape
----@field vertices vec[] Its corners in the coordinates of the body, clockwise or counter-clockwise. An outline that crosses or touches itself is refused, and so is a hole; at most 4096. · m · -1000000 to 1000000 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0.5, 0), vec(0, 0), vec(0, 0.5), vec(-0.5, 0.5)}
+---@field vertices vec[] Its corners in the coordinates of the body, clockwise or counter-clockwise. An outline that crosses or touches itself is refused, and so is a hole; at most 4096. · m · -1e6 to 1e6 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0.5, 0), vec(0, 0), vec(0, 0.5), vec(-0.5, 0.5)}
 local fettle_Concave = {}
 
 ---A polygon that may be concave. It collides in convex pieces, but is one shape.
@@ -1151,7 +1151,7 @@ Concave = {}
 ---A line of segments without seams, solid on its left: points from left to right are ground; a closed counter-clockwise chain is a container. Bodies pass through it from the other side.
 ---@class Chain : Shape
 ---@field closed boolean True if the last point is connected to the first; this needs three points. · true or false · default false
----@field points vec[] Its points in the coordinates of the body. · m · -1000000 to 1000000 · default {vec(-0.5, 0), vec(0.5, 0)}
+---@field points vec[] Its points in the coordinates of the body. · m · -1e6 to 1e6 · default {vec(-0.5, 0), vec(0.5, 0)}
 ---@field segment_friction number[] Friction of each segment, in the order of the points: {0.6, 0} makes the second one ice. Infinity, or no value: that of the chain. A value stays with the number of its segment when points change. · 0 to inf · default {} · may be infinite
 ---@field segment_material integer[] Material of each segment, from 0 to 65534; -1, or no value: that of the chain. · -1 to 65534 · default {}
 ---@field segment_restitution number[] Restitution of each segment, from 0 to 1; infinity, or no value: that of the chain. · 0 to inf · default {} · may be infinite
@@ -1210,7 +1210,7 @@ Chain = {}
 ---@field on_ceiling boolean True if a ceiling stopped it. · true or false · read-only, simulated
 ---@field on_ground boolean True if it stands on the ground. · true or false · read-only, simulated
 ---@field on_wall boolean True if a wall stopped it. · true or false · read-only, simulated
----@field push_force number Greatest force with which it pushes bodies. · N · 0 to 1000000000 · default 600
+---@field push_force number Greatest force with which it pushes bodies. · N · 0 to 1e9 · default 600
 ---@field radius number Radius of its capsule: half its width. · m · 0.01 to 500 · default 0.4
 ---@field snap number It stays on ground that falls away by at most this in a step of time. · m · 0 to 1000 · default 0.25
 ---@field step_height number Height of the steps that it climbs. · m · 0 to 1000 · default 0.3
@@ -1298,12 +1298,12 @@ Joint = {}
 
 ---Pulls a point of a body softly towards a target, as for dragging with the mouse.
 ---@class MouseJoint : Joint
----@field anchor vec The point of the body that is pulled, in its coordinates. Unless it is set, the point that was at the target when the joint began to act. · m · -100000000 to 100000000 · default computed · simulated
+---@field anchor vec The point of the body that is pulled, in its coordinates. Unless it is set, the point that was at the target when the joint began to act. · m · -1e8 to 1e8 · default computed · simulated
 ---@field body Body? The body that is pulled; nil: none. · any Body · default nil
 ---@field damping_ratio number Damping ratio; with 1 it comes to rest without swinging. · at least 0 · default 0.7
 ---@field frequency number Stiffness; 0 is free. · Hz · at least 0 · default 5
 ---@field max_force number Largest force. · N · 0 to inf · default inf · may be infinite
----@field target vec Position in the world to which it is pulled. · m · -100000000 to 100000000 · default vec(0, 0)
+---@field target vec Position in the world to which it is pulled. · m · -1e8 to 1e8 · default vec(0, 0)
 local fettle_MouseJoint = {}
 
 ---Pulls a point of a body softly towards a target, as for dragging with the mouse.
@@ -1313,8 +1313,8 @@ MouseJoint = {}
 
 ---Connects two bodies, or one with the world. While both are the same, it does not act.
 ---@class PairJoint : Joint
----@field anchor_a vec The point at which that body is held, in its coordinates, or in those of the world. · m · -100000000 to 100000000 · default vec(0, 0)
----@field anchor_b vec The point at which that body is held, in its coordinates, or in those of the world. · m · -100000000 to 100000000 · default vec(0, 0)
+---@field anchor_a vec The point at which that body is held, in its coordinates, or in those of the world. · m · -1e8 to 1e8 · default vec(0, 0)
+---@field anchor_b vec The point at which that body is held, in its coordinates, or in those of the world. · m · -1e8 to 1e8 · default vec(0, 0)
 ---@field body_a Body? One of the two connected bodies; nil: the world. When the body is deleted, the joint does not act until this is set to another body or to nil. · any Body · default nil
 ---@field body_b Body? One of the two connected bodies; nil: the world. When the body is deleted, the joint does not act until this is set to another body or to nil. · any Body · default nil
 ---@field collide boolean True if the two bodies collide with each other. · true or false · default false
@@ -1403,7 +1403,7 @@ PinSlotJoint = {}
 
 ---A pin of body_b in a groove of body_a from anchor_a to groove_end.
 ---@class GrooveJoint : PairJoint
----@field groove_end vec End of the groove in the coordinates of body_a. · m · -100000000 to 100000000 · default vec(1, 0)
+---@field groove_end vec End of the groove in the coordinates of body_a. · m · -1e8 to 1e8 · default vec(1, 0)
 ---@field translation number Distance of the pin from the beginning of the groove. · m · any finite number · read-only, simulated
 local fettle_GrooveJoint = {}
 
@@ -1450,7 +1450,7 @@ WeldJoint = {}
 ---@field angular_velocity number Target angular velocity of body_b relative to body_a. · rad/s · any finite number · default 0
 ---@field damping_ratio number Damping ratio of the drive to the offsets; with 1 it comes to rest without swinging. · at least 0 · default 1
 ---@field hertz number Stiffness of the drive to the offsets; 0: none. · Hz · at least 0 · default 0
----@field linear_offset vec Target position of anchor_b relative to anchor_a, in the coordinates of body_a. · m · -100000000 to 100000000 · default vec(0, 0)
+---@field linear_offset vec Target position of anchor_b relative to anchor_a, in the coordinates of body_a. · m · -1e8 to 1e8 · default vec(0, 0)
 ---@field linear_velocity vec Target velocity of anchor_b relative to anchor_a, in the coordinates of body_a. · m/s · any finite vec · default vec(0, 0)
 ---@field max_force number Largest force. · N · 0 to inf · default 0 · may be infinite
 ---@field max_torque number Largest torque. · N m · 0 to inf · default 0 · may be infinite
@@ -1463,8 +1463,8 @@ MotorJoint = {}
 
 ---A rope from body_a over two wheels of the world to body_b. It only pulls.
 ---@class PulleyJoint : PairJoint
----@field ground_a vec Position of the wheel over body_a in the world. · m · -100000000 to 100000000 · default vec(-1, 1)
----@field ground_b vec Position of the wheel over body_b in the world. · m · -100000000 to 100000000 · default vec(1, 1)
+---@field ground_a vec Position of the wheel over body_a in the world. · m · -1e8 to 1e8 · default vec(-1, 1)
+---@field ground_b vec Position of the wheel over body_b in the world. · m · -1e8 to 1e8 · default vec(1, 1)
 ---@field length number Length of the part at body_a plus ratio times that at body_b. Unless it is set, the length when the joint began to act. · m · at least 0 · default computed · simulated
 ---@field ratio number Number of parts of the rope that pull body_b. · 0.001 to 1000 · default 1
 ---@field tension number Force in the rope in the last step. · N · any finite number · read-only, simulated
@@ -1525,7 +1525,7 @@ RotaryLimitJoint = {}
 ---@class Field : Object
 ---@field enabled boolean True if it acts. · true or false · default true
 ---@field mask integer Categories of the shapes on which it acts, as bits. · any integer · default -1
----@field region vec[]? Region in which it acts, by its lower left and upper right corner: on shapes that overlap it (Buoyancy), or whose body has its center of mass inside; nil: everywhere. · m · -100000000 to 100000000 · default nil · may be nil
+---@field region vec[]? Region in which it acts, by its lower left and upper right corner: on shapes that overlap it (Buoyancy), or whose body has its center of mass inside; nil: everywhere. · m · -1e8 to 1e8 · default nil · may be nil
 local fettle_Field = {}
 
 ---A field of force: it acts on bodies that are awake in the world above it. An edit of it wakes all bodies.
@@ -1571,7 +1571,7 @@ Buoyancy = {}
 
 ---Pulls bodies towards a point, as a planet does.
 ---@class Attractor : Field
----@field center vec Position of the point in the world. · m · -100000000 to 100000000 · default vec(0, 0)
+---@field center vec Position of the point in the world. · m · -1e8 to 1e8 · default vec(0, 0)
 ---@field core number At a smaller distance the force is proportional to the distance. · m · at least 0 · default 0.5
 ---@field falloff integer The acceleration is divided by this power of the distance. · 0 to 3 · default 2
 ---@field strength number Acceleration at a distance of 1 m; a negative one repels. · m/s² · any finite number · default 10
@@ -1589,27 +1589,27 @@ Attractor = {}
 
 ---A picture in the world or, in a layer, on the screen. What it hangs below moves it: a body, another sprite, or any instance with a `position`.
 ---@class Sprite : Object
----@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1000000 to 1000000 · default 0
+---@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1e6 to 1e6 · default 0
 ---@field animation string The frames that are played: a tag of an Aseprite file, or the first and the last frame, such as "3-6". Empty: all frames. · any text · default ""
 ---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
 ---@field columns integer Number of frames beside each other in the image. · 1 to 10000 · default 1
 ---@field flip_x boolean Mirrors the image, left and right. · true or false · default false
 ---@field flip_y boolean Mirrors the image, top and bottom. · true or false · default false
----@field frame integer The frame that is shown, from 1, within the animation. Beyond the last one, counting begins again at the first. · 1 to 1000000 · default 1 · simulated
+---@field frame integer The frame that is shown, from 1, within the animation. Beyond the last one, counting begins again at the first. · 1 to 1e6 · default 1 · simulated
 ---@field frame_count integer Number of frames of the animation. · any integer · read-only
 ---@field frames_per_second number Speed of the animation. 0: the times in the Aseprite file, or no motion. · 1/s · 0 to 1000 · default 0
 ---@field image string An image file in the game's folder (PNG, JPEG, BMP, TGA), or a JSON file that Aseprite exported. A checkerboard is drawn for a file that is missing. · any text · default ""
 ---@field image_height integer Height of the image file, or of the checkerboard. · px · any integer · read-only
 ---@field image_width integer Width of the image file, or of the checkerboard. · px · any integer · read-only
 ---@field loop boolean Whether the animation begins again at its end. · true or false · default true
----@field origin vec The point of the image that is at its position, around which it turns: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1000000 to 1000000 · default vec(0.5, 0.5)
----@field pixels_per_unit number Pixels of the image in a meter, where `size` is nil. In a layer on the screen a pixel of the image is a pixel. · px/m · 0.001 to 1000000 · default 32
+---@field origin vec The point of the image that is at its position, around which it turns: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1e6 to 1e6 · default vec(0.5, 0.5)
+---@field pixels_per_unit number Pixels of the image in a meter, where `size` is nil. In a layer on the screen a pixel of the image is a pixel. · px/m · 0.001 to 1e6 · default 32
 ---@field playing boolean Whether the animation goes on. At its end without `loop` it stays at the last frame until `frame` or `animation` is set. · true or false · default true
----@field position vec Where its origin is, relative to what it hangs below; pixels in a layer on the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field position vec Where its origin is, relative to what it hangs below; pixels in a layer on the screen. · m · -1e9 to 1e9 · default vec(0, 0)
 ---@field rows integer Number of rows of frames in the image. · 1 to 10000 · default 1
----@field scale number Enlarges it, and what is below it. · -1000000 to 1000000 · default 1
+---@field scale number Enlarges it, and what is below it. · -1e6 to 1e6 · default 1
 ---@field sheet integer[] Columns and rows in one value: { columns, rows }. The sheet that Aseprite exported is given by its JSON file as `image`. · 1 to 10000 · default computed · not saved
----@field size vec? Width and height; nil: those of the image, by pixels_per_unit. Pixels in a layer on the screen. · m · 0 to 1000000000 · default nil · may be nil
+---@field size vec? Width and height; nil: those of the image, by pixels_per_unit. Pixels in a layer on the screen. · m · 0 to 1e9 · default nil · may be nil
 ---@field smooth boolean Whether pixels are mixed when the image is enlarged; otherwise each is a square. · true or false · default true
 ---@field tint color The colors of the image are multiplied by it. · 0 to 1 · default color("#ffffff")
 ---@field visible boolean Whether it is drawn. · true or false · default true
@@ -1632,20 +1632,20 @@ Sprite = {}
 ---Written text in the world or, in a layer, on the screen. What it hangs below moves it, as a Sprite.
 ---@class Text : Object
 ---@field align "left"|"center"|"right" Where lines begin that are shorter than the longest. · "left", "center", "right" · default "center"
----@field anchor vec The point of the text that is at its position: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1000000 to 1000000 · default vec(0.5, 0.5)
----@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1000000 to 1000000 · default 0
+---@field anchor vec The point of the text that is at its position: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1e6 to 1e6 · default vec(0.5, 0.5)
+---@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1e6 to 1e6 · default 0
 ---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
 ---@field color color Color of the letters. · 0 to 1 · default color("#ffffff")
 ---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder. Letters that it lacks are taken from sans, then from other fonts of the system. · any text · default "sans"
 ---@field outline color Color around the letters; transparent: none. · 0 to 1 · default color("#00000000")
 ---@field outline_width number Width of the outline as a part of the size. · 0 to 1 · default 0.06
----@field position vec Where its anchor is, relative to what it hangs below; pixels in a layer on the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
----@field size number Size of the font; a line is 1.2 times as high. Pixels in a layer on the screen. · m · 0 to 1000000 · default 0.5
+---@field position vec Where its anchor is, relative to what it hangs below; pixels in a layer on the screen. · m · -1e9 to 1e9 · default vec(0, 0)
+---@field size number Size of the font; a line is 1.2 times as high. Pixels in a layer on the screen. · m · 0 to 1e6 · default 0.5
 ---@field text string What is written; it may have several lines. What follows the first 100 000 letters is not shown. · any text · default ""
 ---@field text_height number Height of all lines. · m · any finite number · read-only
 ---@field text_width number Width of the longest line. · m · any finite number · read-only
 ---@field visible boolean Whether it is drawn. · true or false · default true
----@field wrap number Longest line; words beyond it begin another line, and a word that is longer has one of its own. 0: no limit. Pixels in a layer on the screen. · m · 0 to 1000000000 · default 0
+---@field wrap number Longest line; words beyond it begin another line, and a word that is longer has one of its own. 0: no limit. Pixels in a layer on the screen. · m · 0 to 1e9 · default 0
 local fettle_Text = {}
 
 ---Written text in the world or, in a layer, on the screen. What it hangs below moves it, as a Sprite.
@@ -1655,15 +1655,15 @@ Text = {}
 
 ---A line through several points, with round corners and ends.
 ---@class Line : Object
----@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1000000 to 1000000 · default 0
+---@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1e6 to 1e6 · default 0
 ---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
 ---@field closed boolean Whether the last point is connected with the first. · true or false · default false
 ---@field color color Its color. · 0 to 1 · default color("#ffffff")
----@field dashed number Length of dashes, and of the gaps between them; 0: no gaps. Pixels in a layer on the screen. · m · 0 to 1000000 · default 0
+---@field dashed number Length of dashes, and of the gaps between them; 0: no gaps. Pixels in a layer on the screen. · m · 0 to 1e6 · default 0
 ---@field points vec[] Its corners, relative to its position; pixels in a layer on the screen. · m · any length · default {}
----@field position vec Where its point (0, 0) is, relative to what it hangs below. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field position vec Where its point (0, 0) is, relative to what it hangs below. · m · -1e9 to 1e9 · default vec(0, 0)
 ---@field visible boolean Whether it is drawn. · true or false · default true
----@field width number Thickness; never less than a pixel. Pixels in a layer on the screen. · m · 0 to 1000000 · default 0.05
+---@field width number Thickness; never less than a pixel. Pixels in a layer on the screen. · m · 0 to 1e6 · default 0.05
 local fettle_Line = {}
 
 ---A line through several points, with round corners and ends.
@@ -1677,8 +1677,8 @@ Line = {}
 ---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
 ---@field opacity number Multiplies the opacity of everything below it. · 0 to 1 · default 1
 ---@field parallax vec How fast it moves past when the view moves: 1 as the world, 0.5 half as fast, as if it were far away, 0 not at all. For `space` world. · -1000 to 1000 · default vec(1, 1)
----@field repeat_x number Distance after which its content repeats to the left and right; 0: never. Pixels on the screen. · m · 0 to 1000000000 · default 0
----@field repeat_y number Distance after which its content repeats up and down; 0: never. Pixels on the screen. · m · 0 to 1000000000 · default 0
+---@field repeat_x number Distance after which its content repeats to the left and right; 0: never. Pixels on the screen. · m · 0 to 1e9 · default 0
+---@field repeat_y number Distance after which its content repeats up and down; 0: never. Pixels on the screen. · m · 0 to 1e9 · default 0
 ---@field space "world"|"screen" world: in meters, y up. screen: in pixels from `anchor`, y down, whatever the view shows. · "world", "screen" · default "world"
 ---@field visible boolean Whether it is drawn. · true or false · default true
 local fettle_Layer = {}
@@ -1705,11 +1705,11 @@ Layer = {}
 
 ---A map of the Tiled editor. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to meet it.
 ---@class Tilemap : Object
----@field animation_time number Time since the animations of the tiles began. · s · 0 to 1000000000 · default 0 · simulated
+---@field animation_time number Time since the animations of the tiles began. · s · 0 to 1e9 · default 0 · simulated
 ---@field columns integer Number of cells side by side; 0 for an infinite map. · any integer · read-only
----@field corner vec Where the lower left corner of the map is in the world; of an infinite map, the upper left corner of cell (0, 0). Objects are placed once, when they are made. · m · -1000000 to 1000000 · default vec(0, 0)
+---@field corner vec Where the lower left corner of the map is in the world; of an infinite map, the upper left corner of cell (0, 0). Objects are placed once, when they are made. · m · -1e6 to 1e6 · default vec(0, 0)
 ---@field map string A map file of the Tiled editor in the game's folder (TMJ or TMX). Another name makes the instances of that file in place of those that were made. · any text · default ""
----@field pixels_per_unit number Pixels of the map in a meter. · px/m · 0.001 to 1000000 · default 32
+---@field pixels_per_unit number Pixels of the map in a meter. · px/m · 0.001 to 1e6 · default 32
 ---@field rows integer Number of rows of cells; 0 for an infinite map. · any integer · read-only
 ---@field size vec Width and height of the map; 0 for an infinite map. · m · any finite vec · read-only
 ---@field smooth boolean Whether pixels are mixed when tiles are enlarged; otherwise each is a square. · true or false · default false
@@ -1776,9 +1776,9 @@ Tilemap = {}
 ---@class TileLayer : Object
 ---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
 ---@field changes string[] The cells that differ from the map file, a text for each row, such as "3: 7=12 8=0": in row 3, column 7 has tile 12 and column 8 none. · any length · default {}
----@field friction number Friction of its solid tiles. · 0 to 1000000 · default 0.6
----@field layer integer Number of the layer in the map file, as the editor gave it. · 0 to 1000000000 · default 0
----@field offset vec Moves the whole layer, its collisions too. · m · -1000000 to 1000000 · default vec(0, 0)
+---@field friction number Friction of its solid tiles. · 0 to 1e6 · default 0.6
+---@field layer integer Number of the layer in the map file, as the editor gave it. · 0 to 1e9 · default 0
+---@field offset vec Moves the whole layer, its collisions too. · m · -1e6 to 1e6 · default vec(0, 0)
 ---@field opacity number Multiplies the opacity of its tiles. · 0 to 1 · default 1
 ---@field parallax vec How fast it moves past when the view moves: 1 as the world, 0.5 half as fast, 0 not at all. · -1000 to 1000 · default vec(1, 1)
 ---@field restitution number Share of the speed with which bodies bounce off its solid tiles. · 0 to 1 · default 0
@@ -1799,28 +1799,28 @@ TileLayer = {}
 
 ---Sparks, smoke, rain: many small pictures that begin here, fly, change and end. What it hangs below moves it: a body, a sprite, or any instance with a `position`.
 ---@class Emitter : Object
----@field angle number Direction in which particles fly: 0 is to the right, pi / 2 upwards. Relative to what it hangs below. · rad · -1000000 to 1000000 · default 0
----@field area vec Width and height of the shape; pixels in a layer on the screen. · m · 0 to 1000000 · default vec(1, 1)
+---@field angle number Direction in which particles fly: 0 is to the right, pi / 2 upwards. Relative to what it hangs below. · rad · -1e6 to 1e6 · default 0
+---@field area vec Width and height of the shape; pixels in a layer on the screen. · m · 0 to 1e6 · default vec(1, 1)
 ---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
 ---@field burst integer Number of particles that begin at once, when it is placed or when `playing` becomes true. · 0 to 200000 · default 0
 ---@field color color[] Colors over its life, by which those of the image are multiplied. · 0 to 1 · default {color("#ffffff"), color("#ffffff00")}
 ---@field count integer Number of particles now. · any integer · read-only, simulated
 ---@field damping number Share of their velocity that particles lose in a second, for small values. · 1/s · 0 to 10000 · default 0
----@field gravity vec Acceleration of all particles; pixels, y down, in a layer on the screen. · m/s² · -1000000 to 1000000 · default vec(0, 0)
+---@field gravity vec Acceleration of all particles; pixels, y down, in a layer on the screen. · m/s² · -1e6 to 1e6 · default vec(0, 0)
 ---@field image string An image file in the game's folder; a soft white dot if it is empty. · any text · default ""
 ---@field lifetime number Time after which a particle ends. · s · 0.001 to 10000 · default 1
 ---@field limit integer Largest number of particles at a time; no further ones begin. All emitters together have at most 500 000. · 0 to 200000 · default 1000
 ---@field playing boolean Whether new particles begin. Those that have begun live on. · true or false · default true
----@field position vec Where it is, relative to what it hangs below; pixels in a layer on the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field position vec Where it is, relative to what it hangs below; pixels in a layer on the screen. · m · -1e9 to 1e9 · default vec(0, 0)
 ---@field randomness number Share by which lifetime, speed and size of a particle are larger or smaller. · 0 to 1 · default 0.3
----@field rate number Number of particles that begin in a second. · 1/s · 0 to 1000000 · default 20
+---@field rate number Number of particles that begin in a second. · 1/s · 0 to 1e6 · default 20
 ---@field rotation number How fast particles turn, half of them to either side. Unless it is 0, each begins at an angle of its own. · rad/s · -10000 to 10000 · default 0
----@field seed integer Emitters with the same seed and properties make the same particles. · 0 to 1e+15 · default 0
+---@field seed integer Emitters with the same seed and properties make the same particles. · 0 to 1e15 · default 0
 ---@field shape "point"|"circle"|"ring"|"box" Where particles begin: at its position, anywhere in an ellipse (circle) or a rectangle (box) of the size `area`, or on the line around the ellipse (ring). · "point", "circle", "ring", "box" · default "point"
----@field size number[] Heights of a particle over its life, at equal distances from its beginning to its end; pixels in a layer on the screen. · m · 0 to 1000000 · default {0.2}
+---@field size number[] Heights of a particle over its life, at equal distances from its beginning to its end; pixels in a layer on the screen. · m · 0 to 1e6 · default {0.2}
 ---@field smooth boolean Whether pixels are mixed when the image is enlarged; otherwise each is a square. · true or false · default true
 ---@field space "world"|"local" world: particles stay where they are when the emitter moves on. local: they move and turn with it. · "world", "local" · default "world"
----@field speed number Speed at which particles begin; pixels in a layer on the screen. · m/s · -1000000 to 1000000 · default 2
+---@field speed number Speed at which particles begin; pixels in a layer on the screen. · m/s · -1e6 to 1e6 · default 2
 ---@field spread number Angle between the outermost directions. 2 pi: all directions. · rad · 0 to 6.283185307179586 · default 6.283185307179586
 ---@field visible boolean Whether it is drawn. · true or false · default true
 local fettle_Emitter = {}
@@ -1918,22 +1918,22 @@ Timings = {}
 
 ---Which part of the world is seen, and what lies over it.
 ---@class View : Object
----@field angle number The turn of the viewer, counter-clockwise: the picture turns the other way. · rad · -1000000 to 1000000 · default 0
+---@field angle number The turn of the viewer, counter-clockwise: the picture turns the other way. · rad · -1e6 to 1e6 · default 0
 ---@field background color The color behind everything. · 0 to 1 · default color("#1b1f27")
----@field center vec The point of the world in the middle of the screen. · m · -1000000000 to 1000000000 · default vec(0, 0) · simulated
----@field dead_zone vec Width and height of the box round the center in which what it follows moves without moving it. · m · 0 to 1000000000 · default vec(0, 0)
+---@field center vec The point of the world in the middle of the screen. · m · -1e9 to 1e9 · default vec(0, 0) · simulated
+---@field dead_zone vec Width and height of the box round the center in which what it follows moves without moving it. · m · 0 to 1e9 · default vec(0, 0)
 ---@field design vec The size of the picture for which the game is made, for `fit` letterbox and pixel. · px · 1 to 16384 · default vec(1280, 800)
 ---@field effect string A fragment shader in GLSL, a file in the game's folder (.frag, .glsl), through which the picture with its menus is drawn; empty: none. Its uniforms are the properties of `view.uniforms`. · any text · default ""
 ---@field fit "expand"|"letterbox"|"pixel" How the picture fits into the window. expand: all of the window is used. letterbox: what is seen has the proportions of `design`, with black bars beside it. pixel: so that each pixel of `design` is a whole number of pixels. · "expand", "letterbox", "pixel" · default "expand"
 ---@field follow Object? It moves with this instance, from step to step. · any instance · default nil
 ---@field follow_damping number The time in which it makes two thirds of the way to what it follows; 0: it is always there. · s · 0 to 1000 · default 0
----@field height number How much of the world is seen from the bottom of the screen to its top. · m · 0.001 to 1000000 · default 20
+---@field height number How much of the world is seen from the bottom of the screen to its top. · m · 0.001 to 1e6 · default 20
 ---@field limits vec[] The lower and the upper corner of the part of the world that may be seen; empty: all of it. If that part is smaller than what is seen, it is in the middle. · m · any length · default {}
 ---@field lower vec The smallest x and y of the world that are seen: the bottom left corner unless the view is turned. · m · any finite vec · read-only
 ---@field screen vec Size of the window. A headless run pretends to have one. · px · any finite vec · read-only, simulated
 ---@field upper vec The largest x and y of the world that are seen: the top right corner unless the view is turned. · m · any finite vec · read-only
 ---@field width number How much of the world is seen from side to side. · m · any finite number · read-only
----@field zoom number Pixels a meter. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1000000 · default computed · simulated, not saved
+---@field zoom number Pixels a meter. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1e6 · default computed · simulated, not saved
 ---@field show Show What is shown over the picture, for looking into a game.
 ---@field uniforms Uniforms Values for the uniforms of `view.effect`: each property that is added here is the uniform of that name. A number is a float or an int, a boolean a bool, a vec a vec2, a color a vec3 or vec4.
 ---@field window GameWindow The window of the game. It is no part of saved games, and going back in time leaves it as it is.
@@ -2048,8 +2048,8 @@ Bus = {}
 ---@field loop boolean Whether a voice begins again at the end. · true or false · default false
 ---@field max_voices integer How many of its voices may sound at once. One more ends the oldest. · 1 to 256 · default 8
 ---@field pitch number How fast it is played: 2 is an octave higher and half as long. · 0.01 to 100 · default 1
----@field position vec? Where it is heard from: from the center of the body or other instance with a position that it is below, and turning with it, or else in the world. nil: at that center, or everywhere the same if it is below none. · m · -1000000000 to 1000000000 · default nil · may be nil
----@field range number How far from the center of the view it can be heard. Only for a sound that is heard from a place. · m · 0.001 to 1000000 · default 50
+---@field position vec? Where it is heard from: from the center of the body or other instance with a position that it is below, and turning with it, or else in the world. nil: at that center, or everywhere the same if it is below none. · m · -1e9 to 1e9 · default nil · may be nil
+---@field range number How far from the center of the view it can be heard. Only for a sound that is heard from a place. · m · 0.001 to 1e6 · default 50
 ---@field volume number Loudness, 1 being that of the recording. · 0 to 4 · default 1
 local fettle_SoundSource = {}
 
@@ -2121,7 +2121,7 @@ Music = {}
 ---@field punch number How much louder it is at the beginning of `sustain`: 1 is twice as loud. · 0 to 1 · default 0
 ---@field resonance number How much tones at `low_pass` stand out. · 0 to 1 · default 0
 ---@field retrigger number After this time slides and arpeggio begin again, again and again. 0: never. · s · 0 to 10 · default 0
----@field seed integer Which noise it is. The same seed gives the same noise. · 0 to 1e+15 · default 1
+---@field seed integer Which noise it is. The same seed gives the same noise. · 0 to 1e15 · default 1
 ---@field slide number Octaves a second by which the pitch rises, or falls if negative. · 1/s · -100 to 100 · default 0
 ---@field slide_change number How fast `slide` itself changes, in octaves a second each second. · 1/s² · -1000 to 1000 · default 0
 ---@field sustain number How long it stays loud. · s · 0 to 10 · default 0.1
@@ -2162,8 +2162,8 @@ Synth = {}
 ---@field pauses boolean Whether it pauses with the game. Off if it began while the game was paused: a menu's click is heard. · true or false · default true
 ---@field pitch number How fast it is played, in addition to the pitch of its source. · 0.01 to 100 · default 1
 ---@field playing boolean Off, it pauses. · true or false · default true
----@field position vec? Where in the world it is heard from. nil: from where its source is. · m · -1000000000 to 1000000000 · default nil · may be nil
----@field time number How much of the sound it has played. Setting it goes there. · s · 0 to 1000000 · default 0
+---@field position vec? Where in the world it is heard from. nil: from where its source is. · m · -1e9 to 1e9 · default nil · may be nil
+---@field time number How much of the sound it has played. Setting it goes there. · s · 0 to 1e6 · default 0
 ---@field volume number Loudness, in addition to that of its source. · 0 to 4 · default 1
 local fettle_Voice = {}
 
@@ -2419,17 +2419,17 @@ Action = {}
 
 ---Another picture of the world in a part of the window, for a split screen or a small map. It shows what the view shows, from another place, without layers on the screen: these are drawn over all cameras.
 ---@class Camera : Object
----@field angle number The turn of the viewer, counter-clockwise: the picture turns the other way. · rad · -1000000 to 1000000 · default 0
+---@field angle number The turn of the viewer, counter-clockwise: the picture turns the other way. · rad · -1e6 to 1e6 · default 0
 ---@field background color? The color behind everything; nil: that of the view. · 0 to 1 · default nil · may be nil
----@field center vec The point of the world in its middle. · m · -1000000000 to 1000000000 · default vec(0, 0)
----@field dead_zone vec Width and height of the box round the center in which what it follows moves without moving it. · m · 0 to 1000000000 · default vec(0, 0)
+---@field center vec The point of the world in its middle. · m · -1e9 to 1e9 · default vec(0, 0)
+---@field dead_zone vec Width and height of the box round the center in which what it follows moves without moving it. · m · 0 to 1e9 · default vec(0, 0)
 ---@field follow Object? It moves with this instance, from step to step. · any instance · default nil
 ---@field follow_damping number The time in which it makes two thirds of the way to what it follows; 0: it is always there. · s · 0 to 1000 · default 0
----@field height number How much of the world is seen from the bottom of its viewport to its top. · m · 0.001 to 1000000 · default 20
+---@field height number How much of the world is seen from the bottom of its viewport to its top. · m · 0.001 to 1e6 · default 20
 ---@field limits vec[] The lower and the upper corner of the part of the world that may be seen; empty: all of it. If that part is smaller than what is seen, it is in the middle. · m · any length · default {}
 ---@field viewport vec[] The part of the window that it fills: the upper left and the lower right corner, as parts of width and height from the top left. Without two different corners, it shows nothing. · 0 to 1 · default {vec(0, 0), vec(1, 1)}
 ---@field visible boolean Whether its picture is drawn. · true or false · default true
----@field zoom number Pixels a meter. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1000000 · default computed · simulated, not saved
+---@field zoom number Pixels a meter. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1e6 · default computed · simulated, not saved
 local fettle_Camera = {}
 
 ---Shakes the picture, for an explosion or a blow. Only what is drawn moves; a weaker shake does not end a stronger one.
@@ -2490,7 +2490,7 @@ Theme = {}
 ---@field disabled boolean Whether it is pale and does nothing, with everything below it. · true or false · default false
 ---@field fill "none"|"width"|"height"|"both" Whether it takes all the width or height that there is. · "none", "width", "height", "both" · default "none"
 ---@field focused boolean Whether it has the keyboard. · true or false · read-only, simulated
----@field grow number Its share of the length that is left over in a row or column; 0: none. · 0 to 1000000 · default 0
+---@field grow number Its share of the length that is left over in a row or column; 0: none. · 0 to 1e6 · default 0
 ---@field held boolean Whether the player holds it down. · true or false · read-only, simulated
 ---@field hovered boolean Whether the mouse is over it. · true or false · read-only, simulated
 ---@field min_size vec The least width and height. · px · 0 to 100000 · default vec(0, 0)
@@ -2627,8 +2627,8 @@ Column = {}
 ---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
 ---@field padding number? Distance between its edge and what is in it. nil: that of the theme for panels, 5 for lists, 0 for rows and columns. · px · 0 to 100000 · default nil · may be nil
 ---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
----@field scroll number How far down it is scrolled. · px · 0 to 1000000000 · default 0
----@field selected integer Number of the chosen line, from 1; 0: none. · 0 to 1000000000 · default 0
+---@field scroll number How far down it is scrolled. · px · 0 to 1e9 · default 0
+---@field selected integer Number of the chosen line, from 1; 0: none. · 0 to 1e9 · default 0
 ---@field spacing number? Distance between its widgets; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
 ---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "left"
 ---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
@@ -2732,10 +2732,10 @@ Image = {}
 ---@field bind string Path of a property that is the number, such as audio.volume; both always have the same value. · any text · default ""
 ---@field color color? The part up to the value; nil: accent. · 0 to 1 · default nil · may be nil
 ---@field focusable boolean Whether it can have the keyboard. · true or false · default true
----@field max number? The greatest value. nil: that of the bound property, else 1. · -1000000000000 to 1000000000000 · default nil · may be nil
----@field min number? The least value. nil: that of the bound property, else 0. · -1000000000000 to 1000000000000 · default nil · may be nil
----@field step number The player chooses multiples of it, counted from the least value; 0: any number. Integers have a step of 1 at least. · 0 to 1000000000000 · default 0
----@field value number The number. · -1000000000000 to 1000000000000 · default 0
+---@field max number? The greatest value. nil: that of the bound property, else 1. · -1e12 to 1e12 · default nil · may be nil
+---@field min number? The least value. nil: that of the bound property, else 0. · -1e12 to 1e12 · default nil · may be nil
+---@field step number The player chooses multiples of it, counted from the least value; 0: any number. Integers have a step of 1 at least. · 0 to 1e12 · default 0
+---@field value number The number. · -1e12 to 1e12 · default 0
 local fettle_Slider = {}
 
 ---Calls the function with a record when the instance has the event.
@@ -2801,11 +2801,11 @@ Toggle = {}
 ---A line of text to type.
 ---@class TextField : Widget
 ---@field bind string Path of a text or number; a number is set by return, or when the field loses the keyboard. · any text · default ""
----@field caret integer Number of characters before the place where typed ones appear. · 0 to 1000000000 · default 0
+---@field caret integer Number of characters before the place where typed ones appear. · 0 to 1e9 · default 0
 ---@field focusable boolean Whether it can have the keyboard. · true or false · default true
 ---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
 ---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
----@field max_length integer Number of characters that can be typed; 0: no limit. · 0 to 1000000 · default 0
+---@field max_length integer Number of characters that can be typed; 0: no limit. · 0 to 1e6 · default 0
 ---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
 ---@field placeholder string Shown while it is empty. · any text · default ""
 ---@field text string What is in it. · any text · default ""
@@ -2834,13 +2834,13 @@ TextField = {}
 ---@field color color? The full part; nil: accent. · 0 to 1 · default nil · may be nil
 ---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
 ---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
----@field max number? The greatest value. nil: that of the bound property, else 1. · -1000000000000 to 1000000000000 · default nil · may be nil
----@field min number? The least value. nil: that of the bound property, else 0. · -1000000000000 to 1000000000000 · default nil · may be nil
+---@field max number? The greatest value. nil: that of the bound property, else 1. · -1e12 to 1e12 · default nil · may be nil
+---@field min number? The least value. nil: that of the bound property, else 0. · -1e12 to 1e12 · default nil · may be nil
 ---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
 ---@field text string Written on it. · any text · default ""
 ---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "center"
 ---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
----@field value number Between min and max. · -1000000000000 to 1000000000000 · default 0
+---@field value number Between min and max. · -1e12 to 1e12 · default 0
 local fettle_ProgressBar = {}
 
 ---How far something is.
@@ -2876,11 +2876,11 @@ Interface = {}
 ---@field curve number[] Parts of the way at equal distances of time, joined by straight lines. A function given as ease is kept here as 257 of its values. · any length · default {}
 ---@field ease "linear"|"out_quad"|"in_quad"|"in_out_quad"|"out_cubic"|"in_cubic"|"in_out_cubic"|"out_quart"|"in_quart"|"in_out_quart"|"out_quint"|"in_quint"|"in_out_quint"|"out_sine"|"in_sine"|"in_out_sine"|"out_expo"|"in_expo"|"in_out_expo"|"out_circ"|"in_circ"|"in_out_circ"|"out_back"|"in_back"|"in_out_back"|"out_elastic"|"in_elastic"|"in_out_elastic"|"out_bounce"|"in_bounce"|"in_out_bounce"|"curve" How the part of the way depends on the part of the time; "curve" takes it from `curve`. · 32 texts · default "linear"
 ---@field from any The value at the beginning: the one that the property has when the tween begins, unless it is set before. · any value · default nil · may be nil
----@field loops integer How often it runs before it ends; 0: until it is stopped. · 0 to 1000000000 · default 1
+---@field loops integer How often it runs before it ends; 0: until it is stopped. · 0 to 1e9 · default 1
 ---@field paused boolean Whether it stands still. · true or false · default false
 ---@field progress number The part of the time that has passed in this run. Setting it jumps there at the next step. · 0 to 1 · default 0
 ---@field property string The name of the property that changes; empty for a pause in a sequence. · any text · default ""
----@field seconds number How long it takes, in simulation time. · s · 0 to 1000000000 · default 1
+---@field seconds number How long it takes, in simulation time. · s · 0 to 1e9 · default 1
 ---@field target Object? The instance whose property changes. The tween ends with it. · any Object · default nil
 ---@field to any The value at the end. · any value · default nil · may be nil
 local fettle_Tween = {}
@@ -2966,7 +2966,7 @@ Transition = {}
 ---@field inspector_width number Width of the inspector at a scale of 1. · px · 200 to 2000 · default 380 · not saved
 ---@field key "a"|"b"|"c"|"d"|"e"|"f"|"g"|"h"|"i"|"j"|"k"|"l"|"m"|"n"|"o"|"p"|"q"|"r"|"s"|"t"|"u"|"v"|"w"|"x"|"y"|"z"|"0"|"1"|"2"|"3"|"4"|"5"|"6"|"7"|"8"|"9"|"space"|"enter"|"escape"|"tab"|"backspace"|"delete"|"insert"|"left"|"right"|"up"|"down"|"home"|"end"|"page_up"|"page_down"|"left_shift"|"right_shift"|"left_control"|"right_control"|"left_alt"|"right_alt"|"left_system"|"right_system"|"menu"|"pause"|"grave"|"minus"|"equal"|"left_bracket"|"right_bracket"|"backslash"|"semicolon"|"apostrophe"|"comma"|"period"|"slash"|"numpad_0"|"numpad_1"|"numpad_2"|"numpad_3"|"numpad_4"|"numpad_5"|"numpad_6"|"numpad_7"|"numpad_8"|"numpad_9"|"numpad_add"|"numpad_subtract"|"numpad_multiply"|"numpad_divide"|"f1"|"f2"|"f3"|"f4"|"f5"|"f6"|"f7"|"f8"|"f9"|"f10"|"f11"|"f12"|"f13"|"f14"|"f15" The key that opens and closes the console, by its name in the class Keys. · 101 texts · default "grave" · not saved
 ---@field listen boolean Whether `fettle repl --attach` may attach to this game: only this user, on this computer, with the token in the user's runtime folder. · true or false · default false · not saved
----@field memory_limit number How much memory one command may add, by Lua's values and by what it makes in the tree; a command that needs more is stopped. · MB · 1 to 1000000 · default 128 · not saved
+---@field memory_limit number How much memory one command may add, by Lua's values and by what it makes in the tree; a command that needs more is stopped. · MB · 1 to 1e6 · default 128 · not saved
 ---@field opacity number Of the background. Below 1 the game is seen behind the text. · 0.3 to 1 · default 1 · not saved
 ---@field open boolean Whether the console is shown. · true or false · default false · not saved
 ---@field overlays boolean Whether the overlays of `view.show` are shown as a row of buttons. · true or false · default false · not saved

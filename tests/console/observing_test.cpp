@@ -112,11 +112,16 @@ TEST_CASE("a break on a value waits for a change and all breaks can be ended") {
     INFO(rig.text());
     CHECK(rig.text().find("world.crate.mass: 1 → 8") != std::string::npos);
     CHECK(rig.text().find("world.crate.mass = 8 kg   console") != std::string::npos);
+    // A number that fits into a float has its digits.
+    property::set(rig.tree, "time.paused", Value(false));
+    property::set(rig.tree, "world.crate.mass", Value(6.44407844543457));
+    rig.step(1);
+    CHECK(rig.text().find("world.crate.mass: 8 → 6.4440784\n") != std::string::npos);
     rig.run("time.paused = false");
     rig.run("break_when()");
     rig.run("world.crate.mass = 9");
     rig.step(5);
-    CHECK(rig.now == 11);
+    CHECK(rig.now == 12);
 }
 
 TEST_CASE("last_time finds the last step at which a condition was true and goes there") {
@@ -324,6 +329,8 @@ TEST_CASE("the menu of an instance asks who moved it and breaks when it moves") 
     CHECK(rig.text().find("who world.ball.position") != std::string::npos);
     choose("Break when it moves");
     CHECK(rig.text().find("break_when world.ball.position") != std::string::npos);
+    choose("Keep");
+    CHECK(rig.text().find("keep(\"world.ball\")") != std::string::npos);
 }
 
 TEST_CASE("the menu of a property pins and plots and copies its path") {

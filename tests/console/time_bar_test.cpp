@@ -163,6 +163,30 @@ TEST_CASE("edits and errors have marks at their steps") {
     CHECK(bar.rig.commands == std::vector<std::string>{"time:go_to(200)"});
 }
 
+TEST_CASE(
+    "after going back the edits of later steps stay marked, until the game goes on from there") {
+    Rig rig;
+    console::TimeMarks& marks = rig.state().time_marks;
+    const auto look = [&] {
+        for (int i = 0; i < 20; ++i) marks.look();
+        return marks.edits().size();
+    };
+    marks.follow("1", {});
+    const property::Tree::CauseScope cause(rig.tree, property::Writer::console);
+    rig.tree.set_step(50);
+    property::set(rig.tree, "world.ball.mass", 4.0);
+    rig.tree.set_step(150);
+    property::set(rig.tree, "world.ball.mass", 5.0);
+    CHECK(look() == 2);
+    // The history that is restored with step 100 ends before the second edit.
+    rig.tree.undo();
+    rig.tree.set_step(100);
+    CHECK(look() == 2);
+    marks.follow("2", {{"1", 100}});
+    CHECK(look() == 1);
+    CHECK(marks.edits().front().step == 50);
+}
+
 TEST_CASE("a right click on the track sets a bookmark and removes it") {
     Bar bar;
     const console::Rect track = bar.bar().track();

@@ -84,6 +84,15 @@ TEST_CASE_METHOD(Fixture, "a setting that no snapshot has is no edit, and leaves
     CHECK(tree.undo().name == "marks.kept: false → true");
 }
 
+TEST_CASE_METHOD(Fixture, "the cause of a step of undo is that of its first write") {
+    tree.begin_edit("a drag");
+    tree.set_step(7);
+    as(Writer::inspector, [&] { tree.set(ball, "mass", 5); });
+    tree.end_edit();
+    REQUIRE(tree.history().size() == 1);
+    CHECK(tree.history().front().cause.text() == "inspector, step 7");
+}
+
 TEST_CASE_METHOD(Fixture, "writes by callbacks belong to the game and are no edits") {
     as(Writer::script, [&] { tree.set(ball, "mass", 5); });
     tree.set(ball, "mass", 6);

@@ -245,6 +245,9 @@ TEST_CASE("completion includes paths and keys and methods and enumerators") {
             CHECK(candidate.detail == "2 kg · number · kg · 0 to inf · default 1");
             CHECK(candidate.doc == "How hard it is to move.");
         }
+    for (const auto& candidate : s.runtime->complete("world.ball.z", 12))
+        if (candidate.label == "z")
+            CHECK_THAT(candidate.detail, Catch::Contains("· -1e9 to 1e9 · "));
     s.run("for i = 1, 20000 do world:add(Circle {}) end");
     CHECK(taken(s, "world.ball.mas") == "world.ball.mass");
     CHECK(taken(s, "world.gravi") == "world.gravity");
@@ -266,8 +269,10 @@ TEST_CASE("completion compares a bounded number of names and describes those tha
     const auto near = labels(s, "world.b20");
     CHECK(has(near, "b20"));
     CHECK(has(near, "b209"));
-    // Beyond the limit a child is found by its whole name.
-    CHECK_FALSE(has(labels(s, "world.b450"), "b4501"));
+    // Beyond the limit a child is found by its whole name, or by that without two digits.
+    CHECK(has(labels(s, "world.b450"), "b4501"));
+    CHECK(has(labels(s, "world.b45"), "b4501"));
+    CHECK_FALSE(has(labels(s, "world.b4"), "b4501"));
     CHECK(labels(s, "world.b4500").at(0) == "b4500");
     CHECK(taken(s, "world.b4500.mas") == "world.b4500.mass");
     CHECK(labels(s, "world.b4500.").size() > 10);

@@ -79,6 +79,7 @@ void History::make_void(Transaction& transaction) {
 void History::add(EditStep step, const std::string& name) {
     const bool single = depth_ == 0;
     if (single) begin(name, false);
+    if (open_.steps.empty()) open_.cause = tree_.cause();
     open_bytes_ += bytes_of(step);  // the list has its own memory limit
     if (const auto* edit = std::get_if<CellEdit>(&step))
         written_[{edit->instance.index, edit->property}] = open_.steps.size();

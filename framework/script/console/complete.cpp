@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <functional>
 #include <tuple>
 #include <unordered_set>
@@ -151,8 +152,17 @@ void add_children(const property::Tree& tree, Handle instance, std::size_t separ
     Handle child = tree.first_child(instance);
     for (; child && compared < max_compared; child = tree.next_sibling(child), ++compared)
         add(child);
-    // Beyond the limit a child is found by its whole name.
-    if (const Handle whole = child ? tree.child(instance, out.typed()) : Handle()) add(whole);
+    if (!child) return;
+    // Beyond the limit a child is found by its whole name, and by all but two digits of its number.
+    const auto look_up = [&](const std::string& name) {
+        if (const Handle found = tree.child(instance, name)) add(found);
+    };
+    const std::string typed(out.typed());
+    look_up(typed);
+    if (typed.empty() || std::isdigit(static_cast<unsigned char>(typed.back())) == 0) return;
+    for (int more = 0; more < 10; ++more) look_up(typed + std::to_string(more));
+    for (int more = 0; more < 100; ++more)
+        look_up(typed + std::to_string(more / 10) + std::to_string(more % 10));
 }
 
 void add_instance(Machine& machine, Handle instance, bool methods_only, std::size_t separator,
