@@ -79,7 +79,10 @@ void History::make_void(Transaction& transaction) {
 void History::add(EditStep step, const std::string& name) {
     const bool single = depth_ == 0;
     if (single) begin(name, false);
-    if (open_.steps.empty()) open_.cause = tree_.cause();
+    if (open_.steps.empty()) {  // the place stays that at which the edit began
+        open_.cause.writer = tree_.cause().writer;
+        open_.cause.step = tree_.cause().step;
+    }
     open_bytes_ += bytes_of(step);  // the list has its own memory limit
     if (const auto* edit = std::get_if<CellEdit>(&step))
         written_[{edit->instance.index, edit->property}] = open_.steps.size();
