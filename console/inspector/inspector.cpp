@@ -85,17 +85,18 @@ void Inspector::draw(ImFont* bold) {
     }
     float available = ImGui::GetContentRegionAvail().y;
     bool alone = !tree_.alive(selected());
-    float below = 2.5f * ImGui::GetTextLineHeightWithSpacing();
+    const std::string instead =
+        selected() ? last_path_ + " was deleted" : "Click a body in the game, or a name above.";
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float below = ImGui::CalcTextSize(instead.c_str(), nullptr, false, width).y +
+                        3 * ImGui::GetStyle().ItemSpacing.y;
     draw_outline(
         std::max(1.0f, std::floor(alone ? available - below : available * outline_share_)));
     if (!alone) draw_splitter();
     if (!tree_.alive(selected())) {
         ImGui::Spacing();
         ImGui::PushTextWrapPos(0);
-        if (selected())
-            ImGui::TextDisabled("%s was deleted", last_path_.c_str());
-        else
-            ImGui::TextDisabled("Click a body in the game, or a name above.");
+        ImGui::TextDisabled("%s", instead.c_str());
         ImGui::PopTextWrapPos();
     } else {
         last_path_ = tree_.path(selected());

@@ -168,7 +168,7 @@ void PromptView::draw_menu(float cell, ImFont* bold) {
                   2 * style.WindowPadding.x + (may_scroll ? style.ScrollbarSize : 0);
     width = std::min(std::max(width, 36 * cell), screen.x - 2 * edge);
     const float inner = width - 2 * style.WindowPadding.x;
-    const float row_height = ImGui::GetTextLineHeightWithSpacing() + row_padding;
+    const float row_height = ImGui::GetTextLineHeight() + row_padding;  // without spacing
     float facts_width = inner - label_width - 4 * cell - (may_scroll ? style.ScrollbarSize : 0);
     Description description = describe(inner - 2 * cell, facts_width);
 
