@@ -123,6 +123,14 @@ TEST_CASE("a command of the console is one step of undo") {
     CHECK(s.prints("print(world.ball.mass, world.new.mass)") == "5.0\t9.0");
     CHECK_THAT(s.console("who('world.ball.mass')"), contains("world.ball.mass: "));
     CHECK_THAT(s.console("who('world.ball')"), contains("is an instance"));
+    // What a script wrote may have been changed by the simulation since.
+    s.run("world.ball.position = vec(3, 4)");
+    CHECK_THAT(s.console("who('world.ball.position')"), !contains("later steps"));
+    s.step(5);
+    CHECK_THAT(s.console("who('world.ball.position')"), contains("; later steps may have"));
+    s.console("world.ball.position = vec(5, 6)");
+    s.step(5);
+    CHECK_THAT(s.console("who('world.ball.position')"), !contains("later steps"));
 }
 
 TEST_CASE("an error that goes through many formulas names the last one and where it began") {

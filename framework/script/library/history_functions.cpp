@@ -83,12 +83,23 @@ Place property_at(lua_State* L, const char* what) {
     return place;
 }
 
+/// Of writes of scripts and modules it is not known which value they left, so it cannot be said
+/// whether a later step has changed what the simulation may change.
+std::string writer_text(const property::Tree& tree, const Place& place) {
+    const property::Provenance written = tree.who(place.instance, *place.property);
+    if (!written.known) return "no recent write is known";
+    const bool by_code = written.cause.writer == property::Writer::script ||
+                         written.cause.writer == property::Writer::module;
+    const bool may_move = place.property->simulated && place.property->derives_from.empty();
+    if (!by_code || !may_move || written.cause.step + 1 >= tree.step()) return written.cause.text();
+    return written.cause.text() + "; later steps may have changed it";
+}
+
 int who(lua_State* L) {
     Machine& machine = machine_of(L);
     const Place place = property_at(L, "who");
-    const property::Provenance written = machine.tree.who(place.instance, *place.property);
     print_line(machine, machine.tree.path(place.instance, *place.property) + ": " +
-                            (written.known ? written.cause.text() : "no recent write is known"));
+                            writer_text(machine.tree, place));
     return 0;
 }
 
