@@ -7,9 +7,9 @@ for name, value in pairs { lives = 5, hearts = 3, coins = 0, points = 0 } do sta
 input.actions.jump = { "space", "z", "gamepad.a", "mouse.left" }
 input.actions.pause = { "escape", "p", "gamepad.start" }
 class("Level", World) { number = 1, clock = 0.0, coins = 0, all_coins = 0, hits = 0, chain = 0, respawn = vec(0, 0), over = false,
-    gravity = vec(0, -36) }
+    gravity = vec(0, -36), had = { 0, 0, 5 } }     -- had: coins, points and lives at its beginning
 function Level:enter(args)
-    self.number = args.number
+    self.number, self.had = args.number, { coins, points, lives }
     time.paused, time.scale = false, 1
     view.height, view.follow_damping, view.dead_zone = 13, 0.12, vec(1.5, 2)
     self:add(Tilemap { map = "levels/" .. self.number .. ".tmj", pixels_per_unit = 16 }, "map")

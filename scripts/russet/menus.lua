@@ -26,9 +26,9 @@ function update(_, real_dt)
     menu.opacity = math.min(1, menu.opacity + 6 * real_dt)
     menu.offset = vec(0, (menu.modal and 0 or 90) + 24 * (1 - menu.opacity) ^ 2)
 end
-function menus.play(number, new)
-    if new then lives, coins, points = 5, 0, 0 end
-    hearts = 3
+function menus.play(number, new, had)
+    had = new and { 0, 0, 5 } or had or { coins, points, lives }
+    coins, points, lives, hearts = had[1], had[2], new and 5 or math.min(lives, had[3]), 3
     close("menu", "pause_menu", "settings")
     go_to_scene("Level", { transition = "iris", seconds = 0.7, color = dark, args = { number = number } })
 end
@@ -92,7 +92,7 @@ function menus.pause()
     time.paused = true
     local function go_on() time.paused = false close("pause_menu") end
     open("pause_menu", { head("Pause"), button("go_on", "Go on", go_on, "accent"),
-        button("again", "Begin this place again", function() menus.play(game.scene.number) end),
+        button("again", "Begin this place again", function() menus.play(game.scene.number, false, game.scene.had) end),
         button("settings", "Settings", menus.settings), button("title", "Title", menus.title) }, go_on)
 end
 -- Keeps the five best runs; says which place this one has.
