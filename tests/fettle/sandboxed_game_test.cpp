@@ -23,6 +23,13 @@ Outcome play(const Folder& folder, const std::string& main, std::vector<std::str
     return fettle(folder, all);
 }
 
+// The address sanitizer reserves more address space than any limit allows.
+#ifdef __SANITIZE_ADDRESS__
+const std::string limited_memory;
+#else
+const std::string limited_memory = "ulimit -v 2000000; ";
+#endif
+
 }  // namespace
 
 TEST_CASE("each limit of a sandbox is reported with its place and value") {
@@ -90,6 +97,41 @@ TEST_CASE("instances that make instances when they are ready have the limit of a
     CHECK(run.status == 1);
     CHECK(contains(run.err, "main.lua:1: stopped: there are 100"));
     CHECK(contains(run.err, "instances, and this game may have 100000"));
+}
+
+TEST_CASE("one replacement of a text takes no more memory than a game may have") {
+    const std::string replacement =
+        GENERATE(as<std::string>{}, "gsub('.+', ('%0'):rep(1000))", "gsub('.', ('x'):rep(1e6))",
+                 "gsub('.', ('%%'):rep(1e6))", "gsub('.', { a = ('x'):rep(1e6) })");
+    CAPTURE(replacement);
+    const Folder folder;
+    folder.write("game/main.lua", "return (('a'):rep(1e7)):" + replacement);
+    const Outcome run = fettle(
+        folder, {"run", (folder / "game").string(), "--sandbox", "--headless", "--steps", "1"},
+        limited_memory);
+    CAPTURE(run.err);
+    CHECK(run.status == 1);
+    CHECK(contains(run.err,
+                   "main.lua:1: stopped: it needs more memory than the scripts of a game "
+                   "may use, 512 MB"));
+}
+
+TEST_CASE("an error shows the beginning of a local variable with a very long path") {
+    const Folder folder;
+    const Outcome run = play(folder,
+                             "local p, n = world, ('n'):rep(900) "
+                             "for i = 1, 500 do p[n] = Object { } p = p[n] end error('here')");
+    CHECK(contains(run.err, "main.lua:1: here"));
+    CHECK(contains(run.err, "p = world.nnn"));
+    CHECK(run.err.size() < 5000);
+}
+
+TEST_CASE("a store with very many values is written in a short time") {
+    const Folder folder;
+    const Outcome run =
+        play(folder, "for i = 1, 120000 do store['k' .. i] = i end", {"--budget", "20000"});
+    CAPTURE(run.err);
+    CHECK(run.status == 0);
 }
 
 TEST_CASE("a text that takes long to compile is stopped") {

@@ -311,6 +311,21 @@ TEST_CASE("the number of classes and of names of ad-hoc properties is limited") 
     CHECK(names.prints("local o = Object { n17 = 3 } print(o.n17)") == "3");
 }
 
+TEST_CASE("classes that derive from each other have the memory limit of the game") {
+    // Each class copies what is known of the properties of its base.
+    const std::string attack =
+        GENERATE(as<std::string>{},
+                 "local base = Object for i = 1, 5000 do base = class('K' .. i, base) { ['p' .. i] "
+                 "= 1 } end",
+                 "for i = 1, 200 do class('K' .. i, Object) { doc = { ('d'):rep(1e6) .. i } } end");
+    CAPTURE(attack);
+    auto options = stage::unhurried();
+    options.memory_limit = options.limits.memory = std::size_t{64} << 20;
+    Stage s(options);
+    CHECK_THAT(s.fails(attack),
+               contains("memory") && contains("a chunk may use") && contains("64 MB"));
+}
+
 TEST_CASE("the number of restores that wait for one barrier is limited") {
     Stage s;
     s.run("kept = snapshot()");

@@ -222,6 +222,11 @@ TEST_CASE("an escape is refused with its reason") {
         {"assert(load('local ' .. ('a,'):rep(300) .. 'a'))", "too many local variables"},
         {"local function f(n) return (('x'):gsub('x', function() return f(n + 1) end)) end f(1)",
          "overflow"},
+        {"local function f(n) return coroutine.wrap(function() return f(n + 1) end)() end f(1)",
+         ":1: C stack overflow"},
+        {"local function f(n) return coroutine.wrap(function() return f(n + 1) end)() end "
+         "return (('x'):gsub('x', function() return f(1) end))",
+         ":1: C stack overflow"},
         {"game:delete()", "cannot be deleted"},
         {"world:delete()", "cannot be deleted"},
         {"game:add(game)", "has its place already"},

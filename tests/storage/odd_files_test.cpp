@@ -224,7 +224,8 @@ TEST_CASE("a scene replaces a scene or creates a file") {
     }
     for (const char* const name :
          {"main.lua", "new.lua", "modules.json", "game.json", "main.tweaks.json", "x.tweaks.json",
-          ".hidden.json", ".fettle/level.json", "sub/.git/x.json", "evil.so", "save.sqlite"}) {
+          "MAIN.LUA", "Game.json", ".hidden.json", ".fettle/level.json", "sub/.git/x.json",
+          "evil.so", "save.sqlite"}) {
         CAPTURE(name);
         fs::remove(folder / name);
         CHECK(has(refusal([&] { files.write_scene(folder / name, scene); }), "was not written: "));

@@ -8,6 +8,8 @@
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
+#include <values/weight.h>
+
 #include "coerce.h"
 #include "descriptor_check.h"
 #include "lasting_fields.h"
@@ -180,6 +182,14 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
     pair_events(*made);
     by_name_[made->name()] = made.get();
     return *classes_.emplace_back(std::move(made));
+}
+
+std::int64_t ClassRegistry::weight_of(const Class& of) {
+    std::size_t text = of.name().size() + of.doc().size();
+    for (const Property& property : of.own_properties_)
+        text += property.name.size() + property.doc.size();
+    const auto properties = static_cast<std::int64_t>(of.properties_.size());
+    return weight_of_class + properties * weight_of_inherited + static_cast<std::int64_t>(text);
 }
 
 /// Connects each event `*_begin` with its `*_end`.

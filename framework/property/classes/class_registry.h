@@ -36,6 +36,8 @@ class ClassRegistry {
     static const std::vector<const Property*>& stored(const Class& of) { return of.stored_; }
     static const std::vector<const Property*>& observed(const Class& of) { return of.observed_; }
     static const std::vector<const Property*>& initial(const Class& of) { return of.initial_; }
+    /// Estimated memory, with what it copies of its base.
+    static std::int64_t weight_of(const Class& of);
     /// Whether all columns of the class were found to have memory.
     static bool& columns_found(const Class& of) { return of.columns_found_; }
 

@@ -68,7 +68,7 @@ void redefine(Tree& tree, const Class& of, std::vector<Property> own) {
         if (tree.property(each.instance, each.name).binding.kind == BindingKind::ad_hoc)
             tree.remove_ad_hoc(each.instance, each.name);
     s.instances.classes.redefine(s.instances.classes[of.id()], std::move(own));
-    tree.add_weight(weight_of_class);
+    tree.add_weight(ClassRegistry::weight_of(of));
     for (const Class* each : tree.classes()) {
         if (!each->is_a(of)) continue;
         s.instances.stored[each->id()]->extend();

@@ -128,7 +128,7 @@ Pinned::~Pinned() {
 const Class& Tree::define(ClassDescriptor descriptor) {
     require_changeable("define a class");
     Class& made = state_->instances.classes.define(std::move(descriptor));
-    add_weight(weight_of_class);
+    add_weight(ClassRegistry::weight_of(made));
     state_->instances.stored.push_back(
         made.stored_.empty() ? nullptr : std::make_unique<StoredColumns>(made));
     for (const Property& property : made.own_properties_)

@@ -16,6 +16,7 @@ constexpr std::int64_t weight_of_name = 160;          // for a name of its own, 
 constexpr std::int64_t weight_of_own_property = 140;  // ad hoc, without its value
 constexpr std::int64_t weight_of_own_descriptor = 1024;
 constexpr std::int64_t weight_of_class = 8192;
+constexpr std::int64_t weight_of_inherited = 150;  // for each property of a class, also of its base
 constexpr std::int64_t weight_of_watcher = 500;
 constexpr std::int64_t weight_of_formula = 700;
 constexpr std::int64_t weight_of_message = 250;  // while it waits for the barrier

@@ -13,6 +13,7 @@
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
+#include <text/columns.h>
 #include <text/other_languages.h>
 #include <values/short_text.h>
 #include <values/values.h>
@@ -23,6 +24,7 @@ namespace {
 
 constexpr int max_frames = 40;
 constexpr int max_locals = 40;
+constexpr std::size_t longest_local = 400;  // characters; a path has up to a million
 
 std::string frame_name(const lua_Debug& frame) {
     if (frame.name && *frame.name) {
@@ -62,7 +64,8 @@ std::string locals_of(lua_State* L, lua_Debug& frame) {
     for (int n = 1; n <= max_locals; ++n) {
         const char* name = lua_getlocal(L, &frame, n);
         if (!name) break;
-        if (name[0] != '(') text += std::string(name) + " = " + short_text(L, -1) + "\n";
+        if (name[0] != '(')
+            text += std::string(name) + " = " + cut(short_text(L, -1), longest_local) + "\n";
         lua_pop(L, 1);
     }
     return text;
@@ -138,12 +141,16 @@ void complete_message(lua_State* L, lua_State* from, int level) {
     lua_pop(L, 1);
     const auto& unchanged = machine_of(L).errors.raise_unchanged;
     const bool by_lua = raiser == nullptr;  // which puts its position before the message
-    if (!by_lua && std::find(unchanged.begin(), unchanged.end(), raiser) != unchanged.end()) return;
+    // Lua raises it in any function, without a position.
+    const bool overflow = view_at(from, -1) == "C stack overflow";
+    if (!by_lua && !overflow &&
+        std::find(unchanged.begin(), unchanged.end(), raiser) != unchanged.end())
+        return;
     ScriptError error;
     error.message = string_at(from, -1);
     place_from_message(error);
     std::string completed = error.message;
-    if (!by_lua && error.line == 0) {
+    if ((!by_lua || overflow) && error.line == 0) {
         completed = with_refusal(machine_of(L).budget, completed);
         if (completed == error.message) completed.insert(0, position(L));
     }

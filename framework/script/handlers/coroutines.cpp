@@ -30,6 +30,12 @@ int run_thread(lua_State* L, lua_State* thread, int arguments, int& results) {
     Machine& machine = machine_of(L);
     const int status =
         switch_to(L, thread, [&] { return lua_resume(thread, L, arguments, &results); });
+    if (status > LUA_YIELD && lua_status(thread) != status) {
+        // The error of lua_resume itself, such as one of too many coroutines in each other.
+        const std::string placed = position(L) + string_at(thread, -1);
+        lua_pop(thread, 1);
+        push_text(thread, placed);
+    }
     if (status > LUA_YIELD && machine.budget.stopping()) {
         // The thread was stopped and its hook may not be called any more, so nothing of it may run
         // again, not even __close.

@@ -133,27 +133,42 @@ int gmatch(lua_State* L) {
     return 1;
 }
 
+// The result of gsub grows outside of Lua's memory until it is complete, so the same limit is
+// checked here. There are two copies of it when it moves to a larger place, and when it becomes
+// Lua's.
+void append(lua_State* L, std::string& out, std::string_view piece) {
+    constexpr std::size_t unchecked = 4096;  // bytes
+    const std::size_t size = out.size() + piece.size();
+    const Arena& arena = machine_of(L).arena;
+    if (size > unchecked && size > (arena.limit() - std::min(arena.limit(), arena.bytes())) / 2) {
+        const Arena::Refusal refusal{.size = size, .final = true};
+        machine_of(L).budget.memory_refused(refusal);
+        throw Error(ErrorKind::rejected, machine_of(L).budget.out_of_memory(refusal));
+    }
+    out.append(piece);
+}
+
 // Expands %0 to the whole match, %1 to %9 to a capture, and %% to a percent sign.
 void add_template(lua_State* L, std::string& out, std::string_view text,
                   const PatternMatcher& matcher, std::string_view subject, std::size_t start,
                   std::size_t end) {
     for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] != '%') {
-            out += text[i];
-            continue;
-        }
+        const std::size_t plain = std::min(text.find('%', i), text.size()) - i;
+        append(L, out, text.substr(i, plain));
+        i += plain;
+        if (i == text.size()) break;
         const char c = ++i < text.size() ? text[i] : '\0';
         if (c == '%') {
-            out += '%';
+            append(L, out, "%");
         } else if (c == '0' || (c == '1' && matcher.capture_count() == 0)) {
-            out.append(subject.substr(start, end - start));
+            append(L, out, subject.substr(start, end - start));
         } else if (c >= '1' && c <= '9') {
             const auto capture = static_cast<std::size_t>(c - '1');
             if (capture >= matcher.capture_count())
                 throw Error(ErrorKind::rejected,
                             std::string("invalid capture index %") + c + " in replacement string");
             push_capture(L, matcher, subject, capture);
-            out += view_at(L, -1);
+            append(L, out, view_at(L, -1));
             lua_pop(L, 1);
         } else {
             throw Error(ErrorKind::rejected, "invalid use of '%' in replacement string");
@@ -183,24 +198,14 @@ void add_replacement(lua_State* L, std::string& out, const PatternMatcher& match
             return;
     }
     if (!lua_toboolean(L, -1)) {
-        out.append(subject.substr(start, end - start));
+        append(L, out, subject.substr(start, end - start));
     } else if (lua_isstring(L, -1)) {
-        out += view_at(L, -1);
+        append(L, out, view_at(L, -1));
     } else {
         throw Error(ErrorKind::wrong_type,
                     "invalid replacement value (" + describe_type(L, -1) + ")");
     }
     lua_pop(L, 1);
-}
-
-// The result grows outside of Lua's memory until it is complete, so the same limit is checked here.
-void check_size(lua_State* L, const std::string& out) {
-    const Arena& arena = machine_of(L).arena;
-    if (out.size() > arena.limit() - std::min(arena.limit(), arena.bytes())) {
-        const Arena::Refusal refusal{.size = out.size(), .final = true};
-        machine_of(L).budget.memory_refused(refusal);
-        throw Error(ErrorKind::rejected, machine_of(L).budget.out_of_memory(refusal));
-    }
 }
 
 int gsub(lua_State* L) {
@@ -228,9 +233,8 @@ int gsub(lua_State* L) {
             break;
         }
         if (start > subject.size() || anchored) break;
-        if (out.size() > 4096) check_size(L, out);
     }
-    if (start < subject.size()) out.append(subject.substr(start));
+    if (start < subject.size()) append(L, out, subject.substr(start));
     push_text(L, out);
     lua_pushinteger(L, count);
     return 2;

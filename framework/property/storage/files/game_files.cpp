@@ -4,6 +4,8 @@
 
 #include <fcntl.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <span>
@@ -154,7 +156,10 @@ namespace {
 std::string why_no_name_of_a_scene(const fs::path& name) {
     for (const fs::path& part : name)
         if (part.string().starts_with('.')) return "hidden files are not a game's to write";
-    const std::string last = name.filename().string();
+    std::string last = name.filename().string();
+    // Some file systems do not tell upper case from lower case.
+    std::transform(last.begin(), last.end(), last.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     for (const char* const ending : {".lua", ".so", ".sqlite", ".tweaks.json"})
         if (last.ends_with(ending)) return std::string("what ends in ") + ending + " is no scene";
     const bool taken = last == "modules.json" || last == "game.json";

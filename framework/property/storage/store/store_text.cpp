@@ -63,7 +63,9 @@ StoreJson table_json(const Store::Content& content) {
     StoreJson pairs = StoreJson::array(), object = StoreJson::object();
     for (const auto& [key, entry] : content.entries) {
         if (names) {
-            object[std::get<std::string>(key)] = entry_json(entry);
+            // Assigning by a key would compare it with all keys before it.
+            object.get_ref<StoreJson::object_t&>().emplace_back(std::get<std::string>(key),
+                                                                entry_json(entry));
             continue;
         }
         StoreJson name;
