@@ -5,7 +5,7 @@
 #include <fstream>
 #include <set>
 
-#include "program.h"
+#include "running_program.h"
 
 namespace new_game_test {
 
@@ -33,6 +33,28 @@ TEST_CASE("a game of every template runs and passes its tests") {
     INFO(tests.out << tests.err);
     CHECK(tests.status == 0);
     CHECK(contains(tests.out, " 0 failed\n"));
+}
+
+TEST_CASE("a number that is changed in a game of a template changes the game that runs") {
+    const auto pattern = GENERATE(as<std::string>(), "empty", "physics", "platformer", "topdown");
+    INFO(pattern);
+    const Folder folder;
+    const std::string game = (folder / "game").string();
+    REQUIRE(fettle(folder, {"new", game, "--template", pattern}).status == 0);
+    std::string main = folder.text("game/main.lua");
+    folder.write("game/main.lua",
+                 main + "after(0.2, function() scene.save('begun.json', Object { }) end)");
+    RunningProgram program(folder,
+                           {"run", game, "--headless", "--reload", "--steps", "1000000000"});
+    REQUIRE(program.makes("game/begun.json"));
+    const std::size_t at = main.find("view.height = ");
+    REQUIRE(at != std::string::npos);
+    main.replace(at, main.find('\n', at) - at, "view.height = 7.5");
+    folder.write("game/main.lua", main + "after(0.1, function() print(view.height) quit() end)");
+    const auto end = program.end();
+    INFO(end.err);
+    CHECK(end.status == 0);
+    CHECK(end.out == "7.5\n");
 }
 
 TEST_CASE("names in other letters get different ids") {

@@ -1,8 +1,11 @@
--- A game with nothing in it but a greeting. Functions with these names are called by Fettle.
+-- A game with nothing in it but a greeting. Change a line while it runs and save: the game follows.
+
+view.height = 10
+game.greeting = Object { text = "Hello" }
+
+-- Functions with these names are called by Fettle.
 
 function start()
-    view.height = 10
-    game.greeting = Object { text = "Hello" }
 end
 
 function update(dt)

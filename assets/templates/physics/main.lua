@@ -49,14 +49,20 @@ local function pull()
     return length > longest_pull and back * (longest_pull / length) or back
 end
 
+-- What is made here, outside of functions, follows the file while the game runs.
+view.background = color("#1b2130")
+view.center = vec(0, 4)
+view.height = 13
+world.ground = Body { type = "static", position = vec(0, -5), Box { width = 60, height = 10, color = color("#2f3b2f") } }
+world.table = Body { type = "static", position = vec(5.5, 0.5), Box { width = 4, height = 1, color = color("#6b4f3a") } }
+
 function start()
-    view.background = color("#1b2130")
-    view.center = vec(0, 4)
-    view.height = 13
-    world.ground = Body { type = "static", position = vec(0, -5), Box { width = 60, height = 10, color = color("#2f3b2f") } }
-    world.table = Body { type = "static", position = vec(5.5, 0.5), Box { width = 4, height = 1, color = color("#6b4f3a") } }
     begin(1)
     store.best = store.best or 0
+end
+
+function reloaded()
+    build_tower(round.level)
 end
 
 function step()

@@ -82,22 +82,24 @@ local function begin()
     world.hero.position, world.hero.velocity = vec(-4, 1), vec(0, 0)
 end
 
+-- What is made here, outside of functions, follows the file while the game runs.
+view.background = color("#8ecae6")
+view.height = 12
+world.gravity = vec(0, -25)
+world.platforms = Object {}
+for _, place in ipairs(platforms) do
+    local left, top, width, height = table.unpack(place)
+    world.platforms:add(Body {
+        type = "static", position = vec(left + width / 2, top - height / 2),
+        Box { width = width, height = height, color = height > 1 and rock or grass, friction = 0.2 },
+    })
+end
+world.hero = Hero {
+    position = vec(-4, 1), locked_rotation = true, can_sleep = false,
+    Capsule { from = vec(0, -0.25), to = vec(0, 0.3), radius = 0.35, friction = 0, color = color("#e5484d"), z = -1 },  -- below its eye
+}
+
 function start()
-    view.background = color("#8ecae6")
-    view.height = 12
-    world.gravity = vec(0, -25)
-    world.platforms = Object {}
-    for _, place in ipairs(platforms) do
-        local left, top, width, height = table.unpack(place)
-        world.platforms:add(Body {
-            type = "static", position = vec(left + width / 2, top - height / 2),
-            Box { width = width, height = height, color = height > 1 and rock or grass, friction = 0.2 },
-        })
-    end
-    world.hero = Hero {
-        position = vec(-4, 1), locked_rotation = true, can_sleep = false,
-        Capsule { from = vec(0, -0.25), to = vec(0, 0.3), radius = 0.35, friction = 0, color = color("#e5484d"), z = -1 },  -- below its eye
-    }
     begin()
 end
 

@@ -92,11 +92,13 @@ local function shoot()
     })
 end
 
+-- What is written here, outside of functions, follows the file while the game runs.
+view.background = color("#12141c")
+view.height = 20
+world.gravity = vec(0, 0)
+world.bounds = { -field, field }
+
 function start()
-    view.background = color("#12141c")
-    view.height = 20
-    world.gravity = vec(0, 0)
-    world.bounds = { -field, field }
     begin()
 end
 
