@@ -102,6 +102,25 @@ TEST_CASE("a long error of changed files takes several lines of its strip") {
     CHECK(after.lines.empty());
 }
 
+TEST_CASE("the caret is below the piece of a long line that it points into") {
+    app::ErrorScreen screen({.reload = {}, .go_on = {}});
+    script::ScriptError error = an_error();
+    error.file = "main.lua";
+    error.line = 3;
+    for (int i = 0; i < 60; ++i) error.source_line += i == 30 ? "wrong " : "right ";
+    error.column = 30 * 6 + 1;
+    screen.show(error);
+    NotingSurface surface;
+    screen.draw(surface, 0);
+    const auto& lines = surface.lines;
+    const auto caret = std::find_if(lines.begin(), lines.end(),
+                                    [](const auto& line) { return line.first.ends_with('^'); });
+    REQUIRE(caret != lines.end());
+    CHECK((caret - 1)->first.find("wrong") == caret->first.size() - 1);
+    CHECK(caret->second > (caret - 1)->second);
+    CHECK((caret + 1)->first.starts_with("right"));
+}
+
 TEST_CASE("arrows go through the past while the error is shown") {
     int went = 0;
     app::ErrorScreen screen(

@@ -69,6 +69,7 @@ struct ErrorScreen::Line {
     Face face = Face::plain;
     float above = 0;     // px, space above the line
     bool boxed = false;  // code, on a darker background
+    int caret = -1;      // the character that a caret below the line points to
 };
 
 std::string error_text(const script::ScriptError& error) {
@@ -127,14 +128,38 @@ void add_source(std::vector<Line>& lines, const script::ScriptError& e) {
                      .color = amber,
                      .face = Face::monospace,
                      .above = 6,
-                     .boxed = true});
-    if (e.column > 0)
-        lines.push_back(
-            {.text = std::string(prefix.size() + static_cast<std::size_t>(e.column - 1), ' ') + "^",
-             .size = 16,
-             .color = red,
-             .face = Face::monospace,
-             .boxed = true});
+                     .boxed = true,
+                     .caret = e.column > 0 ? static_cast<int>(prefix.size()) + e.column - 1 : -1});
+}
+
+/// The lines in pieces that are as wide as `room` at most. A caret is below its piece.
+template <class Line>
+std::vector<Line> broken(Surface& surface, const std::vector<Line>& lines, float room) {
+    std::vector<Line> pieces;
+    for (const Line& line : lines) {
+        int begin = 0;  // character of the line
+        std::string_view rest = line.text;
+        do {
+            Line piece = line;
+            piece.text = rest.substr(0, fitting(surface, rest, room, line.size, line.face));
+            rest.remove_prefix(piece.text.size());
+            if (begin > 0) piece.above = 0;
+            const int end = begin + static_cast<int>(std::count_if(
+                                        piece.text.begin(), piece.text.end(), [](char c) {
+                                            return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+                                        }));
+            pieces.push_back(std::move(piece));
+            if (line.caret >= begin && (line.caret < end || rest.empty())) {
+                Line caret = line;
+                caret.text = std::string(static_cast<std::size_t>(line.caret - begin), ' ') + "^";
+                caret.color = red;
+                caret.above = 0;
+                pieces.push_back(std::move(caret));
+            }
+            begin = end;
+        } while (!rest.empty());
+    }
+    return pieces;
 }
 
 template <class Line>
@@ -251,22 +276,17 @@ void ErrorScreen::draw(Surface& surface, double) {
     fill(surface, 0, 0, 5, height, running_ ? amber : red);
     const float room = std::max(100.0f, width - 2 * margin);
     const float bottom = low - keys_height;
-    const std::vector<Line> all = lines();
+    const std::vector<Line> all = broken(surface, lines(), room);
     scroll_ = std::clamp(scroll_, 0, static_cast<int>(all.size()) - 1);
     float y = margin;
     for (std::size_t i = static_cast<std::size_t>(scroll_); i < all.size() && y < bottom; ++i) {
         const Line& line = all[i];
+        const float step = 1.32f * line.size;
         y += line.above;
-        std::string_view rest = line.text;
-        do {
-            const std::size_t length = fitting(surface, rest, room, line.size, line.face);
-            const float step = 1.32f * line.size;
-            if (y + step > bottom) break;
-            if (line.boxed) fill(surface, margin - 10, y - 2, room + 20, step + 4, {8, 9, 12, 255});
-            surface.text(margin, y, rest.substr(0, length), line.size, line.color, line.face);
-            y += step;
-            rest.remove_prefix(length);
-        } while (!rest.empty());
+        if (y + step > bottom) break;
+        if (line.boxed) fill(surface, margin - 10, y - 2, room + 20, step + 4, {8, 9, 12, 255});
+        surface.text(margin, y, line.text, line.size, line.color, line.face);
+        y += step;
     }
     draw_keys(surface, bottom);
 }
@@ -286,21 +306,12 @@ void ErrorScreen::draw_keys(Surface& surface, float bottom) const {
 /// Draws the error of changed files at the lower edge.
 void ErrorScreen::draw_over(Surface& surface, float bottom) const {
     const script::ScriptError& e = *over_;
-    std::vector<Line> lines = {
+    std::vector<Line> all = {
         {.text = "The files have an error; the game goes on as it was", .size = 14, .color = pale},
         {.text = e.message, .size = 17, .color = red, .face = Face::bold, .above = 4}};
-    if (!e.source_line.empty()) add_source(lines, e);
+    if (!e.source_line.empty()) add_source(all, e);
     const float room = std::max(100.0f, surface.width() - 2 * margin);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        Line& line = lines[i];
-        const std::size_t length = fitting(surface, line.text, room, line.size, line.face);
-        if (length >= line.text.size()) continue;
-        Line rest = line;
-        rest.text.erase(0, length);
-        rest.above = 0;
-        line.text.resize(length);
-        lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(rest));
-    }
+    const std::vector<Line> lines = broken(surface, all, room);
     float needed = 24;
     for (const Line& line : lines) needed += line.above + 1.32f * line.size;
     const float top = std::max(0.0f, bottom - needed);
