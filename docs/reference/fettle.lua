@@ -616,7 +616,7 @@ StepStatistics = {}
 ---@field sleep_delay number Time for which a body must rest before it falls asleep. · s · at least 0 · default 0.5
 ---@field sleep_speed number A body that is slower than this rests. · m/s · at least 0 · default 0.05
 ---@field sleeping boolean True if resting bodies fall asleep, which saves time, until they are disturbed. · true or false · default true
----@field solver "soft_step"|"sequential"|"direct" How contacts and joints are solved: "soft_step" solves them one after the other in small steps with warm starting; "sequential" solves the contacts once, the worst first, as was usual in 2008; "direct" solves all that touch each other as one problem. · "soft_step", "sequential", "direct" · default "soft_step"
+---@field solver "soft_step"|"sequential"|"direct" How contacts and joints are solved: "soft_step" solves them one after the other in small steps with warm starting, and is right for nearly all games; "direct" solves all that touch each other as one problem: slow for many bodies, and it holds bodies some hundreds of times heavier than those below them; "sequential" solves the contacts once, the worst first, as was usual in 2008, to compare: it does not hold a heavy box on a light one. · "soft_step", "sequential", "direct" · default "soft_step"
 ---@field substeps integer Number of parts in which a step is solved: more is stiffer and slower. A step that is much longer than the last one gets up to four times as many. · 1 to 64 · default 4
 ---@field threads integer Number of threads for a step; at most as many run at a time as the machine has processors. The number changes no result. · 1 to 64 · default 1 · not saved
 ---@field step StepStatistics Statistics of the last step of a world, and the time that it took.
@@ -745,7 +745,7 @@ World = {}
 ---@field instance Body The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----The body began to touch another.
+---The body began to touch another. Reported once for each pair of shapes: a body of two shapes causes two.
 ---@class Body.contact_begin
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
@@ -759,7 +759,7 @@ World = {}
 ---@field instance Body The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----The body stopped touching another.
+---The body stopped touching another. Reported once for each pair of shapes: a body of two shapes causes two.
 ---@class Body.contact_end
 ---@field other Object The other body; the world itself for its bounds. It may have been deleted: then the record's other_alive is false, and only alive(), name, class and is_a() can be used.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
@@ -795,7 +795,7 @@ World = {}
 ---@field instance Body The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----The body entered a sensor, or a shape entered this sensor.
+---The body entered a sensor, or a shape entered this sensor. Reported once for each pair of shapes: a body of two shapes causes two.
 ---@class Body.sensor_begin
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
@@ -803,7 +803,7 @@ World = {}
 ---@field instance Body The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----The body left a sensor, or a shape left this sensor.
+---The body left a sensor, or a shape left this sensor. Reported once for each pair of shapes: a body of two shapes causes two.
 ---@class Body.sensor_end
 ---@field other Object The other body; the world itself for its bounds. It may have been deleted: then the record's other_alive is false, and only alive(), name, class and is_a() can be used.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
@@ -852,12 +852,12 @@ World = {}
 ---@field enabled boolean False if it takes no part in the world: it does not move, nothing collides with it, no query finds it, and its joints do not act. It is drawn, and keeps its velocity. · true or false · default true
 ---@field force vec Force on its center of mass in every step until it is changed. · N · any finite vec · default vec(0, 0)
 ---@field gravity_scale number Factor of the world's gravity for this body: 0 floats, -1 falls upwards. · any finite number · default 1
----@field inertia number Rotational inertia about the center of mass, computed from the shapes unless it is set; nil computes it again. With infinite inertia nothing turns it. · kg m² · 1e-30 to inf · default computed · simulated, may be infinite
+---@field inertia number Rotational inertia about the center of mass, computed from the shapes unless it is set; nil computes it again. With infinite inertia, or 1e18 and more, nothing turns it. · kg m² · 1e-30 to inf · default computed · simulated, may be infinite
 ---@field linear_damping number Share of its velocity that it loses in a second, for small values. · 1/s · at least 0 · default 0
 ---@field locked_rotation boolean True if it cannot turn. · true or false · default false
 ---@field locked_x boolean True if it cannot move along x. · true or false · default false
 ---@field locked_y boolean True if it cannot move along y. · true or false · default false
----@field mass number Mass: area times density of its shapes, unless it is set; nil computes it again. With infinite mass nothing moves it. A dynamic body without shapes has 1 kg. · kg · 1e-30 to inf · default computed · simulated, may be infinite
+---@field mass number Mass: area times density of its shapes, unless it is set; nil computes it again. With infinite mass, or 1e18 kg and more, nothing moves it, gravity neither. A dynamic body without shapes has 1 kg. · kg · 1e-30 to inf · default computed · simulated, may be infinite
 ---@field max_speed number Limit of the speed. World.substeps says how often it is applied in a step. · m/s · 1e-30 to inf · default inf · may be infinite
 ---@field position vec Position of its origin in the world. A write moves it at once. · m · -1e8 to 1e8 · default vec(0, 0) · simulated
 ---@field sleep_speed number It rests below this speed; that of the world unless it is set; nil uses that of the world again. · m/s · at least 0 · default 0.05 · simulated
@@ -953,7 +953,7 @@ Body = {}
 ---@field instance Shape The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----The shape began to touch another.
+---The shape began to touch another. Reported once for each pair of shapes: a body of two shapes causes two.
 ---@class Shape.contact_begin
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
@@ -967,7 +967,7 @@ Body = {}
 ---@field instance Shape The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----The shape stopped touching another.
+---The shape stopped touching another. Reported once for each pair of shapes: a body of two shapes causes two.
 ---@class Shape.contact_end
 ---@field other Object The other body; the world itself for its bounds. It may have been deleted: then the record's other_alive is false, and only alive(), name, class and is_a() can be used.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
@@ -1003,7 +1003,7 @@ Body = {}
 ---@field instance Shape The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----The shape entered a sensor, or a shape entered this sensor.
+---The shape entered a sensor, or a shape entered this sensor. Reported once for each pair of shapes: a body of two shapes causes two.
 ---@class Shape.sensor_begin
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
@@ -1011,7 +1011,7 @@ Body = {}
 ---@field instance Shape The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----The shape left a sensor, or a shape left this sensor.
+---The shape left a sensor, or a shape left this sensor. Reported once for each pair of shapes: a body of two shapes causes two.
 ---@class Shape.sensor_end
 ---@field other Object The other body; the world itself for its bounds. It may have been deleted: then the record's other_alive is false, and only alive(), name, class and is_a() can be used.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
@@ -1416,7 +1416,7 @@ GrooveJoint = {}
 ---@class WheelJoint : PairJoint
 ---@field axis vec Direction of the spring, in the coordinates of body_a; of any length but 0. · any finite vec · default vec(0, 1)
 ---@field damping_ratio number Damping ratio of the spring; with 1 it comes to rest without swinging. · at least 0 · default 0.7
----@field hertz number Stiffness of the spring; 0: no spring. · Hz · at least 0 · default 4
+---@field hertz number Stiffness of the spring: how often both bodies swing against each other in a second when nothing else touches them; 0: no spring. A heavy body on light wheels, which stand on the ground, swings slower. · Hz · at least 0 · default 4
 ---@field lower_translation number Smallest translation of the axle. · m · any number, infinite too · default -inf · may be infinite
 ---@field max_motor_torque number Largest torque of the motor; 0: no motor. · N m · 0 to inf · default 0 · may be infinite
 ---@field motor_speed number Angular velocity to which the motor drives the wheel, counter-clockwise. · rad/s · any finite number · default 0
@@ -3146,7 +3146,7 @@ function find(word) end
 ---@return Formula
 function formula(value) end
 
----Replaces game.scene at the next barrier. The name is that of a class of the game, of which an instance is made, or of a scene file: "level_2" is scenes/level_2.json or level_2.json. What the old scene owns ends with it: its instances with their timers, tweens, coroutines, sounds and handlers, and what its `enter` began. Options: transition = "fade", "wipe", "iris" or "none"; seconds, of real time (0.5); color; args: what `enter` gets, a value of a property or a table of them by name.
+---Replaces game.scene at the next barrier. The name is that of a class of the game, of which an instance is made, or of a scene file: "level_2" is scenes/level_2.json or level_2.json. What the old scene owns ends with it: its instances with their timers, tweens, coroutines, sounds and handlers, and what its `enter` began. Options: transition = "none" (the default), "fade", "wipe" or "iris"; seconds, of real time (0.5); color; args: what `enter` gets, a value of a property or a table of them by name.
 ---@param name string
 ---@param options? table
 function go_to_scene(name, options) end

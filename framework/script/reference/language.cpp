@@ -76,7 +76,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "level_2.json. What the old scene owns ends with it: its instances with their timers, "
          "tweens, "
          "coroutines, sounds and handlers, and what its `enter` began. Options: transition = "
-         "\"fade\", \"wipe\", \"iris\" or \"none\"; seconds, of real time (0.5); color; args: what "
+         "\"none\" (the default), \"fade\", \"wipe\" or \"iris\"; seconds, of real time (0.5); "
+         "color; args: what "
          "`enter` gets, a value of a property or a table of them by name."},
         {"help", "help(anything?: any)", "Explains a class, an instance, a method or a path."},
         {"history", "history()", "Lists the edits, the latest first."},

@@ -189,9 +189,10 @@ std::vector<Property> weight(Hosting& hosting) {
          .default_value = 1.0,
          .unit = "kg",
          .range = inertial,
-         .doc = "Mass: area times density of its shapes, unless it is set; nil computes it "
-                "again. With infinite mass nothing moves it. A dynamic body without shapes has 1 "
-                "kg.",
+         .doc =
+             "Mass: area times density of its shapes, unless it is set; nil computes it "
+             "again. With infinite mass, or 1e18 kg and more, nothing moves it, gravity neither. A "
+             "dynamic body without shapes has 1 kg.",
          .binding = mass(hosting),
          .simulated = true,
          .infinity = true,
@@ -201,7 +202,9 @@ std::vector<Property> weight(Hosting& hosting) {
          .unit = "kg m\xC2\xB2",
          .range = inertial,
          .doc = "Rotational inertia about the center of mass, computed from the shapes unless it "
-                "is set; nil computes it again. With infinite inertia nothing turns it.",
+                "is set; nil computes it again. With infinite inertia, or 1e18 and more, nothing "
+                "turns "
+                "it.",
          .binding =
              overridable<&Body::inertia, &Body::set_inertia, &Body::inertia_override>(hosting),
          .simulated = true,

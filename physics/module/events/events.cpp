@@ -76,10 +76,12 @@ void add_impact(std::vector<Value>& to, const auto& e, float side) {
 
 std::vector<Event> contact_events(std::string_view of) {
     const std::string self(of);
+    const std::string each_pair =
+        "Reported once for each pair of shapes: a body of two shapes causes two.";
     return {
         {.name = "contact_begin",
          .fields = contact_fields("Impulse of their first contact."),
-         .doc = "The " + self + " began to touch another."},
+         .doc = "The " + self + " began to touch another. " + each_pair},
         {.name = "contact_persist",
          .fields = contact_fields("Impulse between them in this step."),
          .doc = "The " + self + " still touches another: reported in every step after the first."},
@@ -91,17 +93,17 @@ std::vector<Event> contact_events(std::string_view of) {
                 "however many parts of them touch. The handler cannot write anything else."},
         {.name = "contact_end",
          .fields = pair_fields(Moment::end),
-         .doc = "The " + self + " stopped touching another."},
+         .doc = "The " + self + " stopped touching another. " + each_pair},
         {.name = "contact_hit",
          .fields = contact_fields(
              "Impulse that would stop the impact at the point with the highest speed of impact."),
          .doc = "The " + self + " was hit faster than the world's hit_threshold."},
         {.name = "sensor_begin",
          .fields = pair_fields(Moment::begin),
-         .doc = "The " + self + " entered a sensor, or a shape entered this sensor."},
+         .doc = "The " + self + " entered a sensor, or a shape entered this sensor. " + each_pair},
         {.name = "sensor_end",
          .fields = pair_fields(Moment::end),
-         .doc = "The " + self + " left a sensor, or a shape left this sensor."},
+         .doc = "The " + self + " left a sensor, or a shape left this sensor. " + each_pair},
     };
 }
 

@@ -16,8 +16,13 @@ void define_wheel_joint(Hosting& hosting) {
             vector("axis", {0, 1}, "",
                    "Direction of the spring, in the coordinates of body_a; of any length but 0.",
                    setting<&WheelJoint::axis, &WheelJoint::set_axis>(hosting)),
-            amount("hertz", 4, "Hz", "Stiffness of the spring; 0: no spring.",
-                   setting<&WheelJoint::hertz, &WheelJoint::set_hertz>(hosting)),
+            amount(
+                "hertz", 4, "Hz",
+                "Stiffness of the spring: how often both bodies swing against each other in a "
+                "second "
+                "when nothing else touches them; 0: no spring. A heavy body on light wheels, which "
+                "stand on the ground, swings slower.",
+                setting<&WheelJoint::hertz, &WheelJoint::set_hertz>(hosting)),
             amount("damping_ratio", 0.7f, "",
                    "Damping ratio of the spring; with 1 it comes to rest without "
                    "swinging.",

@@ -68,9 +68,12 @@ std::vector<Property> simulation(Hosting& hosting) {
         choice<solvers, &World::solver, &World::set_solver>(
             hosting, "solver", solvers[0],
             "How contacts and joints are solved: \"soft_step\" solves them one after the other "
-            "in small steps with warm starting; \"sequential\" solves the contacts once, the "
-            "worst first, as was usual in 2008; \"direct\" solves all that touch each other as "
-            "one problem."),
+            "in small steps with warm starting, and is right for nearly all games; \"direct\" "
+            "solves "
+            "all that touch each other as one problem: slow for many bodies, and it holds bodies "
+            "some hundreds of times heavier than those below them; \"sequential\" solves the "
+            "contacts once, the worst first, as was usual in 2008, to compare: it does not hold a "
+            "heavy box on a light one."),
         {.name = "bounds",
          .type = Type::list,
          .unit = "m",
