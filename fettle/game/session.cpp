@@ -273,11 +273,10 @@ void Session::make_console(app::Clipboard* clipboard) {
     app::View& view = services_->view;
     console::Options options{
         .clipboard = clipboard,
-        .to_world =
-            [&view](float x, float y) {
-                return view.to_world({x, y});
-            },
-        .to_pixels = [&view](property::Vec2 world) { return view.to_screen(world); },
+        .to_world = [&view](
+                        float x,
+                        float y) { return view.to_world(property::Vec2(x, y) - view.corner()); },
+        .to_pixels = [&view](property::Vec2 world) { return view.to_window(world); },
         .tweaks = tweaks_.get(),
         .review = [this](std::int64_t from,
                          const auto& look) { loop_->timeline().review(from, look); },

@@ -142,8 +142,9 @@ TEST_CASE_METHOD(Game, "a design size keeps its proportions") {
     tree.set(self, "fit", Value("letterbox"));
     CHECK(view.zoom() == Approx(72));  // 1280 x 720 pixels
     CHECK(view.width() == Approx(10 * 16.0 / 9));
-    CHECK(near(view.to_screen(view.upper()), {1280, 40}, 1e-6));
-    CHECK(near(view.to_world({0, 760}), view.lower(), 1e-9));
+    CHECK(near(view.to_window(view.upper()), {1280, 40}, 1e-6));
+    CHECK(near(view.to_screen(view.upper()), {1280, 0}, 1e-6));
+    CHECK(near(view.to_world({0, 720}), view.lower(), 1e-9));
     view.screen = {1000, 800};
     tree.set(self, "fit", Value("pixel"));
     CHECK(view.zoom() == Approx(54));  // three pixels for each of the design

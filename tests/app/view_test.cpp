@@ -33,7 +33,7 @@ TEST_CASE("to_world is the inverse of to_screen") {
     CHECK(back.y == Approx(point.y));
 }
 
-TEST_CASE("the transform of a view maps points as to_screen does") {
+TEST_CASE("the transform of a view maps points as to_window does") {
     for (const double angle : {0.0, 0.7, -2.0})
         for (const Fit fit : {Fit::expand, Fit::letterbox}) {
             View view;
@@ -42,8 +42,50 @@ TEST_CASE("the transform of a view maps points as to_screen does") {
             view.fit = fit;
             view.screen = {1013, 777};
             for (const Vec2& point : {Vec2(0, 0), Vec2(-6.1, 13), Vec2(200, -30)})
-                CHECK((view.world_to_screen()(point) - view.to_screen(point)).length() < 1e-9);
+                CHECK((view.world_to_window()(point) - view.to_window(point)).length() < 1e-9);
         }
+}
+
+TEST_CASE("pixels of the screen are counted from the corner of the picture inside its bars") {
+    View view;
+    view.screen = {1000, 500};
+    view.design = {400, 400};
+    CHECK(view.corner() == Vec2(0, 0));
+    CHECK(view.picture() == Vec2(1000, 500));
+    view.fit = Fit::letterbox;
+    CHECK(view.corner() == Vec2(250, 0));
+    CHECK(view.picture() == Vec2(500, 500));
+    CHECK(view.to_screen(view.center) == Vec2(250, 250));
+    CHECK(view.to_window(view.center) == Vec2(500, 250));
+    CHECK(view.to_world({0, 0}) == Vec2(-10, 10));
+    CHECK(view.to_world({500, 500}) == Vec2(10, -10));
+    view.fit = Fit::pixel;
+    CHECK(view.corner() == Vec2(300, 50));
+    CHECK(view.picture() == Vec2(400, 400));
+    view.screen = {701, 301};  // smaller than the design: the window shows the middle of it
+    CHECK(view.corner() == Vec2(150, 0));
+    CHECK(view.picture() == Vec2(400, 301));
+    const Vec2 point(3, 2), back = view.to_world(view.to_screen(point));
+    CHECK(back.x == Approx(3));
+    CHECK(back.y == Approx(2));
+}
+
+TEST_CASE("the mouse and the size of the screen are those of the picture inside its bars") {
+    Game game("function mouse_pressed(button, at, screen) print(screen, at) end");
+    game.services.view.screen = {1000, 500};
+    game.set("view.design", Vec2(400, 400));
+    game.set("view.fit", "letterbox");
+    CHECK(game.get("view.screen").vec2() == Vec2(500, 500));
+    InputEvent event;
+    event.kind = EventKind::mouse_pressed;
+    event.name = "left";
+    event.x = 250;
+    event.y = 500;
+    game.loop.handle(event);
+    game.loop.frame(tick);
+    CHECK(game.get("input.mouse.screen").vec2() == Vec2(0, 500));
+    CHECK(game.get("input.mouse.world").vec2() == Vec2(-10, -10));
+    CHECK(game.heard() == "vec(0, 500)\tvec(-10, -10)");
 }
 
 TEST_CASE("width and corners follow the height and the size of the screen") {

@@ -158,7 +158,16 @@ TEST_CASE("a letterbox has bars beside the picture") {
         view.fit = "letterbox"
         view.angle = deg(90)
         world.dots = Dots { size = vec(4, 4) }
+        function draw(pen)
+            pen.screen(function(screen)
+                screen.box(vec(5, 5), 10, 10, "lime")
+                screen.box(view.screen - vec(5, 5), 10, 10, "lime")
+            end)
+        end
     )");
+    // What is on the screen counts from the corner of the picture.
+    CHECK(has(picture, 243, 3, 0, 255, 0));
+    CHECK(has(picture, 1037, 797, 0, 255, 0));
     CHECK(has(picture, 100, 400, 0, 0, 0));
     CHECK(has(picture, 1200, 400, 0, 0, 0));
     CHECK(has(picture, 260, 20, 255, 255, 255));

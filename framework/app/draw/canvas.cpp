@@ -41,7 +41,8 @@ void Canvas::begin(Color background) {
 void Canvas::set_view(const View& view) {
     draw_collected();
     view_ = view;
-    world_to_pixels_ = view_.world_to_screen();
+    world_to_pixels_ = view_.world_to_window();
+    screen_to_pixels_ = property::Transform::moved(view_.corner());
     set_state(State(state()));
 }
 
@@ -63,7 +64,7 @@ void Canvas::set_state(const State& next) {
     if (now.opacity != next.opacity) draw_collected();
     if (now.blend != next.blend || !same_clip) flush();
     transformed_ = !next.transform.is_identity();
-    to_pixels_ = next.on_screen ? next.transform : world_to_pixels_ * next.transform;
+    to_pixels_ = (next.on_screen ? screen_to_pixels_ : world_to_pixels_) * next.transform;
     Painter::set_state(next);
 }
 

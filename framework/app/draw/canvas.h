@@ -46,7 +46,7 @@ class Canvas : public property::Painter, public Surface {
     void clip(const property::Vec2& lower, const property::Vec2& upper) override;
     void gradient(const property::Gradient& gradient) override;
     property::Seen seen() const override {
-        return {view_.center, view_.lower(), view_.upper(), view_.screen};
+        return {view_.center, view_.lower(), view_.upper(), view_.picture()};
     }
     double pixels_per_unit() const override { return pixels(1); }
     void picture(const property::Picture& picture, const property::PictureArea& area,
@@ -150,12 +150,12 @@ class Canvas : public property::Painter, public Surface {
     View view_{};
     Pictures pictures_{};
     Shade shade_{};
-    bool shading_ = false;                   // a figure with a gradient is being drawn
-    bool transformed_ = false;               // state().transform is not the identity
-    property::Transform world_to_pixels_{};  // of view_
-    property::Transform to_pixels_{};        // of the coordinates that the state gives
-    const sf::Texture* source_ = nullptr;    // texture of strip_
-    std::vector<CanvasVertex> strip_{};      // one strip; degenerate triangles join the figures
+    bool shading_ = false;      // a figure with a gradient is being drawn
+    bool transformed_ = false;  // state().transform is not the identity
+    property::Transform world_to_pixels_{}, screen_to_pixels_{};  // of view_
+    property::Transform to_pixels_{};      // of the coordinates that the state gives
+    const sf::Texture* source_ = nullptr;  // texture of strip_
+    std::vector<CanvasVertex> strip_{};    // one strip; degenerate triangles join the figures
     Outline outline_{};
     std::vector<sf::Vector2f> corners_{};
     /// The type of the straight sides of corners_. `touching`: no gap may show between this figure

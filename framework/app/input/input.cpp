@@ -196,7 +196,7 @@ void Input::observe(const InputEvent& event) {
 void Input::point(const InputEvent& event, bool tell) {
     State& s = *state_;
     s.silent = !tell;
-    s.tree.set(s.mouse_instance, "screen", Vec2(event.x, event.y));
+    s.tree.set(s.mouse_instance, "screen", Vec2(event.x, event.y) - s.view.corner());
     s.silent = false;
 }
 

@@ -37,7 +37,7 @@ std::vector<Property> Cameras::properties() {
          .type = Type::list,
          .default_value = property::List{Value(Vec2(0, 0)), Value(Vec2(1, 1))},
          .range = {0, 1},
-         .doc = "The part of the window that it fills: the upper left and the lower right corner, "
+         .doc = "The part of the picture that it fills: the upper left and the lower right corner, "
                 "as parts of width and height from the top left. Without two different corners, "
                 "it shows nothing.",
          .element = Type::vec2},
@@ -107,11 +107,11 @@ void Cameras::define(property::Tree& tree) {
     const property::Field pixels{.name = "pixels",
                                  .type = Type::vec2,
                                  .unit = "px",
-                                 .doc = "From the top left corner of the window, y down."};
+                                 .doc = "From the top left corner of the picture, y down."};
     property::ClassDescriptor described{
         .name = "Camera",
         .doc =
-            "Another picture of the world in a part of the window, for a split screen or a small "
+            "Another picture of the world in a part of the screen, for a split screen or a small "
             "map. It shows what the view shows, from another place, without layers on the "
             "screen: these are drawn over all cameras.",
         .properties = properties(),
@@ -120,14 +120,14 @@ void Cameras::define(property::Tree& tree) {
                    [](void* context, property::Tree&, Handle self, property::Row,
                       std::span<const Value> given) -> property::Result {
                        const auto& cameras = *static_cast<Cameras*>(context);
-                       const CameraPicture p = cameras.picture(self, cameras.view_.screen, 1);
+                       const CameraPicture p = cameras.picture(self, cameras.view_.picture(), 1);
                        return Value(p.view.to_world(given[0].vec2() - p.lower));
                    }),
             method("to_screen", world, pixels, "Where it shows a point of the world.",
                    [](void* context, property::Tree&, Handle self, property::Row,
                       std::span<const Value> given) -> property::Result {
                        const auto& cameras = *static_cast<Cameras*>(context);
-                       const CameraPicture p = cameras.picture(self, cameras.view_.screen, 1);
+                       const CameraPicture p = cameras.picture(self, cameras.view_.picture(), 1);
                        return Value(Vec2(p.lower + p.view.to_screen(given[0].vec2())));
                    })}};
     described.methods.push_back(shake_method());
@@ -210,12 +210,12 @@ CameraPicture Cameras::drawn(Handle camera, const Vec2& screen, double alpha, do
 }
 
 double Cameras::zoom(property::Row row) const {
-    return picture(rows_[row].self, view_.screen, 1).view.zoom();
+    return picture(rows_[row].self, view_.picture(), 1).view.zoom();
 }
 
 void Cameras::set_zoom(property::Row row, double zoom) {
     const Handle camera = rows_[row].self;
-    const double height = picture(camera, view_.screen, 1).view.screen.y / zoom;
+    const double height = picture(camera, view_.picture(), 1).view.screen.y / zoom;
     if (height < view_heights.min || height > view_heights.max)
         throw std::invalid_argument("the height seen would be " + property::number_text(height) +
                                     " m, not between 0.001 and 1e+06 m");
@@ -233,7 +233,7 @@ void Cameras::advance(double dt) {
 void Cameras::advance(Row& row, double dt) {
     static std::function<std::string()> where = [] { return std::string("the camera"); };
     const property::Tree::CauseScope cause(tree_, property::Writer::module, &where);
-    View view = picture(row.self, view_.screen, 1).view;
+    View view = picture(row.self, view_.picture(), 1).view;
     row.before = view.center = tree_.peek(row.self, *of_.center).vec2();
     const double shaking = view.shake_left;
     view.advance(tree_, dt);
@@ -255,7 +255,7 @@ void Cameras::draw(property::Painter& painter, const View& view, double alpha, d
     }
     for (const Handle camera : cameras) {
         if (!tree_.alive(camera)) continue;  // a function that draws has deleted it
-        const CameraPicture shown = drawn(camera, view.screen, alpha, now);
+        const CameraPicture shown = drawn(camera, view.picture(), alpha, now);
         if ((shown.upper - shown.lower).smallest() < 1) continue;
         const Value color = tree_.peek(camera, *of_.background);
         property::Paint paint{.border = {0, 0, 0, 0}};

@@ -52,17 +52,19 @@ void draw_grid(property::Painter& painter, const View& view) {
 void draw_bars(property::Painter& painter, const View& view) {
     if (view.fit == Fit::expand) return;
     const Vec2 half = 0.5 * view.zoom() * Vec2(view.width(), view.height);
-    const Vec2 lower = 0.5 * view.screen - half, upper = 0.5 * view.screen + half;
+    // Counted from the corner of the picture.
+    const Vec2 start = -1.0 * view.corner(), end = start + view.screen;
+    const Vec2 middle = 0.5 * (start + end), lower = middle - half, upper = middle + half;
     const auto bar = [&](const Vec2& from, const Vec2& to) {
         if ((to - from).smallest() <= 0) return;
         const std::array<Vec2, 4> corners{from, Vec2(to.x, from.y), to, Vec2(from.x, to.y)};
         painter.polygon(corners, 0, {.fill = {0, 0, 0, 1}, .border = {0, 0, 0, 0}});
     };
     painter.begin_screen();
-    bar({0, 0}, {lower.x, view.screen.y});
-    bar({upper.x, 0}, view.screen);
-    bar({0, 0}, {view.screen.x, lower.y});
-    bar({0, upper.y}, view.screen);
+    bar(start, {lower.x, end.y});
+    bar({upper.x, start.y}, end);
+    bar(start, {end.x, lower.y});
+    bar({start.x, upper.y}, end);
     painter.end_screen();
 }
 
@@ -158,7 +160,7 @@ void Loop::draw(Screen& screen, double seconds) {
     if (view.show.wires) draw_wires(painter, tree_);
     draw_bars(painter, drawn);
     if (Foreground* const menus = services_.input.foreground()) menus->draw(painter);
-    draw_transition(painter, tree_, view.screen);
+    draw_transition(painter, tree_, drawn.picture());
     if (const Effect* const effect = services_.effects().now(clock.now))
         if (const std::string problem = screen.apply(*effect); !problem.empty())
             services_.effects().tell("view.effect: " + problem);

@@ -230,7 +230,7 @@ bool Loop::live_next() {
 void Loop::repeat_after_return(double real_dt) {
     if (!timeline_.take_return()) return;
     if (Foreground* const menus = services_.input.foreground())
-        menus->frame(services_.input.mouse(), services_.view.screen, real_dt);
+        menus->frame(services_.input.mouse(), services_.view.picture(), real_dt);
     runtime_.advance(real_dt);
     barrier();
 }
@@ -247,7 +247,7 @@ bool Loop::prelude(double dt, double real_dt, Stopwatch& watch) {
         return false;
     }
     if (Foreground* const menus = services_.input.foreground())
-        menus->frame(services_.input.mouse(), services_.view.screen, real_dt);
+        menus->frame(services_.input.mouse(), services_.view.picture(), real_dt);
     services_.input.deliver(runtime_);
     watch.lap(watch.phases.input);
     if (stopped()) return false;

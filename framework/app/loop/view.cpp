@@ -54,6 +54,16 @@ double View::width() const {
     return fit == Fit::expand ? screen.x / zoom() : height * design.x / design.y;
 }
 
+Vec2 View::picture() const {
+    return fit == Fit::expand ? screen : (zoom() * Vec2(width(), height)).min(screen);
+}
+
+Vec2 View::corner() const {
+    if (fit == Fit::expand) return {0, 0};
+    const Vec2 corner = 0.5 * (screen - picture());
+    return {std::floor(corner.x), std::floor(corner.y)};
+}
+
 Vec2 View::reach() const {
     const Vec2 half(0.5 * width(), 0.5 * height);
     if (angle == 0) return half;
@@ -62,19 +72,23 @@ Vec2 View::reach() const {
 }
 
 Vec2 View::to_screen(const Vec2& world) const {
+    return to_window(world) - corner();
+}
+
+Vec2 View::to_window(const Vec2& world) const {
     Vec2 offset = (world - center) * zoom();
     if (angle != 0) offset = property::Transform::turned(-angle).direction(offset);
     return {0.5 * screen.x + offset.x, 0.5 * screen.y - offset.y};
 }
 
 Vec2 View::to_world(const Vec2& pixels) const {
-    const Vec2 offset = pixels - 0.5 * screen;
+    const Vec2 offset = pixels + corner() - 0.5 * screen;
     Vec2 world = Vec2(offset.x, -offset.y) / zoom();
     if (angle != 0) world = property::Transform::turned(angle).direction(world);
     return center + world;
 }
 
-property::Transform View::world_to_screen() const {
+property::Transform View::world_to_window() const {
     const double z = zoom(), c = std::cos(angle), s = std::sin(angle);
     property::Transform made{Vec2(z * c, z * s), Vec2(z * s, -z * c), Vec2(0, 0)};
     made.origin = 0.5 * screen - made.direction(center);
@@ -229,8 +243,9 @@ std::vector<Property> looks(View& view) {
          .type = Type::vec2,
          .default_value = view.screen,
          .unit = "px",
-         .doc = "Size of the window. A headless run pretends to have one.",
-         .binding = column(view, Native::vec2d, 0, [](View& v) { return v.screen.data(); }),
+         .doc = "Size of the picture on the screen: of the window, without the bars of `fit`. A "
+                "headless run pretends to have a window.",
+         .binding = accessor(view, [](View& v, property::Row) { return Value(v.picture()); }),
          .read_only = true,
          .transient = true,
          .simulated = true},

@@ -40,13 +40,14 @@ struct Show {
 /// each pixel of the design is a whole number of pixels.
 enum class Fit : std::uint8_t { expand, letterbox, pixel };
 
-/// World units are meters with y up; screen units are pixels from the top left corner with y down.
+/// World units are meters with y up; screen units are pixels from the top left corner of the
+/// picture with y down. The picture fills the window, without the bars of `fit`.
 struct View {
     property::Vec2 center{0, 0};  // m, in the middle of the screen
     double height = 20;           // m, visible from bottom to top
     double angle = 0;             // rad, turn of the viewer, counter-clockwise
     property::Color background{0.105f, 0.122f, 0.153f, 1};
-    property::Vec2 screen{1280, 800};  // px
+    property::Vec2 screen{1280, 800};  // px, size of the window
     WindowState window{};
     Show show{};
 
@@ -69,15 +70,21 @@ struct View {
 
     double zoom() const;   // px/m
     double width() const;  // m
+    /// px, size of the picture, as far as the window shows it.
+    property::Vec2 picture() const;
+    /// px, where the top left corner of the picture is in the window: whole pixels.
+    property::Vec2 corner() const;
     /// The corners of the box around the visible part of the world.
     property::Vec2 lower() const { return center - reach(); }
     property::Vec2 upper() const { return center + reach(); }
     property::Vec2 reach() const;
 
     property::Vec2 to_screen(const property::Vec2& world) const;
+    /// Pixels from the top left corner of the window.
+    property::Vec2 to_window(const property::Vec2& world) const;
     property::Vec2 to_world(const property::Vec2& pixels) const;
-    /// `to_screen` for many points. Far from the origin it is less exact.
-    property::Transform world_to_screen() const;
+    /// `to_window` for many points. Far from the origin it is less exact.
+    property::Transform world_to_window() const;
 
   private:
     void keep_to_limits();
