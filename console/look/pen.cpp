@@ -71,9 +71,41 @@ void Pen::line(const Vec2& from, const Vec2& to, property::Color color, float wi
     stroke(false, {.fill = {0, 0, 0, 0}, .border = color, .border_width = width});
 }
 
-void Pen::picture(const property::Picture&, const property::PictureArea&, const Vec2& lower,
+double Pen::pixels_per_unit() const {
+    const ImVec2 from = pixel({0, 0}), to = pixel({1, 0});
+    return std::hypot(static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y));
+}
+
+/// Each row of pixels becomes a few boxes.
+void Pen::letter(const property::Picture& picture, const Vec2& lower, const Vec2& upper,
+                 const property::Color& tint) {
+    const std::uint32_t wide = picture.width(), high = picture.height();
+    const std::vector<std::uint8_t>& rgba = picture.rgba();
+    const double down = on_screen() ? 1 : -1;  // rows begin at the top
+    const Vec2 size = upper - lower, corner(lower.x, down > 0 ? lower.y : upper.y);
+    const auto at = [&](std::uint32_t x, std::uint32_t y) {
+        return pixel(corner + Vec2(size.x * x / wide, down * size.y * y / high));
+    };
+    constexpr int steps = 4;  // of opacity
+    for (std::uint32_t y = 0; y < high; ++y)
+        for (std::uint32_t x = 0, end = 0; x < wide; x = end) {
+            const auto covered = [&](std::uint32_t column) {
+                return (rgba[4 * (std::size_t{y} * wide + column) + 3] * steps + 127) / 255;
+            };
+            const int cover = covered(x);
+            for (end = x + 1; end < wide && covered(end) == cover;) ++end;
+            if (cover == 0) continue;
+            const float share = style_.opacity * static_cast<float>(cover) / steps;
+            list_.AddQuadFilled(at(x, y), at(end, y), at(end, y + 1), at(x, y + 1),
+                                color_of(tint, share));
+        }
+    drew_anything_ = true;
+}
+
+void Pen::picture(const property::Picture& picture, const property::PictureArea&, const Vec2& lower,
                   const Vec2& upper, property::Color tint, bool) {
     if (!style_.as_drawn || tint.a <= 0) return;
+    if (picture.on_pixels()) return letter(picture, lower, upper, tint);
     for (const Vec2& corner : {lower, Vec2(upper.x, lower.y), upper, Vec2(lower.x, upper.y)})
         points_.push_back(pixel(corner));
     const auto faint = [&](float share) {

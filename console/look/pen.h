@@ -50,7 +50,9 @@ class Pen : public property::Painter {
                  const property::Paint& paint) override;
     void line(const property::Vec2& from, const property::Vec2& to, property::Color color,
               float width) override;
-    /// As drawn: its box, because the pictures of the game are not textures of the console.
+    double pixels_per_unit() const override;
+    /// As drawn: its box, because the pictures of the game are not textures of the console; a
+    /// letter as its pixels.
     void picture(const property::Picture& picture, const property::PictureArea& area,
                  const property::Vec2& lower, const property::Vec2& upper, property::Color tint,
                  bool smooth) override;
@@ -72,6 +74,8 @@ class Pen : public property::Painter {
     void arc(const property::Vec2& center, const property::Vec2& a, const property::Vec2& b,
              double start, double end);
     void stroke(bool closed, const property::Paint& paint);
+    void letter(const property::Picture& picture, const property::Vec2& lower,
+                const property::Vec2& upper, const property::Color& tint);
 
     ImDrawList& list_;
     const ToPixels& to_pixels_;

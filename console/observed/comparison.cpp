@@ -28,11 +28,19 @@ Value value_of_time(const property::Tree& tree, const char* name) {
     return property != nullptr ? last_value(tree, time, *property) : Value();
 }
 
-/// The topmost instances with a position: bodies and sprites, not what belongs to them.
+/// Whether what is below the instance is on the screen, and not in the world.
+bool is_on_screen(const property::Tree& tree, Handle instance) {
+    const property::Property* const space = tree.class_of(instance).property("space");
+    return space != nullptr && tree.peek(instance, *space) == Value("screen");
+}
+
+/// The topmost instances in the world with a position: bodies and sprites, not what belongs to
+/// them.
 std::vector<Handle> placed(const property::Tree& tree) {
     std::vector<Handle> all;
     const auto visit = [&](const auto& self, Handle top) -> void {
         for (Handle each = tree.first_child(top); each; each = tree.next_sibling(each)) {
+            if (is_on_screen(tree, each)) continue;
             const property::Property* const position = tree.find(each, "position");
             if (position != nullptr && (position->type == Type::vec2 || position->any_type))
                 all.push_back(each);

@@ -70,6 +70,25 @@ TEST_CASE_METHOD(CompareRig, "a comparison holds the past as it was and as it wo
     CHECK(value("world.ball.mass") == Value(1.0));
 }
 
+TEST_CASE_METHOD(CompareRig, "what is on the screen is in neither run") {
+    property::ClassDescriptor layer{.name = "Sheet"};
+    layer.properties = {{.name = "space",
+                         .type = property::Type::text,
+                         .default_value = "screen",
+                         .enumerators = {"world", "screen"}}};
+    const auto sheet = tree.create(tree.define(std::move(layer)), tree.root(), "sheet");
+    const auto world = tree.child(tree.root(), "world");
+    const auto score = tree.create(tree.class_of(tree.child(world, "ball")), sheet, "score");
+    runs().ask("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    REQUIRE(runs().shown());
+    CHECK(runs().a().back().find(score) == nullptr);
+    property::set(tree, "sheet.space", Value("world"));
+    runs().ask("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    CHECK(runs().a().back().find(score) != nullptr);
+}
+
 TEST_CASE_METHOD(CompareRig, "both runs are shown side by side and play again and again") {
     runs().ask("world.ball.mass", Value(3.0), 1);
     console.between_frames();
@@ -206,6 +225,21 @@ TEST_CASE("a picture of the game is drawn as its box where the console draws the
     CHECK_FALSE(as_drawn.drew_anything());
     as_drawn.picture({}, {}, {0, 0}, {9, 9}, {1, 1, 1, 1}, false);
     CHECK(as_drawn.drew_anything());
+    // A letter is drawn as its pixels: here two of its four, each a quad.
+    property::Picture letter(2, 2, std::vector<std::uint8_t>(16, 0));
+    letter.keep_on_pixels();
+    std::vector<std::uint8_t> pixels(16, 0);
+    pixels[3] = pixels[15] = 255;
+    letter.replace(2, 2, pixels);
+    console::Pen writing(list, same, {.as_drawn = true});
+    list.Flags = ImDrawListFlags_None;
+    const int before = list.VtxBuffer.Size;
+    writing.picture(letter, {0, 0, 2, 2}, {10, 20}, {30, 40}, {1, 0, 0, 1}, false);
+    REQUIRE(list.VtxBuffer.Size - before == 8);
+    CHECK(list.VtxBuffer[before].pos.x == 10);
+    CHECK(list.VtxBuffer[before].pos.y == 40);  // the world's y goes up: the first row is on top
+    CHECK(list.VtxBuffer[before + 4].pos.x == 20);
+    CHECK(list.VtxBuffer[before + 4].pos.y == 30);
     ImGui::EndFrame();
 }
 
