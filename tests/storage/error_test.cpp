@@ -208,7 +208,7 @@ TEST_CASE("a misplaced key is reported with its right place") {
     }
 }
 
-TEST_CASE("an unknown key that may be a slip is kept with a warning and any other without") {
+TEST_CASE("an unknown key is kept with a warning unless it is an object as editors leave") {
     SceneWorld w;
     const std::string head = "{\"fettle_scene\": 1, \"class\": \"Thing\", \"name\": \"ball\",\n";
     w.load(head + "\"propreties_\": {\"mass\": 1}}");
@@ -218,6 +218,11 @@ TEST_CASE("an unknown key that may be a slip is kept with a warning and any othe
           "\"properties\"?); kept as it is");
     w.load(head + "\"editor\": {\"zoom\": 2}}");
     CHECK(w.warnings.empty());
+    w.load(head + "\"lives\": 3}");
+    REQUIRE(w.warnings.size() == 1);
+    CHECK(w.warnings[0] ==
+          "level.json:2:1: world.ball: an instance has no key \"lives\"; kept as it is (what is "
+          "your own belongs under \"ad_hoc\")");
 }
 
 TEST_CASE("an error contains its kind and place") {

@@ -183,8 +183,7 @@ const Document::Node& ScenePlan::of_kind(const Node& member, Document::Kind kind
 
 /// Keys of the format only change with its version. So a key that is nearly one of them is a
 /// mistake: keeping "childern" as an unknown key would lose its content. A property beside the
-/// class is a mistake, too: the instance would be made without it. Every other key is a note of an
-/// editor.
+/// class is a mistake, too: the instance would be made without it. Every other key is kept.
 void ScenePlan::other_key(std::size_t index, const Node& member) {
     const std::string& key = document_.key(member);
     const Class& of = *instances[index].instance_class;
@@ -208,8 +207,12 @@ void ScenePlan::other_key(std::size_t index, const Node& member) {
         if (near_miss(key, name))
             fail(" (did you mean " + in_quotes(name) + "? It " + belongs(name) + ")");
     names.insert(names.end(), instance_keys.begin(), instance_keys.end());
-    if (const std::string meant = suggestion(key, names); !meant.empty())
-        warn(member.key_begin, subject + meant + "; kept as it is");
+    const std::string meant = suggestion(key, names);
+    // An object is a note of an editor; a value was meant for the instance.
+    if (!meant.empty() || member.kind != Document::Kind::object)
+        warn(member.key_begin,
+             subject + meant + "; kept as it is" +
+                 (meant.empty() ? " (what is your own belongs under \"ad_hoc\")" : ""));
     instances[index].unknown.add(UnknownKeys::Place::instance, document_, member);
 }
 
