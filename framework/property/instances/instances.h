@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fettle/property/symbol.h>
 #include <fettle/property/tree.h>
 
 #include <classes/class_registry.h>
@@ -34,6 +35,7 @@ struct Instances {
     Reads reads;
     Handle root;
     bool keep_slots = false;  // deleted instances keep their slots for undo
+    std::vector<Symbol> reserved_names;
 
     const Class& class_of(const Node& node) const { return classes[node.class_id]; }
     /// Throws Error(deleted).
@@ -86,6 +88,7 @@ struct Instances {
     /// Whether `parent` has a child, a property or a method of that name. Below the root, "game" is
     /// taken too, because every path may begin with it.
     bool is_taken(std::uint32_t parent, const NodeName& name) const;
+    bool is_reserved(Symbol name) const;
     /// The first free name of `stem`, `stem_2` ...
     NodeName plain_name(std::uint32_t parent, std::string_view stem) const;
 

@@ -1,5 +1,7 @@
 // Valid names of instances.
 
+#include <algorithm>
+
 #include <fettle/property/error.h>
 
 #include "instances.h"
@@ -37,6 +39,9 @@ void Instances::check_child_name(Handle parent, std::string_view name) const {
     if (above.method(name) != nullptr)
         throw Error(ErrorKind::bad_name, tree.path(parent) + ": a child cannot be called " +
                                              quoted + ", which is a method of " + above.name());
+    if (is_reserved(Symbol::find(name)))
+        throw Error(ErrorKind::bad_name, tree.path(parent) + ": a child cannot be called " +
+                                             quoted + ", which is a method of every instance");
     if (tree.child(parent, name))
         throw Error(ErrorKind::bad_name, tree.path(parent) + " has a child " + quoted + " already");
     if (tree.find(parent, name) != nullptr)
@@ -44,12 +49,16 @@ void Instances::check_child_name(Handle parent, std::string_view name) const {
                     tree.path(parent) + ": " + quoted + " is a property there; remove it first");
 }
 
+bool Instances::is_reserved(Symbol name) const {
+    return std::ranges::find(reserved_names, name) != reserved_names.end();
+}
+
 bool Instances::is_taken(std::uint32_t parent, const NodeName& name) const {
     if (nodes.child(parent, name) != 0) return true;
     if (parent == root.index && name.number == 0 && name.base.text() == name_of_root) return true;
     const Symbol symbol = Symbol::find(name.text());
     if (!symbol) return false;  // a name without a symbol belongs to no property and no method
-    return tree.find(nodes.handle(parent), symbol) != nullptr ||
+    return is_reserved(symbol) || tree.find(nodes.handle(parent), symbol) != nullptr ||
            classes[nodes[parent].class_id].method(symbol) != nullptr;
 }
 

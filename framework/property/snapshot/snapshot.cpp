@@ -307,6 +307,8 @@ void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on)
         prepared.image->put_nodes();
         prepared.parts.put_all(problem);
         prepared.image->put_values();
+        for (const SnapshotPart* part : s.snapshots.parts)
+            std::ranges::move(part->remarks(), std::back_inserter(s.snapshots.remarks));
         if (go_on && !problem) try {
                 go_on();
             } catch (...) {

@@ -210,9 +210,13 @@ void TreeImage::put_values() {
             if (now_.nodes.find(each.instance) == nullptr) break;  // deleted by `drop`
             const Node& node = now_.nodes[each.instance.index];
             try {
-                if (!(now_.read(each.instance.index, node, *property) == value))
-                    now_.write(each.instance.index, node, *property,
-                               now_.tree.coerce(each.instance, *property, value));
+                if (now_.read(each.instance.index, node, *property) == value) continue;
+                // A reference to what was deleted when the snapshot was taken is nil now.
+                const bool gone =
+                    value.is(Type::reference) && now_.nodes.find(value.reference()) == nullptr;
+                now_.write(
+                    each.instance.index, node, *property,
+                    now_.tree.coerce(each.instance, *property, gone ? Value(Handle{}) : value));
             } catch (...) {
                 // The module refuses its former value and keeps the current one.
                 remarks_.push_back(now_.tree.path(each.instance, *property) + ": the saved value " +

@@ -10,6 +10,10 @@ void set_added_rules(Tree& tree, const Class& of, AddedRules* rules) {
     if (rules != nullptr) all.emplace_back(&of, rules);
 }
 
+bool has_added_rules(const Tree& tree, Handle instance) {
+    return tree.state().rules_of(instance) != nullptr;
+}
+
 AddedRules* Tree::State::rules_of(Handle instance) const {
     if (added_rules.empty() || !tree.alive(instance)) return nullptr;
     const Class* of = &tree.class_of(instance);

@@ -29,6 +29,8 @@ class AddedRules {
 /// Sets the rules for instances of exactly this class; null: none. Not owned: they must live as
 /// long as the tree, or until others are set.
 void set_added_rules(Tree& tree, const Class& of, AddedRules* rules);
+/// Whether there are rules for properties that are added to the instance.
+bool has_added_rules(const Tree& tree, Handle instance);
 
 }  // namespace fettle::property
 

@@ -37,6 +37,9 @@ class SnapshotPart {
     /// function that destroys it). `memory` is what `save` returned; null if the bytes come from a
     /// file.
     virtual std::function<void()> restore(ByteReader& from, const Memory& memory) = 0;
+    /// What the last restore lost, one line each, for `restore_remarks`. Called when the tree is
+    /// complete again.
+    virtual std::vector<std::string> remarks() const { return {}; }
 
     /// The changes since the last call in the data that `save` returns as memory; null: none. A
     /// timeline keeps them for every step and passes them to `redo` when it repeats the step.

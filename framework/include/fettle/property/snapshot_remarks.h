@@ -18,7 +18,7 @@ std::vector<std::string> unsaved_formulas(const Tree& tree);
 
 /// What differs after the last restored snapshot, one line each: formulas that were not saved or no
 /// longer compile, values that no longer fit their properties, instances that their modules refused
-/// to create (`world.a: it cannot be made ...`).
+/// to create (`world.a: it cannot be made ...`), and what the parts lost.
 const std::vector<std::string>& restore_remarks(const Tree& tree);
 
 }  // namespace fettle::property
