@@ -127,6 +127,16 @@ void GameModules::on_print(std::function<void(std::string_view)> sink) {
     for (const auto& plugin : plugins_.all()) plugin->on_print(print_);
 }
 
+void GameModules::on_note(const std::function<void(const std::string&)>& sink) {
+#ifdef FETTLE_WITH_PHYSICS
+    for (const auto& m : built_in_)
+        if (auto* const physics = dynamic_cast<physics_module::PhysicsModule*>(m.get()))
+            physics->on_problem(sink);
+#else
+    (void)sink;
+#endif
+}
+
 void GameModules::define_service(property::Tree& tree) {
     using property::accessor;
     const auto make_property = [&](const char* name, Type type, const char* doc,

@@ -234,6 +234,7 @@ void Session::add_modules() {
         tell_error(report);  // the run continues, and the widget keeps its value
     });
     modules_.on_print([this](std::string_view text) { print(text); });
+    modules_.on_note([this](const std::string& text) { note("note: " + text); });
     loop_->between_frames([this] {
         modules_.renew();
         store_->tick();

@@ -9,11 +9,15 @@ namespace fettle::physics::detail {
 bool filters_agree(const ObjectState& objects, uint32_t a, uint32_t b) {
     const uint32_t body_a = objects.forms[a].body, body_b = objects.forms[b].body;
     if (body_a == body_b) return false;
-    if (objects.bodies[body_a].mobility != Mobility::dynamic &&
-        objects.bodies[body_b].mobility != Mobility::dynamic)
-        return false;
+    const Mobility mobility_a = objects.bodies[body_a].mobility;
+    const Mobility mobility_b = objects.bodies[body_b].mobility;
     const ShapeDef& sa = objects.shapes[a].surface;
     const ShapeDef& sb = objects.shapes[b].surface;
+    // Nothing pushes a kinematic body, but it enters sensors.
+    if (mobility_a != Mobility::dynamic && mobility_b != Mobility::dynamic &&
+        !(sa.sensor && mobility_b == Mobility::kinematic) &&
+        !(sb.sensor && mobility_a == Mobility::kinematic))
+        return false;
     if (sa.sensor && (sb.sensor || objects.shapes[b].type == ShapeType::border)) return false;
     if (sb.sensor && objects.shapes[a].type == ShapeType::border) return false;
     if (sa.group != 0 && sa.group == sb.group) return sa.group > 0;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fettle/property/ended_class.h>
 #include <fettle/property/error.h>
@@ -109,6 +110,10 @@ Hosting& PhysicsModule::hosting() const {
     return *hosting_;
 }
 
+void PhysicsModule::on_problem(std::function<void(const std::string&)> tell) {
+    hosting().on_problem = std::move(tell);
+}
+
 void PhysicsModule::step(double dt) {
     if (!(dt >= 0) || dt > std::numeric_limits<float>::max())
         throw std::invalid_argument("PhysicsModule::step: dt = " + std::to_string(dt) +
@@ -117,6 +122,7 @@ void PhysicsModule::step(double dt) {
     if (dt > 0) hosting().last_dt = dt;
     hosting().follow_listeners();
     hosting().joints.connect();
+    hosting().tell_strays();
     std::exception_ptr thrown;
     for (std::uint32_t n = first_world; n < max_worlds; ++n) {
         HostedWorld* hosted = hosting().world_at(n);
@@ -131,7 +137,6 @@ void PhysicsModule::step(double dt) {
         try {
             move_movers(*hosted, static_cast<float>(dt));
             hosted->world.step(static_cast<float>(dt));
-            sense_movers(*hosted);
         } catch (...) {
             if (!thrown) thrown = std::current_exception();
         }

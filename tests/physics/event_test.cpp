@@ -116,6 +116,45 @@ TEST_CASE("a sensor reports bodies that enter and leave and pushes none") {
     REQUIRE(ball.velocity().y == Approx(-20.0f).epsilon(1e-3));
 }
 
+TEST_CASE("a sensor that does not fall reports kinematic bodies and no others that stand still") {
+    for (const BodyType type : {BodyType::static_body, BodyType::kinematic_body}) {
+        World world;
+        Body zone = world.create_body({.type = type});
+        Shape sensor = zone.add(Box{.width = 4, .height = 2}, {.sensor = true});
+        Body lift = world.create_body(
+            {.type = BodyType::kinematic_body, .position = {0, 4}, .velocity = {0, -5}});
+        lift.add(Circle{.radius = 0.5f});
+        // One on a path, as by a tween.
+        Body led = world.create_body({.type = BodyType::kinematic_body, .position = {1, 4}});
+        led.add(Circle{.radius = 0.25f});
+        // Another one beside it: kinematic bodies do not touch each other.
+        Body near = world.create_body({.type = BodyType::kinematic_body, .position = {0.9f, 4}});
+        near.add(Circle{.radius = 0.25f});
+        // Another thing that never moves, and another sensor.
+        world.create_body({.type = BodyType::static_body}).add(Circle{.radius = 0.5f});
+        lift.add(Circle{.radius = 0.1f}, {.sensor = true});
+        std::vector<BodyId> entered, left;
+        for (int i = 0; i < 120; ++i) {
+            led.set_position({1, 4 - 0.1f * float(i)});
+            world.step(frame);
+            for (const auto& e : world.events().sensor_begin) {
+                if (e.sensor != sensor.id()) continue;
+                entered.push_back(e.visitor_body);
+            }
+            for (const auto& e : world.events().sensor_end)
+                if (e.sensor == sensor.id()) left.push_back(e.visitor_body);
+            REQUIRE(world.events().contact_begin.empty());
+        }
+        CHECK(std::count(entered.begin(), entered.end(), lift.id()) == 1);
+        CHECK(std::count(left.begin(), left.end(), lift.id()) == 1);
+        CHECK(std::count(entered.begin(), entered.end(), led.id()) == 1);
+        CHECK(std::count(left.begin(), left.end(), led.id()) == 1);
+        CHECK(entered.size() == 2);
+        CHECK(left.size() == 2);
+        REQUIRE_FALSE(world.validate());
+    }
+}
+
 TEST_CASE("destroying a touching body ends its contacts with a dangling id") {
     World world;
     Body floor = add_floor(world);

@@ -195,8 +195,13 @@ TEST_CASE_METHOD(Scene, "a sensor without events does not report a mover") {
     listen("sensor_end");
     step(5);
     CHECK(log.empty());
-    set(shape_of(zone), "sensor_events", true);
+    set(shape_of(zone), "sensor_events", true);  // from the next touch on
     step(5);
+    CHECK(log.empty());
+    set(zone, "position", Vec2(0, 50));
+    step(2);
+    set(zone, "position", Vec2(0, 1));
+    step(2);
     CHECK(log == Log{"sensor_begin"});
 }
 

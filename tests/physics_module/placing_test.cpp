@@ -389,6 +389,40 @@ TEST_CASE_METHOD(Game, "statistics belong to their world and are deleted with it
     CHECK_FALSE(tree.alive(statistics));
 }
 
+TEST_CASE_METHOD(Game, "what does nothing where it is placed is told once for each kind") {
+    std::vector<std::string> told;
+    physics.on_problem([&](const std::string& text) { told.push_back(text); });
+    make("Body", Handle{}, "kept");  // may get its place later
+    const Handle ball = make("Body", tree.root(), "ball");
+    step();
+    REQUIRE(told.size() == 1);
+    CHECK_THAT(told[0], contains("ball is below no World, so it takes part in no step"));
+    const Handle late = make("Body", tree.root(), "late");
+    tree.move(late, world());
+    make("Body", tree.root(), "other");
+    step();
+    CHECK(told.size() == 1);
+    const Handle circle = make("Circle", world(), "circle");
+    make("Box", world(), "box");
+    const Handle moved = make("Circle", world(), "moved");
+    tree.move(moved, ball);
+    step(2);
+    REQUIRE(told.size() == 2);
+    CHECK_THAT(told[1],
+               contains("world.circle (with 1 more) is on no Body, so nothing touches it"));
+    tree.move(circle, ball);
+    step();
+    CHECK(told.size() == 2);
+    const Handle rod = make("DistanceJoint", world(), "rod");
+    tree.set(rod, "body_b", late);  // in the same frame
+    step();
+    CHECK(told.size() == 2);
+    make("WeldJoint", world(), "weld");
+    step(2);
+    REQUIRE(told.size() == 3);
+    CHECK_THAT(told[2], contains("world.weld does nothing: its body_a and body_b are the same"));
+}
+
 TEST_CASE_METHOD(Game, "no instance of an abstract class is made") {
     const property::Snapshot before = tree.snapshot();
     for (const char* name : {"Shape", "Joint", "PairJoint", "Field"}) {

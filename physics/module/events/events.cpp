@@ -178,9 +178,7 @@ void Hosting::report(HostedWorld& hosted) {
     pair(declared.contact_persist, events.contact_persist, all);
     pair(declared.contact_hit, events.contact_hit, all);
     sensed(declared.sensor_end, events.sensor_end);
-    sensed(declared.sensor_end, std::exchange(hosted.left, {}));
     sensed(declared.sensor_begin, events.sensor_begin);
-    sensed(declared.sensor_begin, std::exchange(hosted.entered, {}));
     const auto each = [&](const Event& event, const std::vector<physics::BodyId>& bodies) {
         if (event.listeners == 0) return;
         for (const physics::BodyId id : bodies)

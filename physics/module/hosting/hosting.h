@@ -73,7 +73,6 @@ struct HostedWorld {
     // center of mass, but the body gets this velocity when it enters a world.
     SlotValues<std::optional<physics::Vec2>> velocities;
     Movers movers;
-    std::vector<physics::SensorEvent> entered, left;  // sensors and movers, in the last step
     // Instances of objects that were destroyed while they touched others, by generation. The event
     // of the end of the touch contains them.
     std::unordered_map<std::uint32_t, Handle> departed_bodies, departed_shapes;
@@ -189,6 +188,13 @@ class Hosting {
     /// destroyed: then `destroy_postponed` calls `destroy` later.
     bool postpone(std::uint32_t world, std::function<void()> destroy);
     void destroy_postponed();  ///< calls those that are possible now
+    /// Tells of what was placed below the root since the last call and does nothing there, once for
+    /// each kind: bodies, fields and joints below no world, shapes on no body, joints that hold
+    /// nothing.
+    void tell_strays();
+    /// Notes a joint that may do nothing.
+    void note_stray_joint(Handle self);
+    std::function<void(const std::string&)> on_problem;
     /// Throws Error(rejected) while the world of `row` calls a function.
     void require_unlocked(Row row);
 
@@ -275,6 +281,13 @@ class Hosting {
         std::function<void()> destroy;
     };
     std::vector<Postponed> postponed_;
+    struct Strays {
+        std::vector<Handle> placed{};
+        bool told = false;
+    };
+    Strays outside_, stray_shapes_, stray_joints_;
+    void note_stray(Handle self, Strays& strays) const;
+    void tell(Strays& strays, const std::function<bool(Handle)>& is_stray, const char* what);
     /// Which events and callbacks have handlers.
     struct Wanted {
         bool hits = false, persisting = false, before_solve = false, mixing = false, filter = false;

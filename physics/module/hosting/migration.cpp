@@ -112,7 +112,6 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
         mover.result.on_ground = 0;
         mover.result.ground = mover.result.dropped = mover.events.bumped =
             mover.events.was_ground = {};
-        mover.sensors = {};
         target.movers.set(fresh.index(), mover);
     }
     joints.disconnect_all(old);

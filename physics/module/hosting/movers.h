@@ -1,7 +1,6 @@
 #pragma once
 // The settings and the state of movers.
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -46,10 +45,8 @@ struct MoverRecord {
     MoverSettings settings;
     MoverResult result;
     MoverEvents events;
-    // Sensors in which it is. The library reports sensors to dynamic bodies only.
-    std::array<physics::ShapeId, 8> sensors;
 };
-static_assert(sizeof(MoverRecord) == 2 * 8 + 32 * 4 + 12 * sizeof(physics::ShapeId));
+static_assert(sizeof(MoverRecord) == 2 * 8 + 32 * 4 + 4 * sizeof(physics::ShapeId));
 
 /// The movers of one world, in the order of their slots.
 class Movers {

@@ -64,6 +64,7 @@ Row Hosting::create_body(Handle self) {
 Row Hosting::place_body(Handle self, Row row) {
     const Placing placing(*this);
     const std::uint32_t number = world_above(self);
+    if (number == limbo) note_stray(self, outside_);
     return number == world_number(row) ? row : migrate_body(row, number);
 }
 
@@ -98,6 +99,7 @@ Row Hosting::place_shape(Handle self, Row row) {
     const Placing placing(*this);
     const Handle owner = body_above(self);
     if (!owner) {
+        note_stray(self, stray_shapes_);
         if (world_number(row) != limbo) return migrate_shape(row, limbo, {});
         shape(row).detach();
         return row;
@@ -129,6 +131,44 @@ void Hosting::note_departure(Row row) {
     if (owner) in.departed_bodies[owner.id().generation] = unpack(owner.user_data());
 }
 
+// --- What is outside
+
+void Hosting::note_stray(Handle self, Strays& strays) const {
+    if (!strays.told && on_problem && tree.is_below(self, tree.root()))
+        strays.placed.push_back(self);
+}
+
+void Hosting::note_stray_joint(Handle self) {
+    note_stray(self, world_above(self) == limbo ? outside_ : stray_joints_);
+}
+
+void Hosting::tell_strays() {
+    tell(
+        outside_, [this](Handle each) { return world_above(each) == limbo; },
+        "is below no World, so it takes part in no step; add it to one: world:add(...)");
+    tell(
+        stray_shapes_, [this](Handle each) { return !body_above(each); },
+        "is on no Body, so nothing touches it; put it into one: Body { Circle {} }");
+    const auto holds_nothing = [this](Handle each) {
+        return joints.body(tree.row(each), 0) == joints.body(tree.row(each), 1);
+    };
+    tell(stray_joints_, holds_nothing,
+         "does nothing: its body_a and body_b are the same, or both nil, which is the world");
+}
+
+void Hosting::tell(Strays& strays, const std::function<bool(Handle)>& is_stray, const char* what) {
+    if (strays.placed.empty()) return;
+    std::vector<Handle> placed = std::exchange(strays.placed, {});
+    std::erase_if(placed, [&](Handle each) {
+        return !tree.alive(each) || !tree.is_below(each, tree.root()) || !is_stray(each);
+    });
+    if (placed.empty()) return;
+    strays.told = true;
+    const std::string more =
+        placed.size() > 1 ? " (with " + std::to_string(placed.size() - 1) + " more)" : "";
+    on_problem(tree.path(placed.front()) + more + " " + what);
+}
+
 // --- Fields
 
 /// A linear search is fast enough, because worlds have few fields.
@@ -148,6 +188,7 @@ Row Hosting::create_field(Handle self, const physics::FieldDef& def) {
 Row Hosting::place_field(Handle self, Row row) {
     const Placing placing(*this);
     const std::uint32_t number = world_above(self);
+    if (number == limbo) note_stray(self, outside_);
     if (number == world_number(row)) return row;
     require_unlocked(row);
     const Row placed = create_field(self, field(row).definition());

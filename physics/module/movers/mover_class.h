@@ -8,8 +8,6 @@ void define_mover(Hosting& hosting);
 
 /// Moves all movers of a world, before its step of `dt` seconds.
 void move_movers(HostedWorld& hosted, float dt);
-/// Finds the sensors in which movers are, after the step.
-void sense_movers(HostedWorld& hosted);
 /// Emits the events of the last step.
 void report_movers(Hosting& hosting, HostedWorld& hosted);
 

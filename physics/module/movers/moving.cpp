@@ -113,48 +113,6 @@ std::vector<std::uint32_t> slots_of(const HostedWorld& in) {
     return slots;
 }
 
-/// True if the library does not report this sensor to a kinematic body, but a mover does.
-bool is_unreported_sensor(const physics::Shape& shape) {
-    if (!shape.sensor() || !shape.sensor_events()) return false;
-    const physics::Body body = shape.body();
-    return body.type() != physics::BodyType::dynamic_body || std::isinf(body.mass());
-}
-
-void sense_one(HostedWorld& in, std::uint32_t slot) {
-    const physics::Body body = in.world.body({slot, in.world.body_generation(slot)});
-    const physics::Shape shape = capsule_of(body);
-    MoverRecord record = in.movers.get(slot);
-    const auto before = record.sensors;
-    record.sensors = {};
-    std::size_t count = 0;
-    if (shape && body.enabled() && body.type() == physics::BodyType::kinematic_body) {
-        const physics::QueryFilter filter{.category = shape.category(),
-                                          .mask = shape.mask(),
-                                          .group = shape.group(),
-                                          .sensors = true,
-                                          .accept = {}};
-        for (const physics::Shape& found : in.world.query_overlap(shape, filter))
-            if (is_unreported_sensor(found) && count < record.sensors.size())
-                record.sensors[count++] = found.id();
-    }
-    const auto contains = [](const auto& list, physics::ShapeId id) {
-        return std::find(list.begin(), list.end(), id) != list.end();
-    };
-    const auto note = [&](std::vector<physics::SensorEvent>& to, physics::ShapeId id) {
-        to.push_back({.sensor = id,
-                      .visitor = shape.id(),
-                      .sensor_body = in.world.shape(id).body().id(),
-                      .visitor_body = body.id()});
-    };
-    for (const physics::ShapeId id : before)
-        if (id && shape && !contains(record.sensors, id) && in.world.is_valid(id) &&
-            in.world.shape(id).body())
-            note(in.left, id);
-    for (const physics::ShapeId id : record.sensors)
-        if (id && !contains(before, id)) note(in.entered, id);
-    if (record.sensors != before) in.movers.set(slot, record);
-}
-
 /// Gravity lifts it off the ground; it keeps the velocity of the ground.
 void leave_ground(MoverResult& result) {
     if (result.on_ground == 0) return;
@@ -248,13 +206,6 @@ void adapt_capsule(HostedWorld& hosted, std::uint32_t slot) {
 void move_movers(HostedWorld& hosted, float dt) {
     if (!(dt > 0.0f) || hosted.world.locked()) return;
     for (const std::uint32_t slot : slots_of(hosted)) move_one(hosted, slot, dt);
-}
-
-void sense_movers(HostedWorld& hosted) {
-    if (hosted.world.locked()) return;
-    hosted.entered.clear();
-    hosted.left.clear();
-    for (const std::uint32_t slot : slots_of(hosted)) sense_one(hosted, slot);
 }
 
 void report_movers(Hosting& hosting, HostedWorld& hosted) {

@@ -136,7 +136,8 @@ std::vector<Property> tuning(Hosting& hosting) {
         amount("contact_damping", defaults.contact_damping, "", "Damping ratio of contacts.",
                bound<&World::contact_damping, &World::set_contact_damping>(hosting)),
         amount("push_speed", defaults.push_speed, "m/s",
-               "Largest speed at which an overlap is separated.",
+               "Largest speed at which two bodies that overlap are pushed apart. Of many in one "
+               "place, the outer ones are faster: each is pushed by the one inside of it.",
                bound<&World::push_speed, &World::set_push_speed>(hosting)),
     };
 }

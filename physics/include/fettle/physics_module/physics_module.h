@@ -3,7 +3,9 @@
 // are read from and written to the memory of the physics library. docs/design/hosting-physics.md
 // describes how.
 
+#include <functional>
 #include <memory>
+#include <string>
 
 #include <fettle/module/module.h>
 #include <fettle/physics/world.h>
@@ -41,6 +43,10 @@ class PhysicsModule : public module::Module {
     std::uint64_t hash() const override;
     /// Makes an update of physics that a recording contains: `World::refresh`.
     void refresh(std::uint64_t what) override;
+
+    /// Gets notes about what has no effect, each once: bodies, fields and joints below no world,
+    /// shapes on no body, joints that hold nothing.
+    void on_problem(std::function<void(const std::string&)> tell);
 
     /// Saves every world, bit for bit.
     property::Memory save(property::ByteWriter& to) const override;
