@@ -610,7 +610,7 @@ StepStatistics = {}
 ---@field friction_mix "average"|"minimum"|"maximum"|"multiply"|"geometric" Friction of a contact from those of its two surfaces: "geometric" is the root of their product. · "average", "minimum", "maximum", "multiply", "geometric" · default "geometric"
 ---@field gravity vec Acceleration of every dynamic body, times its gravity_scale. · m/s² · any finite vec · default vec(0, -10)
 ---@field hit_threshold number Slower impacts cause no contact_hit. · m/s · at least 0 · default 1
----@field push_speed number Largest speed at which an overlap is separated. · m/s · at least 0 · default 3
+---@field push_speed number Largest speed at which two bodies that overlap are pushed apart. Of many in one place, the outer ones are faster: each is pushed by the one inside of it. · m/s · at least 0 · default 3
 ---@field restitution_mix "average"|"minimum"|"maximum"|"multiply"|"geometric" Restitution of a contact from those of its two surfaces. · "average", "minimum", "maximum", "multiply", "geometric" · default "maximum"
 ---@field restitution_threshold number Slower impacts do not bounce. · m/s · at least 0 · default 1
 ---@field sleep_delay number Time for which a body must rest before it falls asleep. · s · at least 0 · default 0.5
@@ -1930,7 +1930,7 @@ Timings = {}
 ---@field height number How much of the world is seen from the bottom of the screen to its top. · m · 0.001 to 1e6 · default 20
 ---@field limits vec[] The lower and the upper corner of the part of the world that may be seen; empty: all of it. If that part is smaller than what is seen, it is in the middle. · m · any length · default {}
 ---@field lower vec The smallest x and y of the world that are seen: the bottom left corner unless the view is turned. · m · any finite vec · read-only
----@field screen vec Size of the window. A headless run pretends to have one. · px · any finite vec · read-only, simulated
+---@field screen vec Size of the picture on the screen: of the window, without the bars of `fit`. A headless run pretends to have a window. · px · any finite vec · read-only, simulated
 ---@field upper vec The largest x and y of the world that are seen: the top right corner unless the view is turned. · m · any finite vec · read-only
 ---@field width number How much of the world is seen from side to side. · m · any finite number · read-only
 ---@field zoom number Pixels a meter. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1e6 · default computed · simulated, not saved
@@ -2417,7 +2417,7 @@ function fettle_Action:on(event, handler) end
 ---@overload fun(members?: table): Action
 Action = {}
 
----Another picture of the world in a part of the window, for a split screen or a small map. It shows what the view shows, from another place, without layers on the screen: these are drawn over all cameras.
+---Another picture of the world in a part of the screen, for a split screen or a small map. It shows what the view shows, from another place, without layers on the screen: these are drawn over all cameras.
 ---@class Camera : Object
 ---@field angle number The turn of the viewer, counter-clockwise: the picture turns the other way. · rad · -1e6 to 1e6 · default 0
 ---@field background color? The color behind everything; nil: that of the view. · 0 to 1 · default nil · may be nil
@@ -2427,7 +2427,7 @@ Action = {}
 ---@field follow_damping number The time in which it makes two thirds of the way to what it follows; 0: it is always there. · s · 0 to 1000 · default 0
 ---@field height number How much of the world is seen from the bottom of its viewport to its top. · m · 0.001 to 1e6 · default 20
 ---@field limits vec[] The lower and the upper corner of the part of the world that may be seen; empty: all of it. If that part is smaller than what is seen, it is in the middle. · m · any length · default {}
----@field viewport vec[] The part of the window that it fills: the upper left and the lower right corner, as parts of width and height from the top left. Without two different corners, it shows nothing. · 0 to 1 · default {vec(0, 0), vec(1, 1)}
+---@field viewport vec[] The part of the picture that it fills: the upper left and the lower right corner, as parts of width and height from the top left. Without two different corners, it shows nothing. · 0 to 1 · default {vec(0, 0), vec(1, 1)}
 ---@field visible boolean Whether its picture is drawn. · true or false · default true
 ---@field zoom number Pixels a meter. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1e6 · default computed · simulated, not saved
 local fettle_Camera = {}
@@ -2439,15 +2439,15 @@ function fettle_Camera:shake(amount, seconds) end
 
 ---Where it shows a point of the world.
 ---@param point vec In the world. · m
----@return vec pixels From the top left corner of the window, y down. · px
+---@return vec pixels From the top left corner of the picture, y down. · px
 function fettle_Camera:to_screen(point) end
 
 ---The point of the world that it shows at a pixel.
----@param pixels vec From the top left corner of the window, y down. · px
+---@param pixels vec From the top left corner of the picture, y down. · px
 ---@return vec point In the world. · m
 function fettle_Camera:to_world(pixels) end
 
----Another picture of the world in a part of the window, for a split screen or a small map. It shows what the view shows, from another place, without layers on the screen: these are drawn over all cameras.
+---Another picture of the world in a part of the screen, for a split screen or a small map. It shows what the view shows, from another place, without layers on the screen: these are drawn over all cameras.
 ---@class Class.Camera : Class
 ---@overload fun(members?: table): Camera
 Camera = {}
@@ -3578,7 +3578,7 @@ function pairs(table) end
 ---@return any
 function pcall(action, ...) end
 
----Prints values: to the console, and to the terminal.
+---Prints values: to the console, and to the terminal. Of a table it prints what is in it, on one line.
 ---@param ... any
 function print(...) end
 
@@ -3774,7 +3774,7 @@ function table.unpack(list, from, to) end
 ---@return number?
 function tonumber(value, base) end
 
----The value as text; no addresses.
+---The value as text, as print shows it; no addresses.
 ---@param value any
 ---@return string
 function tostring(value) end

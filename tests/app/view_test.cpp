@@ -88,6 +88,17 @@ TEST_CASE("the mouse and the size of the screen are those of the picture inside 
     CHECK(game.heard() == "vec(0, 500)\tvec(-10, -10)");
 }
 
+TEST_CASE("a rewind without a past is told once") {
+    Game game;
+    std::vector<std::string> notes;
+    game.runtime.on_note([&](std::string_view text) { notes.emplace_back(text); });
+    game.runtime.run("rewind(1)", "test");
+    CHECK(notes.empty());
+    game.runtime.run("time.rewind_limit = 0 rewind(1) rewind(2)", "test");
+    REQUIRE(notes.size() == 1);
+    CHECK_THAT(notes[0], contains("rewind does nothing: time.rewind_limit is 0"));
+}
+
 TEST_CASE("width and corners follow the height and the size of the screen") {
     Game game;
     CHECK(game.get("view.width").number() == 32);

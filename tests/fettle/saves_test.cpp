@@ -70,6 +70,47 @@ TEST_CASE("saved games are listed and deleted by their slots") {
     CHECK(contains(run.out, "no name of a slot"));
 }
 
+TEST_CASE("a loaded game tells which handlers its file could not hold") {
+    const Folder folder;
+    const std::string file = folder.write("main.lua", R"lua(
+class("Stays", Button) {}
+function Stays:pressed() print("stays") end
+function start() world.box = Body { Circle {} } world.box:watch("position", function() end) end
+function open() game.menu = Panel { Button { name = "save", pressed = function() end },
+    Button { name = "quit", pressed = function() end }, Stays { name = "stays" } } end
+)lua");
+    const Outcome run =
+        fettle(folder, {"run", file, "--headless", "--steps", "9", "--at",
+                        "2:open() save_game('a')", "--at", "4:game.menu:delete() load_game('a')"});
+    CHECK(run.status == 0);
+    CHECK(contains(run.err,
+                   "the saved game \"a\": menu.save and 1 more: the functions that were "
+                   "given to them as handlers are gone"));
+    // What both moments have keeps its handlers.
+    const Outcome kept = fettle(folder, {"run", file, "--headless", "--steps", "9", "--at",
+                                         "2:save_game('b')", "--at", "4:load_game('b')"});
+    CHECK(kept.err == "");
+    const Outcome other =
+        fettle(folder, {"run", file, "--headless", "--steps", "9", "--at", "2:load_game('a')"});
+    CHECK(contains(other.err, "menu.save and 1 more"));
+}
+
+TEST_CASE("a button that closes its menu and saves leaves nothing of the menu in the save") {
+    const Folder folder;
+    const std::string file = folder.write("main.lua", R"lua(
+game.menu = Panel { modal = true, Button { text = "Save", pressed = function()
+    game.menu:delete()
+    save_game("a")
+end } }
+)lua");
+    const Outcome run =
+        fettle(folder, {"run", file, "--headless", "--steps", "30", "--at",
+                        "2:input.keys.enter = true", "--at", "4:input.keys.enter = false", "--at",
+                        "8:load_game('a')", "--at", "12:print(game:has('menu'), interface.focus)"});
+    CHECK(run.err == "");
+    CHECK(run.out == "false\tnil\n");
+}
+
 TEST_CASE("a saved game that is damaged is refused and the game continues") {
     const Folder folder;
     const std::string file = folder.write("main.lua", game);

@@ -2,7 +2,10 @@
 
 #include <fettle/property/snapshot.h>
 
+#include <fstream>
+
 #include "stage.h"
+#include "temporary_folder.h"
 
 namespace pitfall_test {
 
@@ -110,6 +113,62 @@ TEST_CASE("a vector in a variable of an outer function gets a note too") {
     s.run("world.ball = Body {} local v = world.ball.position local function f() v.x = 1 end f()");
     REQUIRE(s.notes.size() == 1);
     CHECK_THAT(s.notes[0], contains("v was read from world.ball.position"));
+}
+
+namespace {
+
+/// The notes about a game with this `main.lua`, joined with '|'.
+std::string notes_about(const std::string& game) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "main.lua") << game;
+    Game s;
+    fettle::property::ClassDescriptor keys{.name = "Keys"};
+    for (const char* key : {"space", "escape", "a"})
+        keys.properties.push_back({.name = key, .type = fettle::property::Type::boolean});
+    s.tree->define(std::move(keys));
+    fettle::property::ClassDescriptor clock{.name = "Clock"};
+    clock.creatable = false;
+    clock.properties = {{.name = "scale", .type = fettle::property::Type::number}};
+    fettle::property::ClassDescriptor actions{.name = "Actions"};
+    actions.creatable = false;
+    s.tree->create(s.tree->define(std::move(actions)), s.tree->root(), "actions");
+    s.tree->create(s.tree->define(std::move(clock)), s.tree->root(), "time");
+    INFO(game);
+    REQUIRE(s.runtime->load(folder.path));
+    return stage::joined(s.notes);
+}
+
+}  // namespace
+
+TEST_CASE("a game is told what it made and nothing uses") {
+    CHECK(notes_about("local kept = Body {} function start() world.a = kept end") == "");
+    CHECK(notes_about("world.a = Body {} kept = Body {}") == "");
+    CHECK_THAT(notes_about("Body {}"), contains("a Body was made, and added to nothing"));
+    CHECK_THAT(notes_about("local a, b = Body {}, Body {}"), contains("a Body and 1 more were"));
+
+    CHECK_THAT(notes_about("state = 'menu'"),
+               contains("state is a text now, and was a function of Fettle: state("));
+    CHECK(notes_about("function state() end") == "");
+
+    CHECK(notes_about("-- start\nlocal function start() end") ==
+          "main.lua:2: nothing calls start, because it is local: write function start(...)");
+    CHECK(notes_about("local function step(n) end\nstep(3)") == "");
+
+    CHECK(notes_about("function key_pressed(k)\n  if k == 'Space' then end\nend") ==
+          "main.lua:2: no key is called \"Space\" (did you mean \"space\"?)");
+    CHECK(notes_about("function key_released(key)\n  if key == \"esc\" then end\nend") ==
+          "main.lua:2: no key is called \"esc\" (did you mean \"escape\"?)");
+    CHECK(notes_about("function key_pressed(key)\n  if key == 'space' or key == 'pause_or_so' "
+                      "then end\nend\nfunction other(key) return key == 'Space' end") == "");
+
+    CHECK_THAT(notes_about("time.speed = 2"), contains("Clock has no property \"speed\", so it was "
+                                                       "added to this one and changes nothing"));
+    CHECK(notes_about("actions.jump = 2 game.speed = 2 world.a = Body {} world.a.lives = 2") == "");
+
+    CHECK_THAT(
+        notes_about("watch('world.*.velocitty', print)"),
+        contains("no class has a property \"velocitty\" to watch (did you mean \"velocity\"?)"));
+    CHECK(notes_about("watch('world.*.position', print) watch('world.*.*', print)") == "");
 }
 
 }  // namespace pitfall_test

@@ -167,7 +167,7 @@ assert(load("return world", "x", "t", { world = 3 })() == 3)
 assert(not pcall(setmetatable, {}, { __gc = print }))
 assert(not pcall(collectgarbage, "stop") and not pcall(collectgarbage, "generational"))
 assert(not pcall(string.format, "%p", {}))
-assert(string.format("%s %5.2f %d %%", {}, 1.5, 3) == "table  1.50 3 %")
+assert(string.format("%s %5.2f %d %%", {}, 1.5, 3) == "{}  1.50 3 %")
 assert(not tostring(print):find("0x") and not tostring({}):find("0x"))
 assert(not pcall(function() return ("").x.y end))
 )lua");

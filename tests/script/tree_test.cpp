@@ -4,6 +4,10 @@
 
 #include <fettle/property/snapshot.h>
 
+#include <fstream>
+
+#include "temporary_folder.h"
+
 namespace tree_test {
 
 using stage::Stage;
@@ -392,6 +396,43 @@ assert(#world:raycast_all(vec(0, 0), vec(1, 1)) == 1)
     CHECK_THAT(s.fails("return world:raycast(vec(0, 0), vec(2, 0)).bdy"), contains("body"));
 }
 
+TEST_CASE("no child gets the name of a method of every instance") {
+    Stage s;
+    for (const char* way :
+         {"world:add(Object {}, 'children')", "local o = Object {} world:add(o) o.name = 'delete'",
+          "local o = Object {} o:move(world, 'find')"})
+        CHECK_THAT(s.fails(way), contains("which is a method of every instance"));
+    s.run("class('Each', Object) {} world.holder = Object { Each {} }");
+    CHECK(s.prints("print(world.holder.each_2)") == "world.holder.each_2");
+    s.run("local o = Object { name = 'on' } world:add(o) assert(o.name == 'on_1')");
+}
+
+TEST_CASE("a child of game that is gone says what became of it") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "main.lua")
+        << "yard.name = 'arena' print(select(2, pcall(function() return yard end)))\n"
+           "arena:delete() print(select(2, pcall(function() return yard end)))";
+    Stage s;
+    s.run("game.yard = Object {}");
+    REQUIRE(s.runtime->load(folder.path));
+    REQUIRE(s.printed.size() == 2);
+    CHECK_THAT(s.printed[0], contains("yard: no such name any more: it is arena now"));
+    CHECK_THAT(s.printed[1], contains("yard: no such name any more: it was deleted; game.yard = "
+                                      "Object {} makes another one"));
+}
+
+TEST_CASE("tables and sets are printed with what is in them") {
+    Stage s;
+    CHECK(s.prints("print({ 1, 'two', vec(1, 2), { a = true } }, {})") ==
+          "{1, \"two\", vec(1, 2), {a = true}}\t{}");
+    s.run("world.a = Object {} world.b = Object {}");
+    CHECK(s.prints("print(world:children('Object'), tostring(world:find('Object', function() "
+                   "return false end)))") == "{world.a, world.b}\t{}");
+    CHECK(s.prints("local t = {} t.t = t print(t)") == "{t = {t = {t = {…}}}}");
+    CHECK(s.prints("print(setmetatable({}, { __tostring = function() return 'mine' end }))") ==
+          "mine");
+}
+
 TEST_CASE("sets of instances are filtered and changed together") {
     Stage s;
     s.run(R"lua(
@@ -426,7 +467,7 @@ for k, v in pairs(t) do t[k] = nil end
 print(next(t))
 )lua") == "1 2 10 a m z|nil");
     CHECK(s.prints("print(tostring({}), tostring(print), tostring(coroutine.create(print)))") ==
-          "table\tfunction\tthread");
+          "{}\tfunction\tthread");
     CHECK(s.prints("world.b = Body { friction = 0.1 } print(world.b.friction, 2.0, 1/3, 3)") ==
           "0.1\t2.0\t0.3333333333333333\t3");
 }

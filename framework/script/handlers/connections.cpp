@@ -77,6 +77,7 @@ void Connections::clear() {
     connections_.clear();
     noted_.clear();
     retired_.clear();
+    noted_names_.clear();
     changes_ = {.all = recording_};
 }
 
@@ -178,6 +179,16 @@ Connections::Image Connections::image() const {
     }
     std::ranges::sort(image, {}, &Made::id);
     return image;
+}
+
+std::vector<property::Handle> Connections::instances() const {
+    std::vector<property::Handle> found;
+    for (const auto& [id, entry] : connections_)
+        if (entry.connect != nullptr && entry.instance && entry.connection.active())
+            found.push_back(entry.instance);
+    std::ranges::sort(found, before);
+    found.erase(std::ranges::unique(found).begin(), found.end());
+    return found;
 }
 
 bool Connections::can_connect(const Made& made) const {

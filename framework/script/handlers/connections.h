@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -86,6 +87,13 @@ class Connections {
     /// Estimated bytes, without the functions; these are counted where they were added.
     static std::size_t bytes_of(const Image& image);
     static std::size_t bytes_of(const Changes& changes);
+    /// Those that have handlers of their own that belong to a moment, by `before`, each once.
+    std::vector<property::Handle> instances() const;
+    /// Whether no note about the name of a watched property was given before.
+    bool notes(const std::string& name) { return noted_names_.insert(name).second; }
+    static bool before(property::Handle a, property::Handle b) {
+        return a.index != b.index ? a.index < b.index : a.generation < b.generation;
+    }
 
   private:
     /// The tree owns the function, so that it ends with the instance.
@@ -111,6 +119,7 @@ class Connections {
     bool recording_ = false;
     Changes changes_;
     std::unordered_set<std::uint64_t> retired_;
+    std::unordered_set<std::string> noted_names_;
 };
 
 /// Pushes a connection for a timer.

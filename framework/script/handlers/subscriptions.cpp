@@ -10,6 +10,7 @@
 #include <handlers/subscriptions.h>
 #include <lua/environment.h>
 #include <lua/guard.h>
+#include <lua/host.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <text/synonyms.h>
@@ -299,6 +300,22 @@ property::Place place_of_path(const Machine& machine, const std::string& path) {
     return property::resolve(machine.tree, path);
 }
 
+/// A pattern matches what may come, so a property that no class has is a note and no error, and
+/// only if a class has one of nearly that name.
+void note_unknown_property(Machine& machine, lua_State* L, std::string_view pattern) {
+    const std::string name(pattern.substr(pattern.rfind('.') + 1));
+    // A name that is known may be one that the game adds.
+    if (name.find_first_of("*[]") != std::string::npos || property::Symbol::find(name)) return;
+    for (const Class* of : machine.tree.classes())
+        for (const Property* property : of->properties()) {
+            if (!property::near_miss(name, property->name)) continue;
+            if (const auto sink = machine.host.on_note; sink && machine.connections.notes(name))
+                sink(position(L) + "no class has a property \"" + name +
+                     "\" to watch (did you mean \"" + property->name + "\"?)");
+            return;
+        }
+}
+
 // Implements watch("world.*.velocity", fn).
 int watch_pattern(lua_State* L) {
     Machine& machine = machine_of(L);
@@ -314,6 +331,7 @@ int watch_pattern(lua_State* L) {
                                   place.property ? place.property->name : std::string()));
         return 1;
     }
+    note_unknown_property(machine, L, pattern);
     Subscription subscription{function_at(L, 2, "watch"),
                               [&machine, pattern, options = options_here(L),
                                scene = machine.globals.entering](Handle, const Function& called) {

@@ -108,6 +108,21 @@ std::string path_of_instance(const property::Tree& tree, std::string_view name) 
     return {};
 }
 
+/// What became of a child that game had at first, such as `world`; "" if there was none of that
+/// name.
+std::string fate_of_child(const Machine& machine, std::string_view name) {
+    const property::Tree& tree = machine.tree;
+    for (const auto& [was, child] : machine.globals.first_children) {
+        if (was != name) continue;
+        if (tree.alive(child)) return "it is " + tree.path(child) + " now";
+        const auto remains = tree.remains(child);
+        return "it was deleted" +
+               (remains ? "; game." + was + " = " + remains->of.name() + " {} makes another one"
+                        : "");
+    }
+    return {};
+}
+
 /// What a name that nothing has may mean.
 std::string hint_for(Machine& machine, std::string_view name) {
     if (std::string hint = hint_for_name(name); !hint.empty()) return hint;
@@ -139,8 +154,10 @@ int read_global(lua_State* L) {
         lua_pushnil(L);
         return 1;
     }
+    const std::string fate = fate_of_child(machine, name);
     throw Error(ErrorKind::unknown_name,
-                std::string(name) + ": no such name" + hint_for(machine, name));
+                std::string(name) + ": no such name" +
+                    (fate.empty() ? hint_for(machine, name) : " any more: " + fate));
 }
 
 // Names that a game cannot give another meaning.

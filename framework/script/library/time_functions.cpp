@@ -14,6 +14,7 @@
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <objects/hints.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -131,6 +132,7 @@ int rewind(lua_State* L) {
     const double seconds = check_seconds(L, "rewind");
     if (!machine.host.on_rewind)
         throw Error(ErrorKind::rejected, "rewind: this game has no timeline");
+    machine.hints.rewinding();
     travel(machine, "rewind", [&machine, seconds] {
         // A copy, because the call may end the runtime.
         if (const auto go = machine.host.on_rewind) go(seconds);

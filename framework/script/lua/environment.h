@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fettle/property/value.h>
@@ -22,6 +23,8 @@ struct Environment {
     /// While `enter` runs: what it begins ends with this scene.
     property::Handle entering{};
     property::Handle it;  // the selected instance
+    /// Children of game when the game was loaded, such as `world`, with their names of then.
+    std::vector<std::pair<std::string, property::Handle>> first_children;
 };
 
 }  // namespace fettle::script

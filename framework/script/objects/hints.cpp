@@ -1,5 +1,9 @@
+#include <algorithm>
 #include <cctype>
+#include <functional>
+#include <map>
 
+#include <fettle/property/added_rules.h>
 #include <fettle/property/spelling.h>
 
 #include <lua/environment.h>
@@ -11,10 +15,12 @@
 #include <lua/stack.h>
 #include <objects/hints.h>
 #include <objects/script_classes.h>
+#include <objects/unplaced.h>
 #include <reference/language.h>
 #include <text/synonyms.h>
 #include <text/words.h>
 #include <values/recording.h>
+#include <values/values.h>
 
 namespace fettle::script {
 
@@ -108,8 +114,8 @@ void Hints::property_added(Handle instance, std::string_view name) {
     const Class& of = machine_.tree.class_of(instance);
     const Class* native = &of;
     while (machine_.classes.scripted(*native)) native = native->base();
-    // A plain Object has no expected properties.
-    if (native == &machine_.tree.object_class()) return;
+    // A plain Object has no expected properties, and games keep variables in `game`.
+    if (native == &machine_.tree.object_class() || instance == machine_.tree.root()) return;
     // A game may add the same property to thousands of instances.
     const std::uint64_t both = std::uint64_t{of.id()} << 32 | property::Symbol::find(name).id();
     if (!checked_.insert(both).second) return;
@@ -118,16 +124,31 @@ void Hints::property_added(Handle instance, std::string_view name) {
         hint = meaning_hint(meant);
     else if (const std::string child = child_with(instance, name); !child.empty())
         hint = "; " + child;
-    else
+    // Parts of the framework that are made for it, as `input.actions` and `view.uniforms`, take
+    // any.
+    else if (native->creatable() || property::has_added_rules(machine_.tree, instance) ||
+             native->properties().size() == machine_.tree.object_class().properties().size())
         return;
     tell(of.name() + "." + std::string(name),
          position(machine_.lua.running) + native->name() + " has no property \"" +
              std::string(name) + "\", so it was added to this one and changes nothing" + hint);
 }
 
+// --- Time
+
+void Hints::rewinding() {
+    const Handle time = machine_.tree.child(machine_.tree.root(), "time");
+    const property::Property* const limit =
+        time ? machine_.tree.find(time, "rewind_limit") : nullptr;
+    if (limit == nullptr || machine_.tree.peek(time, *limit).as_double() > 0) return;
+    tell("rewind", position(machine_.lua.running) +
+                       "rewind does nothing: time.rewind_limit is 0, so no past is kept");
+}
+
 // --- Functions
 
-/// Whether the name occurs anywhere in the game's sources except in a definition of this function.
+/// Whether the name occurs anywhere in the game's sources except in a definition of this function
+/// and in comments.
 bool Hints::is_called(const std::string& name) const {
     for (const auto& [chunk, text] : machine_.sources.texts) {
         if (chunk == "console") continue;
@@ -136,6 +157,8 @@ bool Hints::is_called(const std::string& name) const {
             const std::size_t end = at + name.size();
             if ((at > 0 && is_word(text[at - 1])) || (end < text.size() && is_word(text[end])))
                 continue;
+            const std::size_t line = text.rfind('\n', at) + 1;  // 0 in the first line
+            if (text.substr(line, at - line).find("--") != std::string::npos) continue;
             // Skip "Enemy:" backwards to the word "function".
             std::size_t start = at;
             while (start > 0 &&
@@ -189,13 +212,133 @@ void Hints::check_classes() {
     }
 }
 
+// --- Sources
+
+namespace {
+
+/// "main.lua:12: "
+std::string place_in(const std::string& chunk, std::string_view text, std::size_t at) {
+    return chunk + ":" + std::to_string(1 + std::ranges::count(text.substr(0, at), '\n')) + ": ";
+}
+
+std::size_t end_of_word(std::string_view text, std::size_t at) {
+    while (at < text.size() && is_word(text[at])) ++at;
+    return at;
+}
+
+/// Calls `visit` with the place behind each `what`.
+void each_place(std::string_view text, std::string_view what,
+                const std::function<void(std::size_t)>& visit) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+        visit(at + what.size());
+}
+
+/// The text in quotes at `at`, or "" if there is none.
+std::string quoted_at(std::string_view text, std::size_t at) {
+    if (at >= text.size() || (text[at] != '"' && text[at] != '\'')) return {};
+    const std::size_t end = text.find_first_of("\"'\\\n", at + 1);
+    if (end == std::string::npos || text[end] != text[at]) return {};
+    return std::string(text.substr(at + 1, end - at - 1));
+}
+
+}  // namespace
+
+/// The texts of the files of the game, by name.
+std::map<std::string, std::string_view> Hints::files() const {
+    std::map<std::string, std::string_view> found;
+    for (const auto& [chunk, text] : machine_.sources.texts)
+        if (chunk.ends_with(".lua")) found.emplace(chunk, text);
+    return found;
+}
+
+/// `state = "menu"` takes a function away from the game.
+void Hints::check_replaced() {
+    lua_State* L = machine_.lua.main;
+    const int globals = lua_gettop(L);
+    for (const GlobalDoc& doc : global_docs()) {
+        push_text(L, doc.name);
+        lua_rawget(L, globals);
+        const int value = lua_gettop(L);
+        const bool function = std::string_view(doc.signature).find('(') != std::string_view::npos;
+        // `tween` is a table that can be called.
+        const bool callable =
+            lua_isfunction(L, value) || luaL_getmetafield(L, value, "__call") != LUA_TNIL;
+        if (function && !callable && !lua_isnil(L, value))
+            tell(doc.name, std::string(doc.name) + " is " + describe_type(L, value) +
+                               " now, and was a function of Fettle: " + doc.signature);
+        lua_settop(L, globals);
+    }
+}
+
+/// `local function start()` looks like a callback, and nothing calls it.
+void Hints::check_local_callbacks() {
+    constexpr std::string_view first_words = "local function ";
+    for (const auto& [chunk, text] : files())
+        each_place(text, first_words, [&, &file = chunk, &code = text](std::size_t at) {
+            const std::size_t begin = at - first_words.size();
+            if (begin > 0 && code[begin - 1] != '\n') return;  // inside of something
+            const std::string name(code.substr(at, end_of_word(code, at) - at));
+            if (!among(callback_names(), name) || among(machine_.globals.assigned, name) ||
+                is_called(name))
+                return;
+            tell("local " + name, place_in(file, code, at) + "nothing calls " + name +
+                                      ", because it is local: write function " + name + "(...)");
+        });
+}
+
+/// A comparison such as `key == "Space"` never holds.
+void Hints::check_keys() {
+    const Class* const of = machine_.tree.find_class("Keys");
+    if (of == nullptr) return;
+    std::vector<std::string> keys;
+    for (const Property* key : of->properties()) keys.push_back(key->name);
+    for (const auto& [chunk, text] : files())
+        for (const char* callback : {"function key_pressed(", "function key_released("})
+            each_place(text, callback, [&, &file = chunk, &code = text](std::size_t at) {
+                const std::string parameter(code.substr(at, end_of_word(code, at) - at));
+                if (parameter.empty()) return;
+                // The function may call others; a variable of that name elsewhere is no key.
+                const std::size_t end = std::min(code.find("\nend", at), code.size());
+                const std::string_view body = code.substr(0, end);
+                each_place(body.substr(at), parameter + " == ", [&](std::size_t behind) {
+                    const std::string name = quoted_at(body, at + behind);
+                    if (name.empty() || among(keys, name)) return;
+                    std::string meant = property::nearest(name, keys);
+                    for (const std::string_view synonym : property_synonyms(name))
+                        if (of->property(synonym) != nullptr) meant = synonym;
+                    if (meant.empty()) return;
+                    tell("key " + name, place_in(file, code, at + behind) + "no key is called \"" +
+                                            name + "\"" + meaning_hint("\"" + meant + "\""));
+                });
+            });
+}
+
+/// `Body {}` alone makes an instance that nobody ever sees.
+void Hints::check_dropped() {
+    const property::Tree& tree = machine_.tree;
+    if (std::ranges::none_of(machine_.unplaced.handles,
+                             [&](Handle made) { return tree.alive(made) && !tree.parent(made); }))
+        return;
+    const std::vector<Handle> dropped = dropped_instances(machine_);
+    if (dropped.empty()) return;
+    std::string text = property::with_article(tree.class_of(dropped.front()).name());
+    if (dropped.size() > 1) text += " and " + std::to_string(dropped.size() - 1) + " more";
+    tell("dropped", text + (dropped.size() > 1 ? " were" : " was") +
+                        " made, and added to nothing: parent:add(...) or parent.name = ... gives "
+                        "an instance its place");
+}
+
 void Hints::game_loaded() {
     lua_State* L = machine_.lua.main;
     if (!lua_checkstack(L, 10)) return;
     push_registry(L, machine_.globals.table);
     check_globals();
+    check_replaced();
     lua_pop(L, 1);
     check_classes();
+    check_local_callbacks();
+    check_keys();
+    check_dropped();
 }
 
 }  // namespace fettle::script

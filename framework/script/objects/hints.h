@@ -2,6 +2,7 @@
 // Notes for users of other engines. Scripts may add any properties and functions, so such code is
 // not an error, but it has no effect and was probably meant to have one. Each note is given once.
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -28,8 +29,11 @@ class Hints {
     /// A hint at a child that has the property: "its Circle has radius", or "".
     std::string child_with(property::Handle instance, std::string_view name) const;
     /// To be called when the game is loaded: notes functions that are never called although their
-    /// names look like callbacks.
+    /// names look like callbacks, names of keys that no key has, functions of Fettle that the game
+    /// has replaced by values, and instances that it has made and dropped.
     void game_loaded();
+    /// To be called when a script rewinds: notes that no past is kept, if it is.
+    void rewinding();
     /// To be called before a game is loaded: forgets all given notes.
     void forget();
 
@@ -38,6 +42,11 @@ class Hints {
     std::string meaning(const property::Class& of, std::string_view name) const;
     void check_globals();
     void check_classes();
+    void check_replaced();
+    void check_local_callbacks();
+    void check_keys();
+    void check_dropped();
+    std::map<std::string, std::string_view> files() const;
     bool is_called(const std::string& name) const;
 
     Machine& machine_;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <fettle/property/path.h>
+#include <fettle/property/reserved_names.h>
 #include <fettle/property/spelling.h>
 
 #include <handlers/formulas.h>
@@ -308,6 +309,7 @@ int instance_pairs(lua_State* L) {
 }  // namespace
 
 void open_instance(lua_State* L, Machine& machine) {
+    property::reserve_names(machine.tree, generic_names());
     // The table is larger than necessary: Lua looks up `__index` and `__newindex` for each use of
     // an instance, and a full table would need more probes.
     lua_createtable(L, 0, 256);

@@ -10,6 +10,7 @@
 #include <lua/stack.h>
 #include <objects/instance_set.h>
 #include <values/declarations.h>
+#include <values/short_text.h>
 #include <values/values.h>
 #include <values/writes.h>
 
@@ -188,9 +189,20 @@ std::vector<Handle> those_for_which(lua_State* L, const std::string& text) {
     return found;
 }
 
+namespace {
+
+int set_tostring(lua_State* L) {
+    if (!is_set(L, 1)) refuse_type(L, 1, "tostring: needs a set");
+    push_text(L, short_text(L, 1));
+    return 1;
+}
+
+}  // namespace
+
 void open_sets(lua_State* L, Machine& machine) {
     lua_newtable(L);
     add_pure<set_index>(L, "__index");
+    add_pure<set_tostring>(L, "__tostring");
     lua_newtable(L);
     add_function<set_all>(L, "set");
     add_function<add_all>(L, "add");

@@ -73,6 +73,36 @@ void Unplaced::restore(std::vector<property::Handle> those, std::size_t its_limi
     removed = false;
 }
 
+std::vector<Handle> dropped_instances(Machine& machine) {
+    lua_State* L = machine.lua.main;
+    lua_gc(L, LUA_GCCOLLECT);
+    // Instances that the tree or a script refers to stay, and so do those that they refer to.
+    std::vector<Handle> reachable = {machine.tree.root()};
+    std::unordered_set<std::uint64_t> rest;
+    for (const Handle handle : machine.unplaced.handles) {
+        if (!machine.tree.alive(handle) || machine.tree.parent(handle)) continue;
+        if (held_by_script(L, machine, handle))
+            reachable.push_back(handle);
+        else
+            rest.insert(bits_of(handle));
+    }
+    while (!rest.empty() && !reachable.empty()) {
+        const Handle top = reachable.back();
+        reachable.pop_back();
+        std::vector<Handle> references;
+        references_below(machine.tree, top, references);
+        for (const Handle handle : references) {
+            if (!machine.tree.alive(handle)) continue;
+            const Handle other = top_of(machine.tree, handle);
+            if (rest.erase(bits_of(other)) > 0) reachable.push_back(other);
+        }
+    }
+    std::vector<Handle> dropped;
+    for (const Handle handle : machine.unplaced.handles)
+        if (rest.erase(bits_of(handle)) > 0) dropped.push_back(handle);
+    return dropped;
+}
+
 void collect_unplaced(Machine& machine) {
     auto& unplaced = machine.unplaced.handles;
     auto& limit = machine.unplaced.limit;
@@ -82,30 +112,8 @@ void collect_unplaced(Machine& machine) {
         return !machine.tree.alive(handle) || machine.tree.parent(handle);
     });
     if (unplaced.size() >= limit) {
-        lua_State* L = machine.lua.main;
-        lua_gc(L, LUA_GCCOLLECT);
-        // Instances that the tree or a script refers to stay, and so do those that they refer to.
-        std::vector<Handle> reachable = {machine.tree.root()};
-        std::unordered_set<std::uint64_t> rest;
-        for (const Handle handle : unplaced)
-            if (held_by_script(L, machine, handle))
-                reachable.push_back(handle);
-            else
-                rest.insert(bits_of(handle));
-        while (!reachable.empty()) {
-            const Handle top = reachable.back();
-            reachable.pop_back();
-            std::vector<Handle> references;
-            references_below(machine.tree, top, references);
-            for (const Handle handle : references) {
-                if (!machine.tree.alive(handle)) continue;
-                const Handle other = top_of(machine.tree, handle);
-                if (rest.erase(bits_of(other)) > 0) reachable.push_back(other);
-            }
-        }
-        for (const Handle handle : unplaced)
-            if (rest.contains(bits_of(handle)) && machine.tree.alive(handle))
-                machine.tree.destroy(handle);
+        for (const Handle handle : dropped_instances(machine))
+            if (machine.tree.alive(handle)) machine.tree.destroy(handle);
         std::erase_if(unplaced, [&](Handle handle) { return !machine.tree.alive(handle); });
     }
     limit = std::max<std::size_t>(64, 2 * unplaced.size());

@@ -30,6 +30,8 @@ struct Unplaced {
     bool removed = true;    // some were removed since then, or it was not called yet
 };
 
+/// The unplaced instances to which nothing refers. Makes a full collection.
+std::vector<property::Handle> dropped_instances(Machine& machine);
 /// Destroys unplaced instances to which nothing refers.
 void collect_unplaced(Machine& machine);
 

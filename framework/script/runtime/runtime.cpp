@@ -137,6 +137,10 @@ void forget_game(Machine& machine) {
     lua_pop(L, 1);
     machine.globals.assigned.clear();
     machine.globals.stated.clear();
+    const property::Tree& tree = machine.tree;
+    machine.globals.first_children.clear();
+    for (const Handle child : tree.children(tree.root()))
+        machine.globals.first_children.emplace_back(tree.name(child), child);
 }
 
 bool run_chunk(Machine& machine, const std::string& text, const std::string& name,

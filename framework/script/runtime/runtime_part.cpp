@@ -42,6 +42,8 @@ property::Memory RuntimePart::save(property::ByteWriter& to) const {
     to.put(machine_.unplaced.handles);
     to.put(std::uint64_t{machine_.unplaced.limit});
     machine_.classes.save(to);
+    const std::vector<Handle> with_handlers = machine_.connections.instances();
+    if (!with_handlers.empty()) to.put(with_handlers);
     auto image = std::make_shared<Image>();
     image->timers = machine_.timers.image();
     image->next_timer = machine_.timers.next_number();
@@ -65,7 +67,9 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
     std::erase(unplaced, machine_.tree.root());
     const auto limit = from.get<std::uint64_t>();
     const std::function<void()> put_classes = machine_.classes.restore(from);
-    return [this, random, now, unplaced, limit, put_classes, memory] {
+    std::vector<Handle> had_handlers;
+    if (!from.at_end()) had_handlers = from.list<Handle>();
+    return [this, random, now, unplaced, limit, put_classes, had_handlers, memory] {
         static const Image nothing;
         const Image& image =
             memory ? *static_cast<const Image*>(static_cast<const Held*>(memory.get())) : nothing;
@@ -76,11 +80,27 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
             machine_.timers.restore_from_file(now);
         // A file knows no handlers: those of instances that go on stay.
         if (memory) machine_.connections.restore(image.connections);
+        had_handlers_ = memory ? std::vector<Handle>() : had_handlers;
         machine_.unplaced.restore(unplaced,
                                   std::clamp<std::size_t>(limit, 64, 2 * unplaced.size() + 64));
         put_classes();
         refresh_classes(machine_);
     };
+}
+
+std::vector<std::string> RuntimePart::remarks() const {
+    std::vector<Handle> lost;
+    const std::vector<Handle> have = machine_.connections.instances();
+    for (const Handle each : had_handlers_)
+        if (machine_.tree.alive(each) &&
+            !std::ranges::binary_search(have, each, Connections::before))
+            lost.push_back(each);
+    if (lost.empty()) return {};
+    std::string text = machine_.tree.path(lost.front());
+    if (lost.size() > 1) text += " and " + std::to_string(lost.size() - 1) + " more";
+    return {text + ": the functions that were given to " + (lost.size() > 1 ? "them" : "it") +
+            " as handlers are gone, since a file holds no functions; methods of a class stay: "
+            "class(\"Start\", Button) {} and function Start:pressed() ... end"};
 }
 
 property::Memory RuntimePart::changes() {

@@ -20,9 +20,13 @@ class RuntimePart : public property::SnapshotPart {
     property::Memory changes() override;
     void redo(const property::Memory& changes) override;
     std::size_t size_of(const property::Memory& memory) const override;
+    std::vector<std::string> remarks() const override;
 
   private:
     Machine& machine_;
+    /// Those that had handlers when the file was saved that was restored last; none after a restore
+    /// from memory.
+    std::vector<property::Handle> had_handlers_;
 };
 
 }  // namespace fettle::script

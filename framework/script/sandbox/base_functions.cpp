@@ -20,6 +20,7 @@
 #include <sandbox/sandbox.h>
 #include <text/columns.h>
 #include <values/recording.h>
+#include <values/short_text.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -57,7 +58,7 @@ void push_tostring(lua_State* L, int index) {
             return;
         case LUA_TTABLE:
             if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) return;
-            lua_pushstring(L, "table");
+            push_text(L, short_text(L, index));
             return;
         default:
             if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) return;
