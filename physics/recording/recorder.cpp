@@ -132,6 +132,7 @@ void World::start_recording(RecordingSink sink) {
             "the world is recorded already: call World::stop_recording before");
     auto recorder = std::make_unique<Recorder>(std::move(sink));
     std::vector<std::byte> saved;
+    data.read_all();
     save(saved);
     WorldLock lock(data.self, WorldLock::During::query, in_recording);
     recorder->begin(data, saved);

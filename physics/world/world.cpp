@@ -154,7 +154,10 @@ void World::step(float dt) {
     WorldLock lock(data.self, WorldLock::During::change, in_step);
     // If the host's threads cannot be had, nothing was done, and no recording has a step.
     ThreadPool::Helping helping(data.threads);
-    if (data.self.witness() != nullptr) data.tell_step_begins(dt);
+    if (data.self.witness() != nullptr) {
+        data.read_all();  // what edits bring about has the ids of this world, not of a replay
+        data.tell_step_begins(dt);
+    }
     data.step(dt);
     const std::exception_ptr failure_of_host = helping.finish();
     if (!data.self.functions.empty()) data.ask_position_functions(dt);

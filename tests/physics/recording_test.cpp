@@ -388,4 +388,28 @@ TEST_CASE("damage below right checksums is refused or replayed and never harmful
     REQUIRE(differ > 0);
 }
 
+TEST_CASE("shapes of several parts that are made and destroyed in a recording are replayed") {
+    const bool before = GENERATE(false, true);
+    const int between = GENERATE(0, 1, 3);
+    Bytes bytes;
+    World world;
+    Body ground = world.create_body({.type = BodyType::static_body});
+    Shape chain;
+    if (before) chain = ground.add(Chain{.points = {{-9, 0}, {0, -1}, {9, 0}}});
+    world.start_recording(into(bytes));
+    world.step(frame);
+    if (!before) chain = ground.add(Chain{.points = {{-9, 0}, {0, -1}, {9, 0}}});
+    Body star = world.create_body({.position = {0, 1}});
+    Shape concave = star.add(Concave{.vertices = {{-1, -1}, {1, -1}, {1, 1}, {0, 0}, {-1, 1}}});
+    for (int i = 0; i < between; ++i) world.step(frame);
+    chain.destroy();
+    concave.set_geometry(Circle{});
+    world.step(frame);
+    star.destroy();
+    ground.add(Chain{.points = {{-9, 0}, {9, 0}}});
+    world.step(frame);
+    world.stop_recording();
+    CHECK(replayed(bytes, world.hash()) == uint64_t(3 + between));
+}
+
 }  // namespace recording_test
