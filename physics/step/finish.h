@@ -49,8 +49,11 @@ inline Motion motion_to(const Position& center, Vec2 shift, float turn) {
     return {.from = center - shift, .velocity = shift, .angle = -turn, .turn = turn};
 }
 /// A body that moves less cannot move past the range of a speculative contact, nor with more than
-/// half of its thickness through a thin obstacle.
+/// half of its thickness through a thin obstacle. What is thinner than this range would still get
+/// behind a surface in a few slow steps while something presses it: its contact pushes one end and
+/// then the other, and the middle moves on.
 inline float near_motion(const BodyRecord& body) {
+    if (body.thickness < speculative_margin) return max(0.05f * body.thickness, 0.0002f);
     return max(0.5f * body.thickness, speculative_margin);
 }
 
