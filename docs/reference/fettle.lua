@@ -852,7 +852,7 @@ World = {}
 ---@field enabled boolean False if it takes no part in the world: it does not move, nothing collides with it, no query finds it, and its joints do not act. It is drawn, and keeps its velocity. · true or false · default true
 ---@field force vec Force on its center of mass in every step until it is changed. · N · any finite vec · default vec(0, 0)
 ---@field gravity_scale number Factor of the world's gravity for this body: 0 floats, -1 falls upwards. · any finite number · default 1
----@field inertia number Rotational inertia about the center of mass, computed from the shapes unless it is set; nil computes it again. With infinite inertia, or 1e18 and more, nothing turns it. · kg m² · 1e-30 to inf · default computed · simulated, may be infinite
+---@field inertia number Rotational inertia about the center of mass, computed from the shapes unless it is set; nil computes it again. With infinite inertia, or more than 1e18, nothing turns it. · kg m² · 1e-30 to inf · default computed · simulated, may be infinite
 ---@field linear_damping number Share of its velocity that it loses in a second, for small values. · 1/s · at least 0 · default 0
 ---@field locked_rotation boolean True if it cannot turn. · true or false · default false
 ---@field locked_x boolean True if it cannot move along x. · true or false · default false

@@ -202,7 +202,7 @@ std::vector<Property> weight(Hosting& hosting) {
          .unit = "kg m\xC2\xB2",
          .range = inertial,
          .doc = "Rotational inertia about the center of mass, computed from the shapes unless it "
-                "is set; nil computes it again. With infinite inertia, or 1e18 and more, nothing "
+                "is set; nil computes it again. With infinite inertia, or more than 1e18, nothing "
                 "turns "
                 "it.",
          .binding =

@@ -135,4 +135,18 @@ TEST_CASE("a body that is carried slowly stays awake") {
     }
 }
 
+TEST_CASE("bodies whose joint was torn apart stay awake until they are together") {
+    World world({.gravity = {0, 0}});
+    Body a = world.create_body({}), b = world.create_body({.position = {1.5f, 0}});
+    a.add(Box{});
+    b.add(Box{});
+    RevoluteJoint pin = world.create_revolute_joint(
+        {.body_a = a.id(), .body_b = b.id(), .anchor_a = {0.75f, 0}, .anchor_b = {-0.75f, 0}});
+    b.set_position({6.5f, 0});
+    for (int i = 0; i < 400; ++i) world.step(1.0f / 60);
+    CHECK(pin.separation() < 0.01f);
+    CHECK(!a.awake());
+    CHECK(!b.awake());
+}
+
 }  // namespace rest_family_test
