@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -60,6 +61,14 @@ Outcome run_script(const Folder& folder, const std::string& script, int steps,
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
+}
+
+std::string without_notes(const std::string& err) {
+    std::string rest;
+    std::istringstream lines(err);
+    for (std::string line; std::getline(lines, line);)
+        if (!line.starts_with("fettle: note: ")) rest += line + "\n";
+    return rest;
 }
 
 }  // namespace program_test

@@ -39,5 +39,7 @@ Outcome run_script(const Folder& folder, const std::string& script, int steps,
                    const std::vector<std::string>& more = {});
 
 bool contains(const std::string& text, const std::string& part);
+/// Errors and warnings of a run, without the notes about what does nothing in the game.
+std::string without_notes(const std::string& err);
 
 }  // namespace program_test

@@ -48,7 +48,7 @@ std::vector<Value> values_for(const Property& property) {
 
 struct Room : Screen {
     Room() {
-        const Handle panel = tree.create(tree.class_named("Panel"), tree.root(), "all");
+        const Handle panel = tree.create(tree.class_named("Panel"), tree.root(), "stage");
         for (const char* of : classes) tree.create(tree.class_named(of), panel);
         turn();
     }
@@ -59,7 +59,7 @@ struct Room : Screen {
                 all.emplace_back(property, tree.get(of, *property));
         return all;
     }
-    std::vector<Handle> things() { return tree.children(at("all")); }
+    std::vector<Handle> things() { return tree.children(at("stage")); }
 };
 
 }  // namespace
