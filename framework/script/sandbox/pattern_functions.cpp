@@ -138,6 +138,7 @@ int gmatch(lua_State* L) {
 // Lua's.
 void append(lua_State* L, std::string& out, std::string_view piece) {
     constexpr std::size_t unchecked = 4096;  // bytes
+    pay(L, 4);  // instructions: a replacement may have millions of pieces
     const std::size_t size = out.size() + piece.size();
     const Arena& arena = machine_of(L).arena;
     if (size > unchecked && size > (arena.limit() - std::min(arena.limit(), arena.bytes())) / 2) {
