@@ -90,15 +90,25 @@ end
 
 local expectations = {}
 
+-- expect(1).is(2) gives the wanted value in the place of the object.
+local function check_colon(object, name)
+    if type(object) ~= "table" or rawget(object, "is_expectation") == nil then
+        error(name .. ": call it with a colon, as in expect(x):" .. name .. "(...)", 3)
+    end
+end
+
 function expectations:is(wanted)
+    check_colon(self, "is")
     if not equal(self.value, wanted, 0) then error(both(wanted, self.value), 2) end
 end
 
 function expectations:is_not(other)
+    check_colon(self, "is_not")
     if equal(self.value, other, 0) then error("expected anything but " .. shown(other), 2) end
 end
 
 function expectations:near(wanted, tolerance)
+    check_colon(self, "near")
     tolerance = tolerance or 0.001
     if type(tolerance) ~= "number" then error("near needs a tolerance that is a number, not " .. shown(tolerance), 2) end
     local apart = distance(self.value, wanted)
@@ -112,26 +122,31 @@ function expectations:near(wanted, tolerance)
 end
 
 function expectations:above(limit)
+    check_colon(self, "above")
     if type(self.value) ~= "number" or not (self.value > limit) then
         error(both(limit, self.value, "more than "), 2)
     end
 end
 
 function expectations:below(limit)
+    check_colon(self, "below")
     if type(self.value) ~= "number" or not (self.value < limit) then
         error(both(limit, self.value, "less than "), 2)
     end
 end
 
 function expectations:truthy()
+    check_colon(self, "truthy")
     if not self.value then error("expected a value that is true, got " .. shown(self.value), 2) end
 end
 
 function expectations:falsy()
+    check_colon(self, "falsy")
     if self.value then error("expected false or nil, got " .. shown(self.value), 2) end
 end
 
 function expectations:contains(part)
+    check_colon(self, "contains")
     local found = false
     if type(self.value) == "string" then
         if type(part) ~= "string" then error("contains needs a part that is a text, not " .. shown(part), 2) end
@@ -146,6 +161,7 @@ function expectations:contains(part)
 end
 
 function expectations:fails(part)
+    check_colon(self, "fails")
     if type(self.value) ~= "function" then error("fails needs a function: expect(function() ... end):fails()", 2) end
     if part ~= nil and type(part) ~= "string" then
         error("fails needs a part of the message, not " .. shown(part), 2)
@@ -167,7 +183,7 @@ local expectation = {
 
 function expect(...)
     if select("#", ...) == 0 then error("expect: needs the value that is tested", 2) end
-    return setmetatable({ value = (...) }, expectation)
+    return setmetatable({ value = (...), is_expectation = true }, expectation)
 end
 
 -- t -------------------------------------------------------------------------------------------------------------
@@ -186,13 +202,18 @@ local function set_input(device, name, value)
     if not ok then error((string.gsub(tostring(why), "^[%w_/.-]+%.lua:%d+: ", "")), 3) end
 end
 
+local function check_count(value, what, level)
+    check_number(value, what, level + 1)
+    if value ~= math.floor(value) then error(what .. ", a whole one, not " .. shown(value), level + 1) end
+end
+
 local function wait_steps(count)
     for _ = 1, count do coroutine.yield() end
 end
 
 function t:steps(count)
-    check_number(count, "t:steps needs a number of steps", 2)
-    wait_steps(math.floor(count))
+    check_count(count, "t:steps needs a number of steps", 2)
+    wait_steps(count)
 end
 
 function t:wait(seconds)
@@ -219,9 +240,9 @@ function t:press(key) set_input(game.input.keys, key, true) end
 function t:release(key) set_input(game.input.keys, key, false) end
 
 function t:hold(key, steps)
-    check_number(steps, "t:hold needs a key and a number of steps", 2)
+    check_count(steps, "t:hold needs a key and a number of steps", 2)
     set_input(game.input.keys, key, true)
-    wait_steps(math.floor(steps))
+    wait_steps(steps)
     set_input(game.input.keys, key, false)
 end
 
