@@ -32,6 +32,20 @@ namespace fettle::program {
 
 namespace {
 
+/// Picture of a run without a window; null if none is wanted.
+std::unique_ptr<app::Screen> picture_of(Session& session, const RunOptions& options) {
+    if (options.screenshot.empty()) return nullptr;
+    const property::Vec2 size = session.services().view.screen;
+    auto picture = app::make_picture(static_cast<unsigned>(size.x), static_cast<unsigned>(size.y));
+    // The console arranges its lists by the sizes of its last picture, so the second picture is
+    // right.
+    for (int i = 0; i < 2; ++i) {
+        session.loop().draw(*picture, 0);
+        picture->present();
+    }
+    return picture;
+}
+
 int run_headless(const RunOptions& options, Gallery* gallery) {
     TurnLimit limit(longest_turn(options));
     Session session(options, nullptr, {});
@@ -55,17 +69,7 @@ int run_headless(const RunOptions& options, Gallery* gallery) {
         close(session);
         loop.turn();
     }
-    std::unique_ptr<app::Screen> picture;
-    if (!options.screenshot.empty()) {
-        const property::Vec2 size = session.services().view.screen;
-        picture = app::make_picture(static_cast<unsigned>(size.x), static_cast<unsigned>(size.y));
-        // The console arranges its lists by the sizes of its last picture, so the second picture
-        // is right.
-        for (int i = 0; i < 2; ++i) {
-            session.loop().draw(*picture, 0);
-            picture->present();
-        }
-    }
+    const std::unique_ptr<app::Screen> picture = picture_of(session, options);
     return finish(session, options, picture.get());
 }
 
@@ -301,7 +305,16 @@ int run_replay(RunOptions options) {
                         "or replay with --headless");
     std::unique_ptr<app::Window> window;
     if (!options.headless) window = app::open_window(window_state(read_settings(options.game)));
-    Session session(options, nullptr, {}, &recording);
+    // The strip with the error that ended the run; a replay has no actions for the user.
+    app::ErrorScreen error_screen({});
+    std::optional<script::ScriptError> failure;
+    Session session(
+        options, nullptr,
+        [&](const script::ScriptError& error) {
+            if (!failure) failure = error;
+        },
+        &recording);
+    session.add_layer(error_screen);
     session.set_screen({start.width, start.height});
     const EndRequest::Scripts scripts(session.runtime());
     session.start();
@@ -322,12 +335,26 @@ int run_replay(RunOptions options) {
         const bool skipped = test && replay.steps() + last_steps < recording.steps();
         if (window != nullptr && !skipped) show();
     }
+    // The game's drawing functions run for the last picture, too: most errors are not theirs, and
+    // an error of theirs halts the loop again.
+    if (failure) {
+        error_screen.show_over(*failure, start.test.empty() ? "The run ended with this error"
+                                                            : "The test failed here");
+        session.loop().resume();
+    }
     // The picture in which a test failed stays until the window is closed.
     while (test && options.screenshot.empty() && !ended()) show();
     if (EndRequest::asked() != 0) return status_of_signal(EndRequest::asked());
     if (!replay.difference().empty()) return complain(script_error, replay.difference());
+    std::unique_ptr<app::Screen> picture;
+    if (window == nullptr) {
+        picture = picture_of(session, options);
+    } else if (!options.screenshot.empty()) {
+        window->keep_frame();
+        show();
+    }
     std::printf("%" PRIu64 " steps, each as it was recorded\n", replay.steps());
-    return finish(session, options, window.get());
+    return finish(session, options, window != nullptr ? window.get() : picture.get());
 }
 
 constexpr std::uint64_t max_milliseconds = 1'000'000'000;

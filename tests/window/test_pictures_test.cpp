@@ -45,6 +45,21 @@ bool skipped() {
     return !there;
 }
 
+/// Share of the pixels of a BMP file that are pure green; 0 if there is no file.
+double green_share(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(in), {});
+    if (bytes.size() < 54) return 0;
+    const auto byte = [&](std::size_t at) {
+        return std::size_t{static_cast<unsigned char>(bytes[at])};
+    };
+    const std::size_t begin = byte(10) + 256 * byte(11), size = byte(28) / 8;
+    std::size_t all = 0, green = 0;
+    for (std::size_t at = begin; size > 0 && at + 2 < bytes.size(); at += size, ++all)
+        green += byte(at) == 0 && byte(at + 1) == 255 && byte(at + 2) == 0;
+    return all == 0 ? 0 : static_cast<double>(green) / static_cast<double>(all);
+}
+
 void write(const fs::path& file, const std::string& text) {
     fs::create_directories(file.parent_path());
     std::ofstream(file) << text;
@@ -93,6 +108,26 @@ TEST_CASE("a game of every template is drawn without an error") {
     CHECK(run.status == 0);
     CHECK(run.out.empty());
     CHECK(fs::file_size(folder.path / "game.png") > 3000);
+}
+
+TEST_CASE("a replay of a failed test ends with what the game draws and with the error") {
+    if (skipped()) return;
+    const TemporaryFolder folder;
+    write(folder.path / "game/main.lua",
+          "view.background = color(0, 0, 0)\n"
+          "function draw(pen) pen.box(vec(0, 0), 500, 500, color(0, 1, 0)) end");
+    write(folder.path / "game/tests/a.lua",
+          "test('it', function(t) t:steps(3) expect(1):is(2) end)\n");
+    CHECK(on_display(folder, "test game").status == 1);
+    const std::string replay = "run --replay game/.fettle/tests/a-it.recording --screenshot ";
+    for (const std::string& how : {std::string(), std::string(" --headless")}) {
+        fs::remove(folder.path / "end.bmp");
+        const Outcome run = on_display(folder, replay + "end.bmp" + how);
+        INFO(run.out);
+        CHECK(run.status == 1);
+        CHECK(green_share(folder.path / "end.bmp") > 0.6);  // the strip covers the rest
+        CHECK(green_share(folder.path / "end.bmp") < 0.95);
+    }
 }
 
 }  // namespace test_pictures_test

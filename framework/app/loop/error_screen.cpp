@@ -303,11 +303,11 @@ void ErrorScreen::draw_keys(Surface& surface, float bottom) const {
     surface.text(margin, bottom + 16, keys, 14, pale, Face::plain);
 }
 
-/// Draws the error of changed files at the lower edge.
+/// Draws the error that does not stop the game at the lower edge.
 void ErrorScreen::draw_over(Surface& surface, float bottom) const {
     const script::ScriptError& e = *over_;
     std::vector<Line> all = {
-        {.text = "The files have an error; the game goes on as it was", .size = 14, .color = pale},
+        {.text = heading_over_, .size = 14, .color = pale},
         {.text = e.message, .size = 17, .color = red, .face = Face::bold, .above = 4}};
     if (!e.source_line.empty()) add_source(all, e);
     const float room = std::max(100.0f, surface.width() - 2 * margin);

@@ -319,7 +319,10 @@ void Hints::check_dropped() {
     if (std::ranges::none_of(machine_.unplaced.handles,
                              [&](Handle made) { return tree.alive(made) && !tree.parent(made); }))
         return;
-    const std::vector<Handle> dropped = dropped_instances(machine_);
+    std::vector<Handle> dropped = dropped_instances(machine_);
+    // A shape without a body is made for queries.
+    if (const Class* const shape = tree.find_class("Shape"))
+        std::erase_if(dropped, [&](Handle each) { return tree.class_of(each).is_a(*shape); });
     if (dropped.empty()) return;
     std::string text = property::with_article(tree.class_of(dropped.front()).name());
     if (dropped.size() > 1) text += " and " + std::to_string(dropped.size() - 1) + " more";

@@ -38,9 +38,13 @@ class ErrorScreen : public Layer {
         error_.reset();
         over_.reset();
     }
-    /// Shows an error of files that changed while the game runs, in a strip over the game, which
-    /// goes on and gets all input.
-    void show_over(const script::ScriptError& error) { over_ = error; }
+    /// Shows an error in a strip over the game, which goes on and gets all input: one of files that
+    /// changed while the game runs, or another that `heading` explains.
+    void show_over(const script::ScriptError& error,
+                   std::string heading = "The files have an error; the game goes on as it was") {
+        over_ = error;
+        heading_over_ = std::move(heading);
+    }
     bool visible() const { return error_.has_value() || running_.has_value(); }
 
     /// Shows the place of a script that does not return, and asks whether to stop it; to be called
@@ -68,6 +72,7 @@ class ErrorScreen : public Layer {
     Actions actions_;
     std::optional<script::ScriptError> error_;
     std::optional<script::ScriptError> over_;
+    std::string heading_over_;
     std::size_t further_errors_ = 0;
     std::optional<script::LongCall> running_;
     bool stop_wanted_ = false;
