@@ -104,15 +104,13 @@ class Measure : public FieldIo<Measure> {
     std::size_t size_ = 0;
 };
 /// The number of bytes of an encoded value, which is the same for all values of a type.
+/// Optimizing compilers make a constant of it.
 template <class T>
 std::size_t encoded_size() {
-    static const std::size_t size = [] {
-        Measure measure;
-        const T value{};
-        measure(value);
-        return measure.size();
-    }();
-    return size;
+    Measure measure;
+    const T value{};
+    measure(value);
+    return measure.size();
 }
 
 }  // namespace fettle::physics::detail
