@@ -230,7 +230,7 @@ class World(Queries):
         return out[0]
 
     def set_contact_data(self, a, b, number):
-        """Sets a number for two shapes that touch. It is kept until they separate."""
+        """Sets a number for two shapes that touch. It is kept while their touch lasts."""
         number = to_number("uint64_t", number, "number")
         check(lib.fettle_world_set_contact_data(self._pointer, id_of(a, Shape), id_of(b, Shape), number))
 

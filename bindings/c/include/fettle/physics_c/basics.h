@@ -39,8 +39,9 @@ enum fettle_codes {
         1,            /* an argument without meaning: null, NaN, out of range, wrong type or size */
     FETTLE_STALE = 2, /* the world, body, shape, joint or field does not exist (any more) */
     FETTLE_LOCKED = 3, /* inside a function that the world is calling, or the world has an owner */
-    FETTLE_NO_MEMORY = 4, /* there is not enough memory */
-    FETTLE_FAILED = 5     /* anything else */
+    FETTLE_NO_MEMORY =
+        4,            /* there is not enough memory: what was being changed can no longer be used */
+    FETTLE_FAILED = 5 /* anything else */
 };
 
 /** Message of the last error of this thread: the function, what was given, what was expected. Empty
