@@ -235,6 +235,19 @@ size_t collide_and_create(const NarrowPhaseInput& in) {
     });
 }
 
+/// A sensor of a body that does not move sees a sleeping body by waking it: contacts of two bodies
+/// that both rest are not collided.
+void wake_for_sensors(const NarrowPhaseInput& in) {
+    if (in.objects.sensors == 0) return;
+    for (const uint64_t pair : in.scratch.new_pairs) {
+        const uint32_t slot = in.list.pairs.find(uint32_t(pair), uint32_t(pair >> 32));
+        const ContactRecord& c = in.objects.contacts[slot];
+        if (!c.sensor || c.awake_index != none) continue;
+        for (const uint32_t body : {c.body_a, c.body_b})
+            if (in.objects.bodies[body].asleep()) wake_body(in.activity, body);
+    }
+}
+
 }  // namespace
 
 void narrow_phase(const NarrowPhaseInput& in) {
@@ -242,6 +255,7 @@ void narrow_phase(const NarrowPhaseInput& in) {
     std::vector<CollidedPiece>& collided = in.scratch.collided;
     size_t collided_contacts = awake.size(), noted = 0;
     size_t pieces = collide_and_create(in);
+    wake_for_sensors(in);
     // New contacts are collided in another round. So are contacts that wake because of the notes.
     for (;;) {
         const std::span slots = std::span(awake).subspan(collided_contacts);

@@ -116,6 +116,36 @@ TEST_CASE("a sensor reports bodies that enter and leave and pushes none") {
     REQUIRE(ball.velocity().y == Approx(-20.0f).epsilon(1e-3));
 }
 
+TEST_CASE("a static sensor that comes to a sleeping body reports it") {
+    World world;
+    add_floor(world);
+    Body crate = add_box(world, {0, 0.5f});
+    run(world, 3.0f);
+    REQUIRE_FALSE(crate.awake());
+    Body zone = world.create_body({.type = BodyType::static_body, .position = {0, 0.5f}});
+    Shape sensor;
+    SECTION("made there") {
+        sensor = zone.add(Box{.width = 2, .height = 2}, {.sensor = true});
+    }
+    SECTION("moved there") {
+        zone.set_position({0, 20});
+        sensor = zone.add(Box{.width = 2, .height = 2}, {.sensor = true});
+        world.step(frame);
+        zone.set_position({0, 0.5f});
+    }
+    SECTION("switched on there") {
+        sensor = zone.add(Box{.width = 2, .height = 2}, {.sensor = true, .mask = 0});
+        world.step(frame);
+        REQUIRE(world.events().sensor_begin.empty());
+        sensor.set_mask(~uint64_t{0});
+    }
+    world.step(frame);
+    REQUIRE(world.events().sensor_begin.size() == 1);
+    CHECK(world.events().sensor_begin.front().sensor == sensor.id());
+    run(world, 3.0f);
+    CHECK_FALSE(crate.awake());
+}
+
 TEST_CASE("a sensor that does not fall reports kinematic bodies and no others that stand still") {
     for (const BodyType type : {BodyType::static_body, BodyType::kinematic_body}) {
         World world;
