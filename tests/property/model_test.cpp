@@ -38,7 +38,7 @@ struct ModelWatcher {
 
 struct Pending {
     Key key;
-    Value first_old;
+    Value first_old, last_new;
     int last_queued = 0;
 };
 
@@ -72,7 +72,7 @@ class Model {
         const Value old = cell;
         cell = value;
         if (!may_be_wanted(key)) return;
-        note(key, old);
+        note(key, old, value);
     }
     // The tree queues a change if it may have a watcher: one of the instance, or a broad one of the
     // name.
@@ -84,28 +84,34 @@ class Model {
             return w.property == key.second;
         });
     }
-    void note(const Key& key, const Value& old) {
+    // A watcher that began after the change was queued has seen its last value: what follows is a
+    // change of its own.
+    void note(const Key& key, const Value& old, const Value& next) {
         shadow.erase(key);
-        const auto found = std::find_if(pending.begin(), pending.end(),
+        const auto found = std::find_if(pending.rbegin(), pending.rend(),
                                         [&](const Pending& p) { return p.key == key; });
-        if (found != pending.end()) {
-            found->last_queued = watcher_clock;
+        const bool joins = found != pending.rend() &&
+                           std::none_of(watchers.begin(), watchers.end(), [&](const auto& w) {
+                               return wants(w, key) && w.born > found->last_queued;
+                           });
+        if (!joins) {
+            pending.push_back({key, old, next, watcher_clock});
             return;
         }
-        pending.push_back({key, old, watcher_clock});
+        found->last_new = next;
+        found->last_queued = watcher_clock;
     }
     std::vector<std::string> deliver() {
         std::vector<std::string> log;
         for (const Pending& p : pending) {
             const ModelInstance& i = instances[static_cast<std::size_t>(p.key.first)];
             if (!i.alive) continue;
-            const Value& now = i.values.at(p.key.second);
-            if (now == p.first_old) continue;
+            if (p.last_new == p.first_old) continue;
             for (std::size_t w = 0; w < watchers.size(); ++w)
                 if (wants(watchers[w], p.key) && watchers[w].born <= p.last_queued)
                     log.push_back(std::to_string(w) + " " + std::to_string(p.key.first) + "." +
                                   p.key.second + " " + value_text(p.first_old) + ">" +
-                                  value_text(now));
+                                  value_text(p.last_new));
         }
         pending.clear();
         return log;
