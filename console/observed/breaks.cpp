@@ -59,14 +59,11 @@ std::vector<std::string> Breaks::look() {
     return lines;
 }
 
-/// A number that fits into a float has the digits of one: 6.4440784, not 6.44407844543457.
 std::string Breaks::text_of(const Value& value) const {
-    const auto fits = [](double number) { return static_cast<float>(number) == number; };
-    const bool single = value.is(Type::number)
-                            ? fits(value.number())
-                            : value.is(Type::vec2) && fits(value.vec2().x) && fits(value.vec2().y);
-    return tree_.text(value, single ? property::Precision::single_precision
-                                    : property::Precision::double_precision);
+    if (value.is(Type::number))
+        return tree_.text(value, property::shortest_precision(value.number()));
+    if (value.is(Type::vec2)) return tree_.text(value, property::shortest_precision(value.vec2()));
+    return tree_.text(value);
 }
 
 /// Describes the break with the values that its condition reads: they show why it became true.

@@ -43,7 +43,7 @@ void Canvas::set_view(const View& view) {
     view_ = view;
     world_to_pixels_ = view_.world_to_window();
     screen_to_pixels_ = property::Transform::moved(view_.corner());
-    set_state(State(state()));
+    find_to_pixels();
 }
 
 void Canvas::begin_screen() {
@@ -64,8 +64,12 @@ void Canvas::set_state(const State& next) {
     if (now.opacity != next.opacity) draw_collected();
     if (now.blend != next.blend || !same_clip) flush();
     transformed_ = !next.transform.is_identity();
-    to_pixels_ = (next.on_screen ? screen_to_pixels_ : world_to_pixels_) * next.transform;
     Painter::set_state(next);
+    find_to_pixels();
+}
+
+void Canvas::find_to_pixels() {
+    to_pixels_ = (state().on_screen ? screen_to_pixels_ : world_to_pixels_) * state().transform;
 }
 
 void Canvas::clip(const Vec2& lower, const Vec2& upper) {

@@ -92,6 +92,7 @@ class Canvas : public property::Painter, public Surface {
     void set_clip(float left, float top, float right, float bottom);
     property::Paint faded(const property::Paint& paint) const;
     property::Color faded(property::Color color) const;
+    void find_to_pixels();
     property::Vec2 exact(const property::Vec2& position) const { return to_pixels_(position); }
     sf::Vector2f pixel(const property::Vec2& position) const;
     double pixels(double length) const;

@@ -1,5 +1,6 @@
 // Text of values: for the console and messages; Lua reads the same value back.
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -31,6 +32,15 @@ std::string_view type_name(Type type) {
             return "list";
     }
     return "?";
+}
+
+Precision shortest_precision(double number) {
+    return static_cast<double>(static_cast<float>(number)) == number ? Precision::single_precision
+                                                                     : Precision::double_precision;
+}
+
+Precision shortest_precision(const Vec2& vec) {
+    return std::max(shortest_precision(vec.x), shortest_precision(vec.y));
 }
 
 std::string number_text(double number, Precision precision) {

@@ -189,10 +189,7 @@ const Event& event_of(const property::Tree& tree, const Class& of, const std::st
     std::vector<std::string> names = {"created"};
     for (const Event* event : of.events()) names.push_back(event->name);
     std::string hint = classes_with(tree, name);
-    for (const std::string_view meant : callback_synonyms(name))
-        if (hint.empty() && among(names, meant))
-            hint = " (did you mean \"" + std::string(meant) + "\"?)";
-    if (hint.empty()) hint = property::suggestion(name, names);
+    if (hint.empty()) hint = hint_at(callback_synonyms(name), name, names);
     throw Error(ErrorKind::unknown_name, of.name() + ": no event \"" + name + "\"" + hint);
 }
 

@@ -103,20 +103,14 @@ void require_name(lua_State* L, const property::Tree& tree, Handle instance) {
 
 [[noreturn]] void unknown_name(Machine& machine, Handle instance, std::string_view name) {
     const auto names = names_of(machine, instance);
-    std::string hint;
-    const auto look = [&](std::string_view meant) {
-        if (hint.empty() && among(names, meant))
-            hint = " (did you mean \"" + std::string(meant) + "\"?)";
-    };
     const std::string plain = without_get_or_set(name);
-    look(plain);
+    std::vector<std::string_view> meant = {plain};
     for (const std::string_view word : {name, std::string_view(plain)})
-        for (const std::string_view way : property_synonyms(word))
-            look(way.substr(0, way.find(' ')));
-    if (hint.empty()) hint = property::suggestion(name, names);
-    if (const std::string child = machine.hints.child_with(instance, name);
-        hint.empty() && !child.empty())
-        hint = "; " + child;
+        for (const std::string_view way : property_synonyms(word)) meant.push_back(way);
+    std::string hint = hint_at(meant, name, names);
+    if (hint.empty())
+        if (const std::string child = machine.hints.child_with(instance, name); !child.empty())
+            hint = "; " + child;
     throw Error(ErrorKind::unknown_name,
                 path_of(machine.tree, instance, name) + ": no such name" + hint);
 }

@@ -23,18 +23,8 @@ std::string cut(std::string_view text, std::size_t width) {
     return std::string(text.substr(0, end)) + "…";
 }
 
-property::Precision shortest_precision(double number) {
-    return static_cast<double>(static_cast<float>(number)) == number
-               ? property::Precision::single_precision
-               : property::Precision::double_precision;
-}
-
-property::Precision shortest_precision(const property::Vec2& vec) {
-    return std::max(shortest_precision(vec.x), shortest_precision(vec.y));
-}
-
 std::string number_for_people(double number) {
-    std::string text = property::number_text(number, shortest_precision(number));
+    std::string text = property::number_text(number, property::shortest_precision(number));
     if (std::isfinite(number) && text.find_first_of(".e") == std::string::npos) text += ".0";
     return text;
 }

@@ -11,10 +11,6 @@ namespace fettle::script {
 
 inline constexpr std::size_t line_width = 100;  // characters of a value on one line
 
-/// The precision with which a value stored as float is shown as written: 0.1, not
-/// 0.10000000149011612.
-property::Precision shortest_precision(double number);
-property::Precision shortest_precision(const property::Vec2& vec);
 /// A number for people: values of floats in short form, integral floats with ".0".
 std::string number_for_people(double number);
 /// Joins the cells of each row. Cells are padded to the width of their column, except in the last.

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <span>
 
+#include <fettle/property/spelling.h>
+
 #include <text/synonyms.h>
 #include <text/words.h>
 
@@ -115,6 +117,14 @@ std::vector<std::string_view> look_up(const std::vector<Synonym>& table, std::st
 
 std::vector<std::string_view> property_synonyms(std::string_view name) {
     return look_up(properties(), plain(name));
+}
+
+std::string hint_at(const std::vector<std::string_view>& meant, std::string_view name,
+                    const std::vector<std::string>& known) {
+    for (const std::string_view way : meant)
+        if (const auto written = way.substr(0, way.find(' ')); among(known, written))
+            return " (did you mean \"" + std::string(written) + "\"?)";
+    return property::suggestion(name, known);
 }
 
 std::string without_get_or_set(std::string_view name) {

@@ -114,7 +114,7 @@ std::string brief(lua_State* L, int index, int depth) {
         case LUA_TNUMBER:
             if (lua_isinteger(L, index)) return std::to_string(lua_tointeger(L, index));
             return property::number_text(lua_tonumber(L, index),
-                                         shortest_precision(lua_tonumber(L, index)));
+                                         property::shortest_precision(lua_tonumber(L, index)));
         case LUA_TSTRING:
             return quoted_text(view_at(L, index));
         case LUA_TTABLE:
@@ -130,7 +130,7 @@ std::string brief(lua_State* L, int index, int depth) {
         try {
             const Value value = to_value(L, index);
             if (value.is(Type::vec2))
-                return machine.tree.text(value, shortest_precision(value.vec2()));
+                return machine.tree.text(value, property::shortest_precision(value.vec2()));
             return cut(machine.tree.text(value), line_width);
         } catch (const Error& error) {
             return std::string("(") + error.what() + ")";

@@ -352,11 +352,8 @@ int push_method(lua_State* L, const std::string& noun, std::vector<std::string> 
     for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) fields.push_back(string_at(L, -2));
     std::sort(fields.begin(), fields.end());  // Lua has no fixed order
     const std::string name = key_in_message(L, 2);
-    std::string hint = property::suggestion(name, fields);
-    for (const std::string_view meant : property_synonyms(name))
-        if (hint.empty() && among(fields, meant))
-            hint = " (did you mean \"" + std::string(meant) + "\"?)";
-    throw Error(ErrorKind::unknown_name, noun + " has no " + name + hint);
+    throw Error(ErrorKind::unknown_name,
+                noun + " has no " + name + hint_at(property_synonyms(name), name, fields));
 }
 
 void refuse_type(lua_State* L, int index, std::string_view needed) {

@@ -76,7 +76,7 @@ int vec_equal(lua_State* L) {
 
 int vec_tostring(lua_State* L) {
     const Vec2 v = check_vec(L, 1, "tostring");
-    const std::string text = property::value_text(v, shortest_precision(v));
+    const std::string text = property::value_text(v, property::shortest_precision(v));
     push_text(L, text);
     return 1;
 }

@@ -10,21 +10,18 @@ namespace fettle::visuals {
 /// Reads values of one instance. All must exist; values in error give their last valid value.
 class Reader {
   public:
-    Reader(const property::Tree& tree, property::Handle self)
-        : tree_(tree), self_(self), stored_(tree, self) {}
+    Reader(const property::Tree& tree, property::Handle self) : stored_(tree, self) {}
     double number(const property::Property* of) const { return stored_.number(*of); }
     property::Vec2 vec2(const property::Property* of) const { return stored_.vec2(*of); }
     bool flag(const property::Property* of) const { return stored_.boolean(*of); }
     property::Color color(const property::Property* of) const { return stored_.color(*of); }
-    property::Value value(const property::Property* of) const { return tree_.peek(self_, *of); }
+    property::Value value(const property::Property* of) const { return stored_.copy(*of); }
     /// Without a copy, valid until the next edit. For texts, and values that may be nil.
     const property::Value& in_place(const property::Property* of) const {
         return stored_.value(*of);
     }
 
   private:
-    const property::Tree& tree_;
-    property::Handle self_;
     property::StoredValues stored_;
 };
 

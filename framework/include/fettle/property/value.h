@@ -179,6 +179,10 @@ static_assert(sizeof(Value) == 24);
 /// 0.100000001490116.
 enum class Precision : std::uint8_t { single_precision, double_precision };
 
+/// That with which a value stored as float is shown as written: 0.1, not 0.10000000149011612.
+Precision shortest_precision(double number);
+Precision shortest_precision(const Vec2& vec);
+
 /// The shortest decimal that reads back as the same number; "inf", "-inf", "nan".
 std::string number_text(double number, Precision precision = Precision::double_precision);
 
