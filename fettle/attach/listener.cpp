@@ -181,8 +181,8 @@ void Listener::greet(Connection& who, std::string_view line) {
         return;
     }
     if (terminals() == limits_.terminals)
-        return refuse(who, "this game has as many terminals as it takes: " +
-                               std::to_string(limits_.terminals));
+        return refuse(who, "a game has at most " + std::to_string(limits_.terminals) +
+                               " terminals, and there are as many");
     who.greeted = true;
     who.out += welcome_text(place_.game.string());
     answers_.note("a terminal is attached");

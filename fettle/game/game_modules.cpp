@@ -218,7 +218,7 @@ void GameModules::reload(Plugged& plugged) {
         ++plugged.reloads;
         plugged.problem.clear();
         if (print_)
-            print_("module " + name + " taken in anew: " + std::to_string(reloaded.instances) +
+            print_("module " + name + " reloaded: " + std::to_string(reloaded.instances) +
                    " instances, " + std::to_string(reloaded.values) + " values");
         for (const std::string& note : reloaded.notes)
             if (print_) print_("  " + note);

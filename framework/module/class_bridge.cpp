@@ -81,7 +81,7 @@ Value get(void* context, Row row) {
 void set(void* context, Row row, const Value& value) {
     const auto& property = *static_cast<BridgedProperty*>(context);
     if (property.removed || property.native.set == nullptr)
-        throw std::invalid_argument("the module, as it is now, does not let it be written");
+        throw std::invalid_argument("the module that is loaded now has made it read-only");
     Outgoing outgoing;
     const fettle_value given = outgoing.put(value);
     property.host->require(property.native.set(property.native.context, row, &given),
@@ -111,7 +111,7 @@ property::Result call(void* context, property::Tree&, Handle self, Row row,
                       std::span<const Value> arguments) {
     const auto& method = *static_cast<BridgedMethod*>(context);
     if (method.removed || method.native.call == nullptr)
-        throw std::invalid_argument("the module, as it is now, does not have this method");
+        throw std::invalid_argument("the module that is loaded now does not have this method");
     Outgoing outgoing;
     fettle_result result{};
     method.host->require(

@@ -109,7 +109,7 @@ Value get_cell(void* context, Row row) {
 
 void set_cell(void* context, Row row, const Value& value) {
     const auto& p = *static_cast<BridgedProperty*>(context);
-    if (p.removed) throw std::invalid_argument("the module, as it is now, does not have it");
+    if (p.removed) throw std::invalid_argument("the module that is loaded now does not have it");
     write(p, cell(p, row), value);
 }
 

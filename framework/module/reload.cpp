@@ -201,14 +201,14 @@ Reloaded Plugin::reload() {
     if (!problem.empty())
         throw problem.starts_with(s.file.string())
             ? LoadError(problem)
-            : LoadError(s.file, "module " + s.name + ", taken in anew: " + problem);
+            : LoadError(s.file, "module " + s.name + ", reloaded: " + problem);
     try {
         return Reload(s, copy).run([](std::string_view) {});
     } catch (const LoadError&) {
         throw;
     } catch (...) {  // an error that did not occur in the trial
         throw LoadError(s.file,
-                        "module " + s.name + ", taken in anew: " + property::exception_text() +
+                        "module " + s.name + ", reloaded: " + property::exception_text() +
                             (s.open.native.attach == nullptr ? "; it is not loaded any more" : ""));
     }
 }

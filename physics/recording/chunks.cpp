@@ -59,7 +59,7 @@ std::vector<Chunk> chunks_of(std::span<const std::byte> recording) {
         const auto content = left.first(size_t(chunk.size));
         left = left.subspan(content.size());
         if (chunk.checksum != chunk_checksum(chunk.kind, number, content) || chunk.unused != 0)
-            refuse_damaged(number, ": its checksum is another");
+            refuse_damaged(number, ": its checksum differs");
         const bool fits = number == 0 ? chunk.kind == ChunkKind::state
                                       : may_follow(chunks.back().kind, chunk.kind);
         if (!fits) refuse_damaged(number, " is not what belongs there");

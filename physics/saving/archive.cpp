@@ -94,7 +94,7 @@ ArchiveReader unsealed(std::span<const std::byte> bytes) {
                                     std::to_string(bytes.size()) + " bytes and was saved with " +
                                     std::to_string(header.size));
     if (header.checksum != checksum(bytes.subspan(sizeof header)))
-        throw std::invalid_argument("the saved world is damaged: its checksum is another");
+        throw std::invalid_argument("the saved world is damaged: its checksum differs");
     return read;
 }
 

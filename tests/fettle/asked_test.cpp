@@ -167,7 +167,7 @@ function step()
     local before = state()
     local asked = 0
     local ok, problem = pcall(queries[query], function(shape) asked = asked + 1 changes[change](shape) return true end)
-    if ok or not tostring(problem):find("asks `accept` in the middle of a search", 1, true) then
+    if ok or not tostring(problem):find("calls `accept` in the middle of a search", 1, true) then
         complain(query, change, ok, problem)
     end
     if query ~= "explode" and state() ~= before then complain(query, change, "left a trace") end

@@ -64,7 +64,7 @@ TEST_CASE("a class ends where instances can be deleted and unless the root is on
     Lamp lamp;
     const Class& ended = define_lamp(tree, lamp);
     CHECK_THROWS_WITH(end_class(tree, tree.object_class()), contains("the root"));
-    CHECK_THROWS_WITH(end_class(other, ended), contains("of another tree"));
+    CHECK_THROWS_WITH(end_class(other, ended), contains("belongs to another tree"));
     CHECK(tree.alive(tree.create(ended)));
 }
 

@@ -261,7 +261,7 @@ TEST_CASE("a log of writes can be repeated only in its own tree") {
     const LoggedWrites piece = log.take();
     CHECK_FALSE(piece.empty());
     CHECK_NOTHROW(log.play(piece));
-    CHECK_THAT(message_of([&] { foreign.play(piece); }), contains("of another tree"));
+    CHECK_THAT(message_of([&] { foreign.play(piece); }), contains("belongs to another tree"));
     CHECK(other.find(other.root(), "v") == nullptr);
     tree.reset();
     CHECK_THAT(message_of([&] { log.play(piece); }), contains("the tree of this log"));

@@ -154,7 +154,7 @@ TEST_CASE("edits of one tree are not in the history of another") {
     WriteLog other(b);
     for (const LoggedWrites& each : {piece, edits})
         CHECK(message_of([&] { other.play(each); }) ==
-              "this piece of a log of writes is of another tree");
+              "this piece of a log of writes belongs to another tree");
     CHECK(b.history().empty());
     // The slots reserved for the deleted instances of those edits are free again.
     std::vector<Handle> made;

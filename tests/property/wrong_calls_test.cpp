@@ -316,11 +316,11 @@ TEST_CASE("members of another class or another tree are refused") {
     CHECK_THAT(message_of([&] { tree.on(ball, *crate.event("opened"), [](const Occurrence&) {}); }),
                contains("no such event"));
     CHECK_THAT(message_of([&] { tree.create(*elsewhere.type, tree.root()); }),
-               contains("class Ball is of another tree"));
+               contains("class Ball belongs to another tree"));
     CHECK_THAT(message_of([&] { tree.watch_created(*elsewhere.type, [](const Existence&) {}); }),
-               contains("of another tree"));
+               contains("belongs to another tree"));
     CHECK_THAT(message_of([&] { tree.watch_deleted(*elsewhere.type, [](const Existence&) {}); }),
-               contains("of another tree"));
+               contains("belongs to another tree"));
     CHECK_THAT(message_of([&] { tree.watch(crate, &mass, [](const Change&) {}); }),
                contains("no such property"));
     const Event& bounced = *module.type->event("bounced");
@@ -413,7 +413,8 @@ TEST_CASE("a handler that owns the connection of another one ends with the tree"
 
 TEST_CASE("a handler or an action or a method may destroy the tree that calls it") {
     const auto says_so = [](const std::function<void()>& act) {
-        CHECK_THAT(message_of(act), contains("the tree was destroyed by what it was calling"));
+        CHECK_THAT(message_of(act),
+                   contains("the tree was destroyed by a function that it called"));
     };
     for (const bool by_action : {false, true}) {
         auto owned = std::make_unique<Tree>();

@@ -164,7 +164,7 @@ TEST_CASE_METHOD(Fixture,
                  "a save of a newer version or of another game is refused with the reason") {
     saves.save("a", 5, state_of(10, 1));
     const Saves other(place, "chess", "0.1.0");
-    CHECK(has(refusal(other, "a"), "it is of another game, ball game"));
+    CHECK(has(refusal(other, "a"), "it belongs to another game, ball game"));
     sqlite3* database = nullptr;
     REQUIRE(sqlite3_open((place / "a.sqlite").c_str(), &database) == SQLITE_OK);
     sqlite3_exec(database, "PRAGMA user_version = 3", nullptr, nullptr, nullptr);

@@ -184,12 +184,12 @@ TEST_CASE("files that are not recordings are refused with a reason") {
     refused("hello\nworld\n", "is no recording");
     refused("fettle-recording 2\n", "of format 2");
     refused(text.substr(0, 30), "ends before the run begins");
-    refused(text + "nonsense 1 2 3\n", "is nothing known");
-    refused(text + "step x\n", "is nothing known");
-    refused(text + "file\n", "\"file\" says nothing");
-    refused(text + "file \"a.json\" xyz\n", "\"file\" says nothing");
-    refused(text + "overwritten \"a.json\" 12\n", "\"overwritten\" says nothing");
-    refused(text + "write 99 00 \"mass\" 00\n", "is nothing known");
+    refused(text + "nonsense 1 2 3\n", "is unknown");
+    refused(text + "step x\n", "is unknown");
+    refused(text + "file\n", "\"file\" has values that cannot be read");
+    refused(text + "file \"a.json\" xyz\n", "\"file\" has values that cannot be read");
+    refused(text + "overwritten \"a.json\" 12\n", "\"overwritten\" has values that cannot be read");
+    refused(text + "write 99 00 \"mass\" 00\n", "is unknown");
     REQUIRE_THROWS_AS(Recording("/nowhere/at all"), RecordingError);
     REQUIRE_THROWS_AS(Recorder("/nowhere/at all", RunStart{}), RecordingError);
 }

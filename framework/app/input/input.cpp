@@ -81,7 +81,7 @@ void Input::State::queue_switch(Act act, bool& taken, std::string_view callback,
 
 void Input::State::move_mouse(const Vec2& pixels) {
     if (!std::isfinite(pixels.x) || !std::isfinite(pixels.y))
-        throw std::invalid_argument("it is too far away to be a point of the screen");
+        throw std::invalid_argument("the point is too far outside of the screen");
     mouse = pixels;
     if (silent) return;
     std::vector<Value> arguments{view.to_world(mouse), mouse};

@@ -139,10 +139,10 @@ Recording::Recording(const std::filesystem::path& file) : file_(file) {
             if (!begun) read_start(word, line.substr(std::min(word.size(), line.size())), number);
         } else if (word == "file" || word == "overwritten") {
             if (!read_file(word, line.substr(word.size())))
-                fail(number, "is damaged: \"" + word + "\" says nothing");
+                fail(number, "is damaged: \"" + word + "\" has values that cannot be read");
         } else {
             auto item = parse<Item>(word, words);
-            if (!item) fail(number, "is damaged: \"" + line.substr(0, 60) + "\" is nothing known");
+            if (!item) fail(number, "is damaged: \"" + line.substr(0, 60) + "\" is unknown");
             item->line = number;
             items_.push_back(std::move(*item));
         }
@@ -153,7 +153,8 @@ Recording::Recording(const std::filesystem::path& file) : file_(file) {
 void Recording::read_start(const std::string& word, const std::string& rest, int number) {
     Words words(rest);
     const auto require = [&](bool holds) {
-        if (!holds || !words.at_end()) fail(number, "is damaged: \"" + word + "\" says nothing");
+        if (!holds || !words.at_end())
+            fail(number, "is damaged: \"" + word + "\" has values that cannot be read");
     };
     if (word == "game") {
         const auto path = words.text();
@@ -189,7 +190,7 @@ void Recording::read_start(const std::string& word, const std::string& rest, int
         while (auto text = words.text()) start_.test.push_back(std::move(*text));
         require(start_.test.size() == 2);
     } else {
-        fail(number, "is damaged: \"" + word + "\" is nothing known");
+        fail(number, "is damaged: \"" + word + "\" is unknown");
     }
 }
 

@@ -19,7 +19,7 @@ void Lifetime::require_going_on(const char* what) const {
 
 void Use::finish() const {
     if (lifetime_.ending)
-        throw Error(ErrorKind::deleted, "the tree was destroyed by what it was calling");
+        throw Error(ErrorKind::deleted, "the tree was destroyed by a function that it called");
 }
 
 }  // namespace fettle::property

@@ -15,13 +15,13 @@ namespace fettle::property {
 
 UndoResult History::undo() {
     if (edit_is_open())
-        throw Error(ErrorKind::bad_structure, "nothing can be undone in the middle of an edit");
+        throw Error(ErrorKind::bad_structure, "undo is not possible in the middle of an edit");
     return carry_over(lists_.done, lists_.undone, true);
 }
 
 UndoResult History::redo() {
     if (edit_is_open())
-        throw Error(ErrorKind::bad_structure, "nothing can be done again in the middle of an edit");
+        throw Error(ErrorKind::bad_structure, "redo is not possible in the middle of an edit");
     return carry_over(lists_.undone, lists_.done, false);
 }
 

@@ -46,7 +46,7 @@ void Instances::refuse_foreign(Handle handle, const Property& property) const {
 
 void Instances::require_own(const Class& of) const {
     if (classes.find(of.name()) != &of)
-        throw Error(ErrorKind::unknown_name, "class " + of.name() + " is of another tree");
+        throw Error(ErrorKind::unknown_name, "class " + of.name() + " belongs to another tree");
 }
 
 void Instances::require_event(const Class& of, const Event& event) const {
@@ -90,7 +90,7 @@ void Instances::require_room_below(Handle parent, std::size_t levels) const {
     if (nodes.depth(parent.index) + levels <= Nodes::deepest) return;
     std::string path = tree.path(parent);
     if (path.size() > 80) path = path.substr(0, 50) + "…" + path.substr(path.size() - 25);
-    throw Error(ErrorKind::bad_structure, path + ": nothing can hang so deep; a tree has " +
+    throw Error(ErrorKind::bad_structure, path + ": too deep; a tree has " +
                                               std::to_string(Nodes::deepest) + " levels at most");
 }
 

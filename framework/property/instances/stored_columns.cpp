@@ -87,7 +87,7 @@ std::vector<Value> any_values(ByteReader& from, std::uint8_t kind, std::uint32_t
             return all;
         }
         default:
-            from.fail("a column of no kind");
+            from.fail("a column of an unknown kind");
     }
 }
 

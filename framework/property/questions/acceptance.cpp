@@ -14,7 +14,7 @@ namespace {
 thread_local Acceptance* in_force = nullptr;
 
 constexpr std::string_view acceptance_rule =
-    "asks `accept` in the middle of a search: it says what counts, it cannot";
+    "calls `accept` in the middle of a search; `accept` cannot";
 
 std::function<bool(Handle)> required(std::function<bool(Handle)> accepts) {
     if (!accepts) throw Error(ErrorKind::wrong_type, "Acceptance: `accepts` needs a function");

@@ -87,18 +87,18 @@ Snapshot Snapshot::from_bytes(std::span<const std::byte> bytes) {
     FileHeader header;
     if (bytes.size() < sizeof header) refuse("it ends too early");
     std::memcpy(&header, bytes.data(), sizeof header);
-    if (header.magic != magic) refuse("it is none");
+    if (header.magic != magic) refuse("it is not a snapshot");
     if (header.version < oldest_version || header.version > version)
         refuse("it is of format " + std::to_string(header.version) + ", and this Fettle reads " +
                std::to_string(oldest_version) + " to " + std::to_string(version));
     const std::size_t rest = bytes.size() - sizeof header;
     if (rest < sizeof(FileChecksum) || rest - sizeof(FileChecksum) < header.size)
         refuse("it ends too early");
-    if (rest - sizeof(FileChecksum) > header.size) refuse("there is something behind its end");
+    if (rest - sizeof(FileChecksum) > header.size) refuse("there are bytes after its end");
     const auto checked = bytes.first(bytes.size() - sizeof(FileChecksum));
     FileChecksum written = 0;
     std::memcpy(&written, checked.data() + checked.size(), sizeof written);
-    if (checksum(checked) != written) refuse("it is damaged: the checksum is another");
+    if (checksum(checked) != written) refuse("it is damaged: its checksum differs");
     const auto payload = checked.subspan(sizeof header);
     return {std::vector<std::byte>(payload.begin(), payload.end()), {}};
 }

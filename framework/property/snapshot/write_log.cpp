@@ -289,7 +289,7 @@ void WriteLog::restored() {
 namespace {
 
 [[noreturn]] void refuse_foreign() {
-    throw Error(ErrorKind::rejected, "this piece of a log of writes is of another tree");
+    throw Error(ErrorKind::rejected, "this piece of a log of writes belongs to another tree");
 }
 
 }  // namespace

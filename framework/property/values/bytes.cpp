@@ -97,7 +97,7 @@ Value ByteReader::value(int depth) {
             return Value(std::move(elements));
         }
     }
-    fail("a value of no type");
+    fail("a value of an unknown type");
 }
 
 ByteReader ByteReader::block(std::string what) {
@@ -108,7 +108,7 @@ ByteReader ByteReader::block(std::string what) {
 }
 
 void ByteReader::finish() const {
-    require(at_end(), "there is something behind its end");
+    require(at_end(), "there are bytes after its end");
 }
 
 void ByteReader::fail(const std::string& problem) const {

@@ -285,7 +285,7 @@ std::string index_page(const Tree& tree) {
     if (!plugged)
         text +=
             "\nIn a game that plugs in modules there is `modules` as well: `modules.NAME` has "
-            "`version`, `file`, `reloads`, `problem`, `follow` (it is taken in anew whenever its "
+            "`version`, `file`, `reloads`, `problem`, `follow` (it is reloaded whenever its "
             "file has changed) and `reload()`. `fettle docs FOLDER GAME` writes their pages.\n";
     return text + "\n" + written_by;
 }

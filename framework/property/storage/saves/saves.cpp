@@ -57,7 +57,7 @@ std::string_view unsealed(std::string_view file) {
     if (end.size() == sizeof seal) std::memcpy(&seal, end.data(), sizeof seal);
     if (end.size() != sizeof seal || seal.magic != Seal{}.magic ||
         seal.checksum != checksum(std::as_bytes(std::span(bytes))))
-        throw std::runtime_error("it is damaged (its checksum does not fit)");
+        throw std::runtime_error("it is damaged (its checksum differs)");
     return bytes;
 }
 
@@ -171,7 +171,8 @@ void Saves::save(const std::string& slot, std::uint64_t step, std::span<const st
         SavedGame read_back;
         read(again, read_back);
         if (!std::ranges::equal(read_back.state, state))
-            throw std::runtime_error("its state is not read back as it was");
+            throw std::runtime_error(
+                "the state that was read back differs from the state that was written");
     } catch (const std::runtime_error& problem) {
         throw FileError(target, std::string("could not be made: ") + problem.what());
     }
@@ -215,7 +216,7 @@ void Saves::read(Database& database, SavedGame& into) const {
                       static_cast<std::uint32_t>(height),
                       {pixels.begin(), pixels.end()}};
     into.info.thumbnail = !into.thumbnail.empty();
-    if (game != game_) throw std::runtime_error("it is of another game, " + game);
+    if (game != game_) throw std::runtime_error("it belongs to another game, " + game);
     const auto bytes = std::as_bytes(std::span(state));
     into.state.assign(bytes.begin(), bytes.end());
 }
