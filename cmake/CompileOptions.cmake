@@ -2,7 +2,14 @@
 
 include(BuildSpeed)
 
-option(FETTLE_WERROR "Treat warnings as errors" OFF)
+# Warnings are errors where `check` tries that with the very compiler: these releases of Debian no longer change. `play` then
+# compiles with the flags of `check`, so that each of the two uses what the other has built.
+set(werror OFF)
+if(PROJECT_IS_TOP_LEVEL AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12
+   AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 15)
+  set(werror ON)
+endif()
+option(FETTLE_WERROR "Treat warnings as errors" ${werror})
 set(FETTLE_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined or thread")
 
 function(fettle_compile_options target)
