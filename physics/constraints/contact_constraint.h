@@ -31,6 +31,7 @@ struct ContactConstraint {
     uint32_t extra;         ///< index + 1 of the data of special contacts; 0: none
     uint16_t count;         ///< points
     bool anisotropic;       ///< a body is locked along an axis: solved one at a time
+    bool pushed;            ///< in some sub-step
     uint16_t fixed;         ///< 1: one side does not move, so the contact is stiffer
     float coupling_normal;  ///< of point 2, for a unit impulse at point 1
     float coupling_tangent;

@@ -55,17 +55,24 @@ struct GroupNews {
 struct WideBlock {
     std::vector<WideContact> contacts;
     std::vector<ContactLanes> lanes;
+    /// The contacts that pushed in some sub-step, one bit for each lane. An impact that nothing
+    /// presses on is over before the step is.
+    std::vector<uint32_t> pushed;
     std::size_t first = 0;  ///< index of the first group in `contacts`, counted over all blocks
 
     /// Makes room for groups `begin` to `end`; they still have the data of an earlier block.
     void make_groups(std::size_t begin, std::size_t end) {
         first = begin;
         if (contacts.size() < end - begin) contacts.resize(end - begin), lanes.resize(end - begin);
+        pushed.assign(end - begin, 0);
     }
     WideContact* contacts_of(std::size_t group) { return contacts.data() + (group - first); }
     ContactLanes* lanes_of(std::size_t group) { return lanes.data() + (group - first); }
+    uint32_t* pushed_of(std::size_t group) { return pushed.data() + (group - first); }
 
-    static void scratch(auto& io, auto& self) { io(self.contacts), io(self.lanes); }
+    static void scratch(auto& io, auto& self) {
+        io(self.contacts), io(self.lanes), io(self.pushed);
+    }
 };
 
 struct PrepareStep {
@@ -77,6 +84,7 @@ struct PrepareStep {
 struct WideStep {
     SolverBody* bodies = nullptr;
     WideContact* contacts = nullptr;
+    uint32_t* pushed = nullptr;  ///< of each group: `WideBlock::pushed`
     std::size_t count = 0;
     float inverse_h = 0.0f;
     float push_speed = 0.0f;

@@ -39,8 +39,9 @@ struct Row {
     Wide total(Wide velocity) const { return greater(kept - mass * (velocity + bias), Wide{}); }
 };
 
+/// Returns the sum of the impulses of both points.
 template <bool biased>
-inline void solve_normals(WideContact& c, int at, Bodies& a, Bodies& b, const WideStep& step) {
+inline Wide solve_normals(WideContact& c, int at, Bodies& a, Bodies& b, const WideStep& step) {
     const Wide nx = load(c.normal_x + at), ny = load(c.normal_y + at);
     const Wide approach = nx * (b.vx - a.vx) + ny * (b.vy - a.vy);
     const Wide shift = nx * (b.dx - a.dx) + ny * (b.dy - a.dy);
@@ -63,6 +64,7 @@ inline void solve_normals(WideContact& c, int at, Bodies& a, Bodies& b, const Wi
     store(q.normal_impulse + at, new2);
     const Wide i1 = new1 - old1, i2 = new2 - old2;
     apply(a, b, nx, ny, i1 + i2, pa * i1 + qa * i2, pb * i1 + qb * i2);
+    return new1 + new2;
 }
 
 inline Wide solve_tangent(WidePoint& p, int at, Wide velocity, Wide friction) {
@@ -92,7 +94,7 @@ inline void for_each_group(const WideStep& step, Solve&& solve) {
         for (int at = 0; at < lanes; at += width) {
             if (c.a[at] == c.b[at]) break;  // lanes are filled in order, so the rest is unused
             Bodies a = gather(step.bodies, c.a + at), b = gather(step.bodies, c.b + at);
-            solve(c, at, a, b);
+            solve(c, at, a, b, i);
             scatter(step.bodies, c.a + at, a);
             scatter(step.bodies, c.b + at, b);
         }
@@ -100,7 +102,7 @@ inline void for_each_group(const WideStep& step, Solve&& solve) {
 }
 
 void warm_start(const WideStep& step) {
-    for_each_group(step, [](WideContact& c, int at, Bodies& a, Bodies& b) {
+    for_each_group(step, [](WideContact& c, int at, Bodies& a, Bodies& b, std::size_t) {
         const WidePoint &p = c.points[0], &q = c.points[1];
         const Wide pn = load(p.normal_impulse + at), pt = load(p.tangent_impulse + at);
         const Wide qn = load(q.normal_impulse + at), qt = load(q.tangent_impulse + at);
@@ -116,14 +118,15 @@ void warm_start(const WideStep& step) {
 }
 
 void solve_biased(const WideStep& step) {
-    for_each_group(step, [&step](WideContact& c, int at, Bodies& a, Bodies& b) {
+    for_each_group(step, [&step](WideContact& c, int at, Bodies& a, Bodies& b, std::size_t) {
         solve_normals<true>(c, at, a, b, step);
     });
 }
 
 void relax(const WideStep& step) {
-    for_each_group(step, [&step](WideContact& c, int at, Bodies& a, Bodies& b) {
-        solve_normals<false>(c, at, a, b, step);
+    for_each_group(step, [&step](WideContact& c, int at, Bodies& a, Bodies& b, std::size_t i) {
+        const Wide pushes = solve_normals<false>(c, at, a, b, step);
+        step.pushed[i] |= bits(pushes > Wide{}) << at;
         solve_friction(c, at, a, b);
     });
 }

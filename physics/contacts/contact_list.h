@@ -22,6 +22,7 @@ struct Touching {
     /// reported without waiting for a touch of another part.
     std::vector<ContactRecord>* parted;
     uint32_t step;  ///< the low bits of the step number
+    float restitution_threshold;
 };
 
 void set_touching(const Touching& touching, uint32_t contact, bool begins);

@@ -26,19 +26,32 @@ Position point_of(const ObjectState& objects, const ContactRecord& c, Vec2 ancho
     return objects.bodies[c.body_a].center + anchor_a;
 }
 
+/// True if a point of a touching contact touches, or is as near as the nearest one: what is stopped
+/// within a step was apart at its beginning.
+bool meets(const Manifold& m, int k) {
+    float nearest = 0.0f;
+    for (int i = 0; i < m.count; ++i)
+        nearest = i == 0 ? m.points[i].separation : min(nearest, m.points[i].separation);
+    return m.points[k].normal_impulse > 0.0f ||
+           m.points[k].separation <= max(nearest, 0.0f) + touch_distance;
+}
+
 }  // namespace
 
-std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns& columns,
-                                      float threshold, uint32_t contact,
+std::optional<ContactHitEvent> hit_of(const Touching& touching, float threshold, uint32_t contact,
                                       const ContactExtra* extra) {
+    const ObjectState& objects = touching.objects;
+    const Columns& columns = touching.columns;
     const ContactRecord& record = objects.contacts[contact];
     if (!record.hit_events || !record.touching) return {};
+    // What a step leaves of an impact is ended by the next one.
+    if (objects.contact_links[contact].began + 1 == touching.step) return {};
     float speed = 0.0f;
     Position point;
     for (int k = 0; k < record.manifold.count; ++k) {
         const ManifoldPoint& p = record.manifold.points[k];
-        const bool met = p.normal_impulse > 0.0f || p.separation <= touch_distance ||
-                         (extra != nullptr && extra->greatest[k] > 0.0f);
+        const bool met =
+            meets(record.manifold, k) || (extra != nullptr && extra->greatest[k] > 0.0f);
         const Position here = point_of(objects, record, p.anchor_a, p.anchor_b);
         const float approach = met ? approach_speed(objects, columns, record, here) : 0.0f;
         if (approach <= speed) continue;
@@ -46,8 +59,9 @@ std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns&
         point = here;
     }
     if (!(speed > threshold) || !reports_for_pair(objects, contact)) return {};
-    const float impulse = extra != nullptr ? extra->total[0] + extra->total[1]
-                                           : speed * impact_mass(objects, record, point);
+    const float impulse =
+        extra != nullptr ? extra->total[0] + extra->total[1]
+                         : impact_impulse(objects, columns, record, touching.restitution_threshold);
     return ContactHitEvent{shape_id(objects, columns, record.shape_a),
                            shape_id(objects, columns, record.shape_b),
                            body_id(columns, record.body_a),
@@ -64,8 +78,9 @@ std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns&
                            objects.shapes[record.shape_b].surface.material};
 }
 
-void report_wide_hits(const ObjectState& objects, const Columns& columns, float threshold,
-                      ContactScratch& scratch, ThreadPool* threads, Events& events) {
+void report_wide_hits(const Touching& touching, float threshold, ContactScratch& scratch,
+                      ThreadPool* threads) {
+    const ObjectState& objects = touching.objects;
     const std::vector<uint64_t>& reported = scratch.reported;
     const auto visit = [&](size_t begin, size_t end, auto&& act) {
         for (size_t word = begin; word < end; ++word) {
@@ -80,12 +95,13 @@ void report_wide_hits(const ObjectState& objects, const Columns& columns, float 
         visit(begin, end, [&](const ActingContact& c) { objects.contacts[c.slot].prefetch(); });
         visit(begin, end, [&](const ActingContact& c) {
             if (!c.hit_events()) return;
-            if (const auto hit = hit_of(objects, columns, threshold, c.slot, nullptr))
+            if (const auto hit = hit_of(touching, threshold, c.slot, nullptr))
                 found.push_back(*hit);
         });
     });
     for (const auto& found : scratch.hits)
-        events.contact_hit.insert(events.contact_hit.end(), found.begin(), found.end());
+        touching.events.contact_hit.insert(touching.events.contact_hit.end(), found.begin(),
+                                           found.end());
 }
 
 void report_persisting(const ObjectState& objects, const Columns& columns,
@@ -157,13 +173,38 @@ float approach_speed(const ObjectState& objects, const Columns& columns, const C
     return max(0.0f, dot(c.manifold.normal, velocity_of(c.body_a) - velocity_of(c.body_b)));
 }
 
-float impact_mass(const ObjectState& objects, const ContactRecord& c, const Position& point) {
+float impact_impulse(const ObjectState& objects, const Columns& columns, const ContactRecord& c,
+                     float restitution_threshold) {
     const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];
-    const float lever_a = cross(point - a.center, c.manifold.normal);
-    const float lever_b = cross(point - b.center, c.manifold.normal);
-    const float inverse = a.inverse_mass + b.inverse_mass + a.inverse_inertia * lever_a * lever_a +
-                          b.inverse_inertia * lever_b * lever_b;
-    return inverse > 0.0f ? (1.0f + c.restitution) / inverse : 0.0f;
+    const Manifold& m = c.manifold;
+    float lever_a[2] = {}, lever_b[2] = {}, speed[2] = {};
+    int count = 0;
+    for (int k = 0; k < m.count; ++k) {
+        if (!meets(m, k)) continue;
+        const Position point = point_of(objects, c, m.points[k].anchor_a, m.points[k].anchor_b);
+        lever_a[count] = cross(point - a.center, m.normal);
+        lever_b[count] = cross(point - b.center, m.normal);
+        speed[count] = approach_speed(objects, columns, c, point);
+        count += speed[count] > 0.0f;
+    }
+    if (count == 0) return 0.0f;
+    const auto response = [&](int i, int k) {
+        return a.inverse_mass + b.inverse_mass + a.inverse_inertia * lever_a[i] * lever_a[k] +
+               b.inverse_inertia * lever_b[i] * lever_b[k];
+    };
+    const auto alone = [&](int k) {
+        return response(k, k) > 0.0f ? speed[k] / response(k, k) : 0.0f;
+    };
+    const float bounce =
+        1.0f + (max(speed[0], speed[1]) > restitution_threshold ? c.restitution : 0.0f);
+    if (count == 1) return bounce * alone(0);
+    // Both points stop together, if each of them pushes.
+    const float k11 = response(0, 0), k22 = response(1, 1), k12 = response(0, 1);
+    const float determinant = k11 * k22 - k12 * k12;
+    const float first = k22 * speed[0] - k12 * speed[1], second = k11 * speed[1] - k12 * speed[0];
+    if (determinant > 1e-4f * k11 * k22 && first >= 0.0f && second >= 0.0f)
+        return bounce * (first + second) / determinant;
+    return bounce * alone(speed[0] < speed[1] ? 1 : 0);
 }
 
 }  // namespace fettle::physics::detail

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <contacts/contact_list.h>
 #include <fettle/physics/contact.h>
 #include <fettle/physics/events.h>
 #include <state/step_scratch.h>
@@ -15,12 +16,12 @@ namespace fettle::physics::detail {
 /// The hit event of the contact if the approach was faster than the threshold (m/s). `extra`: data
 /// of special contacts, otherwise null. All input also exists without hit events, so requesting
 /// them does not change the simulation.
-std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns& columns,
-                                      float threshold, uint32_t contact, const ContactExtra* extra);
+std::optional<ContactHitEvent> hit_of(const Touching& touching, float threshold, uint32_t contact,
+                                      const ContactExtra* extra);
 
 /// Adds the hits of the wide contacts in `scratch.reported`, in the order of the acting contacts.
-void report_wide_hits(const ObjectState& objects, const Columns& columns, float threshold,
-                      ContactScratch& scratch, ThreadPool* threads, Events& events);
+void report_wide_hits(const Touching& touching, float threshold, ContactScratch& scratch,
+                      ThreadPool* threads);
 
 /// Reports contacts that began to touch in an earlier step.
 void report_persisting(const ObjectState& objects, const Columns& columns,
@@ -40,8 +41,9 @@ Position middle_of(const ObjectState& objects, const ContactRecord& contact);
 float approach_speed(const ObjectState& objects, const Columns& columns,
                      const ContactRecord& contact, const Position& point);
 
-/// Impulse per approach speed: the effective mass along the normal, 1 / (n·M⁻¹·n), times one plus
-/// the restitution.
-float impact_mass(const ObjectState& objects, const ContactRecord& contact, const Position& point);
+/// The impulse that ends the approach of the points that meet; with the restitution, if they
+/// approach faster than the threshold.
+float impact_impulse(const ObjectState& objects, const Columns& columns,
+                     const ContactRecord& contact, float restitution_threshold);
 
 }  // namespace fettle::physics::detail

@@ -311,6 +311,44 @@ double inertia_about(const ObjectState& objects, const BodyRecord& body, double 
     return inertia;
 }
 
+/// Lines have no area. A body of nothing else is a wire: its mass is spread along them.
+struct Wire {
+    double length = 0.0, x = 0.0, y = 0.0;
+
+    Wire(const ObjectState& objects, const BodyRecord& body) {
+        for_each_line(objects, body, [&](Vec2 a, Vec2 b, double l) {
+            length += l;
+            x += 0.5 * l * (double(a.x) + double(b.x));
+            y += 0.5 * l * (double(a.y) + double(b.y));
+        });
+        x = length > 0.0 ? x / length : 0.0;
+        y = length > 0.0 ? y / length : 0.0;
+    }
+    /// The square of the radius of gyration about a point (body coordinates), m².
+    static double gyration(const ObjectState& objects, const BodyRecord& body, double at_x,
+                           double at_y) {
+        double length = 0.0, moment = 0.0;
+        for_each_line(objects, body, [&](Vec2 a, Vec2 b, double l) {
+            const double dx = 0.5 * (double(a.x) + double(b.x)) - at_x,
+                         dy = 0.5 * (double(a.y) + double(b.y)) - at_y;
+            length += l;
+            moment += l * (l * l / 12.0 + dx * dx + dy * dy);
+        });
+        return length > 0.0 ? moment / length : 0.0;
+    }
+
+  private:
+    static void for_each_line(const ObjectState& objects, const BodyRecord& body, auto&& visit) {
+        for (uint32_t s = body.lists.first_shape; s != none; s = objects.shapes[s].next) {
+            const ShapeForm& form = objects.forms[s];
+            if (objects.shapes[s].type != ShapeType::segment || form.radius > 0.0f) continue;
+            const Vec2 a = objects.pool.local[form.begin], b = objects.pool.local[form.begin + 1];
+            const double x = double(b.x) - double(a.x), y = double(b.y) - double(a.y);
+            visit(a, b, std::sqrt(x * x + y * y));
+        }
+    }
+};
+
 /// Notes how far the solid shapes reach from a point (body coordinates), and how thin they are.
 void measure_shapes(const ObjectState& objects, Vec2 center, BodyRecord& body) {
     float extent = 0.0f, thickness = infinity;
@@ -350,6 +388,13 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     ++record.rebuilds;
 
     auto [mass, cx, cy] = mass_of_shapes(objects, record);
+    const bool weightless = !(mass > 0.0);
+    const bool is_wire = weightless && record.type == BodyType::dynamic_body;
+    if (is_wire) {
+        const Wire wire(objects, record);
+        cx = wire.x;
+        cy = wire.y;
+    }
     if (is_given(record.given.center.x)) {
         cx = record.given.center.x;
         cy = record.given.center.y;
@@ -362,7 +407,6 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     else
         measure_shapes(objects, local_center, record);
     double inertia = inertia_about(objects, record, cx, cy);
-    const bool weightless = !(mass > 0.0);
     if (is_given(record.given.mass)) {
         const double wanted = double(record.given.mass);
         if (std::isfinite(wanted)) inertia = weightless ? 0.0 : inertia * (wanted / mass);
@@ -370,6 +414,7 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     } else if (weightless && record.type == BodyType::dynamic_body) {
         mass = 1.0;
     }
+    if (is_wire && std::isfinite(mass)) inertia = mass * Wire::gyration(objects, record, cx, cy);
     if (is_given(record.given.inertia)) inertia = double(record.given.inertia);
 
     const BodyState& state = e.columns.states[body];

@@ -58,6 +58,10 @@ struct Limits {
     bool any() const { return lower > -infinity || upper < infinity; }
     /// If the limits cross, the upper one is used.
     Limits in_order() const { return {min(lower, upper), upper}; }
+    /// How far a value is outside of the limits.
+    float beyond(float value) const {
+        return max(0.0f, max(min(lower, upper) - value, value - upper));
+    }
 };
 
 /// True if a velocity has the direction of a speed that a motor was given. The share is small: what
@@ -78,6 +82,17 @@ struct LimitImpulses {
     void scale(float s) { lower *= s, upper *= s; }
     float sum() const { return lower - upper; }
 };
+
+/// A motor and the limit that stops it must not press against each other: the limit would yield to
+/// the force of the motor. A part of what both exert is taken from both, which changes no velocity;
+/// not all of it, as some of it may be an impact that the next sub-step takes back.
+inline void relieve(float& motor, LimitImpulses& limits) {
+    constexpr float share = 0.25f;
+    float& limit = motor > 0.0f ? limits.upper : limits.lower;
+    const float both = share * min(std::abs(motor), limit);
+    limit -= both;
+    motor -= motor > 0.0f ? both : -both;
+}
 
 /// Solves the limits of a row. `velocity()` and `push(impulse)` are the functions of the row.
 template <bool biased, class Velocity, class Push>
@@ -185,9 +200,11 @@ struct Coordinate {
         }
         if (!biased && driven) {
             const float speed = motor_speed(position, step.inverse_h);
-            push(push_motor(impulses.motor, mass, velocity(), speed, motor.greatest));
+            push(push_motor(impulses.motor, mass, velocity(), speed, motor.greatest,
+                            speed != motor.speed));
         }
         solve_limits<biased>(limits, impulses.limits, mass, position, step, velocity, push);
+        if (!biased && driven && limited) relieve(impulses.motor, impulses.limits);
     }
     void write_rows(CoordinateImpulses& impulses, float mass, float position,
                     const Jacobian& jacobian, RowWriter& rows) const {

@@ -58,6 +58,13 @@ struct DistanceConstraint {
     Spring spring;
     Line line;  ///< from a to b
 
+    static float separation(const Settings& settings, const JointPlace& place) {
+        const Limits& limits = settings.limits;
+        const float now = detail::length(place.gap());
+        if (!settings.stiffness.is_rigid()) return limits.beyond(now);
+        const Limits ordered = limits.in_order();
+        return std::abs(now - clamp(settings.length, ordered.lower, ordered.upper));
+    }
     void prepare(const Settings& settings, const JointFrame&, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
         limits = settings.limits.in_order();
@@ -109,12 +116,15 @@ struct DistanceConstraint {
     void relax(SolverBody& a, SolverBody& b, const JointStep& step) {
         if (!rigid && !limited && !driven) return;
         const float distance = follow(a, b);
-        if (driven)
+        if (driven) {
+            const float speed = motor_speed(distance, step.inverse_h);
             line.push(ends, a, b,
-                      push_motor(impulses.motor, line.mass, line.velocity(a, b),
-                                 motor_speed(distance, step.inverse_h), motor.greatest));
+                      push_motor(impulses.motor, line.mass, line.velocity(a, b), speed,
+                                 motor.greatest, speed != motor.speed));
+        }
         if (rigid) hold<false>(a, b, distance - length, step);
         limit<false>(a, b, distance, step);
+        if (driven && limited) relieve(impulses.motor, impulses.limits);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         const float distance = follow(a, b), error = distance - length;

@@ -17,15 +17,23 @@ struct GrooveSettings {
 struct GrooveConstraint : SlotConstraint {
     using Settings = GrooveSettings;
 
+    static float separation(const Settings& settings, const JointPlace& place) {
+        return slot_of(settings, place.local_anchor_a).separation(place);
+    }
     void prepare(const Settings& settings, const JointFrame& frame, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
-        const Vec2 run = settings.end - frame.anchor_a;
+        rail.prepare(slot_of(settings, frame.anchor_a), impulses.rail, ends, frame, step, a, b);
+    }
+
+  private:
+    static RailSettings slot_of(const Settings& settings, const Position& begin) {
+        const Vec2 run = settings.end - begin;
         RailSettings slot;
         slot.along.limits = {0.0f, length(run)};
         // If both ends are at the same point, the pin is held there, and the direction does not
         // matter.
         if (slot.along.limits.upper > 1e-6f) slot.axis = run;
-        rail.prepare(slot, impulses.rail, ends, frame, step, a, b);
+        return slot;
     }
 };
 

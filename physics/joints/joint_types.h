@@ -33,13 +33,23 @@ class JointFunctions {
 
   public:
     static constexpr JointKind kind(const char* name) {
-        return {name, sizeof(Constraint), begin,   check,      prepare, warm_start, solve, relax,
-                load, impulses_of,        load_on, write_rows, store};
+        float (*measure)(const JointRecord&, const JointPlace&) = nullptr;
+        if constexpr (requires { &Constraint::separation; }) measure = separation;
+        return {name,        sizeof(Constraint),
+                begin,       check,
+                measure,     prepare,
+                warm_start,  solve,
+                relax,       load,
+                impulses_of, load_on,
+                write_rows,  store};
     }
 
   private:
     static void begin(JointRecord& joint) { joint.settings.become(Settings()); }
     static void check(const JointRecord& joint) { joint.settings.as<Settings>().check(); }
+    static float separation(const JointRecord& joint, const JointPlace& place) {
+        return Constraint::separation(joint.settings.as<Settings>(), place);
+    }
 
     static void prepare(const JointSource& source, JointArray& array, const JointStep& step,
                         JointRange range) {

@@ -19,6 +19,9 @@ using PinSlotImpulses = SlotConstraint::Impulses;
 struct PinSlotConstraint : SlotConstraint {
     using Settings = PinSlotSettings;
 
+    static float separation(const Settings& settings, const JointPlace& place) {
+        return settings.rail.separation(place);
+    }
     void prepare(const Settings& settings, const JointFrame& frame, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
         rail.prepare(settings.rail, impulses.rail, ends, frame, step, a, b);

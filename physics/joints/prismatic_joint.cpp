@@ -40,6 +40,9 @@ struct PrismaticConstraint {
     Rail rail;
     float reference = 0.0f;
 
+    static float separation(const Settings& settings, const JointPlace& place) {
+        return settings.rail.separation(place);
+    }
     void prepare(const Settings& settings, const JointFrame& frame, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
         reference = settings.reference_angle;

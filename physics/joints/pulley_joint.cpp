@@ -73,6 +73,11 @@ struct PulleyConstraint {
     Side side_a, side_b;
     float ratio = 1.0f, length = 0.0f, mass = 0.0f;
 
+    static float separation(const Settings& settings, const JointPlace& place) {
+        const float rope = detail::length(place.anchor_a - settings.ground_a) +
+                           settings.ratio * detail::length(place.anchor_b - settings.ground_b);
+        return max(0.0f, rope - settings.length);
+    }
     void prepare(const Settings& settings, const JointFrame& frame, const JointStep&,
                  const SolverBody& a, const SolverBody& b) {
         ratio = settings.ratio;

@@ -24,6 +24,10 @@ struct RailSettings {
         check_direction("axis", axis);
         along.check(CoordinateSettings::of_translation);
     }
+    float separation(const JointPlace& place) const {
+        const Vec2 direction = rotate(place.a, normalized(axis)), gap = place.gap();
+        return length({cross(direction, gap), along.limits.beyond(dot(direction, gap))});
+    }
 };
 
 struct RailImpulses {

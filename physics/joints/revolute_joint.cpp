@@ -45,6 +45,9 @@ struct RevoluteConstraint {
     float angular_mass = 0.0f, reference = 0.0f;
     Coordinate angle;
 
+    static float separation(const Settings&, const JointPlace& place) {
+        return length(place.gap());
+    }
     void prepare(const Settings& settings, const JointFrame&, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
         angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);

@@ -47,6 +47,9 @@ struct WeldConstraint {
     bool rigid_point = true, rigid_angle = true, springy_point = false, springy_angle = false;
     Spring point_spring, angle_spring;
 
+    static float separation(const Settings& settings, const JointPlace& place) {
+        return settings.point.is_rigid() ? length(place.gap()) : 0.0f;
+    }
     void prepare(const Settings& settings, const JointFrame&, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
         reference = settings.reference_angle;

@@ -36,6 +36,9 @@ struct WheelConstraint {
     float angular_mass = 0.0f;
     bool driven = false;
 
+    static float separation(const Settings& settings, const JointPlace& place) {
+        return settings.rail.separation(place);
+    }
     void prepare(const Settings& settings, const JointFrame& frame, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
         rail.prepare(settings.rail, impulses.rail, ends, frame, step, a, b);

@@ -215,6 +215,8 @@ void ContactSolver::relax() {
         follow(c, a, b);
         SolvedPair pair(c, a, b);
         solve_normals<false>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
+        c.pushed |=
+            c.points[0].normal_impulse > 0.0f || (c.count > 1 && c.points[1].normal_impulse > 0.0f);
         if (c.extra == 0) {
             solve_friction(c, pair, 0.0f, {0.0f, 0.0f});
         } else {

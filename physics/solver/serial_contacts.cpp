@@ -124,7 +124,7 @@ uint8_t store_constraint(const ContactConstraint& c, std::span<const ContactExtr
                          ContactRecord& record) {
     // A bounce takes less than one step, and the shapes are apart before and after it. An impulse
     // in one of the sub-steps shows that they touched.
-    bool pushed = false;
+    bool pushed = c.pushed;
     if (c.extra != 0) {
         const ContactExtra& extra = extras[c.extra - 1];
         record.rolling_impulse = bounded(extra.rolling_impulse, greatest_impulse);
@@ -169,6 +169,7 @@ void prepare(const ObjectState& objects, const Columns& columns, const BodyScrat
                 c.inverse_b = inverse_masses(objects.bodies[record.body_b], b);
             }
             prepare_constraint(record, a, b, ratio, c);
+            c.pushed = false;
             c.soft = stiffness.of(c.fixed, c.points[0].normal_impulse + c.points[1].normal_impulse,
                                   max(a.inverse_mass, b.inverse_mass),
                                   min(gyration_of(a), gyration_of(b)));
@@ -202,7 +203,7 @@ void store_serial(SingleContacts& contacts, const Touching& touching, float hit_
         if ((notes[i] & is_news) != 0) set_touching(touching, c.contact, (notes[i] & touches) != 0);
         if ((notes[i] & may_hit) == 0) continue;
         const ContactExtra* const extra = c.extra != 0 ? &contacts.extras[c.extra - 1] : nullptr;
-        const auto hit = hit_of(objects, touching.columns, hit_threshold, c.contact, extra);
+        const auto hit = hit_of(touching, hit_threshold, c.contact, extra);
         if (hit) touching.events.contact_hit.push_back(*hit);
     }
 }
@@ -244,9 +245,7 @@ void report_wide(ContactScratch& scratch, const Touching& touching, float hit_th
             any_hits |= c.hit_events();
         }
     }
-    if (any_hits)
-        report_wide_hits(touching.objects, touching.columns, hit_threshold, scratch, threads,
-                         touching.events);
+    if (any_hits) report_wide_hits(touching, hit_threshold, scratch, threads);
 }
 
 }  // namespace

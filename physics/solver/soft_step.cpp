@@ -97,8 +97,9 @@ struct alignas(line_size) SoftStep {
 
     /// Called after a group is stored: notes which touches begin or end, and which contacts report
     /// hits.
-    void note_news(size_t group, const ContactLanes& of) {
-        const uint32_t touches = (of.near & ~of.touching) | (of.within_twice & of.touching);
+    void note_news(size_t group, const ContactLanes& of, uint32_t pushed) {
+        const uint32_t touches =
+            (of.near & ~of.touching) | (of.within_twice & of.touching) | pushed;
         contacts.news[group] = {uint16_t((touches ^ of.touching) | of.tells_always),
                                 uint16_t(touches)};
     }
@@ -106,8 +107,8 @@ struct alignas(line_size) SoftStep {
     void pass(WidePass kernel, uint32_t section, WideBlock& wide) {
         const size_t begin = schedule.first_groups[section],
                      end = schedule.first_groups[section + 1];
-        kernel({bodies.solver_bodies.data(), wide.contacts_of(begin), end - begin, 1.0f / h,
-                input.settings.push_speed});
+        kernel({bodies.solver_bodies.data(), wide.contacts_of(begin), wide.pushed_of(begin),
+                end - begin, 1.0f / h, input.settings.push_speed});
     }
 
     void prepare_block(const SolverBlock& block, WideBlock& wide) {
@@ -129,7 +130,8 @@ struct alignas(line_size) SoftStep {
                      end = schedule.first_groups[section + 1];
         const std::span to(wide.lanes_of(begin), end - begin);
         kernels.store(wide.contacts_of(begin), to, touch_distance);
-        for (size_t k = 0; k < to.size(); ++k) note_news(begin + k, to[k]);
+        for (size_t k = 0; k < to.size(); ++k)
+            note_news(begin + k, to[k], wide.pushed_of(begin)[k]);
     }
 
     auto begin_loop(const SolverBlock& block, bool again) {

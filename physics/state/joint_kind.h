@@ -28,6 +28,16 @@ struct JointLoad {
 
 using JointImpulses = decltype(JointRecord::impulses);
 
+/// Where the ends of a joint are.
+struct JointPlace {
+    Position anchor_a, anchor_b;  ///< world
+    Rotation a;                   ///< of body a
+    Position local_anchor_a;      ///< in the coordinates of body a
+
+    /// From anchor a to anchor b.
+    Vec2 gap() const { return anchor_b - anchor_a; }
+};
+
 struct JointKind {
     const char* name;
     size_t constraint_size;
@@ -35,6 +45,9 @@ struct JointKind {
     void (*begin)(JointRecord& joint);
     /// Throws std::invalid_argument for settings that a setter refuses.
     void (*check)(const JointRecord& joint);
+    /// How far the rigid parts of a joint with its ends at `place` are from where they should hold,
+    /// m. Null: it has no such parts.
+    float (*separation)(const JointRecord& joint, const JointPlace& place);
 
     /// Writes constraints from the records of the joints.
     void (*prepare)(const JointSource& source, JointArray& array, const JointStep& step,

@@ -16,6 +16,7 @@ struct FastBody {
     uint32_t body = none;
     Motion motion;
     bool meets_moving = false;  ///< moving bodies may stop it or carry it along
+    bool joined = false;        ///< a fixed shape stopped it, and it has joints
 };
 
 /// The motion of a body that commands its own motion, and its boxes on the way: `boxes` of them,

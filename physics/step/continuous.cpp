@@ -35,6 +35,7 @@ void stop_at_fixed(const FinishInput& in, FastBody& fast, FinishedPiece& piece) 
     take_back_forces(in, fast.body, 1.0f - motion.until);
     follow_motion(in, fast.body, motion, piece);
     motion.angle = -motion.until * motion.turn;
+    fast.joined = in.objects.bodies[fast.body].lists.first_joint != none;
 }
 
 /// True if the body moves far compared with its thickness, seen from a body that moves on its own,
@@ -121,7 +122,8 @@ void stop_or_list(const FinishInput& in, uint32_t body, Vec2 shift, float turn,
     const bool dynamic = record.mobility == Mobility::dynamic;
     fast.meets_moving = may_meet_moving(in, record, fast.motion, path);
     if (dynamic && !in.filter && may_meet_fixed(in, path)) stop_at_fixed(in, fast, piece);
-    if (in.filter || fast.meets_moving || in.objects.sensors > 0) piece.fast.push_back(fast);
+    if (in.filter || fast.meets_moving || fast.joined || in.objects.sensors > 0)
+        piece.fast.push_back(fast);
 }
 
 void list_driven_bodies(const FinishInput& in) {
@@ -146,6 +148,7 @@ void stop_fast_bodies(const FinishInput& in) {
         stop_at_fixed(in, fast, piece);
         follow_placed(in, piece);
     }
+    put_back_joined(in);
     meet_moving_bodies(in);
     if (in.objects.sensors > 0) report_crossings(in);
 }

@@ -41,6 +41,11 @@ void follow_motion(const FinishInput& in, uint32_t body, const Motion& motion,
 /// energy for a way that the body did not go.
 void take_back_forces(const FinishInput& in, uint32_t body, float share);
 
+// joined_bodies.cpp
+
+/// Puts bodies back whose joints hold them at a body that a fixed shape stopped.
+void put_back_joined(const FinishInput& in);
+
 // moving_impacts.cpp
 
 /// Stops bullets where they meet other moving bodies, and lets bodies be carried along by what

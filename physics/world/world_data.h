@@ -62,7 +62,9 @@ struct WorldData : WorldState, StepScratch {
     void consult_callbacks();
     ContactList contact_list() { return {touching(), pairs, *this}; }
     Touching touching() {
-        return {*this, *this, event_sink(), stepping ? &parted : nullptr, uint32_t(steps)};
+        return {*this,           *this,
+                event_sink(),    stepping ? &parted : nullptr,
+                uint32_t(steps), settings.restitution_threshold};
     }
     Editing editing() {
         return {*this,    *this,          *this,      *this,

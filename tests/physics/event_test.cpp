@@ -78,6 +78,78 @@ TEST_CASE("a hit of a shape with hit events reports its speed and impulse and po
     }
 }
 
+namespace {
+
+/// What the events say about the first impact of a body that comes down on a fixed floor, and what
+/// happened.
+struct Impact {
+    int hits = 0, begins = 0;
+    float speed = 0.0f, impulse = 0.0f, begin_speed = 0.0f, begin_impulse = 0.0f;
+    float change = 0.0f;  ///< of the momentum
+};
+Impact impact_on_floor(const Geometry& geometry, float height, float speed, float restitution) {
+    const ShapeDef surface = {.restitution = restitution, .hit_events = true};
+    World world({.gravity = {0, 0}, .hit_threshold = 0.4f});
+    add_floor(world, 50.0f, surface);
+    Body body = world.create_body({.position = {0, height}, .velocity = {0, -speed}});
+    body.add(geometry, surface);
+    Impact impact;
+    for (int i = 0; i < 240; ++i) {
+        world.step(frame);
+        for (const ContactHitEvent& hit : world.events().contact_hit) {
+            ++impact.hits;
+            impact.speed = hit.speed;
+            impact.impulse = hit.impulse;
+        }
+        for (const auto& begin : world.events().contact_begin) {
+            ++impact.begins;
+            impact.begin_speed = begin.speed;
+            impact.begin_impulse = begin.impulse;
+        }
+    }
+    impact.change = body.mass() * (body.velocity().y + speed);
+    return impact;
+}
+
+}  // namespace
+
+// Nothing presses on the contact after the impact, so it is over before the step is.
+TEST_CASE("an impact without gravity is reported once as it is at any distance and speed") {
+    const Geometry geometry =
+        GENERATE(Geometry(Circle{.radius = 0.3f}), Geometry(Box{.width = 0.6f, .height = 0.6f}));
+    const float restitution = GENERATE(0.0f, 0.5f, 1.0f);
+    for (const float speed : {0.6f, 0.9f, 2.0f, 3.0f, 7.0f, 20.0f}) {
+        for (int i = 0; i < 40; ++i) {
+            const float height = 0.35f + 0.013f * float(i);
+            CAPTURE(restitution, speed, height);
+            const Impact impact = impact_on_floor(geometry, height, speed, restitution);
+            CHECK(impact.hits == 1);
+            CHECK(impact.begins == 1);
+            CHECK(impact.speed == Approx(speed).epsilon(0.01));
+            CHECK(impact.begin_speed == Approx(speed).epsilon(0.01));
+            CHECK(impact.impulse == Approx(impact.change).epsilon(0.05));
+            CHECK(impact.begin_impulse == Approx(impact.change).epsilon(0.05));
+        }
+    }
+}
+
+TEST_CASE("a box that lands makes one hit at any height") {
+    for (int i = 0; i < 60; ++i) {
+        World world;
+        add_floor(world);
+        Body box = world.create_body({.position = {0, 0.35f + 0.03f * float(i)}});
+        box.add(Box{.width = 0.6f, .height = 0.6f}, {.hit_events = true});
+        box.set_velocity({0, -20.0f + 0.1f * float(i)});
+        int hits = 0;
+        for (int k = 0; k < 60; ++k) {
+            world.step(frame);
+            hits += int(world.events().contact_hit.size());
+        }
+        INFO("world " << i);
+        CHECK(hits == 1);
+    }
+}
+
 TEST_CASE("falling asleep and waking are reported") {
     World world;
     add_floor(world);

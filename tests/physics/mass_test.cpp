@@ -95,6 +95,38 @@ TEST_CASE("overriding the mass scales the inertia and taking it back restores bo
     REQUIRE_FALSE(body.mass_override().has_value());
 }
 
+TEST_CASE("lines alone have their mass along them") {
+    World world;
+    Body rod = world.create_body();
+    rod.add(Segment{.from = {1, 0}, .to = {4, 0}});
+    CHECK(rod.mass() == 1.0f);
+    CHECK(rod.center().x == Approx(2.5f));
+    CHECK(rod.inertia() == Approx(9.0f / 12));
+    rod.set_mass(6.0f);
+    CHECK(rod.inertia() == Approx(6 * 9.0f / 12));
+    rod.set_center(Vec2(1, 0));
+    CHECK(rod.inertia() == Approx(6 * 9.0f / 3));
+    rod.set_center(std::nullopt);
+    rod.add(Segment{.from = {1, 0}, .to = {1, 1}});
+    CHECK(rod.center().x == Approx((3 * 2.5f + 1) / 4));
+    CHECK(rod.center().y == Approx(0.5f / 4));
+    rod.add(Circle{.radius = 1});
+    rod.set_mass(std::nullopt);
+    CHECK(rod.mass() == Approx(pi));
+    CHECK(rod.inertia() == Approx(pi / 2));
+}
+
+TEST_CASE("a rod without thickness falls over") {
+    World world;
+    add_floor(world);
+    Body rod = world.create_body({.position = {0, 2}, .angle = 0.5f});
+    rod.add(Segment{.from = {-1, 0}, .to = {1, 0}});
+    run(world, 4);
+    CHECK(std::abs(rod.angle()) < 0.01f);
+    CHECK(std::abs(rod.position().y) < 0.02f);
+    CHECK_FALSE(rod.awake());
+}
+
 TEST_CASE("overriding the center moves the inertia with it") {
     World world;
     Body body = add_box(world, {0, 0});

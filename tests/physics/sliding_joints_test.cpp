@@ -82,6 +82,33 @@ TEST_CASE("a drawer stops at its limits and its spring swings with its frequency
     }
 }
 
+// The limit and the motor hold the load together: what both read is what the body needs.
+TEST_CASE("a motor that presses against a limit carries its load and holds still") {
+    for (const int substeps : {1, 2, 3, 4, 5}) {
+        for (const float strength : {20.0f, 100.0f, 1000.0f, 1e5f}) {
+            CAPTURE(substeps, strength);
+            World world({.substeps = substeps});
+            Body lift = add_box(world, {0, 0});
+            PrismaticJoint rail = world.create_prismatic_joint({.body_b = lift.id(),
+                                                                .axis = {0, 1},
+                                                                .lower_translation = -1,
+                                                                .upper_translation = 1,
+                                                                .motor_speed = 3,
+                                                                .max_motor_force = strength});
+            lift.set_can_sleep(false);
+            run(world, 3);
+            const float load = lift.mass() * -world.gravity().y;
+            for (int i = 0; i < 3; ++i) {
+                world.step(frame);
+                CHECK(rail.force().y == Approx(load).epsilon(0.01));
+                CHECK(rail.motor_force() > 0.99f * load);
+                CHECK(std::abs(lift.velocity().y) < 1e-4f);
+            }
+            CHECK(rail.translation() == Approx(1).epsilon(1e-3));
+        }
+    }
+}
+
 TEST_CASE("a drawer loaded far from its rail neither jams nor sags") {
     World world({.sleeping = false});
     Body box = add_box(world, {0, 0});

@@ -89,8 +89,9 @@ constexpr int rounds = 6;
 constexpr float inverse_h = 240.0f, push_speed = 3.0f;
 
 std::vector<SolverBody> run_wide(Scene scene, const WideKernels& kernels) {
-    const WideStep step = {scene.bodies.data(), scene.wide.data(), scene.wide.size(), inverse_h,
-                           push_speed};
+    std::vector<uint32_t> pushed(scene.wide.size());
+    const WideStep step = {scene.bodies.data(), scene.wide.data(), pushed.data(),
+                           scene.wide.size(),   inverse_h,         push_speed};
     for (int i = 0; i < rounds; ++i) {
         kernels.warm_start(step);
         kernels.solve_biased(step);

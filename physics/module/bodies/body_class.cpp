@@ -192,7 +192,7 @@ std::vector<Property> weight(Hosting& hosting) {
          .doc =
              "Mass: area times density of its shapes, unless it is set; nil computes it "
              "again. With infinite mass, or 1e18 kg and more, nothing moves it, gravity neither. A "
-             "dynamic body without shapes has 1 kg.",
+             "dynamic body without shapes, or of lines alone, has 1 kg.",
          .binding = mass(hosting),
          .simulated = true,
          .infinity = true,
@@ -202,9 +202,9 @@ std::vector<Property> weight(Hosting& hosting) {
          .unit = "kg m\xC2\xB2",
          .range = inertial,
          .doc = "Rotational inertia about the center of mass, computed from the shapes unless it "
-                "is set; nil computes it again. With infinite inertia, or more than 1e18, nothing "
-                "turns "
-                "it.",
+                "is set; nil computes it again. Segments without rounding have no area: a dynamic "
+                "body of nothing else has its mass along them, like a wire. With infinite inertia, "
+                "or more than 1e18, nothing turns it.",
          .binding =
              overridable<&Body::inertia, &Body::set_inertia, &Body::inertia_override>(hosting),
          .simulated = true,

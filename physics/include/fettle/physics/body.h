@@ -136,8 +136,9 @@ class Body {
     void set_locked_rotation(bool locked);
 
     /// Mass, kg: the override if there is one, otherwise the sum over the shapes. A dynamic body
-    /// whose shapes have no mass has mass 1 and does not rotate. Static and kinematic bodies return
-    /// the mass that they would have as dynamic bodies.
+    /// whose shapes have no mass has mass 1; it does not rotate, unless it has lines without
+    /// thickness: then it is a wire. Static and kinematic bodies return the mass that they would
+    /// have as dynamic bodies.
     float mass() const;
     void set_mass(
         std::optional<float> mass);  ///< none: from the shapes; infinity: does not move; else > 0
