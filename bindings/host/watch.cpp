@@ -67,10 +67,11 @@ property::EventHandler handler_of(Game& game, Callback<fettle_event_callback> ca
 const property::Event& event_of(const property::Class& of, const char* name) {
     const std::string_view wanted = text_of("event", name);
     const property::Event* const found = of.event(wanted);
-    if (found == nullptr)
-        throw Failure{FETTLE_INVALID, of.name() + " has no event \"" + std::string(wanted) + "\"" +
-                                          property::suggestion(wanted, of.member_names())};
-    return *found;
+    if (found != nullptr) return *found;
+    std::vector<std::string> names;
+    for (const property::Event* each : of.events()) names.emplace_back(each->name);
+    throw Failure{FETTLE_INVALID, of.name() + " has no event \"" + std::string(wanted) + "\"" +
+                                      property::suggestion(wanted, names)};
 }
 
 }  // namespace

@@ -66,6 +66,11 @@ void set_name(ObjectState& objects, uint32_t body, std::string_view name);
 /// Body 0 belongs to the world: its shapes 0 to 3 are the four half-planes of the bounds.
 void make_border(const Editing& editing);
 void apply_bounds(const Editing& editing);
+/// Gets the memory that creating a body usually needs: if there is none, it throws, and nothing has
+/// changed.
+void make_room_for_body(const Editing& editing);
+/// The same for a shape; parts of outlines get theirs later.
+void make_room_for_shape(const Editing& editing, const Geometry& geometry);
 uint32_t create_body(const Editing& editing, const BodyDef& def);
 void destroy_body(const Editing& editing, uint32_t body);
 /// True for a disabled body that would move: it stores its velocity until it is enabled.

@@ -31,14 +31,18 @@ struct VertexPool {
         }
         const uint32_t begin = uint32_t(local.size());
         const size_t size = local.size() + capacity;
-        make_room(local, capacity), make_room(normals, capacity), make_room(vertices, capacity);
-        make_room(directions, capacity), make_room(offsets, capacity);
+        make_room_for(capacity);
         local.resize(size);
         normals.resize(size);
         vertices.resize(size);
         directions.resize(size);
         offsets.resize(size);
         return begin;
+    }
+    /// Without memory it throws, and nothing has changed.
+    void make_room_for(uint32_t capacity) {
+        make_room(local, capacity), make_room(normals, capacity), make_room(vertices, capacity);
+        make_room(directions, capacity), make_room(offsets, capacity);
     }
     void release(uint32_t begin, uint32_t capacity) {
         if (capacity > 0) free_[size_t(std::countr_zero(capacity))].push_back(begin);

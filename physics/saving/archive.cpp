@@ -101,7 +101,8 @@ ArchiveReader unsealed(std::span<const std::byte> bytes) {
 }  // namespace
 
 void World::restore(std::span<const std::byte> bytes) {
-    WorldData& data = populate(__func__);
+    data_->self.may_replace("World", __func__);
+    WorldData& data = *data_;
     ArchiveReader read = unsealed(bytes);
     WorldData fresh;
     std::optional<std::string> problem;
@@ -120,7 +121,8 @@ void World::restore(std::span<const std::byte> bytes) {
 
 void World::take(World&& other) {
     if (this == &other) return;
-    WorldData& data = populate(__func__);
+    data_->self.may_replace("World", __func__);
+    WorldData& data = *data_;
     WorldData& given = other.populate(__func__);
     data.replace_state(std::move(given));
     WorldData empty;
@@ -133,6 +135,7 @@ void World::take(World&& other) {
 /// again.
 void WorldData::replace_state(WorldState&& other) {
     part<WorldState>(*this) = std::move(other);
+    self.set_whole();
     for (const auto* list : {&body_generations, &shape_generations, &joint_generations})
         self.link->skip(*list);
     for (const FieldRecord& field : fields) self.link->skip({&field.generation, 1});

@@ -25,16 +25,18 @@ struct Slots {
     uint32_t free = none;  ///< the first free slot
     uint32_t count = 0;    ///< number of slots in use
 
-    /// Takes a slot for a new object; its elements in all arrays have initial values.
+    /// Takes a slot for a new object; its elements in all arrays have initial values. Without
+    /// memory for them it throws, and nothing has changed.
     template <class Record, class... Other>
     uint32_t take(std::vector<Record>& records, std::vector<Other>&... others) {
-        ++count;
         const uint32_t slot = free;
         if (slot == none) {
             make_room_in_each(records, others...);
             (records.emplace_back(), ..., others.emplace_back());
+            ++count;
             return uint32_t(records.size() - 1);
         }
+        ++count;
         free = records[slot].next_free();
         records[slot] = Record();
         ((others[slot] = Other()), ...);

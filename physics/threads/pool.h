@@ -58,16 +58,34 @@ class ThreadPool {
         ThreadPool* pool_;  ///< null: no tasks of a host run
     };
 
-    /// Calls `work(block)` once for every block below `count`.
+    /// Calls `work(block)` once for every block below `count`. If calls throw, all are made, and
+    /// then it throws one of the exceptions.
     template <typename Work>
     void run(uint32_t count, Work&& work) {
-        using Plain = std::remove_reference_t<Work>;
+        Caught caught;
+        const auto attempt = [&](uint32_t block) {
+            try {
+                work(block);
+            } catch (...) {
+                caught.keep();
+            }
+        };
+        using Attempt = std::remove_reference_t<decltype(attempt)>;
         share_out(
-            count, [](void* context, uint32_t block) { (*static_cast<Plain*>(context))(block); },
-            const_cast<void*>(static_cast<const void*>(&work)));
+            count, [](void* context, uint32_t block) { (*static_cast<Attempt*>(context))(block); },
+            const_cast<void*>(static_cast<const void*>(&attempt)));
+        if (caught.thrown) std::rethrow_exception(caught.thrown);
     }
 
   private:
+    /// The first exception of several threads.
+    struct Caught {
+        std::atomic<bool> any = false;
+        std::exception_ptr thrown;
+        void keep() {
+            if (!any.exchange(true)) thrown = std::current_exception();
+        }
+    };
     using Function = void (*)(void* context, uint32_t block);
     /// Remaining blocks of a thread. Round, first block and end are in one word, so that a late
     /// thread never claims a block of another round.

@@ -11,10 +11,11 @@ using namespace detail;
 
 void World::keep_account(BodyId body) {
     WorldData& data = edit(__func__);
+    if (!data.is_valid(body)) dangling("body", link_, body.index, body.generation);
     std::vector<VelocitySums>& all = data.self.sums;
     const auto of_body = [&](const VelocitySums& sums) { return sums.body == body; };
     std::erase_if(all, [&](const VelocitySums& sums) { return !data.is_valid(sums.body); });
-    if (!data.is_valid(body) || std::any_of(all.begin(), all.end(), of_body)) return;
+    if (std::any_of(all.begin(), all.end(), of_body)) return;
     if (all.size() == most_accounts) {
         all.erase(all.begin());
         log(LogLevel::note,

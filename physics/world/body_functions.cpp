@@ -39,7 +39,7 @@ void set_function(WorldData& data, BodyId body, Function BodyFunctions::*which,
     BodyFunctions& own = functions_of(data.self, body);
     std::swap(own.*which, function);
     if (!own.velocity && !own.position) all.erase(all.begin() + (&own - all.data()));
-    wake_body(data.activity(), body.index);
+    data.change(wake_body, body.index);
 }
 
 /// The value that a function of the user has set, within limits; NaN: what was there.
@@ -138,7 +138,7 @@ void WorldData::ask_position_functions(float dt) {
         previous[slot] = before;
         placed = true;
     }
-    if (placed) detail::refresh(editing());  // reads after a step find nothing out of date
+    if (placed) refresh({});  // reads after a step find nothing out of date
 }
 
 void Body::set_velocity_function(VelocityFunction function) {

@@ -80,7 +80,7 @@ World::World(World&& other) {
 /// The data move, so handles and all that is in the data stay as they are.
 World& World::operator=(World&& other) {
     if (this == &other) return *this;
-    if (data_) populate("operator=");
+    if (data_) data_->self.may_replace("World", "operator=");
     other.populate("operator=");
     World empty;
     if (data_) {
@@ -110,7 +110,8 @@ World::World(const World& other) {
 
 void World::restore(const World& other) {
     if (this == &other) return;
-    WorldData& data = populate(__func__);
+    data_->self.may_replace("World", __func__);
+    WorldData& data = *data_;
     other.data_->self.may_copy("copying a World");
     data.replace_state(WorldState(*other.data_));
 }
@@ -158,7 +159,11 @@ void World::step(float dt) {
         data.read_all();  // what edits bring about has the ids of this world, not of a replay
         data.tell_step_begins(dt);
     }
-    data.step(dt);
+    try {
+        data.step(dt);
+    } catch (...) {  // callbacks do not get here: memory has ended
+        data.break_off();
+    }
     const std::exception_ptr failure_of_host = helping.finish();
     if (!data.self.functions.empty()) data.ask_position_functions(dt);
     if (data.self.witness() != nullptr) data.tell_step_ends();
@@ -239,37 +244,36 @@ void World::reserve(const Capacity& capacity) {
     FETTLE_WORLD_SETTING(float, float, name, check(#name, value), then)
 
 FETTLE_WORLD_SETTING(Vec2, const Vec2&, gravity, check_finite("gravity", value),
-                     detail::wake_all(data.activity()))
+                     data.change(detail::wake_all))
 FETTLE_WORLD_SETTING(int, int, substeps, check_count("substeps", value, 1, 64), )
 int World::last_substeps() const {
     return data_->last_substeps;
 }
 FETTLE_WORLD_SETTING(const std::optional<Aabb>&, const std::optional<Aabb>&, bounds,
-                     value ? check_box("bounds", *value) : value,
-                     detail::apply_bounds(data.editing()))
-FETTLE_WORLD_NUMBER(bounds_friction, check_not_negative, detail::apply_bounds(data.editing()))
+                     value ? check_box("bounds", *value) : value, data.change(detail::apply_bounds))
+FETTLE_WORLD_NUMBER(bounds_friction, check_not_negative, data.change(detail::apply_bounds))
 FETTLE_WORLD_SETTING(float, float, bounds_restitution,
                      check_range("bounds_restitution", value, 0.0f, 1.0f),
-                     detail::apply_bounds(data.editing()))
-FETTLE_WORLD_SETTING(bool, bool, sleeping, value, if (!value) detail::wake_all(data.activity()))
+                     data.change(detail::apply_bounds))
+FETTLE_WORLD_SETTING(bool, bool, sleeping, value, if (!value) data.change(detail::wake_all))
 FETTLE_WORLD_SETTING(bool, bool, continuous, value, )
 FETTLE_WORLD_NUMBER(restitution_threshold, check_not_negative, )
 FETTLE_WORLD_NUMBER(hit_threshold, check_not_negative, )
-FETTLE_WORLD_NUMBER(sleep_speed, check_not_negative, detail::wake_all(data.activity()))
-FETTLE_WORLD_NUMBER(sleep_delay, check_not_negative, detail::wake_all(data.activity()))
-FETTLE_WORLD_NUMBER(contact_hertz, check_not_negative, detail::wake_all(data.activity()))
-FETTLE_WORLD_NUMBER(contact_damping, check_not_negative, detail::wake_all(data.activity()))
-FETTLE_WORLD_NUMBER(push_speed, check_not_negative, detail::wake_all(data.activity()))
+FETTLE_WORLD_NUMBER(sleep_speed, check_not_negative, data.change(detail::wake_all))
+FETTLE_WORLD_NUMBER(sleep_delay, check_not_negative, data.change(detail::wake_all))
+FETTLE_WORLD_NUMBER(contact_hertz, check_not_negative, data.change(detail::wake_all))
+FETTLE_WORLD_NUMBER(contact_damping, check_not_negative, data.change(detail::wake_all))
+FETTLE_WORLD_NUMBER(push_speed, check_not_negative, data.change(detail::wake_all))
 FETTLE_WORLD_SETTING(MixRule, MixRule, friction_mix,
                      check_enumerator("friction_mix", value, MixRule::geometric), remix_all(data);
-                     detail::wake_all(data.activity()))
+                     data.change(detail::wake_all))
 FETTLE_WORLD_SETTING(MixRule, MixRule, restitution_mix,
                      check_enumerator("restitution_mix", value, MixRule::geometric),
                      remix_all(data);
-                     detail::wake_all(data.activity()))
+                     data.change(detail::wake_all))
 FETTLE_WORLD_SETTING(bool, bool, persist_events, value, )
 FETTLE_WORLD_SETTING(Solver, Solver, solver, check_enumerator("solver", value, Solver::direct),
-                     detail::wake_all(data.activity()))
+                     data.change(detail::wake_all))
 
 int World::threads() const {
     return data_->self.pool ? data_->self.pool->threads() : 1;
@@ -309,7 +313,7 @@ void World::limit_simd_width(int most) {
 }
 
 void World::wake_all() {
-    detail::wake_all(edit(__func__).activity());
+    edit(__func__).change(detail::wake_all);
 }
 
 bool World::is_recorded() const {
@@ -322,14 +326,16 @@ void World::stop_recording() {
 Body World::create_body(const BodyDef& def) {
     WorldData& data = populate(__func__);
     check(def);
-    return {this, data.body_id(detail::create_body(data.editing(), def))};
+    detail::make_room_for_body(data.editing());
+    return {this, data.body_id(data.change(detail::create_body, def))};
 }
 
 Shape World::create_shape(const Geometry& geometry, const ShapeDef& def) {
     WorldData& data = populate(__func__);
     check(def);
     check(geometry);
-    return {this, data.shape_id(detail::create_shape(data.editing(), def, geometry))};
+    detail::make_room_for_shape(data.editing(), geometry);
+    return {this, data.shape_id(data.change(detail::create_shape, def, geometry))};
 }
 
 void World::clear() {
@@ -363,6 +369,7 @@ std::vector<Body> World::bodies() const {
 }
 /// A body that fell asleep in the step rested before, so its pose did not change in a visible way.
 std::vector<Body> World::moved_bodies() const {
+    data_->self.may_read();
     std::vector<uint32_t> slots;
     for (const uint32_t body : data_->awake_bodies) {
         const BodyState& now = data_->states[body];
@@ -385,6 +392,7 @@ std::vector<Joint> World::joints() const {
 }
 
 std::vector<Contact> World::contacts() const {
+    data_->self.may_read();
     std::vector<Contact> all;
     for (const ContactRecord& c : data_->contacts) {
         if (c.touching && !c.sensor) all.push_back(view_of(*data_, *data_, data_->last_substep, c));

@@ -9,12 +9,27 @@
 #include <array>
 #include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace fettle::physics::detail {
 
 struct JointStep;
 struct SubSteps;
+
+struct WorldData;
+
+/// A world as an argument: it becomes the part that the function takes.
+struct Parts {
+    WorldData& data;
+    operator Editing() const;
+    operator Activity() const;
+    operator ContactList() const;
+    template <class Part>
+    requires std::is_base_of_v<std::remove_const_t<Part>, WorldData>
+    operator Part&() const;
+};
 
 /// A world: its state, the scratch data of its step, and its other data. Member functions are
 /// grouped by the file that defines them.
@@ -43,6 +58,7 @@ struct WorldData : WorldState, StepScratch {
     // callbacks.cpp: `read_...` is called before a value is read that edits may have left out of
     // date, and before an edit that reads it. It calls the refresh callback of the user first.
     void read_all() {
+        self.may_read();
         if (!edited_bodies.empty() || !edited_shapes.empty()) read_edited({});
     }
     void read_shape(uint32_t shape) {
@@ -60,6 +76,26 @@ struct WorldData : WorldState, StepScratch {
         return detail::may_collide(*this, user_filter(), shape_a, shape_b);
     }
     void consult_callbacks();
+
+    // damage.cpp
+    /// Makes an edit by a function of edits.h or sleep.h: it gets the parts of the world that it
+    /// takes, then `given`. If memory ends in the middle of it, the world is damaged.
+    template <class Result, class... Parameters, class... Given>
+    Result change(Result (*act)(Parameters...), Given&&... given) {
+        const auto with_parts = [&]<size_t... i>(std::index_sequence<i...>)->Result {
+            return act(((void)i, Parts{*this})..., std::forward<Given>(given)...);
+        };
+        try {
+            return with_parts(std::make_index_sequence<sizeof...(Parameters) - sizeof...(Given)>());
+        } catch (...) {
+            break_off();
+        }
+    }
+    /// To be called in a handler: the data may be inconsistent, so no object exists any more, and
+    /// whatever uses the world throws `Damaged` until another state replaces it. Throws the
+    /// exception again.
+    [[noreturn]] void break_off();
+
     ContactList contact_list() { return {touching(), pairs, *this}; }
     Touching touching() {
         return {*this,           *this,
@@ -101,6 +137,20 @@ struct WorldData : WorldState, StepScratch {
     // archive.cpp
     void replace_state(WorldState&& other);
 };
+
+inline Parts::operator Editing() const {
+    return data.editing();
+}
+inline Parts::operator Activity() const {
+    return data.activity();
+}
+inline Parts::operator ContactList() const {
+    return data.contact_list();
+}
+template <class Part>
+requires std::is_base_of_v<std::remove_const_t<Part>, WorldData> Parts::operator Part&() const {
+    return data;
+}
 
 /// world.cpp: hash of the poses and velocities of all bodies.
 uint64_t hash_of(const Columns& columns);

@@ -1,4 +1,4 @@
-#include <world/world_link.h>
+#include <world/world_data.h>
 
 #include <cstddef>
 #include <memory>
@@ -86,6 +86,7 @@ void dangling(const char* kind, const WorldLink* link, uint32_t index, uint32_t 
     const std::string named = std::string(kind) + " " + std::to_string(index);
     if (link->data == nullptr)
         throw std::invalid_argument(named + " does not exist any more: its world was destroyed");
+    link->data->self.may_read();
     throw std::invalid_argument(named + " of generation " + std::to_string(generation) +
                                 " does not exist any more");
 }

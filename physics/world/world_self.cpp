@@ -24,6 +24,7 @@ void WorldSelf::refuse_edit(const char* of, const char* function) const {
 }
 
 void WorldSelf::refuse_or_tell(const char* of, const char* function) const {
+    may_read();
     if (locked()) refuse_edit(of, function);
     witness_->edit_called(of, function);
 }
@@ -71,7 +72,7 @@ void WorldLock::unlock() {
     const WorldSelf& self = *std::exchange(self_, nullptr);
     self.leave_to(outer_);
     const uint32_t before = self.work_.fetch_sub(weight_, std::memory_order_acq_rel);
-    if ((before & ~WorldSelf::watched) != weight_) return;
+    if ((before & ~WorldSelf::marks) != weight_) return;
     if (!self.orphaned()) {
         if (self.owner != nullptr) self.owner->tell_unlocked();
         return;

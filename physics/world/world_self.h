@@ -57,11 +57,16 @@ struct WorldSelf {
     bool see_contacts() const { return mix || before_solve; }
 
     /// While user functions may be called, editing is forbidden.
-    bool locked() const { return (work_.load(std::memory_order_relaxed) & ~watched) != 0; }
+    bool locked() const { return (work_.load(std::memory_order_relaxed) & ~marks) != 0; }
     /// In the middle of a step or an edit, copying the state is forbidden as well.
     bool in_the_middle() const {
-        return (work_.load(std::memory_order_relaxed) & ~watched) >= middle;
+        return (work_.load(std::memory_order_relaxed) & ~marks) >= middle;
     }
+    /// Memory has ended in the middle of a change, so the state may be inconsistent: all that would
+    /// use it throws `Damaged`, until another state replaces it.
+    bool damaged() const { return (work_.load(std::memory_order_relaxed) & damage) != 0; }
+    void set_damaged();
+    void set_whole() { work_.fetch_and(~damage, std::memory_order_relaxed); }
     /// True if a function that the World was calling destroyed it.
     bool orphaned() const { return orphan_ != nullptr; }
 
@@ -72,20 +77,32 @@ struct WorldSelf {
     }
     /// Like `may_edit`, for a step, which is recorded in another way.
     void may_step() const {
+        may_read();
         if (locked()) [[unlikely]]
             refuse_edit("World", "step");
     }
     /// Like `may_edit`, for creating, destroying or attaching objects. The call is not recorded.
     void may_populate(const char* of, const char* function) const {
+        may_read();
+        may_replace(of, function);
+    }
+    /// Like `may_populate`, for another state in place of this one, which may be damaged.
+    void may_replace(const char* of, const char* function) const {
         if (locked()) [[unlikely]]
             refuse_edit(of, function);
         if (owner != nullptr && !owner->acts()) [[unlikely]]
             refuse_stranger(of, function);
     }
     void may_copy(const char* what) const {
+        may_read();
         if (in_the_middle()) [[unlikely]]
             refuse_copy(what);
     }
+    void may_read() const {
+        if (damaged()) [[unlikely]]
+            throw_damaged();
+    }
+    [[noreturn]] static void throw_damaged();
 
     /// Sets the witness, which gets all changes of the world; null: none.
     void set_witness(std::unique_ptr<Witness> witness);
@@ -150,6 +167,9 @@ struct WorldSelf {
     static constexpr uint32_t middle = 1u << 16;
     /// Is set in `work_` while there is a witness, so that one test finds both.
     static constexpr uint32_t watched = 1u << 31;
+    /// Likewise while the state is damaged.
+    static constexpr uint32_t damage = 1u << 30;
+    static constexpr uint32_t marks = watched | damage;
     void refuse_or_tell(const char* of, const char* function) const;
     [[noreturn]] void refuse_edit(const char* of, const char* function) const;
     [[noreturn]] void refuse_stranger(const char* of, const char* function) const;

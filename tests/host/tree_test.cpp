@@ -236,6 +236,9 @@ TEST_CASE("changes and births and deaths and events reach functions in C") {
     CHECK(fettle_hosted_on(g, find(game, "world.ball"), "contact_begins", happened, &seen,
                            nullptr) == FETTLE_INVALID);
     CHECK_THAT(fettle_last_error(), contains("contact_begin"));
+    CHECK(fettle_hosted_on(g, find(game, "world.ball"), "contact_bgin", happened, &seen, nullptr) ==
+          FETTLE_INVALID);
+    CHECK_THAT(fettle_last_error(), contains("did you mean \"contact_begin\"?"));
 }
 
 TEST_CASE("a handler that throws is an error of its barrier") {

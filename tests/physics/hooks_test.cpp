@@ -85,6 +85,7 @@ TEST_CASE("the log has what no result and no exception tells") {
     for (size_t i = 0; i <= World::most_accounts; ++i)
         world.keep_account(add_box(world, {float(i) * 2, 9}).id());
     REQUIRE_THAT(log.notes, contains("World::keep_account"));
+    REQUIRE_THROWS_AS(world.keep_account(BodyId()), std::invalid_argument);
     REQUIRE(log.errors.empty());
     int calls = 0;
     world.start_recording([&](auto) {

@@ -1,6 +1,7 @@
 // What a world takes: bytes that were asked for, counted where they are asked for.
 
 #include "catch.h"
+#include "memory_end.h"
 #include "scenes.h"
 
 #include <malloc.h>
@@ -15,14 +16,22 @@ using namespace scenes;
 namespace {
 
 std::atomic<std::size_t> bytes_in_use = 0;
+std::atomic<int64_t> allocations_left = -1;  ///< until memory ends; negative: it does not
+
+/// Whether memory has ended.
+bool refuse() noexcept {
+    return allocations_left.load() >= 0 && allocations_left.fetch_sub(1) == 0;
+}
 
 void* allocate(std::size_t size) noexcept {
+    if (refuse()) return nullptr;
     void* const memory = std::malloc(size > 0 ? size : 1);
     if (memory != nullptr) bytes_in_use += malloc_usable_size(memory);
     return memory;
 }
 
 void* allocate(std::size_t size, std::align_val_t alignment) noexcept {
+    if (refuse()) return nullptr;
     const auto unit = static_cast<std::size_t>(alignment);
     void* const memory = std::aligned_alloc(unit, (size + unit - 1) / unit * unit);
     if (memory != nullptr) bytes_in_use += malloc_usable_size(memory);
@@ -40,6 +49,13 @@ void discount(void* memory) {
 }
 
 }  // namespace
+
+scenes::MemoryEnd::MemoryEnd(int64_t allocations) {
+    allocations_left = allocations;
+}
+scenes::MemoryEnd::~MemoryEnd() {
+    allocations_left = -1;
+}
 
 // Of the whole program: the tests beside these count too, which harms nobody. All forms that are
 // not for arrays, since a sanitizer has its own of those that are missing, and minds a mixture.

@@ -104,6 +104,20 @@ TEST_CASE("a pool does every block once whatever the number of threads") {
     }
 }
 
+TEST_CASE("what blocks throw the caller of a pool throws when all are done") {
+    ThreadPool pool(3, 3);
+    for (int round = 0; round < 100; ++round) {
+        std::atomic<int> done = 0;
+        REQUIRE_THROWS_AS(pool.run(20,
+                                   [&](uint32_t block) {
+                                       ++done;
+                                       if (block % 7 == 0) throw std::bad_alloc();
+                                   }),
+                          std::bad_alloc);
+        REQUIRE(done == 20);
+    }
+}
+
 TEST_CASE("no more threads work than there are processors") {
     ThreadPool pool(8, 2);
     REQUIRE(pool.threads() == 8);

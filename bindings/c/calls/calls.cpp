@@ -26,6 +26,8 @@ fettle_code code_of_exception(const char* function) noexcept {
         return keep(FETTLE_LOCKED, function, error.what());
     } catch (const std::invalid_argument& error) {
         return keep(FETTLE_INVALID, function, error.what());
+    } catch (const physics::Damaged& error) {
+        return keep(FETTLE_NO_MEMORY, function, error.what());
     } catch (const std::bad_alloc&) {
         return keep(FETTLE_NO_MEMORY, function, "there is not enough memory");
     } catch (const std::length_error&) {

@@ -47,6 +47,14 @@ uint32_t unpacked(fettle_id id, uint32_t kind) {
     return uint32_t(id) & ((1u << slot_bits) - 1);
 }
 
+void refuse_if_damaged(World& world) {
+    try {
+        (void)Body(&world, {0, 1}).world();
+    } catch (const std::invalid_argument&) {
+        // No body is called that, and a world that is whole says so.
+    }
+}
+
 void refuse_stale(fettle_id id, uint32_t kind) {
     throw Failure{FETTLE_STALE, std::string("expected the id of ") + name_of_kind(kind) + ", got " +
                                     text(id) + ", which was destroyed, or is of another world"};

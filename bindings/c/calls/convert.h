@@ -37,6 +37,8 @@ inline constexpr uint32_t slot_bits = 28;
 fettle_id packed(uint32_t index, uint32_t generation, uint32_t kind);
 /// The slot of an id; throws Failure if it is 0 or of another kind.
 uint32_t unpacked(fettle_id id, uint32_t kind);
+/// Throws `Damaged` if the world is: then ids are not valid in it, although nobody destroyed them.
+void refuse_if_damaged(physics::World& world);
 [[noreturn]] void refuse_stale(fettle_id id, uint32_t kind);
 [[noreturn]] void refuse_joint(physics::JointType wanted, physics::JointType is);
 
@@ -72,7 +74,10 @@ Object handle(const fettle_world* world, fettle_id id) {
     using Id = IdOf<Object>;
     physics::World& in = live(world);
     const Id name{unpacked(id, kind_of<Id>), uint32_t(id >> 32)};
-    if (!in.is_valid(name)) refuse_stale(id, kind_of<Id>);
+    if (!in.is_valid(name)) {
+        refuse_if_damaged(in);
+        refuse_stale(id, kind_of<Id>);
+    }
     const Object object(&in, name);
     if constexpr (requires { JointTypeOf<Object>::value; }) {
         if (object.type() != JointTypeOf<Object>::value)

@@ -13,8 +13,7 @@
 // `PositionFunction` at the end of the step, for one body after the other in slot order.
 // `QueryFilter::accept` (query.h) is called inside a query, `RefreshCallback` inside a read. All
 // run on the caller's thread, one after the other, unless `World::set_parallel_callbacks` says
-// otherwise. One of the shapes that they get may belong to
-// the world's border.
+// otherwise. One of the shapes that they get may belong to the world's border.
 //
 // **What such a function may do with the world that calls it:** call all `const` methods (read
 // bodies, shapes, joints and contacts, make queries) and write the members of the `ContactEdit`

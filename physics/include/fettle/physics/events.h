@@ -102,7 +102,7 @@ struct SensorEvent {
 struct JointBreakEvent {
     JointId joint;        ///< which bore the load
     BodyId body_a;        ///< an invalid id means the world
-    BodyId body_b;        ///< of `shape_b`
+    BodyId body_b;        ///< the same
     Vec2 force = {};      ///< N, on body b, mean over the step
     float torque = 0.0f;  ///< N m, on body b, without the torque of the force
 };
@@ -111,7 +111,7 @@ struct JointBreakEvent {
 struct JointLoadEvent {
     JointId joint;        ///< which bore the load
     BodyId body_a;        ///< an invalid id means the world
-    BodyId body_b;        ///< of `shape_b`
+    BodyId body_b;        ///< the same
     Vec2 force = {};      ///< N, on body b, mean over the step
     float torque = 0.0f;  ///< N m, on body b, without the torque of the force
 };

@@ -4,6 +4,7 @@
 #include <fettle/physics/body.h>
 #include <fettle/physics/callbacks.h>
 #include <fettle/physics/coupling_joints.h>
+#include <fettle/physics/damaged.h>
 #include <fettle/physics/debug_draw.h>
 #include <fettle/physics/events.h>
 #include <fettle/physics/export.h>
@@ -98,6 +99,11 @@ struct Capacity {
 /// Methods that are not `const` throw `Locked` inside a function that the world is calling. So do
 /// copying, saving and `validate` inside a step: callbacks.h describes what such a function may do.
 ///
+/// Without enough memory, methods throw std::bad_alloc. Creating a body, or a shape that is no
+/// outline, has changed nothing then, nor has a query, a copy or a restored state. Any other edit,
+/// or a step, may have been made in part: then the world is damaged, and throws `Damaged`
+/// (damaged.h) until it gets another state.
+///
 ///     World world;
 ///     Body ground = world.create_body({.type = BodyType::static_body});
 ///     ground.add(Box{.width = 20, .height = 1});
@@ -139,7 +145,8 @@ class World {
     void take(World&& other);
 
     /// Advances by `dt` seconds; does nothing unless dt > 0. Throws only the exceptions of
-    /// callbacks and of functions given to `after_step`, after the step: see callbacks.h.
+    /// callbacks and of functions given to `after_step`, after the step: see callbacks.h; and
+    /// std::bad_alloc.
     void step(float dt);
     /// Calls `act` once, when the running step has ended; outside of a step: after the next one. It
     /// may edit the world, so a callback can order an edit by it. Functions are called in the order
@@ -384,6 +391,7 @@ class World {
     /// From the next step on, adds up what changes the velocity of this body; other results do not
     /// depend on that. Beyond `most_accounts` bodies, the account that began first is dropped.
     /// Accounts are for the solver `soft_step`. They are not part of the state: a copy has none.
+    /// Throws std::invalid_argument if the body does not exist.
     void keep_account(BodyId body);
     /// The number of bodies of which accounts can be kept at a time.
     static constexpr size_t most_accounts = 8;
@@ -401,8 +409,8 @@ class World {
     // exception of `QueryFilter::accept` ends the query at once; the world does not change.
     /// Shapes that contain a point (m).
     std::vector<Shape> query_point(const Position& point, const QueryFilter& filter = {}) const;
-    std::vector<Shape> query_aabb(
-        const Aabb& box, const QueryFilter& filter = {}) const;  ///< shapes that overlap the box
+    /// Shapes that overlap the box, whose corners may be any two opposite ones.
+    std::vector<Shape> query_aabb(const Aabb& box, const QueryFilter& filter = {}) const;
     /// The first shape that a ray from one point to another (m) meets from outside.
     std::optional<RayHit> cast_ray(const Position& from, const Position& to,
                                    const QueryFilter& filter = {}) const;

@@ -8,6 +8,11 @@
  * pointer must not be null unless the function says that it may be. NaN is refused everywhere.
  * Nothing that a caller passes as an id, a number or a size makes a function crash.
  *
+ * Memory. After FETTLE_NO_MEMORY, creating a body, or a shape that is no outline, has changed
+ * nothing, nor has a function that changes no world. Any other edit, or a step, may have been made
+ * in part: then the functions of this world return FETTLE_NO_MEMORY until it gets another state
+ * (fettle_world_assign, fettle_world_restore, fettle_world_take) or is destroyed.
+ *
  * Lists. A function with `out`, `room` and `count` writes the first `room` elements to `out`, and
  * to `count` how many there are. `out` may be null if `room` is 0.
  *
@@ -39,9 +44,8 @@ enum fettle_codes {
         1,            /* an argument without meaning: null, NaN, out of range, wrong type or size */
     FETTLE_STALE = 2, /* the world, body, shape, joint or field does not exist (any more) */
     FETTLE_LOCKED = 3, /* inside a function that the world is calling, or the world has an owner */
-    FETTLE_NO_MEMORY =
-        4,            /* there is not enough memory: what was being changed can no longer be used */
-    FETTLE_FAILED = 5 /* anything else */
+    FETTLE_NO_MEMORY = 4, /* there is not enough memory, or there was not in an earlier call */
+    FETTLE_FAILED = 5     /* anything else */
 };
 
 /** Message of the last error of this thread: the function, what was given, what was expected. Empty

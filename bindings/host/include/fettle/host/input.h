@@ -35,7 +35,7 @@ typedef struct fettle_hosted_input {
        "grave", "minus", "equal", "left_bracket", "right_bracket", "backslash", "semicolon",
        "apostrophe", "comma", "period", "slash", "numpad_0" to "numpad_9". Mouse: "left", "right",
        "middle", "extra_1", "extra_2". Gamepad: number of a button, from "1", or name of an axis:
-       "left_x". Null: none of these. */
+       "left_x". Null or another name: none of these; the console and the game ignore it. */
     const char* name;
     uint32_t character; /* of FETTLE_INPUT_TEXT: one Unicode character */
     int32_t gamepad;    /* from 1 */

@@ -18,7 +18,8 @@ fettle_code fettle_hosted_snapshot(fettle_hosted* game, const void** bytes, size
     now) is told to the function for problems (game.h). */
 fettle_code fettle_hosted_restore(fettle_hosted* game, const void* bytes, size_t size);
 
-/** Goes back by this simulation time from now, at most to the oldest step that is kept. */
+/** Goes back by this simulation time from now, at most to the oldest step that is kept. A negative
+    time goes forward again, at most to the newest one. */
 fettle_code fettle_hosted_rewind(fettle_hosted* game, double seconds);
 
 /** Goes to a step that is kept. Later ones are kept until a step is made from there. */
