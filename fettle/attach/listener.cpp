@@ -198,7 +198,11 @@ void Listener::answer() {
     for (bool some = true; some && !turn.ends;) {
         some = false;
         for (std::size_t i = 0; i < count && !turn.ends; ++i) {
-            if (!answer_next(connections_[(first_ + i) % count], turn)) continue;
+            const std::size_t next = (first_ + i) % count;
+            if (!answer_next(connections_[next], turn)) {
+                if (turn.ends) first_ = (next + count - 1) % count;  // the first of the next frame
+                continue;
+            }
             some = true;
             // A command may take as long as a typed one, but is then the last of the frame.
             const std::chrono::duration<double> busy = Clock::now() - begin;
@@ -208,7 +212,7 @@ void Listener::answer() {
     }
 }
 
-/// Answers the next request, if there is a whole one.
+/// Answers the next request, if there is a whole one, and one that may be begun in this frame.
 bool Listener::answer_next(Connection& to, Turn& turn) {
     if (!to.greeted || to.ending || to.gone || to.out.size() > limits_.kept) return false;
     const std::size_t end = to.in.find('\n');
@@ -218,10 +222,14 @@ bool Listener::answer_next(Connection& to, Turn& turn) {
         return true;
     }
     tell_lost(to);
-    const std::string line = to.in.substr(0, end);
+    turn.bytes += end;
+    const std::optional<Request> request = read_request(std::string_view(to.in).substr(0, end));
+    // A completion takes as long as many commands, so it has a frame of its own.
+    if (request && request->kind == Request::Kind::complete && turn.requests > 0) {
+        turn.ends = true;
+        return false;
+    }
     to.in.erase(0, end + 1);
-    turn.bytes += line.size();
-    const std::optional<Request> request = read_request(line);
     if (!request) {
         refuse(to, "expected a line with {\"run\": …} or {\"complete\": …, \"cursor\": …}");
         return true;

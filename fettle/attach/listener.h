@@ -26,7 +26,7 @@ struct ListenLimits {
     double greeting_seconds = 2;
     std::size_t accepted = 4;  // connections of a frame
     // No request of a frame is begun after so many, after a completion, after so many bytes of
-    // requests and answers, or after so many seconds.
+    // requests and answers, or after so many seconds; and no completion after another request.
     std::size_t requests = 8, answered = 32768;
     double busy_seconds = 0.0005;
     std::size_t received = 16384;  // bytes of a frame and connection

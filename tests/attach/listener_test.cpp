@@ -106,7 +106,8 @@ class Game {
                                           .result = {}};
                                   },
                               .complete =
-                                  [](std::string_view input, std::size_t) {
+                                  [this](std::string_view input, std::size_t) {
+                                      ++completions;
                                       return std::vector<script::Completion>(
                                           1, {.text = std::string(input) + "d",
                                               .label = {},
@@ -141,7 +142,7 @@ class Game {
     void stop() { listener_.reset(); }
 
     std::vector<std::string> commands, notes;
-    std::size_t lines_of_answer = 1;
+    std::size_t completions = 0, lines_of_answer = 1;
     double longest_frame = 0;
     std::size_t most_connections = 0, largest_buffer = 0;
 
@@ -273,6 +274,31 @@ TEST_CASE("there are no more terminals than the limit") {
     CHECK(three.ended());
     CHECK(answer_to(game, one, "1") == "  said 1");
     CHECK(game.listener().connections() == 2);
+}
+
+TEST_CASE("a completion has a frame of its own and the next one after other requests") {
+    Game game;
+    Visitor one = game.terminal(), two = game.terminal();
+    const std::string run = text_of({.text = "1"});
+    const std::string complete =
+        text_of({.kind = Request::Kind::complete, .text = "wor", .cursor = 3});
+    for (int i = 0; i < 10; ++i) {
+        one.say(run + run + complete + run);
+        two.say(complete + run);
+    }
+    std::size_t commands = 0, completions = 0;
+    for (int i = 0; i < 60 && completions < 20; ++i) {
+        game.frames();
+        const bool more = game.commands.size() > commands;
+        CHECK(game.completions - completions <= (more ? 0U : 1U));
+        commands = game.commands.size();
+        completions = game.completions;
+    }
+    game.frames(4);
+    CHECK(game.completions == 20);
+    CHECK(game.commands.size() == 40);
+    CHECK(one.hear().size() == 40);
+    CHECK(two.hear().size() == 20);
 }
 
 // --- The hostile ones. A terminal keeps its place and its answers meanwhile.

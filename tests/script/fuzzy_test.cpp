@@ -59,4 +59,23 @@ TEST_CASE("fuzzy matching returns the matching letters") {
     CHECK(positions("", "friction") == Positions{});
 }
 
+TEST_CASE("the score alone is that of the match") {
+    const std::vector<std::string> texts = {
+        "",       "a",          "m",    "gs",   "avel",
+        "ct",     "frixt",      "Mass", "mass", "amass",
+        "brick4", "brick_12",   "tic",  "a_a",  "angular_velocity",
+        "ß",      "friction_x", "FRIC"};
+    for (const std::string& typed : texts)
+        for (const std::string& name : texts) {
+            CAPTURE(typed, name);
+            const auto match = fuzzy_match(typed, name);
+            const auto alone = fettle::script::fuzzy_score(typed, name);
+            REQUIRE(alone.has_value() == match.has_value());
+            if (!match) continue;
+            CHECK(*alone == match->score);
+            CHECK(std::ranges::is_sorted(match->positions));
+            for (const std::size_t at : match->positions) CHECK(at < name.size());
+        }
+}
+
 }  // namespace fuzzy_test

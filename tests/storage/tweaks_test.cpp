@@ -145,6 +145,32 @@ TEST_CASE("created and renamed instances are tweaks") {
     CHECK(run.lines().empty());
 }
 
+// With a cost of the square of their number this takes minutes.
+TEST_CASE("an undone deletion gives an instance and thousands of new children their tweaks again") {
+    constexpr int children = 10'000;
+    const GameFolder folder;
+    Run run(folder);
+    Handle top;
+    run.person([&] { top = run.tree.create(run.tree.class_named("Thing"), run.world, "top"); });
+    run.person([&] {
+        for (int i = 0; i < children; ++i)
+            run.tree.create(run.tree.class_named("Thing"), top, "child_" + std::to_string(i));
+    });
+    CHECK(run.lines().size() == children + 1);
+    run.person([&] { run.tree.destroy(top); });
+    CHECK(run.lines().empty());
+    run.tree.undo();
+    run.barrier();
+    CHECK(run.lines().size() == children + 1);
+    // The tweak of the one above does not make the children again, which have tweaks of their own.
+    Run next(folder);
+    const Tree::CauseScope scope(next.tree, Writer::console);
+    const TweakReport again = next.tweaks->reapply("**");
+    CHECK(again.count == children + 1);
+    CHECK(again.problems.empty());
+    CHECK(next.tree.child_count(next.at("world.top")) == children);
+}
+
 TEST_CASE("tweaks of an earlier run are made again as edits that can be undone") {
     const GameFolder folder;
     {

@@ -3,6 +3,7 @@
 #include <fettle/property/spelling.h>
 
 #include <algorithm>
+#include <array>
 
 namespace fettle::property {
 namespace {
@@ -34,8 +35,20 @@ bool unlike(std::string_view a, std::string_view b) {
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {
     const std::size_t longer = std::max(a.size(), b.size());
     const std::size_t shorter = std::min(a.size(), b.size());
-    if (longer - shorter > limit || longer > 256) return limit + 1;
-    std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+    constexpr std::size_t longest = 256;
+    if (longer - shorter > limit || longer > longest) return limit + 1;
+    // What both begin or end with changes nothing.
+    while (!a.empty() && !b.empty() && lower(a.front()) == lower(b.front())) {
+        a.remove_prefix(1);
+        b.remove_prefix(1);
+    }
+    while (!a.empty() && !b.empty() && lower(a.back()) == lower(b.back())) {
+        a.remove_suffix(1);
+        b.remove_suffix(1);
+    }
+    if (a.empty() || b.empty()) return std::min(a.size() + b.size(), limit + 1);
+    std::array<std::array<std::size_t, longest + 1>, 3> rows;
+    std::size_t *before = rows[0].data(), *last = rows[1].data(), *row = rows[2].data();
     for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i) {
         row[0] = i;

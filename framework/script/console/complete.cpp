@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <deque>
 #include <functional>
 #include <tuple>
 #include <unordered_set>
@@ -54,16 +55,22 @@ class Candidates {
     Candidates(std::string_view typed, std::size_t replace_from)
         : typed_(typed), replace_from_(replace_from) {}
 
-    void add(const std::string& label, Describe describe, Group group) {
-        add_as(label, label, replace_from_, std::move(describe), group);
+    void add(std::string_view label, Describe describe, Group group) {
+        add_as(label, {}, replace_from_, std::move(describe), group);
     }
-    void add_as(const std::string& label, const std::string& text, std::size_t from,
-                Describe describe, Group group) {
-        const auto match = fuzzy_match(typed_, label);
-        if (!match) return;
-        const int score = match->score + (expected_ ? 10'000 : 0);
-        entries_.push_back(
-            {score, group, entries_.size(), {text, label, {}, {}, from}, std::move(describe)});
+    /// `text`: what is typed for it; "" for its label.
+    void add_as(std::string_view label, std::string_view text, std::size_t from, Describe describe,
+                Group group) {
+        // Thousands are compared, and few fit.
+        const std::optional<int> fits = fuzzy_score(typed_, label);
+        if (!fits) return;
+        entries_.push_back({.score = *fits + (expected_ ? 10'000 : 0),
+                            .group = group,
+                            .order = entries_.size(),
+                            .from = from,
+                            .label = std::string(label),
+                            .text = std::string(text),
+                            .describe = std::move(describe)});
     }
     /// Entries that are added after `expect(true)` fit this place best and come first.
     void expect(bool expected) { expected_ = expected; }
@@ -77,8 +84,8 @@ class Candidates {
         std::vector<Entry*> heap;
         for (Entry& entry : entries_) heap.push_back(&entry);
         const auto worse = [](const Entry* a, const Entry* b) {
-            return std::tie(a->score, b->group, b->completion.label, b->order) <
-                   std::tie(b->score, a->group, a->completion.label, a->order);
+            return std::tie(a->score, b->group, b->label, b->order) <
+                   std::tie(b->score, a->group, a->label, a->order);
         };
         std::ranges::make_heap(heap, worse);
         std::vector<Completion> result;
@@ -86,9 +93,14 @@ class Candidates {
         for (; !heap.empty() && result.size() < most; heap.pop_back()) {
             std::ranges::pop_heap(heap, worse);
             Entry& best = *heap.back();
-            if (!labels.insert(best.completion.label).second) continue;
-            if (best.describe) best.describe(best.completion);
-            result.push_back(std::move(best.completion));
+            if (!labels.insert(best.label).second) continue;
+            Completion& taken = result.emplace_back(
+                Completion{.text = best.text.empty() ? best.label : std::move(best.text),
+                           .label = std::move(best.label),
+                           .detail = {},
+                           .doc = {},
+                           .replace_from = best.from});
+            if (best.describe) best.describe(taken);
         }
         return result;
     }
@@ -97,13 +109,13 @@ class Candidates {
     struct Entry {
         int score;
         Group group;
-        std::size_t order;
-        Completion completion;
+        std::size_t order, from;
+        std::string label, text;
         Describe describe;
     };
     std::string_view typed_;
     std::size_t replace_from_;
-    std::vector<Entry> entries_;
+    std::deque<Entry> entries_;  // grows without moving what it has
     bool expected_ = false;
 };
 
@@ -308,16 +320,14 @@ void describe_global(lua_State* L, Machine& machine, Completion& candidate) {
 }
 
 void add_globals(lua_State* L, Machine& machine, Candidates& out) {
-    for (const std::string& name : global_names(machine)) {
-        const Group group = machine.tree.child(machine.tree.root(), name) || name == "game"
-                                ? Group::value
-                                : Group::other;
-        if (name != "_G" && name != "_VERSION")
-            out.add(
-                name,
-                [L, &machine](Completion& candidate) { describe_global(L, machine, candidate); },
-                group);
-    }
+    std::size_t in_game = 0, others = 0;
+    each_global_name(machine, [&](std::string_view name, bool in_tree) {
+        if (name == "_G" || name == "_VERSION") return;
+        if (++(in_tree ? in_game : others) > max_compared) return;
+        out.add(
+            name, [L, &machine](Completion& candidate) { describe_global(L, machine, candidate); },
+            in_tree ? Group::value : Group::other);
+    });
     if (machine.tree.alive(machine.globals.it))
         out.add("it", described(machine.tree.path(machine.globals.it), "what is selected"),
                 Group::value);

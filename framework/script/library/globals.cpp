@@ -22,21 +22,28 @@
 
 namespace fettle::script {
 
-std::vector<std::string> global_names(Machine& machine) {
-    lua_State* L = machine.lua.main;
-    std::vector<std::string> names;
-    push_registry(L, machine.globals.table);
-    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
-        if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(string_at(L, -2));
-    lua_pop(L, 1);
-    names.emplace_back("game");
-    names.emplace_back("classes");
-    names.emplace_back("store");
-    names.insert(names.end(), machine.globals.stated.begin(), machine.globals.stated.end());
+void each_global_name(Machine& machine, const GlobalName& use) {
     const property::Tree& tree = machine.tree;
+    use("game", true);
     for (Handle child = tree.first_child(tree.root()); child; child = tree.next_sibling(child))
-        names.push_back(tree.name(child));
-    for (const Class* of : tree.classes()) names.push_back(of->name());
+        use(tree.name(child), true);
+    for (const char* name : {"classes", "store"}) use(name, false);
+    for (const Class* of : tree.classes()) use(of->name(), false);
+    for (const std::string& name : machine.globals.stated) use(name, false);
+    lua_State* L = machine.lua.main;
+    push_registry(L, machine.globals.table);
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+        std::size_t size = 0;
+        if (lua_type(L, -2) != LUA_TSTRING) continue;
+        const char* name = lua_tolstring(L, -2, &size);
+        use({name, size}, false);
+    }
+    lua_pop(L, 1);
+}
+
+std::vector<std::string> global_names(Machine& machine) {
+    std::vector<std::string> names;
+    each_global_name(machine, [&](std::string_view name, bool) { names.emplace_back(name); });
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;

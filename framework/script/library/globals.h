@@ -1,6 +1,7 @@
 #pragma once
 // Global names of the game and the console.
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,10 @@ namespace fettle::script {
 
 struct Machine;
 
+/// `in_tree`: `game` or a child of it.
+using GlobalName = std::function<void(std::string_view name, bool in_tree)>;
+/// Calls `use` with each valid global name, with some of them twice.
+void each_global_name(Machine& machine, const GlobalName& use);
 /// All valid global names, sorted.
 std::vector<std::string> global_names(Machine& machine);
 /// Pushes the result of the last console command.

@@ -1,12 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <string>
+#include <string_view>
 
 #include <fettle/property/spelling.h>
 #include <fettle/script/fuzzy.h>
-
-#include <text/words.h>
 
 namespace fettle::script {
 
@@ -14,88 +12,134 @@ namespace {
 
 using Positions = std::vector<std::size_t>;
 
-constexpr std::size_t longest_name = 256;
+constexpr std::size_t longest_name = 256, longest_typed = 64;
 
-/// The positions of `count` bytes from `first` on.
-Positions run(std::size_t first, std::size_t count) {
-    Positions positions(count);
-    std::iota(positions.begin(), positions.end(), first);
-    return positions;
+char lower_letter(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
 }
 
-/// Positions of the letters if each of them continues a word or begins a later one; empty if they
-/// do not. `typed` has at most eight letters, the first of which begins the name.
-class WordMatch {
+/// A name in lower case, without memory of its own: thousands are compared for one key.
+class Lower {
   public:
-    WordMatch(std::string_view typed, std::string_view name) : typed_(typed), name_(name) {}
-
-    Positions positions() {
-        found_ = {0};
-        return goes_on() ? std::move(found_) : Positions();
+    explicit Lower(std::string_view text) : size_(text.size()) {
+        std::ranges::transform(text, letters_.begin(), lower_letter);
     }
+    std::string_view text() const { return {letters_.data(), size_}; }
 
   private:
+    std::array<char, longest_name> letters_;
+    std::size_t size_;
+};
+
+/// The places of the letters that matched, ascending.
+struct Places {
+    std::array<std::size_t, longest_typed> at;
+    std::size_t count = 0;
+
+    void add(std::size_t place) { at[count++] = place; }
+    std::size_t last() const { return at[count - 1]; }
+};
+
+/// Finds places of the letters where each of them continues a word or begins a later one. `typed`
+/// has at most eight letters, the first of which begins the name.
+class WordMatch {
+  public:
+    WordMatch(std::string_view typed, std::string_view name, Places& found)
+        : typed_(typed), name_(name), found_(found) {
+        found_.add(0);
+    }
+
     /// Whether the letters after those that are found have a place.
     bool goes_on() {
-        const std::size_t next = found_.size();
+        const std::size_t next = found_.count;
         if (next == typed_.size()) return true;
-        for (std::size_t at = found_.back() + 1; at < name_.size(); ++at) {
-            if (name_[at] != typed_[next] || (at != found_.back() + 1 && name_[at - 1] != '_'))
+        for (std::size_t at = found_.last() + 1; at < name_.size(); ++at) {
+            if (name_[at] != typed_[next] || (at != found_.last() + 1 && name_[at - 1] != '_'))
                 continue;
             // A letter that led nowhere from here leads nowhere again.
             if (in_vain_[at] >> next & 1) continue;
-            found_.push_back(at);
+            found_.add(at);
             if (goes_on()) return true;
-            found_.pop_back();
+            --found_.count;
             in_vain_[at] = static_cast<unsigned char>(in_vain_[at] | 1 << next);
         }
         return false;
     }
 
+  private:
     std::string_view typed_, name_;
-    Positions found_;
+    Places& found_;
     std::array<unsigned char, longest_name> in_vain_{};  // by place; a bit for each letter
 };
 
-/// Positions of the letters in order; empty if one is missing.
-Positions in_order(std::string_view typed, std::string_view name) {
-    Positions found;
+bool begin_words(std::string_view typed, std::string_view name, Places& found) {
+    found.count = 0;
+    return typed.size() > 1 && typed.size() <= 8 && typed[0] == name[0] &&
+           WordMatch(typed, name, found).goes_on();
+}
+
+bool in_order(std::string_view typed, std::string_view name, Places& found) {
+    found.count = 0;
     for (const char letter : typed) {
-        const std::size_t at = name.find(letter, found.empty() ? 0 : found.back() + 1);
-        if (at == std::string_view::npos) return {};
-        found.push_back(at);
+        const std::size_t at = name.find(letter, found.count == 0 ? 0 : found.last() + 1);
+        if (at == std::string_view::npos) return false;
+        found.add(at);
     }
-    return found;
+    return true;
+}
+
+struct Match {
+    int score = 0;
+    std::size_t first = 0, count = 0;  // a run of letters
+    bool scattered = false;            // they are in the places instead
+};
+
+std::optional<Match> match(std::string_view typed, std::string_view name, Places& places) {
+    const auto begins = [&](int score) { return Match{.score = score, .count = typed.size()}; };
+    if (typed.empty()) return begins(1);
+    if (typed == name) return begins(1000);
+    if (typed.size() > longest_typed || name.size() > longest_name) {
+        if (name.starts_with(typed)) return begins(800);
+        return std::nullopt;
+    }
+    if (name.empty()) return std::nullopt;
+    const int longer = static_cast<int>(
+        std::min<std::size_t>(name.size() > typed.size() ? name.size() - typed.size() : 0, 50));
+    if (name.starts_with(typed)) return begins(900 - longer);
+    const Lower lower_typed(typed), lower_name(name);
+    const std::string_view a = lower_typed.text(), b = lower_name.text();
+    if (b.starts_with(a)) return begins(800 - longer);
+    if (in_order(a, b, places)) {  // else neither words nor a part of the name fit
+        const std::size_t spread = places.last() - places.at[0] + 1;
+        if (begin_words(a, b, places)) return Match{.score = 700 - longer, .scattered = true};
+        if (const std::size_t at = b.find(a); at != std::string_view::npos)
+            return Match{.score = 600 - longer, .first = at, .count = a.size()};
+        in_order(a, b, places);
+        const auto skipped = static_cast<int>(spread - places.count);
+        return Match{.score = std::max(100, 500 - 10 * skipped), .scattered = true};
+    }
+    if (a.size() >= 4 && property::edit_distance(a, b.substr(0, a.size()), 1) <= 1)
+        return Match{.score = 50};
+    return std::nullopt;
 }
 
 }  // namespace
 
+std::optional<int> fuzzy_score(std::string_view typed, std::string_view name) {
+    Places places;
+    const std::optional<Match> found = match(typed, name, places);
+    return found ? std::optional(found->score) : std::nullopt;
+}
+
 std::optional<FuzzyMatch> fuzzy_match(std::string_view typed, std::string_view name) {
-    const auto begins = [&](int score) { return FuzzyMatch{score, run(0, typed.size())}; };
-    if (typed.empty()) return begins(1);
-    if (typed == name) return begins(1000);
-    if (typed.size() > 64 || name.size() > longest_name) {
-        if (name.starts_with(typed)) return begins(800);
-        return std::nullopt;
-    }
-    const int longer = static_cast<int>(
-        std::min<std::size_t>(name.size() > typed.size() ? name.size() - typed.size() : 0, 50));
-    if (name.starts_with(typed)) return begins(900 - longer);
-    const std::string a = lower(typed), b = lower(name);
-    if (b.starts_with(a)) return begins(800 - longer);
-    if (a.size() > 1 && a.size() <= 8 && a[0] == b[0])
-        if (Positions words = WordMatch(a, b).positions(); !words.empty())
-            return FuzzyMatch{700 - longer, std::move(words)};
-    if (const std::size_t at = b.find(a); at != std::string::npos)
-        return FuzzyMatch{600 - longer, run(at, a.size())};
-    if (Positions found = in_order(a, b); found.size() > 1) {
-        const auto skipped = static_cast<int>(found.back() - found.front() + 1 - found.size());
-        return FuzzyMatch{std::max(100, 500 - 10 * skipped), std::move(found)};
-    }
-    if (a.size() >= 4 &&
-        property::edit_distance(a, std::string_view(b).substr(0, a.size()), 1) <= 1)
-        return FuzzyMatch{50, {}};
-    return std::nullopt;
+    Places places;
+    const std::optional<Match> found = match(typed, name, places);
+    if (!found) return std::nullopt;
+    FuzzyMatch result{.score = found->score, .positions = Positions(found->count)};
+    std::iota(result.positions.begin(), result.positions.end(), found->first);
+    if (found->scattered)
+        result.positions.assign(places.at.begin(), places.at.begin() + places.count);
+    return result;
 }
 
 }  // namespace fettle::script

@@ -22,6 +22,8 @@ struct FuzzyMatch {
 /// order, one typing error (without positions). Letter case counts only between equal beginnings.
 /// An empty text fits every name.
 std::optional<FuzzyMatch> fuzzy_match(std::string_view typed, std::string_view name);
+/// Its score alone, which takes no memory.
+std::optional<int> fuzzy_score(std::string_view typed, std::string_view name);
 
 }  // namespace fettle::script
 

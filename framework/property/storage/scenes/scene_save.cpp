@@ -1,6 +1,8 @@
 // Writes instances of the tree as a scene file.
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/scene.h>
@@ -59,8 +61,12 @@ class SceneWriter {
     /// `references_from`: paths of references inside it begin there; null: all paths begin at the
     /// root.
     SceneWriter(const Tree& tree, Handle top, Handle references_from,
-                std::vector<std::string>* warnings)
-        : tree_(tree), top_(top), warnings_(warnings), values_(tree, references_from) {}
+                std::vector<std::string>* warnings, std::function<bool(Handle)> left_out = {})
+        : tree_(tree),
+          top_(top),
+          warnings_(warnings),
+          values_(tree, references_from),
+          left_out_(std::move(left_out)) {}
 
     std::string run() {
         tree_.require(top_);
@@ -202,14 +208,16 @@ class SceneWriter {
     }
 
     void children(Handle handle, Members& members, std::size_t indent, std::size_t depth) {
-        if (!tree_.first_child(handle)) return;
-        members.key("children");
-        out_ += '[';
+        bool first = true;
         for (Handle child = tree_.first_child(handle); child; child = tree_.next_sibling(child)) {
-            out_ += child == tree_.first_child(handle) ? "\n" : ",\n";
+            if (left_out_ && left_out_(child)) continue;
+            if (first) members.key("children");
+            out_ += first ? "[\n" : ",\n";
+            first = false;
             out_.append(indent + 2, ' ');
             instance(child, indent + 2, depth + 1);
         }
+        if (first) return;
         out_ += '\n';
         out_.append(indent, ' ');
         out_ += ']';
@@ -219,6 +227,7 @@ class SceneWriter {
     Handle top_;
     std::vector<std::string>* warnings_;
     ValueWriter values_;
+    std::function<bool(Handle)> left_out_;
     std::string out_;
 };
 
@@ -232,8 +241,9 @@ std::string scene_text(const Tree& tree, Handle node, std::vector<std::string>* 
 }
 
 std::string scene_text_with_full_paths(const Tree& tree, Handle node,
-                                       std::vector<std::string>* warnings) {
-    return SceneWriter(tree, node, {}, warnings).run();
+                                       std::vector<std::string>* warnings,
+                                       const std::function<bool(Handle)>& left_out) {
+    return SceneWriter(tree, node, {}, warnings, left_out).run();
 }
 
 void save_scene(const Tree& tree, Handle node, const std::filesystem::path& file,

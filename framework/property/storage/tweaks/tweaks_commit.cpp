@@ -95,18 +95,13 @@ void Tweaks::State::settle_one(Handle instance) {
 
 /// The scene of a new instance, without instances below it that have their own tweaks.
 std::string Tweaks::State::scene_of_new(Handle top, std::vector<std::string>* warnings) const {
-    SceneEdit edit(tree, scene_text_with_full_paths(tree, top, warnings), "journal");
-    for (const auto& each : entries) {
-        const bool its_own = each->row.kind == Kind::moved || each->row.kind == Kind::created;
-        if (!its_own || each->gone || each->handle == top || !tree.alive(each->handle) ||
-            !tree.is_below(each->handle, top))
-            continue;
-        try {
-            (void)edit.remove(steps_below(each->handle, top));
-        } catch (const Error&) {  // removed together with another one
-        }
-    }
-    return edit.text();
+    std::unordered_set<std::uint64_t> its_own;
+    if (tree.first_child(top))
+        for (const auto& each : entries)
+            if ((each->row.kind == Kind::moved || each->row.kind == Kind::created) && !each->gone)
+                its_own.insert(key(each->handle));
+    return scene_text_with_full_paths(
+        tree, top, warnings, [&](Handle instance) { return its_own.contains(key(instance)); });
 }
 
 SceneSteps Tweaks::State::steps_below(Handle instance, Handle top) const {
