@@ -32,7 +32,7 @@ std::vector<std::string> global_names(Machine& machine) {
     names.emplace_back("game");
     names.emplace_back("classes");
     names.emplace_back("store");
-    names.insert(names.end(), machine.globals.stated.begin(), machine.globals.stated.end());
+    for (const auto& [name, first] : machine.globals.stated) names.push_back(name);
     const property::Tree& tree = machine.tree;
     for (Handle child = tree.first_child(tree.root()); child; child = tree.next_sibling(child))
         names.push_back(tree.name(child));
