@@ -253,9 +253,35 @@ function t:tap(key)
     coroutine.yield()
 end
 
+local function is_widget(target)
+    local ok, known = pcall(function() return target:is_a("Widget") end)
+    return ok and known
+end
+
+-- Why a player cannot point at the middle of a widget; nil if one can.
+local function out_of_reach(widget, middle)
+    if not widget.shown then
+        local each = widget
+        while is_widget(each) do
+            if not each.visible then return tostring(each) .. ".visible is false" end
+            each = each.parent
+        end
+        return "it is not below game, or not in a widget that shows it"
+    end
+    local size = game.view.screen
+    if middle.x < 0 or middle.y < 0 or middle.x >= size.x or middle.y >= size.y then
+        return "its middle, " .. tostring(middle) .. ", is outside of the screen, which has " .. tostring(size)
+    end
+end
+
 -- A point of the world, or the middle of a widget.
-local function point_at(target, level)
-    local ok, middle = pcall(function() return target.screen_position + 0.5 * target.screen_size end)
+local function point_at(target, what, level)
+    local ok, middle = is_widget(target), nil
+    if ok then
+        middle = target.screen_position + 0.5 * target.screen_size
+        local why = out_of_reach(target, middle)
+        if why then error(what .. ": " .. tostring(target) .. " cannot be seen: " .. why, level + 1) end
+    end
     local ok_set, why = pcall(function()
         if ok then
             game.input.mouse.screen = middle
@@ -266,14 +292,27 @@ local function point_at(target, level)
     if not ok_set then error((string.gsub(tostring(why), "^[%w_/.-]+%.lua:%d+: ", "")), level + 1) end
 end
 
-function t:move_mouse(position) point_at(position, 2) end
+function t:move_mouse(position) point_at(position, "t:move_mouse", 2) end
+
+-- Labels, pictures and bars let the mouse through.
+local function takes_clicks(target)
+    for _, class in ipairs { "Button", "Toggle", "Slider", "TextField", "List" } do
+        if target:is_a(class) then return true end
+    end
+end
 
 function t:click(position, button)
-    point_at(position, 2)
+    point_at(position, "t:click", 2)
     set_input(game.input.mouse, button or "left", true)
     coroutine.yield()
+    local covered = is_widget(position) and position:alive() and takes_clicks(position) and
+        not (position.held or position.hovered)
     set_input(game.input.mouse, button or "left", false)
     coroutine.yield()
+    if covered then
+        error("t:click: the click did not reach " .. tostring(position) ..
+            ": another widget or a modal menu is over it, or it is scrolled out of a list", 2)
+    end
 end
 
 function t:type(text)

@@ -350,11 +350,12 @@ local fettle_Object = {}
 ---@return Object
 function fettle_Object:add(child, name) end
 
----Calls the function once with the instance, after that much simulation time, unless the instance is deleted before.
+---Calls the function once with the instance, after that much simulation time, unless the instance is deleted before. { pauses = false }: after real time.
 ---@param seconds number
 ---@param action fun(self: Object)
+---@param options? table
 ---@return Connection
-function fettle_Object:after(seconds, action) end
+function fettle_Object:after(seconds, action, options) end
 
 ---Whether it has not been deleted.
 ---@return boolean
@@ -388,11 +389,12 @@ function fettle_Object:describe() end
 ---@overload fun(self: Object, action: fun(instance: Object))
 function fettle_Object:each(class, action) end
 
----Calls the function with the instance repeatedly at that interval of simulation time, 0 meaning every step, until the instance is deleted.
+---Calls the function with the instance repeatedly at that interval of simulation time, 0 meaning every step, until the instance is deleted. { pauses = false }: in real time, 0 meaning every picture.
 ---@param seconds number
 ---@param action fun(self: Object)
+---@param options? table
 ---@return Connection
-function fettle_Object:every(seconds, action) end
+function fettle_Object:every(seconds, action, options) end
 
 ---Everything below of that class for which the condition holds, as a set.
 ---@param class Class|string
@@ -444,8 +446,9 @@ function fettle_Object:run(action) end
 ---@param to any
 ---@param seconds number
 ---@param ease? string|number[]|fun(time: number): number
+---@param options? table
 ---@return Tween
-function fettle_Object:tween(property, to, seconds, ease) end
+function fettle_Object:tween(property, to, seconds, ease, options) end
 
 ---Calls the function after that property, or any, has changed.
 ---@param property string
@@ -2498,6 +2501,7 @@ Theme = {}
 ---@field opacity number Multiplies the opacity of it and of everything below it. · 0 to 1 · default 1
 ---@field screen_position vec Where its top left corner is on the screen. · px · any finite vec · read-only, simulated
 ---@field screen_size vec Its width and height on the screen. · px · any finite vec · read-only, simulated
+---@field shown boolean Whether it is on the screen: it and all widgets around it are visible. · true or false · read-only, simulated
 ---@field size vec Width and height; 0: as large as what is in it needs. · px · 0 to 100000 · default vec(0, 0)
 ---@field theme Theme? Colors, font and distances of it and of everything below it; nil: those of the widget above it, at the top those of interface.theme. · any Theme · default nil
 ---@field visible boolean Whether it is drawn and takes up room, with everything below it. · true or false · default true
@@ -2878,9 +2882,10 @@ Interface = {}
 ---@field from any The value at the beginning: the one that the property has when the tween begins, unless it is set before. · any value · default nil · may be nil
 ---@field loops integer How often it runs before it ends; 0: until it is stopped. · 0 to 1e9 · default 1
 ---@field paused boolean Whether it stands still. · true or false · default false
+---@field pauses boolean Whether it pauses with the game and follows time.scale. false: it moves in real time, at each picture, as a pause menu needs it. In a group, that of the outermost group counts. · true or false · default true
 ---@field progress number The part of the time that has passed in this run. Setting it jumps there at the next step. · 0 to 1 · default 0
 ---@field property string The name of the property that changes; empty for a pause in a sequence. · any text · default ""
----@field seconds number How long it takes, in simulation time. · s · 0 to 1e9 · default 1
+---@field seconds number How long it takes, in simulation time; in real time without `pauses`. · s · 0 to 1e9 · default 1
 ---@field target Object? The instance whose property changes. The tween ends with it. · any Object · default nil
 ---@field to any The value at the end. · any value · default nil · may be nil
 local fettle_Tween = {}
@@ -2911,6 +2916,7 @@ Tween = {}
 ---@class TweenGroup : Object
 ---@field kind "sequence"|"parallel" Whether one follows the other or all run together. · "sequence", "parallel" · default "sequence"
 ---@field paused boolean Whether it stands still. · true or false · default false
+---@field pauses boolean Whether it pauses with the game and follows time.scale. false: it moves in real time, at each picture, as a pause menu needs it. In a group, that of the outermost group counts. · true or false · default true
 ---@field progress number The part of the time that has passed. · 0 to 1 · read-only, simulated
 local fettle_TweenGroup = {}
 
@@ -3057,11 +3063,12 @@ utf8 = {}
 ---@param seconds? number
 function ab(path, value, seconds) end
 
----Calls the function once, after that much simulation time. The function may call wait().
+---Calls the function once, after that much simulation time. The function may call wait(). after(1, f, { pauses = false }) counts real time, also while the game is paused; going back in time does not change it, and no saved game contains it.
 ---@param seconds number
 ---@param action fun()
+---@param options? table
 ---@return Connection
-function after(seconds, action) end
+function after(seconds, action, options) end
 
 ---In the console the word stands for the command; what is typed behind it is put behind the command. Without a command the word means itself again.
 ---@param word string
@@ -3123,11 +3130,12 @@ function drop_tweaks(pattern) end
 ---@param action fun()
 function edit(name, action) end
 
----Calls the function repeatedly at that interval of simulation time; 0 means every step.
+---Calls the function repeatedly at that interval of simulation time; 0 means every step. every(1, f, { pauses = false }) counts real time, as `after` does, and calls it once a picture at most.
 ---@param seconds number
 ---@param action fun()
+---@param options? table
 ---@return Connection
-function every(seconds, action) end
+function every(seconds, action, options) end
 
 ---Runs the commands in a file of the game, as if they were typed into the console.
 ---@param file string
@@ -3261,14 +3269,15 @@ function state(name, value) end
 ---Lists what people, and scripts inside edit(), changed while the game ran, in this run and in earlier ones, and which of these changes are kept.
 function tweaks() end
 
----Moves a property from its value to another in that much simulation time. The property holds a number, an integer, a vector, a color, or a list of these. An ease is a name such as "out_quad" (`Tween.properties.ease.enumerators` lists them), a function from 0..1 to 0..1, or a list of numbers. It begins at the next step; a tween that begins later with the same property ends it.
+---Moves a property from its value to another in that much simulation time. The property holds a number, an integer, a vector, a color, or a list of these. An ease is a name such as "out_quad" (`Tween.properties.ease.enumerators` lists them), a function from 0..1 to 0..1, or a list of numbers. It begins at the next step; a tween that begins later with the same property ends it. Options are `pauses`, `loops` and `alternate` of the tween: tween(view, "height", 12, 1, "linear", { loops = 0, alternate = true }).
 ---@param target Object
 ---@param property string
 ---@param to any
 ---@param seconds number
 ---@param ease? string|number[]|fun(time: number): number
+---@param options? table
 ---@return Tween
-function tween(target, property, to, seconds, ease) end
+function tween(target, property, to, seconds, ease, options) end
 
 ---Runs tweens and groups together.
 ---@param tweens any[]
@@ -3299,7 +3308,7 @@ function unpin(what) end
 ---@overload fun(): vec
 function vec(x, y) end
 
----Inside a coroutine: continues after that much simulation time.
+---Inside a coroutine: continues after that much simulation time; real time in a function that a timer in real time has called.
 ---@param seconds number
 function wait(seconds) end
 

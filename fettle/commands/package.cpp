@@ -63,6 +63,12 @@ void require_no_modules(const ArchiveFiles& files) {
             "modules.json: an archive cannot bring native modules along; use --linux or --deb");
 }
 
+void tell_left_out(const PackedGame& packed) {
+    std::string names;
+    for (const std::string& each : packed.left_out) names += (names.empty() ? "" : ", ") + each;
+    if (!names.empty()) print_line("left out: " + names);
+}
+
 }  // namespace
 
 int package(const PackageOptions& options) {
@@ -74,8 +80,9 @@ int package(const PackageOptions& options) {
     if (!archive_of(game).empty())
         throw FileError(options.game.string() + ": is an archive already; name the game's folder");
     const PackageFacts facts = facts_of(game);
-    const ArchiveFiles files = packed_game(game);
-    const std::vector<std::string> problems = problems_of(files, options.made);
+    const PackedGame packed = packed_game(game, read_settings(game).package_exclude);
+    const ArchiveFiles& files = packed.files;
+    const std::vector<std::string> problems = problems_of(packed, options.made);
     for (const std::string& problem : problems) tell(problem);
     if (!problems.empty()) {
         tell(
@@ -83,6 +90,7 @@ int package(const PackageOptions& options) {
             "the game makes itself");
         return file_error;
     }
+    tell_left_out(packed);
     if (!options.file.empty()) {
         require_no_modules(files);
         write_archive(options.file, files);

@@ -12,6 +12,7 @@
 #include <files/archive.h>
 #include <files/game_path.h>
 #include <files/packed_game.h>
+#include <files/settings.h>
 
 namespace fettle::program {
 
@@ -33,7 +34,9 @@ constexpr std::size_t longest_moment_name = 64;
 /// The files of the game, also of one that is an archive itself.
 ArchiveFiles files_of(const fs::path& game) {
     const fs::path archive = archive_of(game);
-    ArchiveFiles files = archive.empty() ? packed_game(game) : read_archive(archive);
+    ArchiveFiles files = archive.empty()
+                             ? packed_game(game, read_settings(game).package_exclude).files
+                             : read_archive(archive);
     std::erase_if(files, [](const auto& file) { return file.first.starts_with(moment_folder); });
     if (files.contains("modules.json"))
         throw FileError("modules.json: a moment cannot bring native modules along");

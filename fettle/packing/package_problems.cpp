@@ -24,8 +24,8 @@ std::string lower_case(std::string text) {
 /// Looks a name up as a game does.
 class Names {
   public:
-    explicit Names(const ArchiveFiles& files) {
-        for (const auto& [name, content] : files) all_.push_back(name);
+    explicit Names(const PackedGame& game) : left_out_(game.left_out) {
+        for (const auto& [name, content] : game.files) all_.push_back(name);
         shared_ = assets();
     }
     bool has(const std::string& name) const {
@@ -34,6 +34,9 @@ class Names {
                (!shared_.empty() && fs::is_regular_file(shared_ / name, error));
     }
     std::string hint(const std::string& name) const {
+        for (const std::string& each : left_out_)
+            if (each == name || (each.ends_with('/') && name.starts_with(each)))
+                return ": packages leave " + each + " out";
         const std::string lower = lower_case(name);
         for (const std::string& each : all_)
             if (lower_case(each) == lower)
@@ -43,6 +46,7 @@ class Names {
     }
 
   private:
+    const std::vector<std::string>& left_out_;
     std::vector<std::string> all_;
     fs::path shared_;
 };
@@ -73,11 +77,10 @@ std::string problem_of(const LiteralName& name, const std::string& from, bool sc
 
 }  // namespace
 
-std::vector<std::string> problems_of(const ArchiveFiles& files,
-                                     const std::vector<std::string>& made) {
-    const Names names(files);
+std::vector<std::string> problems_of(const PackedGame& game, const std::vector<std::string>& made) {
+    const Names names(game);
     std::vector<std::string> problems;
-    for (const auto& [file, content] : files) {
+    for (const auto& [file, content] : game.files) {
         const bool script = file.ends_with(".lua");
         if (script)
             if (std::string why = script::syntax_error(content, file); !why.empty())

@@ -23,8 +23,19 @@ struct Interface::State {
           player(widgets, layout, binding),
           picture(widgets, layout, binding, player) {
         widgets.answers = {
-            .lay_out = [this] { player.lay_out(); },
+            .lay_out =
+                [this] {
+                    if (!framed) player.begin_on(screen_of_view());
+                    player.lay_out();
+                },
             .hovered = [this](property::Row row) { return player.hovered() == &widgets[row]; }};
+    }
+    /// A script may ask where a widget is before the first frame.
+    Vec2 screen_of_view() const {
+        const property::Handle view = tree->child(tree->root(), "view");
+        const property::Property* const size = view ? tree->find(view, "screen") : nullptr;
+        const property::Value value = size != nullptr ? tree->peek(view, *size) : property::Value();
+        return value.is(property::Type::vec2) ? value.vec2() : screen;
     }
     void follow_preferences() {
         if (!preferences.differs()) return;
@@ -38,6 +49,7 @@ struct Interface::State {
     Player player;
     Picture picture;
     Vec2 screen{1280, 720};
+    bool framed = false;
     property::Tree* tree = nullptr;
     std::weak_ptr<const property::Tree*> tree_life;
     property::ScopedConnection restored;
@@ -178,6 +190,7 @@ void Interface::frame(const Vec2& mouse, const Vec2& screen, double seconds) {
     if (state_->tree_life.expired()) return;
     const property::Tree::CauseScope cause(*state_->tree, property::Writer::module, &place());
     state_->screen = screen;
+    state_->framed = true;
     state_->follow_preferences();
     state_->player.frame(mouse, screen);
     state_->picture.advance(seconds);

@@ -31,12 +31,13 @@ Align align_of(property::TextAlign align) {
 class GameMedia : public property::Media {
   public:
     GameMedia(Images& images, Fonts& fonts) : images_(images), fonts_(fonts) {}
-    const property::Picture& picture(const std::string& what, const std::string& name) override {
-        return images_.get(what, name)->picture;
+    const property::Picture& picture(const property::FileUser& user,
+                                     const std::string& name) override {
+        return images_.get(user, name)->picture;
     }
-    property::PictureArea frame(const std::string& what, const std::string& name,
+    property::PictureArea frame(const property::FileUser& user, const std::string& name,
                                 const property::ImageFrame& asked) override {
-        const auto sheet = images_.get(what, name);
+        const auto sheet = images_.get(user, name);
         const auto at = [&](std::int64_t count) {
             return static_cast<std::size_t>((asked.frame - 1) % count);
         };
@@ -53,6 +54,9 @@ class GameMedia : public property::Media {
             static_cast<double>(sheet->picture.height()) / static_cast<double>(asked.rows);
         return {width * static_cast<double>(index % columns),
                 height * static_cast<double>(index / columns), width, height};
+    }
+    void load_font(const property::FileUser& user, const std::string& font) override {
+        (void)fonts_.get(user, font);
     }
     bool smooth() const override { return images_.smooth.value_or(true); }
     property::Vec2 text_size(std::string_view text, const property::TextStyle& style) override {
@@ -74,7 +78,8 @@ class GameMedia : public property::Media {
 
   private:
     Layout layout_of(std::string_view text, const property::TextStyle& style) {
-        return Layout::of(text, fonts_.get("pen.text", style.font), align_of(style.align), 0);
+        const auto user = [] { return std::string("pen.text"); };
+        return Layout::of(text, fonts_.get(user, style.font), align_of(style.align), 0);
     }
 
     Images& images_;

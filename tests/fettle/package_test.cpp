@@ -119,6 +119,33 @@ TEST_CASE("a game that would not run elsewhere is not packaged") {
     CHECK_FALSE(fs::exists(folder / "a.fettle"));
 }
 
+TEST_CASE("a package has no sources of pictures and what game json excludes") {
+    const Folder folder;
+    folder.write("game/main.lua", "world.a = Sprite { image = 'art/hero.png' }");
+    folder.write("game/game.json",
+                 R"({"package": {"exclude": ["art/drafts", "*.wav", "notes?.md"]}})");
+    for (const char* name :
+         {"art/hero.png", "art/hero.psd", "art/hero.aseprite", "art/drafts/old.png", "a.wav",
+          "sounds/b.wav", "sounds/c.ogg", "notes1.md", "notes.md", "main.lua~", "tests/a.lua",
+          "levels/tests/a.json", ".git/config", "Thumbs.db"})
+        folder.write("game/" + std::string(name), "{}");
+    const std::string game = (folder / "game").string(), file = (folder / "a.fettle").string();
+    const Outcome packed = fettle(folder, {"package", game, "--file", file});
+    INFO(packed.err);
+    REQUIRE(packed.status == 0);
+    CHECK(contains(packed.out,
+                   "left out: Thumbs.db, a.wav, art/drafts/, art/hero.aseprite, art/hero.psd, "
+                   "main.lua~, notes1.md, sounds/b.wav, tests/\n"));
+    CHECK(contains(packed.out, "a.fettle: 6 files"));
+    folder.write("game/main.lua", "world.a = Sprite { image = 'art/drafts/old.png' }");
+    const Outcome refused = fettle(folder, {"package", game, "--file", file});
+    CHECK(refused.status == 3);
+    CHECK(contains(refused.err, "\"art/drafts/old.png\": packages leave art/drafts/ out"));
+    folder.write("game/game.json", R"({"package": {"exlude": []}})");
+    CHECK(contains(fettle(folder, {"package", game, "--file", file}).err,
+                   "package.exlude: there is no such setting (did you mean \"exclude\"?)"));
+}
+
 TEST_CASE("comments and files that the game makes do not stop a package") {
     const Folder folder;
     folder.write("game/main.lua",

@@ -284,14 +284,18 @@ TEST_CASE("chunks run at their step of the run even if the time of the game was 
 TEST_CASE("missing files are reported also if nothing is drawn") {
     const Folder folder;
     folder.write("game/main.lua",
-                 "Text { text = 'hi', font = 'a.ttf' } Sprite { image = 'b.png' }\n"
-                 "Emitter { image = 'c.png' } view.effect = 'd.frag'");
+                 "game.title = Text { text = 'hi', font = 'a.ttf' }\n"
+                 "world.hero = Body { look = Sprite { image = 'b.png' } }\n"
+                 "game.smoke = Emitter { image = 'c.png' } view.effect = 'd.frag'\n"
+                 "game.map = Tilemap { map = 'e.tmj' } Sprite { image = 'f.png' }");
     const Outcome run =
         fettle(folder, {"run", (folder / "game").string(), "--headless", "--steps", "2"});
-    for (const char* what :
-         {"Text.font: there is no file \"a.ttf\"", "Sprite.image: there is no file \"b.png\"",
-          "Emitter.image: there is no file \"c.png\"",
-          "view.effect: there is no file \"d.frag\""}) {
+    for (const char* what : {"error in files: title.font: there is no file \"a.ttf\"",
+                             "error in files: world.hero.look.image: there is no file \"b.png\"",
+                             "error in files: smoke.image: there is no file \"c.png\"",
+                             "error in files: view.effect: there is no file \"d.frag\"",
+                             "error in files: map.map: there is no file \"e.tmj\"",
+                             "(detached sprite).image: there is no file \"f.png\""}) {
         CAPTURE(what, run.err);
         CHECK(contains(run.err, what));
     }

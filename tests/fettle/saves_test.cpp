@@ -95,6 +95,48 @@ function open() game.menu = Panel { Button { name = "save", pressed = function()
     CHECK(contains(other.err, "menu.save and 1 more"));
 }
 
+TEST_CASE("a loaded game tells which timers its file could not hold") {
+    const Folder folder;
+    const std::string file = folder.write("main.lua", R"lua(
+every(5, print)
+function later() world.box = Body {} after(3, function() print("once") end)
+    world.box:every(1, function() end) end
+)lua");
+    const auto run = [&](const char* second, const char* fourth) {
+        return fettle(folder, {"run", file, "--headless", "--steps", "9", "--at",
+                               std::string("2:") + second, "--at", std::string("4:") + fourth});
+    };
+    const std::string told =
+        "the saved game \"a\": 2 timers that the game had when it was saved ended, since a file "
+        "holds no functions: main.lua:4, main.lua:3";
+    const Outcome same = run("later() save_game('a')", "load_game('a')");
+    INFO(same.err);
+    CHECK(contains(same.err, told));
+    CHECK(contains(run("print()", "load_game('a')").err, told));
+    CHECK(run("save_game('b')", "load_game('b')").err == "");
+}
+
+TEST_CASE("a variable of a saved game that has another type now stays and is told") {
+    const Folder folder;
+    const std::string file = folder.write("main.lua", "state('best', 3) best = 7");
+    const std::vector<std::string> load = {
+        "run",  file,           "--headless", "--steps", "9", "--at", "2:load_game('a')",
+        "--at", "4:print(best)"};
+    REQUIRE(fettle(folder, {"run", file, "--headless", "--steps", "4", "--at", "2:save_game('a')"})
+                .status == 0);
+    folder.write("main.lua", "state('best', 2.5)");
+    const Outcome number = fettle(folder, load);
+    CHECK(number.err == "");
+    CHECK(number.out == "7\n");
+    folder.write("main.lua", "state('best', {0, 0})");
+    const Outcome list = fettle(folder, load);
+    INFO(list.err);
+    CHECK(list.out == "7\n");
+    CHECK(contains(list.err,
+                   "game.best is 7 (integer) from before, and state(\"best\", ...) "
+                   "begins it as {0, 0} (list) now: the old value stays"));
+}
+
 TEST_CASE("a button that closes its menu and saves leaves nothing of the menu in the save") {
     const Folder folder;
     const std::string file = folder.write("main.lua", R"lua(

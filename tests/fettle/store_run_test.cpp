@@ -87,6 +87,8 @@ TEST_CASE("what cannot be in the store is refused with its path") {
         try(function() store[1.5] = 1 end)
         try(function() store[{}] = 1 end)
         try(function() local t = {} t.t = t store.t = t end)
+        try(function() local t = {} t.u = { t } store.t = t end)
+        try(function() local t = {} for _ = 1, 120 do t = { t } end store.t = t end)
         try(function() store.s = store end)
         try(function() game.o = Object {} game.o.n = formula(function() return store.a end) end)
         print(store:has("f"), store:has("t"), game.o:problem("n"))
@@ -100,6 +102,8 @@ TEST_CASE("what cannot be in the store is refused with its path") {
     CHECK(contains(out, "store.clear: this is a function of the store"));
     CHECK(contains(out, "a key in the store is a text or a whole number, not 1.5"));
     CHECK(contains(out, "a key in the store is a text or a whole number, not a table"));
+    CHECK(contains(out, "store.t.t: this is store.t again; a table that contains itself"));
+    CHECK(contains(out, "store.t.u[1]: this is store.t again"));
     CHECK(contains(out, "nested at most 100 deep"));
     CHECK(contains(out, "false\tfalse\t"));
     CHECK(contains(out, "the store cannot be read in a formula"));

@@ -158,6 +158,30 @@ TEST_CASE("every kind of failure names the line of the test") {
     CHECK(contains(run.out, message));
 }
 
+TEST_CASE("a click on a widget that the player cannot click is an error") {
+    const Folder folder;
+    const std::string menu =
+        "local pressed = false test('it', function(t) game.menu = Panel { size = vec(400, 300), "
+        "Column { Button { name = 'go', text = 'Go', pressed = function() pressed = true end } } }";
+    const auto [body, message] = GENERATE(table<std::string, std::string>({
+        {"game.menu.column.visible = false t:click(game.menu.column.go)",
+         ":2: t:click: menu.column.go cannot be seen: menu.column.visible is false"},
+        {"game.menu.offset = vec(5000, 0) t:click(game.menu.column.go)",
+         ":2: t:click: menu.column.go cannot be seen: its middle"},
+        {"t:move_mouse(Button {})", ":2: t:move_mouse: (detached button) cannot be seen"},
+        {"game.over = Panel { modal = true, size = vec(400, 300) } t:click(game.menu.column.go)",
+         ":2: t:click: the click did not reach menu.column.go"},
+    }));
+    const Outcome run = run_tests(folder, menu + "\n    " + body + "\nend)\n");
+    INFO(body << "\n" << run.out << run.err);
+    CHECK(run.status == 1);
+    CHECK(contains(run.out, message));
+    const Outcome good =
+        run_tests(folder, menu + " t:click(game.menu.column.go) expect(pressed):truthy() end)");
+    INFO(good.out << good.err);
+    CHECK(good.status == 0);
+}
+
 TEST_CASE("an error of the game fails the test with its traceback") {
     const Folder folder;
     folder.write("main.lua", "");
@@ -272,6 +296,33 @@ end)
     CHECK_FALSE(std::filesystem::exists(folder / "level.json"));
     CHECK_FALSE(std::filesystem::exists(folder / "user data"));
     CHECK_FALSE(std::filesystem::exists(folder / ".fettle/main.tweaks.sqlite"));
+}
+
+TEST_CASE("a test has its own saved games and none of the player") {
+    const Folder folder;
+    folder.write("main.lua", game);
+    const std::string path = (folder / "").string();
+    REQUIRE(fettle(folder, {"run", path, "--headless", "--steps", "3", "--at",
+                            "2:save_game('mine') save_game('other')"})
+                .status == 0);
+    const Outcome run = run_tests(folder, R"lua(
+test("it", function(t)
+    expect(#saves()):is(0)
+    expect(function() load_game("mine") end):fails("there is no saved game \"mine\"")
+    expect(function() delete_save("mine") end):fails("there is no saved game \"mine\"")
+    save_game("mine")
+    t:steps(2)
+    expect(saves()[1].slot):is("mine")
+    expect(saves()[1].problem):is(nil)
+    delete_save("mine")
+    expect(#saves()):is(0)
+end)
+)lua");
+    INFO(run.out << run.err);
+    CHECK(run.status == 0);
+    CHECK(fettle(folder, {"run", path, "--headless", "--steps", "1", "--eval",
+                          "for _, s in ipairs(saves()) do print(s.slot, s.step) end"})
+              .out == "mine\t1\nother\t1\n");
 }
 
 }  // namespace test_command_test

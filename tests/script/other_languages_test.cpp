@@ -16,6 +16,10 @@ TEST_CASE("words of other languages and of older versions of Lua have a hint") {
         {"math.pow(2, 3)", "(field 'pow') (write a ^ b)"},
         {"local _ = 'a' + 1", "(write .. to join texts)"},
         {"local _ = #world.children", "(write #it:children()"},
+        {"world.children[1] = 1", "(field 'children') (write it:children() to call it)"},
+        {"saves[1] = 1", "(global 'saves') (write saves() to call it)"},
+        {"for b in world:all('Body') do end", "(write for _, each in ipairs(list) do"},
+        {"after(1, print):cancel()", "a connection has no cancel (did you mean \"stop\"?)"},
         {"world:destroy()", "world.destroy: no such name (did you mean \"delete\"?)"},
         {"world:getScale()", "world.getScale: no such name (did you mean \"scale\"?)"},
         {"local _ = vec(3, 4).magnitude", "(did you mean \"length\"?)"},
@@ -40,6 +44,8 @@ TEST_CASE("an unknown event has the classes that have it, or its name here") {
     Stage s;
     CHECK_THAT(s.fails("world:on('contact_begin', print)"),
                contains("no event \"contact_begin\"; Body has it"));
+    CHECK_THAT(s.fails("tween(world, 'scale', 2, 1):on('done', print)"),
+               contains("no event \"done\" (did you mean \"finished\"?)"));
     CHECK_THAT(s.fails("Body:on('collided', print)"),
                contains("no event \"collided\" (did you mean \"contact_begin\"?)"));
 }

@@ -6,6 +6,7 @@
 
 namespace owned_timer_test {
 
+using stage::joined;
 using stage::Stage;
 
 TEST_CASE("a timer of an instance calls its function with the instance") {
@@ -81,6 +82,36 @@ TEST_CASE("an error of a function of Fettle tells where the timer was made") {
     REQUIRE_FALSE(s.errors.empty());
     CHECK_THAT(s.errors[0].message, contains("delete: needs an instance, not nil"));
     CHECK(s.errors[0].context == "timer of main.lua:2");
+}
+
+TEST_CASE("a timer in real time goes on while no step is made") {
+    Stage s;
+    s.run(
+        "world.ball = Body {} n = 0 "
+        "first = after(0.5, function() print('once') wait(0.25) print('waited') end, "
+        "{ pauses = false }) "
+        "every(0.25, function() n = n + 1 end, { pauses = false }) "
+        "world.ball:every(0, function(ball) print(ball.name) ball:delete() end, "
+        "{ pauses = false }) "
+        "after(0.1, function() print('never') end)");
+    CHECK(s.prints("print(first:active())") == "true");
+    s.printed.clear();
+    s.runtime->advance(0.25);
+    CHECK(joined(s.printed) == "ball");
+    s.printed.clear();
+    s.runtime->advance(0.25);
+    CHECK(joined(s.printed) == "once");
+    s.runtime->advance(0.25);
+    CHECK(joined(s.printed) == "once|waited");
+    CHECK(s.prints("print(n, first:active())") == "3\tfalse");
+    // A rewind does not change them, and one call a picture is made at most.
+    const auto taken = s.tree->snapshot();
+    s.tree->restore(taken);
+    s.runtime->advance(5);
+    CHECK(s.prints("print(n)") == "4");
+    CHECK_THAT(s.fails("after(1, print, { pause = false })"),
+               Catch::Matchers::Contains("after: there is no option \"pause\" (did you mean "
+                                         "\"pauses\"?)"));
 }
 
 TEST_CASE("wrong arguments name the method") {

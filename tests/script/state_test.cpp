@@ -193,6 +193,22 @@ TEST_CASE("a variable declared with state is a property of the game") {
     CHECK(s.prints("print(score)") == "8");
 }
 
+TEST_CASE("a variable whose type state changes keeps its value and a note says so") {
+    Stage s;
+    std::vector<std::string> notes;
+    s.runtime->on_note([&](std::string_view note) { notes.emplace_back(note); });
+    s.run("state('best', 3) best = 7");
+    s.run("state('best', 2.5)");
+    CHECK(notes.empty());
+    CHECK(s.prints("print(best)") == "7");
+    s.run("state('best', 'none')");
+    CHECK(s.prints("print(best)") == "7");
+    REQUIRE(notes.size() == 1);
+    CHECK_THAT(notes[0], Catch::Matchers::Contains(
+                             "game.best is 7 (integer) from before, and state(\"best\", ...) "
+                             "begins it as \"none\" (text) now: the old value stays"));
+}
+
 TEST_CASE("a state that a script adds later is one as the others") {
     Stage s;
     s.run(door);

@@ -41,6 +41,52 @@ TEST_CASE("a tween moves a number from its value to another in the given time") 
     CHECK(s.tweens() == 0);
 }
 
+TEST_CASE("a tween takes options after its ease or in the place of it") {
+    Game s;
+    CHECK(s.prints("local a = tween(ball, 'mass', 3, 1, 'out_quad', { pauses = false, loops = 0 }) "
+                   "local b = ball:tween('friction', 0, 1, { alternate = true }) "
+                   "print(a.pauses, a.loops, a.ease, b.alternate, b.pauses, b.ease)") ==
+          "false\t0\tout_quad\ttrue\ttrue\tlinear");
+    const std::size_t before = s.tweens();
+    CHECK_THAT(s.fails("tween(ball, 'mass', 3, 1, { loop = 2 })"),
+               contains("tween: there is no option \"loop\" (did you mean \"loops\"?)"));
+    CHECK_THAT(s.fails("tween(ball, 'mass', 3, 1, 'linear', { loops = 'x' })"),
+               contains("loops: expected an integer"));
+    CHECK(s.tweens() == before);
+}
+
+TEST_CASE("thousands of tweens begin in one step and the last one of a property stays") {
+    Game s;
+    s.run(
+        "for i = 1, 5000 do world:add(Body {}, 'b_' .. i) end "
+        "for i = 1, 5000 do tween(world['b_' .. i], 'mass', 3, 1) end "
+        "for i = 1, 5000 do tween(ball, 'mass', i, 1) end "
+        "tween.sequence { tween(world.b_7, 'mass', 5, 1) }");
+    s.step(60);
+    CHECK(s.mass() == 5000);
+    CHECK(s.get("world.b_5000.mass").as_double() == 3);
+    CHECK(s.get("world.b_7.mass").as_double() == 5);
+    CHECK(s.tweens() == 5001);
+    s.step();
+    CHECK(s.tweens() == 0);
+}
+
+TEST_CASE("a tween in real time goes on while no step is made") {
+    Game s;
+    s.run(
+        "tween(ball, 'mass', 3, 1).pauses = false "
+        "tween.sequence { 0.5, tween(ball, 'friction', 0, 0.5) }.pauses = false "
+        "tween(ball, 'color', 'red', 1)");
+    for (int i = 0; i < 60; ++i) s.runtime->advance(1.0 / 60);
+    CHECK(s.mass() == Approx(3));
+    CHECK(s.get("world.ball.friction").as_double() == Approx(0));
+    CHECK(s.get("world.ball.color").color().g == Approx(1));
+    s.runtime->advance(1.0 / 60);
+    CHECK(s.tweens() == 1);
+    s.step(30);
+    CHECK(s.get("world.ball.color").color().g == Approx(0.5f));
+}
+
 TEST_CASE("a tween moves vectors and colors and rounds integers") {
     Game s;
     s.run(

@@ -247,7 +247,7 @@ TEST_CASE_METHOD(Sparks, "a missing image is reported once also if nothing is dr
     const Handle e = emitter({{"rate", 0.0}, {"image", "hreo.tga"}});
     step(2);
     const std::vector<std::string> expected{
-        "Emitter.image: there is no file \"hreo.tga\" (did you mean \"hero.tga\"?)"};
+        tree.path(e) + ".image: there is no file \"hreo.tga\" (did you mean \"hero.tga\"?)"};
     CHECK(problems == expected);
     tree.set(e, "image", Value("hero.tga"));
     tree.set(e, "rate", Value(60.0));

@@ -130,16 +130,17 @@ TEST_CASE_METHOD(Gallery, "a missing image is a checkerboard and one error") {
     make("Sprite", {{"image", "hreo.tga"}});
     step(3);
     draw();
-    CHECK(problems ==
-          std::vector<std::string>{"Sprite.image: there is no file \"hreo.tga\" (did you mean "
-                                   "\"hero.tga\"?)"});
+    CHECK(problems == std::vector<std::string>{
+                          tree.path(s) + ".image: there is no file \"hreo.tga\" (did you mean "
+                                         "\"hero.tga\"?)"});
     CHECK(tree.get(s, "image_width") == Value(32));
     CHECK(draw().size() == 2);
     write("broken.png", "this is no image");
     tree.set(s, "image", Value("broken.png"));
     step(1);
     REQUIRE(problems.size() == 2);
-    CHECK_THAT(problems[1], contains("Sprite.image: \"broken.png\": cannot be read as PNG"));
+    CHECK_THAT(problems[1],
+               contains(tree.path(s) + ".image: \"broken.png\": cannot be read as PNG"));
     tree.set(s, "image", Value("../hero.tga"));
     step(1);
     REQUIRE(problems.size() == 3);
@@ -274,9 +275,10 @@ TEST_CASE_METHOD(Gallery, "a file of Aseprite has frames and animations and time
     CHECK(problems.empty());
     tree.set(s, "animation", Value("wlak"));
     step(2);
-    CHECK(problems == std::vector<std::string>{
-                          "Sprite.animation: hero.json has no animation \"wlak\" (did you mean "
-                          "\"walk\"?); it has 3 frames"});
+    CHECK(problems ==
+          std::vector<std::string>{tree.path(s) +
+                                   ".animation: hero.json has no animation \"wlak\" (did you mean "
+                                   "\"walk\"?); it has 3 frames"});
 }
 
 TEST_CASE_METHOD(Gallery, "a broken file of Aseprite is an error") {
@@ -300,10 +302,10 @@ TEST_CASE_METHOD(Gallery, "an error in a file of Aseprite names the place and wh
         problems.clear();
         const std::string name = "broken_" + std::to_string(++count) + ".json";
         write(name, text);
-        make("Sprite", {{"image", name}});
+        const Handle s = make("Sprite", {{"image", name}});
         step(1);
         CHECK(problems ==
-              std::vector<std::string>{"Sprite.image: \"" + name +
+              std::vector<std::string>{tree.path(s) + ".image: \"" + name +
                                        "\": is no JSON export of Aseprite: " + problem});
     };
     const std::string frame = R"({"frame":{"x":0,"y":0,"w":1,"h":1}})";
@@ -336,10 +338,11 @@ TEST_CASE_METHOD(Gallery, "many long tags of a file of Aseprite are refused") {
         tags += (i > 0 ? "," : "") + std::string(R"({"name":"x","from":0,"to":1999})");
     write("a.json", R"({"frames":[)" + frames + R"(],"meta":{"image":"hero.tga","frameTags":[)" +
                         tags + "]}}");
-    make("Sprite", {{"image", "a.json"}});
+    const Handle s = make("Sprite", {{"image", "a.json"}});
     step(1);
-    CHECK(problems == std::vector<std::string>{
-                          "Sprite.image: \"a.json\": its tags have more than 1000000 frames"});
+    CHECK(problems ==
+          std::vector<std::string>{tree.path(s) +
+                                   ".image: \"a.json\": its tags have more than 1000000 frames"});
 }
 
 TEST_CASE_METHOD(Gallery, "an image that is too large is refused before it is unpacked") {
@@ -352,8 +355,9 @@ TEST_CASE_METHOD(Gallery, "an image that is too large is refused before it is un
     CHECK(tree.get(s, "image_width").integer() == 32);
     REQUIRE(problems.size() == 1);
     CHECK(problems[0] ==
-          "Sprite.image: \"large.png\": has 12000 x 12000 pixels, and an image may have 67108864 "
-          "(8192 x 8192)");
+          tree.path(s) +
+              ".image: \"large.png\": has 12000 x 12000 pixels, and an image may have 67108864 "
+              "(8192 x 8192)");
 }
 
 }  // namespace sprite_test

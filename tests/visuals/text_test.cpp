@@ -172,8 +172,9 @@ TEST_CASE_METHOD(Written, "fonts are files of the game or those of the system") 
     CHECK(width() == mono);
     tree.set(text, "font", Value("onw.ttf"));
     CHECK(width() == sans);
-    CHECK(problems == std::vector<std::string>{
-                          "Text.font: there is no file \"onw.ttf\" (did you mean \"own.ttf\"?)"});
+    CHECK(problems ==
+          std::vector<std::string>{
+              tree.path(text) + ".font: there is no file \"onw.ttf\" (did you mean \"own.ttf\"?)"});
     write("broken.ttf", "0123456789012345678901234567890");
     tree.set(text, "font", Value("broken.ttf"));
     CHECK(width() == sans);
@@ -183,7 +184,8 @@ TEST_CASE_METHOD(Written, "fonts are files of the game or those of the system") 
 TEST_CASE_METHOD(Written, "a missing font is reported once even if nothing is drawn") {
     tree.set(text, "font", Value("onw.ttf"));
     step(3);
-    CHECK(problems == std::vector<std::string>{"Text.font: there is no file \"onw.ttf\""});
+    CHECK(problems ==
+          std::vector<std::string>{tree.path(text) + ".font: there is no file \"onw.ttf\""});
     CHECK(width() >= 0);
     CHECK(problems.size() == 1);
 }

@@ -258,7 +258,8 @@ std::string_view Audio::library() {
 for _, name in ipairs { "coin", "jump", "hit", "explosion", "blip", "power_up" } do
     Synth[name] = function(values)
         if values ~= nil and type(values) ~= "table" then
-            error("Synth." .. name .. ": takes a table of values, or nothing", 2)
+            error("Synth." .. name .. ": takes a table of values, or nothing" ..
+                (values == Synth and "; call it with a dot" or ""), 2)
         end
         local synth = Synth {}
         synth:preset(name)

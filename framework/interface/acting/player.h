@@ -21,6 +21,8 @@ class Player {
     void handle(const app::Act& act, bool taken);
     void frame(const property::Vec2& mouse, const property::Vec2& screen);
     void lay_out() { layout_.update(screen_); }
+    /// The size of the screen before the first frame, px.
+    void begin_on(const property::Vec2& screen) { screen_ = screen; }
     /// The widget that a click would be on; null if there is none.
     const Widget* hovered() { return under(at(mouse_)); }
 

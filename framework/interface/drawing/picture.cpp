@@ -230,7 +230,7 @@ void Picture::draw_lines(const Widget& widget, const Box& box, Color color) {
 
 void Picture::draw_image(const Widget& widget, const Box& box, Color tint) {
     if (widget.content.image.empty()) return;
-    const property::Picture& picture = layout_.media().picture("Image.image", widget.content.image);
+    const property::Picture& picture = layout_.picture_of(widget);
     const Vec2 size(picture.width(), picture.height());
     if (size.smallest() <= 0) return;
     const Vec2 half = 0.5 * box.size().over(size).smallest() * size;

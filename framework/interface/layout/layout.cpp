@@ -39,6 +39,8 @@ void Layout::update(const Vec2& screen) {
     ++count_;
     collect();
     const Box all{{0, 0}, screen_ / scale_};
+    for (const Widget& widget : widgets_)
+        if (widget.self && widget.arranged.shown) load_font(widget);
     for (const Row top : tops_) {
         measure(top, all.width());
         Widget screen_panel;
@@ -103,6 +105,20 @@ void Layout::collect_below(Row row, Row parent, const Theme& theme, bool shown, 
                           widget.arranged.shown && one.visible && is_container(widget.kind),
                           depth + 1);
     }
+}
+
+/// A message about a missing font names the widget or the theme that has it.
+void Layout::load_font(const Widget& widget) {
+    const Handle user = widget.style.font.empty() ? widget.arranged.look_of->self : widget.self;
+    const auto path = [&tree = widgets_.tree(), &user] {
+        return user ? tree.path(user) + ".font" : std::string("interface.theme.font");
+    };
+    media_.load_font(path, Lettering::of(widget).font);
+}
+
+const property::Picture& Layout::picture_of(const Widget& widget) const {
+    const auto user = [this, &widget] { return widgets_.tree().path(widget.self) + ".image"; };
+    return media_.picture(user, widget.content.image);
 }
 
 const Theme& Layout::theme_of(const Widget& widget, const Theme& above) {

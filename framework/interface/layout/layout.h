@@ -39,6 +39,8 @@ class Layout {
     const std::vector<property::Row>& shown() const { return shown_; }
     std::uint64_t count() const { return count_; }
     property::Media& media() const { return media_; }
+    /// What an Image shows.
+    const property::Picture& picture_of(const Widget& widget) const;
 
     static double padding_of(const Widget& widget);
     static double spacing_of(const Widget& widget);
@@ -53,6 +55,7 @@ class Layout {
     void collect();
     void collect_below(property::Row row, property::Row parent, const Theme& theme, bool shown,
                        int depth);
+    void load_font(const Widget& widget);
     const Theme& theme_of(const Widget& widget, const Theme& above);
     void sort_tops();
 

@@ -55,7 +55,7 @@ Vec2 Layout::natural(Widget& widget, double width) {
             return natural_text(widget, width);
         case Kind::image: {
             if (widget.content.image.empty()) return {0, 0};
-            const property::Picture& picture = media_.picture("Image.image", widget.content.image);
+            const property::Picture& picture = picture_of(widget);
             return {static_cast<double>(picture.width()), static_cast<double>(picture.height())};
         }
         case Kind::slider:

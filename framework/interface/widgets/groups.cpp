@@ -37,6 +37,12 @@ Properties computed_properties(Widgets& widgets) {
                  [](Widgets& w, Row row) { return w.board.focus == w[row].self; }),
         computed(widgets, "held", Type::boolean, "", "Whether the player holds it down.",
                  [](Widgets& w, Row row) { return w.board.held == w[row].self; }),
+        computed(widgets, "shown", Type::boolean, "",
+                 "Whether it is on the screen: it and all widgets around it are visible.",
+                 [](Widgets& w, Row row) {
+                     if (w.answers.lay_out) w.answers.lay_out();
+                     return w[row].arranged.shown;
+                 }),
         computed(widgets, "screen_position", Type::vec2, "px",
                  "Where its top left corner is on the screen.",
                  [](Widgets& w, Row row) {

@@ -9,6 +9,7 @@
 #include <calls/error_place.h>
 #include <calls/errors.h>
 #include <lua/budget.h>
+#include <lua/call_form.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
@@ -155,6 +156,10 @@ void complete_message(lua_State* L, lua_State* from, int level) {
         if (completed == error.message) completed.insert(0, position(L));
     }
     completed += hint_for_value(error.message);
+    if (!by_lua)
+        completed += dot_hint(L, level);
+    else if (error.message.find("(local 'self')") != std::string::npos)
+        completed += colon_hint(L, level);
     if (completed == error.message) return;
     lua_pop(from, 1);
     push_text(from, completed);

@@ -34,9 +34,7 @@ void push_connection(lua_State* L, Source source, std::uint64_t id) {
 
 ConnectionBox& connection_at(lua_State* L, const char* what) {
     auto* box = box_at<ConnectionBox>(L, 1, Tag::connection);
-    if (!box)
-        throw Error(ErrorKind::wrong_type, std::string(what) + ": needs a connection, not " +
-                                               describe_type(L, 1) + "; call it with a colon");
+    if (!box) refuse_argument(L, 1, what, "a connection");
     return *box;
 }
 

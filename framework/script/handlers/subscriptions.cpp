@@ -188,7 +188,11 @@ const Event& event_of(const property::Tree& tree, const Class& of, const std::st
     if (const Event* event = of.event(name)) return *event;
     std::vector<std::string> names = {"created"};
     for (const Event* event : of.events()) names.push_back(event->name);
-    std::string hint = classes_with(tree, name);
+    // What this class has under another name comes before other classes that have this name.
+    std::string hint;
+    for (const std::string_view meant : callback_synonyms(name))
+        if (of.event(std::string(meant)) != nullptr) hint = hint_at({meant}, name, names);
+    if (hint.empty()) hint = classes_with(tree, name);
     if (hint.empty()) hint = hint_at(callback_synonyms(name), name, names);
     throw Error(ErrorKind::unknown_name, of.name() + ": no event \"" + name + "\"" + hint);
 }

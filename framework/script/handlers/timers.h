@@ -30,19 +30,24 @@ class Timers {
     /// A timer that `enter` of a scene adds ends with the scene, too.
     /// Returns the timer's number.
     std::uint64_t add(lua_State* L, double due, double interval, property::Handle owner = {});
+    /// The same in real time, in `seconds`: it goes on while the game is paused, and no moment of
+    /// the game contains it.
+    std::uint64_t add_real(lua_State* L, double seconds, double interval, property::Handle owner);
     /// Runs the function at the top of the stack `L` as a coroutine that ends with `owner`, which
     /// is its argument, and replaces it by the thread. Raises its error.
     void start(lua_State* L, property::Handle owner);
-    /// Resumes the coroutine `L` at `due`.
-    void wait(lua_State* L, double due);
+    /// Resumes the coroutine `L` after that time: real time if a timer in real time has begun it.
+    void wait(lua_State* L, double seconds);
     void stop(std::uint64_t id);
     bool active(std::uint64_t id) const;
     bool waiting(lua_State* thread) const { return waiting_.contains(thread); }
     /// Runs all timers that are due, in order of time, then of creation. Returns false if one
     /// raised an error.
     bool run();
+    /// The same for timers in real time, `seconds` after the last picture.
+    bool advance_real(double seconds);
     void clear();
-    std::size_t size() const { return queue_.size() + parked_.size(); }
+    std::size_t size() const { return queue_.size() + parked_.size() + real_.size(); }
 
     // Those that the top level of a game starts: a reload replaces them.
     void begin_noting() { noting_top_ = true; }
@@ -73,6 +78,7 @@ class Timers {
         property::Handle scene{};  // whose `enter` began it
         bool top = false;          // of the top level of the game
         std::uint64_t begun = 0;   // of a thread: the next number of a timer when it began
+        bool real = false;         // in real time
     };
     using Key = std::pair<double, std::uint64_t>;  // time at which it is due, number
     using Queue = std::map<Key, Timer>;
@@ -98,6 +104,13 @@ class Timers {
     /// began, and coroutines, go on for the rest of their time, and other timers end.
     void restore_from_file(double to);
     Changes take_changes();
+    /// Timers that `restore_from_file` would end: their number, and where the functions of the
+    /// first few of them are defined.
+    struct Ending {
+        std::uint64_t count = 0;
+        std::vector<std::string> places{};
+    };
+    Ending ending() const;
     /// Estimated bytes, without the functions; these are counted where they were added.
     static std::size_t bytes_of(const Queue& image);
     static std::size_t bytes_of(const Changes& changes);
@@ -113,13 +126,22 @@ class Timers {
     };
     void park();
     void unpark();
+    /// A timer or a waiting coroutine in real time.
+    struct Real {
+        double rest = 0;  // s
+        Timer timer;
+    };
+    using Reals = std::map<std::uint64_t, Real>;  // by number
+    bool run_real(std::uint64_t id);
     /// A timer or a coroutine ends when one of these is deleted; a null handle never is.
     struct Lifetime {
         property::Handle owner{};
         property::Handle scene{};
         std::uint64_t begun = 0;
+        bool real = false;
     };
 
+    Timer made(lua_State* L, double interval, property::Handle owner);
     bool fire(const Timer& timer);
     bool ended(const Timer& timer) const;
     void forget(const Timer& timer);
@@ -131,6 +153,11 @@ class Timers {
     void erase(Queue::iterator entry);
     void note(Change change);
 
+    // s; sums of steps have rounding errors, so timers that are due this soon after a step's end
+    // count as due.
+    static constexpr double tolerance = 1e-9;
+    static constexpr std::int64_t weight_of_timer = 300;  // bytes, estimated
+
     Machine& machine_;
     Queue queue_;
     Changes changes_;
@@ -140,6 +167,7 @@ class Timers {
     std::unordered_map<lua_State*, Lifetime> lifetimes_;  // of threads that run or wait
     std::unordered_set<std::uint64_t> retired_;
     std::vector<Parked> parked_;
+    Reals real_;
     double parked_until_ = 0;        // s, the time of the moment that was gone to
     std::uint64_t parked_from_ = 0;  // the number of the next timer at that moment
     std::vector<int> idle_;          // finished threads, for reuse

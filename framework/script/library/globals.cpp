@@ -29,7 +29,7 @@ void each_global_name(Machine& machine, const GlobalName& use) {
         use(tree.name(child), true);
     for (const char* name : {"classes", "store"}) use(name, false);
     for (const Class* of : tree.classes()) use(of->name(), false);
-    for (const std::string& name : machine.globals.stated) use(name, false);
+    for (const auto& [name, first] : machine.globals.stated) use(name, false);
     lua_State* L = machine.lua.main;
     push_registry(L, machine.globals.table);
     for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {

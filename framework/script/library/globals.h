@@ -28,6 +28,10 @@ bool push_known_global(lua_State* L, Machine& machine, std::string_view name);
 bool read_stated(lua_State* L, Machine& machine, std::string_view name);
 bool write_stated(lua_State* L, Machine& machine, std::string_view name, int value);
 
+/// What is said about variables that `state` declares with a value of another type than the one
+/// that a reload or a loaded game has brought. `only`: of this one.
+std::vector<std::string> stated_problems(const Machine& machine, std::string_view only = {});
+
 /// Makes the table at the top of the stack the environment of all scripts.
 void open_globals(lua_State* L, Machine& machine);
 

@@ -197,9 +197,15 @@ property::Media& media(lua_State* L, const char* what) {
                 std::string(what) + ": this program has neither images nor fonts");
 }
 
+/// A message about a font that cannot be read names the line of the script.
 std::string font_at(lua_State* L, int index, const char* what) {
     if (lua_isnoneornil(L, index)) return "sans";
-    if (lua_type(L, index) == LUA_TSTRING) return string_at(L, index);
+    if (lua_type(L, index) == LUA_TSTRING) {
+        const std::string font = string_at(L, index);
+        if (property::Media* const media = machine_of(L).options.media)
+            media->load_font([=] { return position(L) + what; }, font);
+        return font;
+    }
     throw Error(ErrorKind::wrong_type,
                 std::string(what) + ": expected a font, got " + short_text(L, index));
 }
@@ -379,8 +385,9 @@ int image(lua_State* L) {
     const Color tint = color_or(L, 6, "pen.image", {1, 1, 1, 1});
     property::Media& from = media(L, "pen.image");
     const bool smooth = lua_isnil(L, 7) ? from.smooth() : lua_toboolean(L, 7) != 0;
-    const property::Picture& picture = from.picture("pen.image", asked.name);
-    const property::PictureArea area = from.frame("pen.image", asked.name, asked.frame);
+    const auto user = [L] { return position(L) + "pen.image"; };
+    const property::Picture& picture = from.picture(user, asked.name);
+    const property::PictureArea area = from.frame(user, asked.name, asked.frame);
     const double pixel = on_screen(L) ? 1.0 : 1.0 / 32, w = area.width, h = area.height;
     // With one length, the picture keeps its proportions.
     const bool has_width = !lua_isnil(L, 3), has_height = !lua_isnil(L, 4);

@@ -43,7 +43,10 @@ int delete_save(lua_State* L) {
     Machine& machine = machine_of(L);
     GameSaves& saves = saves_of(machine, "delete_save");
     const std::string slot = slot_at(L, "delete_save");
-    if (!note_replay(machine, "delete_save")) saves.remove(slot);
+    if (note_replay(machine, "delete_save"))
+        saves.forget(slot);
+    else
+        saves.remove(slot);
     return 0;
 }
 

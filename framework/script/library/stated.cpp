@@ -9,6 +9,7 @@
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <objects/hints.h>
 #include <reference/language.h>
 #include <text/words.h>
 #include <values/values.h>
@@ -51,12 +52,15 @@ int state(lua_State* L) {
                                                name + "\", 0)");
     const Handle game = machine.tree.root();
     const Value first = to_value(L, 2, [&] { return "state: " + name; });
+    machine.globals.stated[name] = first;
     // After a reload or in a loaded game, the value that is there stays.
     if (machine.tree.find(game, name) == nullptr) {
         machine.tree.set_or_add(game, name, first);
         note_added(machine, game, name);
+    } else {
+        for (const std::string& problem : stated_problems(machine, name))
+            machine.hints.stated(name, problem);
     }
-    if (!among(machine.globals.stated, name)) machine.globals.stated.push_back(name);
     push_instance(L, game);
     lua_getfield(L, -1, name.c_str());
     return 1;
@@ -68,8 +72,27 @@ void open_stated(lua_State* L) {
     add_function<state>(L, "state");
 }
 
+std::vector<std::string> stated_problems(const Machine& machine, std::string_view only) {
+    std::vector<std::string> problems;
+    const property::Tree& tree = machine.tree;
+    for (const auto& [name, first] : machine.globals.stated) {
+        const property::Property* const of = tree.find(tree.root(), name);
+        if (of == nullptr || (!only.empty() && name != only)) continue;
+        const Value now = tree.peek(tree.root(), *of);
+        const bool numbers = now.is_numeric() && first.is_numeric();
+        if (now.type() == first.type() || numbers || now.is_nil() || first.is_nil()) continue;
+        const auto described = [&](const Value& value) {
+            return tree.text(value) + " (" + std::string(property::type_name(value.type())) + ")";
+        };
+        problems.push_back("game." + name + " is " + described(now) + " from before, and state(\"" +
+                           name + "\", ...) begins it as " + described(first) +
+                           " now: the old value stays until the game assigns another one");
+    }
+    return problems;
+}
+
 bool read_stated(lua_State* L, Machine& machine, std::string_view name) {
-    if (machine.globals.stated.empty() || !among(machine.globals.stated, name)) return false;
+    if (!machine.globals.stated.contains(name)) return false;
     push_instance(L, machine.tree.root());
     push_text(L, name);
     lua_gettable(L, -2);
@@ -77,7 +100,7 @@ bool read_stated(lua_State* L, Machine& machine, std::string_view name) {
 }
 
 bool write_stated(lua_State* L, Machine& machine, std::string_view name, int value) {
-    if (machine.globals.stated.empty() || !among(machine.globals.stated, name)) return false;
+    if (!machine.globals.stated.contains(name)) return false;
     if (lua_isnil(L, value))
         throw Error(ErrorKind::wrong_type,
                     std::string(name) + ": is declared with state(...) and cannot be nil");

@@ -2,6 +2,8 @@
 // The global variables of the game and the console. The numbers are references in Lua's registry.
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,7 +21,8 @@ struct Environment {
     // Table with the value of `_` at index 1, because the reference itself must not be nil.
     int last_result = 0;
     std::vector<std::string> assigned;  // globals assigned by the game and the console
-    std::vector<std::string> stated;    // variables that are properties of `game`
+    /// Variables that are properties of `game`, with the values that `state` gives them.
+    std::map<std::string, property::Value, std::less<>> stated;
     /// While `enter` runs: what it begins ends with this scene.
     property::Handle entering{};
     property::Handle it;  // the selected instance

@@ -31,6 +31,16 @@ Property paused_property() {
             .doc = "Whether it stands still."};
 }
 
+Property pauses_property() {
+    return {.name = "pauses",
+            .type = Type::boolean,
+            .default_value = true,
+            .doc =
+                "Whether it pauses with the game and follows time.scale. false: it moves in "
+                "real time, at each picture, as a pause menu needs it. In a group, that of the "
+                "outermost group counts."};
+}
+
 Property over_property() {
     return {.name = "over",
             .type = Type::boolean,
@@ -66,7 +76,7 @@ std::vector<Property> settings_of_tween() {
              .default_value = 1.0,
              .unit = "s",
              .range = {0, 1e9},
-             .doc = "How long it takes, in simulation time."},
+             .doc = "How long it takes, in simulation time; in real time without `pauses`."},
             {.name = "ease",
              .type = Type::text,
              .default_value = "linear",
@@ -99,6 +109,7 @@ std::vector<Property> state_of_tween() {
              .doc = "The part of the time that has passed in this run. Setting it jumps there at "
                     "the next step."},
             paused_property(),
+            pauses_property(),
             {.name = "turn",
              .type = Type::integer,
              .default_value = 0,
@@ -174,6 +185,7 @@ ClassDescriptor group_descriptor() {
                             .enumerators = {in_sequence, in_parallel}},
                            progress,
                            paused_property(),
+                           pauses_property(),
                            over_property()},
             .methods = {stop_method()},
             .events = {Event{.name = "finished",
@@ -208,6 +220,7 @@ TweenClasses define_tween_classes(Tree& tree) {
             .curve = of(tween, "curve"),
             .progress = of(tween, "progress"),
             .paused = of(tween, "paused"),
+            .pauses = of(tween, "pauses"),
             .loops = of(tween, "loops"),
             .alternate = of(tween, "alternate"),
             .turn = of(tween, "turn"),
@@ -216,6 +229,7 @@ TweenClasses define_tween_classes(Tree& tree) {
             .finished = *tween.event("finished"),
             .group_kind = of(group, "kind"),
             .group_paused = of(group, "paused"),
+            .group_pauses = of(group, "pauses"),
             .group_over = of(group, "over"),
             .group_finished = *group.event("finished")};
 }

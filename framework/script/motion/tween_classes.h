@@ -31,6 +31,7 @@ struct TweenClasses {
     const Property& curve;
     const Property& progress;
     const Property& paused;
+    const Property& pauses;
     const Property& loops;
     const Property& alternate;
     const Property& turn;
@@ -41,6 +42,7 @@ struct TweenClasses {
     // Of a group.
     const Property& group_kind;
     const Property& group_paused;
+    const Property& group_pauses;
     const Property& group_over;
     const property::Event& group_finished;
 };

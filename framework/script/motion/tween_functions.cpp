@@ -1,6 +1,9 @@
-// tween(target, property, to, seconds, ease), tween.sequence, tween.parallel.
+// tween(target, property, to, seconds, ease, options), tween.sequence, tween.parallel.
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <fettle/property/spelling.h>
 
@@ -9,6 +12,7 @@
 #include <lua/stack.h>
 #include <motion/ease.h>
 #include <motion/tweens.h>
+#include <values/short_text.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -97,7 +101,9 @@ void read_ease(lua_State* L, int index, Tweens::Plan& plan) {
 std::vector<Handle> members(lua_State* L, const char* kind, bool pauses) {
     Machine& machine = machine_of(L);
     const std::string what = std::string("tween.") + kind;
-    lua_settop(L, 1);
+    if (lua_gettop(L) > 1)
+        throw Error(ErrorKind::wrong_type,
+                    what + ": takes one list, as in " + what + " { a, b }, with a dot");
     if (!lua_istable(L, 1)) refuse_type(L, 1, what + ": needs a list of tweens");
     std::vector<Handle> found;
     const auto length = static_cast<lua_Integer>(lua_rawlen(L, 1));
@@ -141,15 +147,51 @@ int call_tween(lua_State* L) {
 
 }  // namespace
 
+namespace {
+
+/// Whether the value is a table with options such as { pauses = false }, and no list.
+bool is_options(lua_State* L, int index) {
+    return lua_istable(L, index) && lua_rawlen(L, index) == 0;
+}
+
+/// Writes { pauses = false, loops = 0 } to the properties of the tween.
+void take_options(lua_State* L, int index, Handle tween) {
+    if (lua_isnoneornil(L, index)) return;
+    if (!is_options(L, index)) refuse_type(L, index, "tween: needs options such as { loops = 0 }");
+    property::Tree& tree = machine_of(L).tree;
+    const std::vector<std::string> known{"alternate", "loops", "pauses"};
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+        const std::string name = lua_type(L, -2) == LUA_TSTRING ? string_at(L, -2) : "";
+        if (std::ranges::find(known, name) == known.end())
+            throw Error(ErrorKind::unknown_name, "tween: there is no option " + short_text(L, -2) +
+                                                     property::suggestion(name, known));
+        tree.set(tween, name, to_value(L, -1));
+    }
+}
+
+}  // namespace
+
 int tween_function(lua_State* L) {
-    lua_settop(L, 5);
+    lua_settop(L, 6);
+    if (lua_isnil(L, 6) && is_options(L, 5)) {
+        lua_pushnil(L);
+        lua_insert(L, 5);
+        lua_settop(L, 6);
+    }
     Tweens::Plan plan;
     plan.target = check_instance(L, 1, "tween");
     plan.property = check_text(L, 2, "tween: needs the name of a property");
     plan.to = to_value(L, 3, [] { return std::string("tween"); });
     plan.seconds = seconds_at(L, 4);
     read_ease(L, 5, plan);
-    push_instance(L, machine_of(L).tweens.add(plan));
+    const Handle made = machine_of(L).tweens.add(plan);
+    try {
+        take_options(L, 6, made);
+    } catch (const Error&) {
+        machine_of(L).tree.destroy(made);
+        throw;
+    }
+    push_instance(L, made);
     return 1;
 }
 

@@ -20,6 +20,16 @@ namespace {
 // Sums of steps have rounding errors, so a tween this near its end has reached it.
 constexpr double tolerance = 1e-9;
 
+std::uint64_t key_of(Handle instance) {
+    return std::uint64_t{instance.index} << 32 | instance.generation;
+}
+
+std::pair<std::uint64_t, std::string> moved_by(const Tree& tree, const TweenClasses& classes,
+                                               Handle tween) {
+    return {key_of(tree.get(tween, classes.target).reference()),
+            tree.get(tween, classes.property).text()};
+}
+
 std::function<std::string()>& where() {
     static std::function<std::string()> text = [] { return std::string("tween"); };
     return text;
@@ -139,14 +149,22 @@ bool Tweens::running(Handle each) const {
     return of.is_a(classes_.tween) || of.is_a(classes_.group);
 }
 
-bool Tweens::run(double dt) {
+bool Tweens::pauses(Handle each) const {
+    const Tree& tree = machine_.tree;
+    const bool tween = tree.class_of(each).is_a(classes_.tween);
+    return tree.get(each, tween ? classes_.pauses : classes_.group_pauses).boolean();
+}
+
+/// `pausing`: those that pause with the game, else those in real time.
+bool Tweens::run_those(double dt, bool pausing) {
     Tree& tree = machine_.tree;
     const Handle all = tree.child(tree.root(), tweens_name);
     if (!all || &tree.class_of(all) != &classes_.holder) return true;
     ok_ = true;
+    begun_.reset();
     const Tree::CauseScope cause(tree, property::Writer::script, &where());
     for (const Handle each : tree.children(all)) {
-        if (!running(each)) continue;
+        if (!running(each) || pauses(each) != pausing) continue;
         if (over(each))
             tree.destroy(each);
         else
@@ -266,28 +284,35 @@ bool Tweens::begin(Handle tween) {
         tree.destroy(tween);
         return false;
     }
-    stop_others(tree.child(tree.root(), tweens_name), 0, tween, target, name);
+    stop_others(tween, target, name);
     if (tree.get(tween, classes_.from).is_nil())
         tree.set(tween, classes_.from, tree.get(target, property));
     return true;
 }
 
-/// Deletes the tweens of that property that have begun and not ended.
-void Tweens::stop_others(Handle within, int depth, Handle tween, Handle target,
-                         std::string_view name) {
-    Tree& tree = machine_.tree;
+void Tweens::note_begun(Handle within, int depth) {
+    const Tree& tree = machine_.tree;
     if (depth > deepest_tweens) return;
-    for (const Handle other : tree.children(within)) {
-        if (other == tween || !running(other)) continue;
-        if (tree.class_of(other).is_a(classes_.group)) {
-            stop_others(other, depth + 1, tween, target, name);
-            continue;
-        }
-        if (tree.get(other, classes_.target).reference() == target &&
-            tree.get(other, classes_.property).text() == name &&
-            tree.get(other, classes_.shown).number() >= 0 && !over(other))
-            tree.destroy(other);
+    for (const Handle each : tree.children(within)) {
+        if (!running(each)) continue;
+        if (tree.class_of(each).is_a(classes_.group))
+            note_begun(each, depth + 1);
+        else if (tree.get(each, classes_.shown).number() >= 0)
+            (*begun_)[moved_by(tree, classes_, each)].push_back(each);
     }
+}
+
+/// Deletes the tweens of that property that have begun and not ended.
+void Tweens::stop_others(Handle tween, Handle target, const std::string& name) {
+    Tree& tree = machine_.tree;
+    if (!begun_) {
+        begun_.emplace();
+        note_begun(tree.child(tree.root(), tweens_name), 0);
+    }
+    std::vector<Handle>& others = (*begun_)[{key_of(target), name}];
+    for (const Handle other : others)
+        if (other != tween && running(other) && !over(other)) tree.destroy(other);
+    others = {tween};
 }
 
 /// Writes the value at the current progress to the property.

@@ -1,9 +1,12 @@
 #pragma once
 // Runs the tweens of a tree, in simulation time.
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <lua/lua_api.h>
@@ -41,11 +44,15 @@ class Tweens {
     std::vector<Handle> all() const;
 
     /// One step of `dt` s. Returns false if one raised an error; that one has ended then.
-    bool run(double dt);
+    bool run(double dt) { return run_those(dt, true); }
+    /// The same for those in real time: a picture, `dt` s after the last one.
+    bool advance_real(double dt) { return run_those(dt, false); }
 
   private:
     Handle holder();
     Handle make(const Class& of);
+    bool run_those(double dt, bool pausing);
+    bool pauses(Handle each) const;
     bool running(Handle each) const;
     bool over(Handle each) const;
     void end(Handle each, std::string_view why);
@@ -54,12 +61,17 @@ class Tweens {
     std::optional<double> advance_group(Handle group, double dt, int depth);
     std::optional<double> pass_time(Handle tween, double dt);
     bool begin(Handle tween);
-    void stop_others(Handle within, int depth, Handle tween, Handle target, std::string_view name);
+    void note_begun(Handle within, int depth);
+    void stop_others(Handle tween, Handle target, const std::string& name);
     void show(Handle tween);
     void finish(Handle each);
 
     Machine& machine_;
     const TweenClasses classes_;
+    /// The tweens that have begun, by instance and property: noted when the first of a run begins,
+    /// since many may begin in one step, and each ends the others of its property.
+    using Moved = std::pair<std::uint64_t, std::string>;
+    std::optional<std::map<Moved, std::vector<Handle>>> begun_{};
     bool ok_ = true;
 };
 

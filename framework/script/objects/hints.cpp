@@ -73,6 +73,8 @@ std::string Hints::did_you_mean(const Class& of, std::string_view name) const {
         return meant;
     std::vector<std::string> events;
     for (const property::Event* event : of.events()) events.push_back(event->name);
+    for (const std::string_view meant : callback_synonyms(name))
+        if (among(events, meant)) return meaning_hint(meant);
     return property::suggestion(name, events);
 }
 
@@ -143,6 +145,12 @@ void Hints::rewinding() {
     if (limit == nullptr || machine_.tree.peek(time, *limit).as_double() > 0) return;
     tell("rewind", position(machine_.lua.running) +
                        "rewind does nothing: time.rewind_limit is 0, so no past is kept");
+}
+
+// --- Variables
+
+void Hints::stated(const std::string& name, const std::string& problem) {
+    tell("state " + name, position(machine_.lua.running) + problem);
 }
 
 // --- Functions

@@ -34,6 +34,8 @@ class Hints {
     void game_loaded();
     /// To be called when a script rewinds: notes that no past is kept, if it is.
     void rewinding();
+    /// To be called when `state` finds a value of another type.
+    void stated(const std::string& name, const std::string& problem);
     /// To be called before a game is loaded: forgets all given notes.
     void forget();
 

@@ -39,7 +39,7 @@ bool is_set(lua_State* L, int index) {
 namespace {
 
 std::vector<Handle> members(lua_State* L, const char* what) {
-    if (!is_set(L, 1)) refuse_type(L, 1, std::string(what) + ": needs a set");
+    if (!is_set(L, 1)) refuse_argument(L, 1, what, "a set");
     std::vector<Handle> handles;
     const auto length = static_cast<lua_Integer>(lua_rawlen(L, 1));
     handles.reserve(static_cast<std::size_t>(length));
@@ -58,9 +58,10 @@ std::string property_name(lua_State* L, const char* what) {
 
 int set_all(lua_State* L) {
     Machine& machine = machine_of(L);
+    const std::vector<Handle> all = members(L, "set");
     const std::string name = property_name(L, "set");
     const Value value = to_value(L, 3);
-    for (const Handle handle : members(L, "set")) {
+    for (const Handle handle : all) {
         const Property& property = machine.tree.property(handle, name);
         if (machine.declarations.defers(handle)) continue;
         if (value.is_nil())
@@ -87,9 +88,10 @@ Value sum(const Value& a, const Value& b, const std::string& where) {
 
 int add_all(lua_State* L) {
     Machine& machine = machine_of(L);
+    const std::vector<Handle> all = members(L, "add");
     const std::string name = property_name(L, "add");
     const Value value = to_value(L, 3);
-    for (const Handle handle : members(L, "add")) {
+    for (const Handle handle : all) {
         const Property& property = machine.tree.property(handle, name);
         if (machine.declarations.defers(handle)) continue;
         write_property(
@@ -103,8 +105,9 @@ int add_all(lua_State* L) {
 int each_of(lua_State* L) {
     Machine& machine = machine_of(L);
     lua_settop(L, 2);
+    const std::vector<Handle> all = members(L, "each");
     check_function(L, 2, "each");
-    for (const Handle handle : members(L, "each")) {
+    for (const Handle handle : all) {
         if (!machine.tree.alive(handle)) continue;
         lua_pushvalue(L, 2);
         push_instance(L, handle);

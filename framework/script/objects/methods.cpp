@@ -73,9 +73,7 @@ int call_method(lua_State* L) {
     const auto& method = *static_cast<const Method*>(lua_touserdata(L, lua_upvalueindex(1)));
     Machine& machine = machine_of(L);
     const auto* self = instance_at(L, 1);
-    if (!self)
-        throw Error(ErrorKind::wrong_type,
-                    method.name + ": call it with a colon, as in ball:" + method.name + "(...)");
+    if (!self) refuse_argument(L, 1, method.name, "an instance");
     const Class& of = machine.tree.class_of(self->handle);
     if (of.method(method.symbol) != &method)
         throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ": " +

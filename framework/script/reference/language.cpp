@@ -12,9 +12,10 @@ const std::vector<GlobalDoc>& global_docs() {
          "property from their beginning on. Scripts do not run again: what they wrote then is "
          "written in B, too. seconds: 4 if it is left out, 0.1 to 60. The game does not change. "
          "Without a path the comparison ends. ab(\"world.ball.mass\", 3)."},
-        {"after", "after(seconds: number, action: fun()): Connection",
+        {"after", "after(seconds: number, action: fun(), options?: table): Connection",
          "Calls the function once, after that much simulation time. The function may call "
-         "wait()."},
+         "wait(). after(1, f, { pauses = false }) counts real time, also while the game is paused; "
+         "going back in time does not change it, and no saved game contains it."},
         {"alias", "alias(word: string, command?: string)",
          "In the console the word stands for the command; what is typed behind it is put behind "
          "the command. Without a command the word means itself again."},
@@ -53,8 +54,10 @@ const std::vector<GlobalDoc>& global_docs() {
          "Drops the tweaks that match: they are no longer listed or made again."},
         {"edit", "edit(name: string, action: fun())",
          "All writes of the function are one step of undo with that name."},
-        {"every", "every(seconds: number, action: fun()): Connection",
-         "Calls the function repeatedly at that interval of simulation time; 0 means every step."},
+        {"every", "every(seconds: number, action: fun(), options?: table): Connection",
+         "Calls the function repeatedly at that interval of simulation time; 0 means every step. "
+         "every(1, f, { pauses = false }) counts real time, as `after` does, and calls it once a "
+         "picture at most."},
         {"exec", "exec(file: string)",
          "Runs the commands in a file of the game, as if they were typed into the console."},
         {"export_plot", "export_plot(kind?: string)",
@@ -165,13 +168,14 @@ const std::vector<GlobalDoc>& global_docs() {
          "and in earlier ones, and which of these changes are kept."},
         {"tween",
          "tween(target: Object, property: string, to: any, seconds: number, ease?: "
-         "string|number[]|fun(time: number): number): Tween",
+         "string|number[]|fun(time: number): number, options?: table): Tween",
          "Moves a property from its value to another in that much simulation time. The property "
          "holds a number, an integer, a vector, a color, or a list of these. An ease is a name "
          "such as \"out_quad\" (`Tween.properties.ease.enumerators` lists them), a function from "
          "0..1 "
          "to 0..1, or a list of numbers. It begins at the next step; a tween that begins later "
-         "with the same property ends it."},
+         "with the same property ends it. Options are `pauses`, `loops` and `alternate` of the "
+         "tween: tween(view, \"height\", 12, 1, \"linear\", { loops = 0, alternate = true })."},
         {"tween.parallel", "tween.parallel(tweens: any[]): TweenGroup",
          "Runs tweens and groups together."},
         {"tween.sequence", "tween.sequence(tweens: any[]): TweenGroup",
@@ -187,7 +191,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "vec(): vec",
          "A vector or point; a copy of one; the zero vector."},
         {"wait", "wait(seconds: number)",
-         "Inside a coroutine: continues after that much simulation time."},
+         "Inside a coroutine: continues after that much simulation time; real time in a function "
+         "that a timer in real time has called."},
         {"watch",
          "watch(pattern: string, handler: fun(new: any, old: any, change: Change)): Connection",
          "Calls the function after a property that matches has changed: "

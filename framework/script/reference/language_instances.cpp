@@ -8,9 +8,11 @@ const std::vector<GlobalDoc>& instance_docs() {
     static const std::vector<GlobalDoc> docs = {
         {"add", "add(self: Object, child: Object, name?: string): Object",
          "Gives a new instance its place here and returns it."},
-        {"after", "after(self: Object, seconds: number, action: fun(self: Object)): Connection",
+        {"after",
+         "after(self: Object, seconds: number, action: fun(self: Object), options?: table): "
+         "Connection",
          "Calls the function once with the instance, after that much simulation time, unless the "
-         "instance is deleted before."},
+         "instance is deleted before. { pauses = false }: after real time."},
         {"alive", "alive(self: Object): boolean", "Whether it has not been deleted."},
         {"all", "all(self: Object, class?: Class|string): Set",
          "Everything below of that class, as a set with :set and :add."},
@@ -27,9 +29,12 @@ const std::vector<GlobalDoc>& instance_docs() {
          "each(self: Object, class: Class|string, action: fun(instance: Object))\n"
          "each(self: Object, action: fun(instance: Object))",
          "Calls the function with everything below of that class."},
-        {"every", "every(self: Object, seconds: number, action: fun(self: Object)): Connection",
+        {"every",
+         "every(self: Object, seconds: number, action: fun(self: Object), options?: table): "
+         "Connection",
          "Calls the function with the instance repeatedly at that interval of simulation time, 0 "
-         "meaning every step, until the instance is deleted."},
+         "meaning every step, until the instance is deleted. { pauses = false }: in real time, 0 "
+         "meaning every picture."},
         {"find",
          "find(self: Object, class: Class|string, condition?: fun(instance: Object): boolean): Set",
          "Everything below of that class for which the condition holds, as a set."},
@@ -50,7 +55,7 @@ const std::vector<GlobalDoc>& instance_docs() {
          "where it waits when the instance is deleted."},
         {"tween",
          "tween(self: Object, property: string, to: any, seconds: number, ease?: "
-         "string|number[]|fun(time: number): number): Tween",
+         "string|number[]|fun(time: number): number, options?: table): Tween",
          "The same as tween(instance, ...): moves a property to a value. It ends with the "
          "instance."},
         {"watch",

@@ -73,7 +73,8 @@ void destroy_made(Machine& machine, const Declarations::All& all) {
 struct TopLevel::Kept {
     int globals = LUA_NOREF;
     int loaded = LUA_NOREF;
-    std::vector<std::string> assigned, stated;
+    std::vector<std::string> assigned;
+    decltype(Environment::stated) stated;
     std::unordered_map<std::string, std::string> texts;
     Random::State random{};
     std::vector<Handle> tweens;

@@ -326,6 +326,8 @@ void Runtime::advance(double seconds) {
     Machine& machine = live();
     const Life::Use use(machine.life);
     advance_transition(machine, seconds);
+    machine.tweens.advance_real(seconds);
+    machine.timers.advance_real(seconds);
 }
 
 bool Runtime::step(double now, double dt) {

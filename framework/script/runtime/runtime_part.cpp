@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <iterator>
 
 #include <handlers/connections.h>
 #include <handlers/timers.h>
+#include <library/globals.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/script_classes.h>
@@ -43,7 +45,13 @@ property::Memory RuntimePart::save(property::ByteWriter& to) const {
     to.put(std::uint64_t{machine_.unplaced.limit});
     machine_.classes.save(to);
     const std::vector<Handle> with_handlers = machine_.connections.instances();
-    if (!with_handlers.empty()) to.put(with_handlers);
+    const Timers::Ending timers = machine_.timers.ending();
+    if (!with_handlers.empty() || timers.count > 0) to.put(with_handlers);
+    if (timers.count > 0) {
+        to.put(timers.count);
+        to.put(static_cast<std::uint64_t>(timers.places.size()));
+        for (const std::string& place : timers.places) to.put(place);
+    }
     auto image = std::make_shared<Image>();
     image->timers = machine_.timers.image();
     image->next_timer = machine_.timers.next_number();
@@ -69,7 +77,14 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
     const std::function<void()> put_classes = machine_.classes.restore(from);
     std::vector<Handle> had_handlers;
     if (!from.at_end()) had_handlers = from.list<Handle>();
-    return [this, random, now, unplaced, limit, put_classes, had_handlers, memory] {
+    std::uint64_t ended_timers = 0;
+    std::vector<std::string> places;
+    if (!from.at_end()) {
+        ended_timers = from.get<std::uint64_t>();
+        for (std::size_t n = from.count(4); n > 0; --n) places.emplace_back(from.text());
+    }
+    return [this, random, now, unplaced, limit, put_classes, had_handlers, ended_timers, places,
+            memory] {
         static const Image nothing;
         const Image& image =
             memory ? *static_cast<const Image*>(static_cast<const Held*>(memory.get())) : nothing;
@@ -81,6 +96,8 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
         // A file knows no handlers: those of instances that go on stay.
         if (memory) machine_.connections.restore(image.connections);
         had_handlers_ = memory ? std::vector<Handle>() : had_handlers;
+        ended_timers_ = memory ? 0 : ended_timers;
+        timer_places_ = places;
         machine_.unplaced.restore(unplaced,
                                   std::clamp<std::size_t>(limit, 64, 2 * unplaced.size() + 64));
         put_classes();
@@ -89,6 +106,22 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
 }
 
 std::vector<std::string> RuntimePart::remarks() const {
+    std::vector<std::string> all = lost_handlers();
+    if (ended_timers_ > 0) {
+        std::string text = std::to_string(ended_timers_) +
+                           (ended_timers_ == 1 ? " timer" : " timers") +
+                           " that the game had when it was saved ended, since a file holds no "
+                           "functions";
+        for (const std::string& place : timer_places_)
+            text += (&place == &timer_places_.front() ? ": " : ", ") + place;
+        all.push_back(text +
+                      "; what must go on belongs to the top level, a step, a state or a tween");
+    }
+    std::ranges::move(stated_problems(machine_), std::back_inserter(all));
+    return all;
+}
+
+std::vector<std::string> RuntimePart::lost_handlers() const {
     std::vector<Handle> lost;
     const std::vector<Handle> have = machine_.connections.instances();
     for (const Handle each : had_handlers_)

@@ -23,10 +23,15 @@ class RuntimePart : public property::SnapshotPart {
     std::vector<std::string> remarks() const override;
 
   private:
+    std::vector<std::string> lost_handlers() const;
+
     Machine& machine_;
     /// Those that had handlers when the file was saved that was restored last; none after a restore
     /// from memory.
     std::vector<property::Handle> had_handlers_;
+    /// The timers that ended with it, and some places of them.
+    std::uint64_t ended_timers_ = 0;
+    std::vector<std::string> timer_places_;
 };
 
 }  // namespace fettle::script

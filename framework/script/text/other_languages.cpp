@@ -160,6 +160,14 @@ std::string hint_for_value(std::string_view message) {
         return written("time.step_once = true to make one step");
     if (const auto name = name_after("attempt to get length of a function value ("); !name.empty())
         return written("#it:" + std::string(name) + "() if this is a method of it");
+    if (const auto name = name_after("attempt to index a function value ("); !name.empty()) {
+        const bool global = message.find("(global '") != std::string_view::npos;
+        return written((global ? "" : "it:") + std::string(name) + "() to call it");
+    }
+    // Lua calls what stands behind `in`.
+    if (message.find("(for iterator 'for iterator')") != std::string_view::npos &&
+        message.find("attempt to call a nil value") == std::string_view::npos)
+        return written("for _, each in ipairs(list) do, or pairs(table)");
     if (message.find("attempt to add a 'string' with a ") != std::string_view::npos)
         return written(".. to join texts");
     return {};

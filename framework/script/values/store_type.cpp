@@ -26,7 +26,7 @@ Store& store_of(lua_State* L) {
 
 Store::Table store_self(lua_State* L, const char* what) {
     const auto* box = store_at(L, 1);
-    if (box == nullptr) refuse_type(L, 1, std::string(what) + ": needs a table of the store");
+    if (box == nullptr) refuse_argument(L, 1, what, "a table of the store");
     return box->table;
 }
 
@@ -110,7 +110,14 @@ class Filling {
     }
 
     Store::Entry table_at(int index, int depth, const std::string& path) {
-        // A table that contains itself ends here, too.
+        const void* const self = lua_topointer(L_, index);
+        for (const auto& [outer, its_path] : around_)
+            if (outer == self)
+                throw Error(ErrorKind::rejected,
+                            path + ": this is " + its_path +
+                                " again; a table that contains itself has no end, and the store "
+                                "holds copies");
+        around_.emplace_back(self, path);
         if (depth >= Store::depth_limit || lua_checkstack(L_, 4) == 0)
             throw Error(ErrorKind::rejected, path + ": tables in the store are nested at most " +
                                                  std::to_string(Store::depth_limit) + " deep");
@@ -123,11 +130,13 @@ class Filling {
                                         : "[" + std::to_string(std::get<std::int64_t>(key)) + "]");
             put(table, key, entry_at(lua_gettop(L_), depth + 1, inner));
         }
+        around_.pop_back();
         return table;
     }
 
     lua_State* L_;
-    const std::string& path_;  // of the whole entry
+    const std::string& path_;                                    // of the whole entry
+    std::vector<std::pair<const void*, std::string>> around_{};  // tables, with their paths
     std::size_t bytes_ = 0;
 };
 

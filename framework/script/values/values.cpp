@@ -8,6 +8,7 @@
 #include <fettle/property/spelling.h>
 
 #include <lua/budget.h>
+#include <lua/call_form.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -360,6 +361,14 @@ void refuse_type(lua_State* L, int index, std::string_view needed) {
     throw Error(ErrorKind::wrong_type, std::string(needed) + ", not " + describe_type(L, index));
 }
 
+void refuse_argument(lua_State* L, int index, const std::string& method, std::string_view needed) {
+    // Functions in tables, such as scene.load, are called with a dot.
+    const bool in_table = method.find('.') != std::string::npos;
+    throw Error(ErrorKind::wrong_type, method + ": needs " + std::string(needed) + ", not " +
+                                           describe_type(L, index) +
+                                           (in_table ? "" : colon_hint(L, 0)));
+}
+
 std::string check_text(lua_State* L, int index, std::string_view needed) {
     if (lua_type(L, index) != LUA_TSTRING) refuse_type(L, index, needed);
     return string_at(L, index);
@@ -367,14 +376,14 @@ std::string check_text(lua_State* L, int index, std::string_view needed) {
 
 Handle check_instance(lua_State* L, int index, const char* what) {
     const auto* box = instance_at(L, index);
-    if (!box) refuse_type(L, index, std::string(what) + ": needs an instance");
+    if (!box) refuse_argument(L, index, what, "an instance");
     machine_of(L).tree.require(box->handle);
     return box->handle;
 }
 
 Vec2 check_vec(lua_State* L, int index, const char* what) {
     const auto* box = vec_at(L, index);
-    if (!box) refuse_type(L, index, std::string(what) + ": needs a vec");
+    if (!box) refuse_argument(L, index, what, "a vec");
     return {box->x, box->y};
 }
 

@@ -139,6 +139,10 @@ void check_function(lua_State* L, int index, const char* what);
 int push_method(lua_State* L, const std::string& noun, std::vector<std::string> fields = {});
 /// Throws Error(wrong_type) with what is needed and the actual type: "..., not a number".
 [[noreturn]] void refuse_type(lua_State* L, int index, std::string_view needed);
+/// The same for an argument of a method: "add: needs an instance, not nil". If it was called with a
+/// dot, the message says how it is called.
+[[noreturn]] void refuse_argument(lua_State* L, int index, const std::string& method,
+                                  std::string_view needed);
 
 void push_vec(lua_State* L, const property::Vec2& v);
 void push_vec(lua_State* L, const property::Vec2& v, const Origin& origin);

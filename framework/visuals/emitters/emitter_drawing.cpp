@@ -49,7 +49,8 @@ const Sheet* Emitters::sheet_of(Row& row) {
     const Value name = Reader(*tree_, row.state.self).value(of_.image);
     if (!(name == row.image)) {
         row.image = name;
-        row.sheet = name.text().empty() ? nullptr : images_.get("Emitter.image", name.text());
+        const auto user = [this, &row] { return tree_->path(row.state.self, *of_.image); };
+        row.sheet = name.text().empty() ? nullptr : images_.get(user, name.text());
     }
     return row.sheet.get();
 }

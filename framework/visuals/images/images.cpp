@@ -23,9 +23,9 @@ void put(Sheet& sheet, Pixels pixels) {
 
 }  // namespace
 
-std::shared_ptr<const Sheet> Images::get(const std::string& what, const std::string& name) {
+std::shared_ptr<const Sheet> Images::get(const property::FileUser& user, const std::string& name) {
     auto& known = sheets_[name];
-    if (known == nullptr) known = load(what, name);
+    if (known == nullptr) known = load(user, name);
     return known;
 }
 
@@ -76,8 +76,9 @@ void Images::renew(const std::string& name) {
     }
 }
 
-std::shared_ptr<Sheet> Images::load(const std::string& what, const std::string& name) {
+std::shared_ptr<Sheet> Images::load(const property::FileUser& user, const std::string& name) {
     auto sheet = std::make_shared<Sheet>();
+    const std::string what = user();
     try {
         read(*sheet, what, name);
     } catch (const std::exception& error) {
@@ -89,13 +90,20 @@ std::shared_ptr<Sheet> Images::load(const std::string& what, const std::string& 
 }
 
 void Images::tell(const std::string& problem) {
-    if (told_.insert(problem).second && tell_) tell_(problem);
+    tell_once(problem, [&] { return problem; });
+}
+
+void Images::tell_once(const std::string& what, const std::function<std::string()>& problem) {
+    const auto [told, added] = told_.try_emplace(what);
+    if (!added) return;
+    told->second = problem();
+    if (tell_) tell_(told->second);
 }
 
 void Images::on_problem(std::function<void(const std::string&)> tell) {
     tell_ = std::move(tell);
     if (!tell_) return;
-    for (const std::string& problem : std::set(told_)) tell_(problem);
+    for (const auto& [what, problem] : std::map(told_)) tell_(problem);
 }
 
 }  // namespace fettle::visuals

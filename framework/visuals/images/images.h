@@ -5,10 +5,10 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
+#include <fettle/property/media.h>
 #include <fettle/property/storage/assets.h>
 #include <fettle/property/storage/saves.h>
 
@@ -20,9 +20,8 @@ class Images {
   public:
     explicit Images(property::Assets* assets) : assets_(assets) {}
 
-    /// The file of that name; the checkerboard if it is missing or cannot be read. `what` begins
-    /// the message about that: "Sprite.image".
-    std::shared_ptr<const Sheet> get(const std::string& what, const std::string& name);
+    /// The file of that name; the checkerboard if it is missing or cannot be read.
+    std::shared_ptr<const Sheet> get(const property::FileUser& user, const std::string& name);
     /// What `get` shows for "save:SLOT": the picture of a saved game.
     using SavedPicture = std::function<property::Thumbnail(const std::string& slot)>;
     void saved_pictures(SavedPicture of) { saved_ = std::move(of); }
@@ -30,6 +29,9 @@ class Images {
     void renew(const std::string& name);
     /// Tells a problem, once. Before `on_problem` it is kept.
     void tell(const std::string& problem);
+    /// The same for a problem that many instances have: `problem` begins with the path of the first
+    /// that has it, and is made only for that one.
+    void tell_once(const std::string& what, const std::function<std::string()>& problem);
     void on_problem(std::function<void(const std::string&)> tell);
     property::Assets* assets() const { return assets_; }
 
@@ -38,11 +40,11 @@ class Images {
   private:
     void read_saved(Sheet& into, const std::string& slot) const;
     void read(Sheet& into, const std::string& what, const std::string& name) const;
-    std::shared_ptr<Sheet> load(const std::string& what, const std::string& name);
+    std::shared_ptr<Sheet> load(const property::FileUser& user, const std::string& name);
 
     property::Assets* assets_;
     std::map<std::string, std::shared_ptr<Sheet>> sheets_;
-    std::set<std::string> told_;
+    std::map<std::string, std::string> told_;  // the problem of each key
     std::function<void(const std::string&)> tell_;
     SavedPicture saved_;
 };

@@ -33,7 +33,7 @@ Font& Family::with(char32_t letter) const {
     return other == nullptr ? main() : *other;
 }
 
-const Family& Fonts::get(const std::string& what, const std::string& name) {
+const Family& Fonts::get(const property::FileUser& user, const std::string& name) {
     if (const auto known = families_.find(name); known != families_.end()) return known->second;
     const std::shared_ptr<Font> sans = bundled("DejaVuSans.ttf");
     std::vector<std::shared_ptr<Font>> fonts;
@@ -42,10 +42,10 @@ const Family& Fonts::get(const std::string& what, const std::string& name) {
     else if (name == "bold")
         fonts.push_back(bundled("DejaVuSans-Bold.ttf"));
     else if (name != "sans" && !name.empty())
-        fonts.push_back(of_game(what, name));
+        fonts.push_back(of_game(user(), name));
     fonts.push_back(sans);
     std::erase(fonts, nullptr);
-    if (fonts.empty()) tell_(what + ": this system has no font (Debian: fonts-dejavu-core)");
+    if (fonts.empty()) tell_(user() + ": this system has no font (Debian: fonts-dejavu-core)");
     return families_.emplace(name, Family(std::move(fonts), system_.get())).first->second;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <fettle/property/media.h>
 #include <fettle/property/storage/assets.h>
 
 #include <letters/font.h>
@@ -34,9 +35,8 @@ class Fonts {
   public:
     Fonts(property::Assets* assets, std::function<void(const std::string&)> tell)
         : assets_(assets), tell_(std::move(tell)) {}
-    /// "sans", "bold", "mono", or a file of the game. If a file is missing, "sans" and a message
-    /// that begins with `what`.
-    const Family& get(const std::string& what, const std::string& name);
+    /// "sans", "bold", "mono", or a file of the game. If a file is missing, "sans" and a message.
+    const Family& get(const property::FileUser& user, const std::string& name);
 
     /// Reads the file again. False if it is no font in use. If it cannot be read, the old font
     /// stays. Layouts made before may still be drawn.

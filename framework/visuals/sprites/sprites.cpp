@@ -54,8 +54,8 @@ const Sheet* Sprites::sheet(Row& row) {
     const Value& name = read.in_place(of_.image);
     if (row.sheet == nullptr || !(name == row.name)) {
         row.name = name;
-        row.sheet =
-            row.name.text().empty() ? nullptr : images_.get("Sprite.image", row.name.text());
+        const auto user = [this, &row] { return tree_->path(row.self, *of_.image); };
+        row.sheet = row.name.text().empty() ? nullptr : images_.get(user, row.name.text());
     }
     return row.sheet.get();
 }
@@ -79,9 +79,10 @@ Sprites::Playing Sprites::playing(const Row& row, const Sheet& sheet) const {
     std::int64_t first = 0, last = 0;
     if (read_range(name, first, last) && first >= 1 && last >= first && last <= all.count)
         return {nullptr, first - 1, last - first + 1};
-    images_.tell("Sprite.animation: " + row.name.text() + " has no animation \"" + name + "\"" +
-                 known_animations(name, sheet) + "; it has " + std::to_string(all.count) +
-                 (all.count == 1 ? " frame" : " frames"));
+    const std::string what = row.name.text() + " has no animation \"" + name + "\"" +
+                             known_animations(name, sheet) + "; it has " +
+                             std::to_string(all.count) + (all.count == 1 ? " frame" : " frames");
+    images_.tell_once(what, [&] { return tree_->path(row.self, *of_.animation) + ": " + what; });
     return all;
 }
 

@@ -156,7 +156,7 @@ void Texts::step() {
         const Value font = Reader(*tree_, row.self).value(of_.font);
         if (font == row.loaded_font) continue;
         row.loaded_font = font;
-        (void)fonts_.get("Text.font", font.text());
+        (void)fonts_.get([this, &row] { return tree_->path(row.self, *of_.font); }, font.text());
     }
 }
 
@@ -172,8 +172,8 @@ const Layout& Texts::layout(Row& row) {
     row.font = font;
     row.align = align;
     row.wrap = wrap;
-    row.layout =
-        Layout::of(text.text(), fonts_.get("Text.font", font.text()), align_of(align), wrap);
+    const auto user = [this, &row] { return tree_->path(row.self, *of_.font); };
+    row.layout = Layout::of(text.text(), fonts_.get(user, font.text()), align_of(align), wrap);
     return row.layout;
 }
 

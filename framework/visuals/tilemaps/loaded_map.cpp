@@ -67,7 +67,8 @@ Vec2 size_of(const Tileset& set, const maps::Tile* tile) {
 
 }  // namespace
 
-LoadedMap::LoadedMap(maps::Map map, Images& images) : map_(std::move(map)), images_(images) {
+LoadedMap::LoadedMap(maps::Map map, std::string user, Images& images)
+    : map_(std::move(map)), user_(std::move(user)), images_(images) {
     for (const Tileset& set : map_.tilesets) {
         Vec2 largest(set.tile_width, set.tile_height);
         for (const auto& [number, tile] : set.tiles) largest = largest.max(size_of(set, &tile));
@@ -136,7 +137,7 @@ TileLook LoadedMap::make_look(std::uint32_t number) const {
     look.size = size_of(set, tile);
     look.offset = set.offset;
     const std::string& image = tile != nullptr && !tile->image.empty() ? tile->image : set.image;
-    if (!image.empty()) look.sheet = images_.get("Tilemap.map", image);
+    if (!image.empty()) look.sheet = images_.get([this] { return user_; }, image);
     if (image != set.image || set.columns <= 0) {
         if (look.sheet != nullptr)
             look.area = {0, 0, static_cast<double>(look.sheet->picture.width()),

@@ -36,7 +36,8 @@ struct TileShape {
 /// A map file, with the images of its tilesets.
 class LoadedMap {
   public:
-    LoadedMap(maps::Map map, Images& images);
+    /// `user`: the property that names the map, for messages about its images.
+    LoadedMap(maps::Map map, std::string user, Images& images);
 
     const maps::Map& map() const { return map_; }
     /// Null for a tile that does not exist.
@@ -60,6 +61,7 @@ class LoadedMap {
     void add_shapes(const maps::Tileset& set);
 
     maps::Map map_;
+    std::string user_;
     Images& images_;
     property::Vec2 reach_{0, 0};
     mutable std::unordered_map<std::uint32_t, TileLook> looks_{};

@@ -101,7 +101,7 @@ class LayerMaker {
         make_.set(sprite, "origin", Value(Vec2(0, 1)));
         make_.set(sprite, "tint", Value(now.tint));
         make_.set(sprite, "smooth", Value(smooth_));
-        const auto sheet = images_.get("Tilemap.map", layer.image);
+        const auto sheet = images_.get([&] { return tree_.path(sprite) + ".image"; }, layer.image);
         if (layer.repeat_x) make_.set(made, "repeat_x", Value(sheet->picture.width() * unit));
         if (layer.repeat_y) make_.set(made, "repeat_y", Value(sheet->picture.height() * unit));
     }
@@ -171,7 +171,7 @@ void Tilemaps::reload(Handle map) {
     const auto before = files_.find(name);
     if (before != files_.end()) {
         // A file that has become unreadable changes nothing.
-        const auto now = read(name);
+        const auto now = read(map);
         if (now == nullptr) return;
         before->second = now;
     }

@@ -69,11 +69,12 @@ std::shared_ptr<const LoadedMap> Tilemaps::loaded(Handle map) {
     if (name.empty()) return nullptr;
     const auto known = files_.find(name);
     if (known != files_.end()) return known->second;
-    return files_[name] = read(name);
+    return files_[name] = read(map);
 }
 
-std::shared_ptr<const LoadedMap> Tilemaps::read(const std::string& file) {
-    const std::string what = "Tilemap.map";
+std::shared_ptr<const LoadedMap> Tilemaps::read(Handle instance) {
+    const std::string what = tree_->path(instance, *of_.map);
+    const std::string file = tree_->peek(instance, *of_.map).text();
     try {
         property::Assets* const assets = images_.assets();
         if (assets == nullptr) throw std::runtime_error("this program has no files");
@@ -81,7 +82,7 @@ std::shared_ptr<const LoadedMap> Tilemaps::read(const std::string& file) {
             file, [&](const std::string& name) { return assets->read(what, name, map_endings); });
         if (map.orientation != maps::Orientation::orthogonal)
             throw std::runtime_error(file + " is no orthogonal map; others cannot be shown");
-        return std::make_shared<const LoadedMap>(std::move(map), images_);
+        return std::make_shared<const LoadedMap>(std::move(map), what, images_);
     } catch (const std::exception& error) {
         const std::string why = error.what();
         images_.tell(why.starts_with(what) ? why : what + ": " + why);

@@ -88,7 +88,7 @@ class Tilemaps {
     bool is_layer(property::Handle instance) const;
     /// Null if the instance has no map, or its file cannot be read; this is reported once.
     std::shared_ptr<const LoadedMap> loaded(property::Handle map);
-    std::shared_ptr<const LoadedMap> read(const std::string& file);
+    std::shared_ptr<const LoadedMap> read(property::Handle map);
     /// The cells of a layer as they are now; null if it has no map.
     Grid* grid(property::Handle layer);
     std::vector<property::Handle> tile_layers(property::Handle map) const;

@@ -2,6 +2,7 @@
 // Images and written text for code that draws without instances, such as `draw(pen)` of scripts.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,10 @@
 FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
+
+/// Who uses a file: begins the message about one that cannot be read ("world.hero.look.image").
+/// Called only for such a message.
+using FileUser = std::function<std::string()>;
 
 struct TextStyle {
     std::string font = "sans";  // or "bold", "mono", a font file of the game
@@ -28,12 +33,14 @@ struct ImageFrame {
 class Media {
   public:
     virtual ~Media() = default;
-    /// An image file of the game; a checkerboard if it is missing. `what` begins the message about
-    /// that. The picture lives as long as the game.
-    virtual const Picture& picture(const std::string& what, const std::string& name) = 0;
+    /// An image file of the game; a checkerboard if it is missing. The picture lives as long as the
+    /// game.
+    virtual const Picture& picture(const FileUser& user, const std::string& name) = 0;
     /// The part of that picture that a frame is.
-    virtual PictureArea frame(const std::string& what, const std::string& name,
+    virtual PictureArea frame(const FileUser& user, const std::string& name,
                               const ImageFrame& frame) = 0;
+    /// Loads a font, so that a message about it names this user and not the first text in it.
+    virtual void load_font(const FileUser& user, const std::string& font) = 0;
     /// Whether pictures that are enlarged are smooth, unless something else is asked for.
     virtual bool smooth() const = 0;
     /// Width of the longest line, and height of all lines.

@@ -178,8 +178,8 @@ class Runtime {
     /// that calls it does not call `Tree::draw`. Returns false if a script raised an error; what a
     /// module throws reaches the caller.
     bool draw(property::Painter& painter);
-    /// A frame, `seconds` of real time after the last one: a transition of go_to_scene goes on. The
-    /// scene is replaced at the barrier that follows.
+    /// A frame, `seconds` of real time after the last one: a transition of go_to_scene goes on, and
+    /// tweens and timers in real time do. The scene is replaced at the barrier that follows.
     void advance(double seconds);
     /// Makes one fixed step: runs timers and coroutines that are due, then calls `step(dt)`.
     /// `now`: simulation time in seconds at the end of the step.

@@ -2,12 +2,14 @@
 
 #include <fettle/property/storage/game_saves.h>
 
+#include <ctime>
 #include <filesystem>
 #include <utility>
 
 #include <fettle/property/exception_text.h>
 #include <fettle/property/snapshot.h>
 #include <fettle/property/snapshot_remarks.h>
+#include <fettle/property/spelling.h>
 
 #include <files/temporary_file.h>
 
@@ -80,7 +82,9 @@ void GameSaves::take(const std::string& slot, std::size_t request) {
     for (const std::string& formula : unsaved_formulas(tree()))
         warn_once(formula + ": saved games hold its last value, and no formula");
     if (!options_.writes) {
-        unwritten_.insert_or_assign(slot, std::move(state));
+        unwritten_.insert_or_assign(slot, Unwritten{.step = tree().step(),
+                                                    .time = std::time(nullptr),
+                                                    .state = std::move(state)});
         return;
     }
     std::erase_if(waiting_, [&](const Waiting& each) { return each.slot == slot; });
@@ -109,7 +113,8 @@ void GameSaves::finish(const Thumbnail& picture) {
 
 Snapshot GameSaves::saved(const std::string& slot) const {
     const auto unwritten = unwritten_.find(slot);
-    if (unwritten != unwritten_.end()) return Snapshot::from_bytes(unwritten->second);
+    if (unwritten != unwritten_.end()) return Snapshot::from_bytes(unwritten->second.state);
+    if (!options_.writes) refuse_unknown(slot);
     for (const Waiting& each : waiting_)
         if (each.slot == slot) return Snapshot::from_bytes(*each.state);
     return Snapshot::from_bytes(saves_.load(slot).state);
@@ -145,14 +150,31 @@ void GameSaves::load(const std::string& slot) {
 
 void GameSaves::remove(const std::string& slot) {
     Saves::check_slot(slot);
-    std::size_t waited = requested_.erase(slot) + unwritten_.erase(slot);
-    waited += std::erase_if(loaded_, [&](const auto& each) { return each.second == slot; });
-    waited += std::erase_if(waiting_, [&](const Waiting& each) { return each.slot == slot; });
-    if (waited == 0 || saves_.exists(slot)) saves_.remove(slot);
+    const bool known = forget(slot);
+    if (!options_.writes) {
+        if (!known) refuse_unknown(slot);
+    } else if (!known || saves_.exists(slot)) {
+        saves_.remove(slot);
+    }
     if (options_.changed) options_.changed(slot);
 }
 
+bool GameSaves::forget(const std::string& slot) {
+    std::size_t found = requested_.erase(slot) + unwritten_.erase(slot);
+    found += std::erase_if(loaded_, [&](const auto& each) { return each.second == slot; });
+    found += std::erase_if(waiting_, [&](const Waiting& each) { return each.slot == slot; });
+    return found > 0;
+}
+
+void GameSaves::refuse_unknown(const std::string& slot) const {
+    std::vector<std::string> slots;
+    for (const auto& [known, save] : unwritten_) slots.push_back(known);
+    throw Error(ErrorKind::unknown_name,
+                "there is no saved game \"" + slot + "\"" + suggestion(slot, slots));
+}
+
 Thumbnail GameSaves::picture(const std::string& slot) const {
+    if (!options_.writes) return {};
     try {
         return saves_.load(slot).thumbnail;
     } catch (const std::exception&) {  // `list` tells why
@@ -160,15 +182,30 @@ Thumbnail GameSaves::picture(const std::string& slot) const {
     }
 }
 
+std::string GameSaves::problem_of(const std::vector<std::byte>& state) const {
+    try {
+        tree().check(Snapshot::from_bytes(state));
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+std::vector<SaveInfo> GameSaves::list_unwritten() const {
+    std::vector<SaveInfo> all;
+    for (const auto& [slot, save] : unwritten_)
+        all.push_back({.slot = slot,
+                       .step = save.step,
+                       .time = save.time,
+                       .program = {},
+                       .bytes = save.state.size(),
+                       .problem = problem_of(save.state)});
+    return all;
+}
+
 std::vector<SaveInfo> GameSaves::list() const {
-    return saves_.list([this](const SavedGame& save) -> std::string {
-        try {
-            tree().check(Snapshot::from_bytes(save.state));
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return {};
-    });
+    if (!options_.writes) return list_unwritten();
+    return saves_.list([this](const SavedGame& save) { return problem_of(save.state); });
 }
 
 void GameSaves::warn(const std::string& what) const {

@@ -54,6 +54,14 @@ class SettingsReader {
             refuse(node, "a whole number that is not negative");
         return static_cast<std::uint64_t>(node.integer);
     }
+    std::vector<std::string> texts(const Node& node) {
+        if (node.kind != Kind::array) refuse(node, "a list of texts");
+        std::vector<std::string> all;
+        for (const Node* each = document_.first(node); each != nullptr;
+             each = document_.next(*each))
+            all.push_back(text(*each));
+        return all;
+    }
     Vec2 size(const Node& node) {
         constexpr const char* wanted = "width and height from 1 to 16384 pixels, as in [1280, 800]";
         if (node.kind != Kind::array || document_.count(node) != 2) refuse(node, wanted);
@@ -163,6 +171,16 @@ WindowSettings read_window(SettingsReader& reader, const Document::Node& object)
     return window;
 }
 
+std::vector<std::string> read_package(SettingsReader& reader, const Document::Node& object) {
+    std::vector<std::string> exclude;
+    reader.members(object, {"exclude"}, [&](const Document::Node& node, const std::string& key) {
+        if (key != "exclude") return false;
+        exclude = reader.texts(node);
+        return true;
+    });
+    return exclude;
+}
+
 }  // namespace
 
 GameSettings game_settings(std::string text, const std::string& file_name,
@@ -172,7 +190,7 @@ GameSettings game_settings(std::string text, const std::string& file_name,
     GameSettings settings;
     reader.members(document.root(),
                    {"name", "id", "version", "author", "window", "icon", "console", "fettle",
-                    "seed", "smooth"},
+                    "seed", "smooth", "package"},
                    [&](const Document::Node& node, const std::string& key) {
                        if (key == "name")
                            settings.name = reader.text(node);
@@ -190,6 +208,8 @@ GameSettings game_settings(std::string text, const std::string& file_name,
                            settings.console = read_console(reader, node);
                        else if (key == "fettle")
                            settings.fettle = read_fettle(reader, node, program);
+                       else if (key == "package")
+                           settings.package_exclude = read_package(reader, node);
                        else if (key == "seed")
                            settings.seed = reader.natural(node);
                        else if (key == "smooth")

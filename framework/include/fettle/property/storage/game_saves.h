@@ -22,7 +22,8 @@ namespace fettle::property {
 class GameSaves {
   public:
     struct Options {
-        /// False in a replay: saves are kept in memory, and `load` finds them there.
+        /// False in a replay and in a test: saves are kept in memory, and there are no others;
+        /// files are neither read nor written.
         bool writes = true;
         /// The game is shown, and `finish` gets a picture of it after the next barrier. Otherwise
         /// saves have no picture and are made at the barrier.
@@ -58,6 +59,8 @@ class GameSaves {
     void load(const std::string& slot);
     /// Removes the file and a save that still waits. Throws as `Saves::remove` does.
     void remove(const std::string& slot);
+    /// Removes a save that has no file. False if there is none.
+    bool forget(const std::string& slot);
     /// Like `Saves::list`; in addition, a save that this game cannot restore has a problem.
     std::vector<SaveInfo> list() const;
     const Saves& slots() const { return saves_; }
@@ -77,7 +80,15 @@ class GameSaves {
         std::uint64_t step;
         std::shared_ptr<const std::vector<std::byte>> state;
     };
+    struct Unwritten {
+        std::uint64_t step = 0;
+        std::int64_t time = 0;  // s since 1970
+        std::vector<std::byte> state{};
+    };
     void take(const std::string& slot, std::size_t request);
+    std::vector<SaveInfo> list_unwritten() const;
+    std::string problem_of(const std::vector<std::byte>& state) const;
+    [[noreturn]] void refuse_unknown(const std::string& slot) const;
     Snapshot saved(const std::string& slot) const;
     void warn(const std::string& what) const;
     void warn_once(const std::string& what);
@@ -92,8 +103,8 @@ class GameSaves {
     std::map<std::size_t, std::string>
         loaded_;                    // requests that are loaded before the next save of the slot
     std::vector<Waiting> waiting_;  // saves without their picture
-    std::map<std::string, std::vector<std::byte>> unwritten_;  // saves without a file, by slot
-    std::set<std::string> reported_;                           // reported formulas
+    std::map<std::string, Unwritten> unwritten_;  // by slot, if nothing is written
+    std::set<std::string> reported_;              // reported formulas
     /// A request may reach its barrier after this object is destroyed.
     std::shared_ptr<GameSaves*> alive_;
 };

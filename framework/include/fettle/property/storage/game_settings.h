@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fettle/property/storage/export.h>
 #include <fettle/property/value.h>
@@ -43,6 +44,8 @@ struct GameSettings {
     std::optional<bool> smooth{};
     std::optional<std::uint64_t> seed{};  // of random()
     WindowSettings window{};
+    /// Names of files that packages leave out; `*` and `?` stand for other characters.
+    std::vector<std::string> package_exclude{};
 
     /// Title of the window: that of the window, else the name; "" if there is neither.
     std::string title() const { return window.title.value_or(name); }
