@@ -7,7 +7,7 @@
 #include <kept/kept_tweaks.h>
 #include <scenes/scene_edit.h>
 #include <scenes/scene_names.h>
-#include <scenes/scene_value.h>
+#include <values/scene_value.h>
 
 namespace fettle::property {
 
