@@ -24,7 +24,7 @@
 #include <commands/attach.h>
 #include <files/file_errors.h>
 #include <files/game_path.h>
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::program {
 namespace {

@@ -225,10 +225,12 @@ const std::vector<DividedPart>& divided_parts() {
              {"command_line", {}},
              {"files", {"command_line"}},
              {"attach", {"command_line", "files"}},
-             {"game", {"command_line", "files", "attach"}},
-             {"testing", {"command_line", "files", "game"}},
-             {"packing", {"command_line", "files", "game"}},
-             {"commands", {"command_line", "files", "attach", "game", "testing", "packing"}},
+             {"game", {"files"}},
+             {"session", {"command_line", "files", "attach", "game"}},
+             {"testing", {"command_line", "files", "game", "session"}},
+             {"packing", {"files"}},
+             {"commands",
+              {"command_line", "files", "attach", "game", "session", "testing", "packing"}},
          }},
     };
     return table;
