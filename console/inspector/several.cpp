@@ -1,7 +1,6 @@
 #include <inspector/several.h>
 #include <observed/last_value.h>
 
-#include <algorithm>
 #include <functional>
 #include <set>
 

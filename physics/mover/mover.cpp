@@ -6,8 +6,6 @@
 #include <world/world_data.h>
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace fettle::physics {
 

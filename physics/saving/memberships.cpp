@@ -2,8 +2,6 @@
 
 #include <saving/saved_world.h>
 
-#include <algorithm>
-
 namespace fettle::physics::detail {
 namespace {
 

@@ -1,8 +1,6 @@
 #include <solver/contact_solver.h>
 #include <solver/joint_response.h>
 
-#include <cmath>
-
 // Sequential impulses (E. Catto, "Iterative Dynamics with Temporal Coherence", 2005) on small steps
 // with soft contacts (E. Catto, "Solver2D", 2024: "soft step"). Two points are solved one after the
 // other, but the effect of the first on the relative velocity of the second is computed in advance

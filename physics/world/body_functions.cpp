@@ -3,7 +3,6 @@
 #include <step/gather.h>
 #include <world/world_data.h>
 
-#include <algorithm>
 #include <cmath>
 
 // The functions of the user that move single bodies. A velocity function is called once in a step,

@@ -2,7 +2,6 @@
 // instance of its name below `input`.
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 

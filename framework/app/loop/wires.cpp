@@ -1,7 +1,5 @@
 #include <loop/wires.h>
 
-#include <cmath>
-
 #include <fettle/app/view.h>
 #include <fettle/property/error.h>
 #include <fettle/property/label.h>

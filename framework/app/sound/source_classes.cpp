@@ -1,7 +1,5 @@
 // The classes of what can be played, and of `audio` with its buses.
 
-#include <stdexcept>
-
 #include <fettle/property/error.h>
 
 #include <sound/audio_state.h>

@@ -1,6 +1,5 @@
 #include "changes.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <classes/coerce.h>

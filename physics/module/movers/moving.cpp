@@ -1,7 +1,6 @@
 // The step of movers, and its events.
 
 #include <algorithm>
-#include <cmath>
 
 #include <bindings/bindings.h>
 #include <movers/mover_class.h>

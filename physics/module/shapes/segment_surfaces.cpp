@@ -1,8 +1,5 @@
 // Chain: surfaces of its segments, as one list for each value.
 
-#include <algorithm>
-#include <limits>
-
 #include <bindings/bindings.h>
 #include <shapes/shape_classes.h>
 

@@ -1,7 +1,5 @@
 // When an instance gets another name or parent, the paths in its kept tweaks are changed.
 
-#include <algorithm>
-
 #include <fettle/property/path.h>
 
 #include <kept/kept_tweaks.h>
