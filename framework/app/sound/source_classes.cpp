@@ -1,4 +1,4 @@
-// The classes of what can be played, and of `audio` with its buses.
+// The classes of sources of sound, and of `audio` with its buses.
 
 #include <fettle/property/error.h>
 

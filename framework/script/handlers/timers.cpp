@@ -32,7 +32,7 @@ constexpr double shortest_interval = 1e-4;
 constexpr double most_calls = 20'000;
 constexpr std::int64_t weight_of_timer = 300;  // bytes, estimated
 
-/// When a repeated timer that was due is due again. The interval starts when it was due, so that
+/// The time when a repeated timer is due again. The interval starts when it was due, so that
 /// intervals do not drift. 0 means every step, and so does an interval that is too short to be
 /// added to the time.
 double next_due(double due, double interval, double end) {
