@@ -100,7 +100,7 @@ struct WorldData : WorldState, StepScratch {
     void replace_state(WorldState&& other);
 };
 
-/// world.cpp: hash of the poses and velocities of all bodies.
+/// hash.cpp: hash of the poses and velocities of all bodies.
 uint64_t hash_of(const Columns& columns);
 
 /// callbacks.cpp: mixes the surfaces of all contacts, as if no callback had changed them.

@@ -1,5 +1,5 @@
-// Events: what happened in a step, reported to handlers. An event without handlers costs nothing:
-// no record of it is made.
+// Events of a step, reported to handlers. An event without handlers costs nothing: no record of it
+// is made.
 
 #include <utility>
 
