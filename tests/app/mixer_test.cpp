@@ -1,4 +1,4 @@
-// What the mixer makes of voices, measured without a device.
+// The output of the mixer, measured without a device.
 
 #include <catch.h>
 

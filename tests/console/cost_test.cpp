@@ -1,5 +1,5 @@
-// What is drawn must not grow with the game. The times are those of `fettle-bench console`, and are
-// not checked.
+// The number of drawn triangles must not grow with the game. The times are those of `fettle-bench
+// console`, and are not checked.
 
 #ifdef FETTLE_BENCH_CONSOLE
 

@@ -1,4 +1,4 @@
-// What the console draws: the log with selection and links, sizes, fonts, any surface.
+// The pictures of the console: the log with selection and links, sizes, fonts, any surface.
 
 #include <algorithm>
 #include <cmath>
@@ -203,7 +203,7 @@ TEST_CASE("the text grows by a factor") {
     property::set(rig.tree, "console.scale", Value(2.0));
     rig.draw(3);
     CHECK(rig.state().views.log_view.cell() == Approx(2 * cell).margin(1));
-    // What is measured in text grows with it, as long as there is room beside the panel.
+    // Lengths measured in letters grow with it, as long as there is room beside the panel.
     property::set(rig.tree, "console.scale", Value(1.25));
     rig.draw(3);
     const auto wide = [&] {

@@ -1,4 +1,4 @@
-// What the player does, by simulated input.
+// Actions of the player, by simulated input.
 
 #include "screen.h"
 

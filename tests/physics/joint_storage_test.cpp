@@ -5,7 +5,7 @@
 
 namespace joint_storage_test {
 
-// What all joints have: bodies, sleep, filters, life and death.
+// The common properties of all joints: bodies, sleep, filters, creation and destruction.
 
 using namespace scenes;
 

@@ -160,7 +160,7 @@ struct Touch {
     int points = 0;
 };
 
-/// What touches when a polygon of many vertices is next to something fixed.
+/// The touch of a polygon of many vertices next to a fixed geometry.
 Touch touch_of(const Geometry& fixed, const Polygon& polygon, const Pose& pose) {
     World world({.gravity = {0, 0}, .sleeping = false});
     Body ground = world.create_body({.type = BodyType::static_body});

@@ -1,4 +1,4 @@
-// What a world takes: bytes that were asked for, counted where they are asked for.
+// The memory of a world: bytes are counted when they are allocated.
 
 #include "catch.h"
 #include "scenes.h"
@@ -41,8 +41,9 @@ void discount(void* memory) {
 
 }  // namespace
 
-// Of the whole program: the tests beside these count too, which harms nobody. All forms that are
-// not for arrays, since a sanitizer has its own of those that are missing, and minds a mixture.
+// These replace the operators of the whole program, so they count in other tests as well, which
+// does no harm. All forms but those for arrays are replaced: a sanitizer defines the missing ones,
+// and reports a mixture.
 void* operator new(std::size_t size) {
     return or_throw(allocate(size));
 }

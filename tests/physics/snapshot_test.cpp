@@ -26,8 +26,8 @@ std::vector<uint64_t> hashes(World& world, int steps) {
     return all;
 }
 
-/// Saves after `before` steps, goes on, restores, goes on again: both futures are the same, after
-/// `meddle` has done what it likes with the world in between.
+/// Saves after `before` steps, goes on, changes the world by `meddle`, restores, goes on again:
+/// both futures must be the same.
 void check_restored(World& world, int before, int after,
                     const std::function<void(World&)>& meddle = {}) {
     for (int i = 0; i < before; ++i) world.step(frame);

@@ -69,7 +69,7 @@ struct Course {
     size_t broken = 0, hits = 0;
 };
 
-/// With so many threads at a time, however many processors there are.
+/// Runs with `hands` threads, however many processors there are.
 Course run_with(int hands, int steps, int heaps = 1) {
     ThreadPool pool(hands, hands);
     World world({.sleeping = false});
