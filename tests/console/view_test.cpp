@@ -220,7 +220,7 @@ TEST_CASE("the text grows by a factor") {
     CHECK(rig.surface.faults() == 0);
 }
 
-TEST_CASE("what can be clicked in the title is high enough") {
+TEST_CASE("the filter field in the title is high enough") {
     Rig rig;
     property::set(rig.tree, "console.font_size", Value(10.0));
     rig.key("grave");

@@ -67,7 +67,7 @@ TEST_CASE("a chain is one shape with one set of properties") {
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("what slides along a flat chain is not kicked at its seams") {
+TEST_CASE("a body that slides along a flat chain is not kicked at its seams") {
     const int kind = GENERATE(0, 1, 2, 3, 4);
     const float speed = GENERATE(0.5f, 2.0f, 7.0f, 15.0f, 30.0f);
     World world({.sleeping = false});

@@ -114,7 +114,7 @@ TEST_CASE("impulses on the copies of a hub count in full") {
     }
 }
 
-TEST_CASE("what is not much lighter meets the hub itself") {
+TEST_CASE("a body that is not much lighter meets the hub itself") {
     auto bodies = hub_and_light();
     Hubs hubs;
     hubs.begin(4);

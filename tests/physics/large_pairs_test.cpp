@@ -229,7 +229,7 @@ TEST_CASE("large polygons meet pieces of outlines as they meet the convex polygo
     REQUIRE(behind < 5);
 }
 
-TEST_CASE("what slides over a large polygon in pieces is held by all of them") {
+TEST_CASE("a body that slides over a large polygon in pieces is held by all of them") {
     // A crescent: its outer arc is cut into few pieces of many vertices.
     std::vector<Vec2> crescent;
     for (int i = 0; i <= 200; ++i) {

@@ -149,7 +149,7 @@ TEST_CASE("a world tells where its memory is") {
     for (const MemoryShare& share : world->memory()) REQUIRE(share.used <= share.reserved);
 }
 
-TEST_CASE("what a step needs besides is given back when most bodies sleep") {
+TEST_CASE("the scratch memory of a step is given back when most bodies sleep") {
     World world({.sleep_delay = 0.05f});
     add_row(world, 1000);
     world.step(frame);
@@ -157,7 +157,7 @@ TEST_CASE("what a step needs besides is given back when most bodies sleep") {
     settle(world);
     REQUIRE(world.statistics().awake_bodies == 0);
     REQUIRE(reserved(world, "step") < awake / 20);
-    // One that wakes brings back what one needs.
+    // A body that wakes brings back the memory that one body needs.
     world.bodies()[500].apply_impulse({0, 1});
     world.step(frame);
     REQUIRE(world.statistics().awake_bodies == 1);

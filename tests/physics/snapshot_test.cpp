@@ -458,7 +458,7 @@ TEST_CASE("a saved joint of no type is refused") {
         REQUIRE_THROWS_WITH(target.restore(with_type(type)), contains("a joint"));
 }
 
-TEST_CASE("whatever bodies do at the greatest angle can be saved") {
+TEST_CASE("any motion of bodies at the greatest angle can be saved") {
     World world({.gravity = {0, 0}});
     Body wall = world.create_body({.type = BodyType::static_body});
     wall.add(Box{.width = 1, .height = 2000});
