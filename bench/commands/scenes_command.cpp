@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <iostream>
 #include <optional>
-#include <stdexcept>
 
 #include "commands/commands.h"
 #include "engines/engine.h"

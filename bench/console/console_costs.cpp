@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "engines/hosted_engine.h"
 #include "measure/timing.h"

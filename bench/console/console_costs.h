@@ -1,5 +1,5 @@
 #pragma once
-// What the console costs in games with many bodies.
+// Measures the time that the console takes in games with many bodies.
 
 #include <cstddef>
 #include <string>

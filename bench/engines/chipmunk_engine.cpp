@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <vector>
 
 #include "engines/engine.h"

@@ -1,5 +1,5 @@
 #pragma once
-// What games of usual kinds cost.
+// Measures the time and the memory that games of usual kinds take.
 
 #include <functional>
 #include <string>

@@ -7,7 +7,7 @@
 
 #include <fettle/app/screen.h>
 #include <game/run_options.h>
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::bench {
 

@@ -26,8 +26,8 @@ struct Bound {
 inline Bound below(double value, std::string note = {}) {
     return {Bound::Kind::below, value, std::move(note)};
 }
-inline Bound at_most(double value, std::string note = {}) {
-    return {Bound::Kind::at_most, value, std::move(note)};
+inline Bound at_most(double value) {
+    return {Bound::Kind::at_most, value};
 }
 inline Bound at_least(double value) {
     return {Bound::Kind::at_least, value};

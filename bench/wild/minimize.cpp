@@ -8,8 +8,7 @@ namespace {
 
 class Minimizer {
   public:
-    Minimizer(WorldPlan plan, const Fails& fails, long long work)
-        : plan_(std::move(plan)), fails_(fails), work_(work) {}
+    Minimizer(WorldPlan plan, const Fails& fails) : plan_(std::move(plan)), fails_(fails) {}
 
     WorldPlan run() {
         cut_steps();
@@ -52,7 +51,7 @@ class Minimizer {
             else
                 cut = std::min(cut, plan_.steps / 2);
         }
-        // What would come later is no part of it.
+        // Edits after the last step have no effect, so they are left out.
         attempt([](WorldPlan& plan) {
             std::erase_if(plan.edits, [&](const Edit& edit) { return edit.step >= plan.steps; });
         });
@@ -209,13 +208,14 @@ class Minimizer {
 
     WorldPlan plan_;
     const Fails& fails_;
-    long long work_;
+    /// The steps that are left, each counted once for each body, in all calls of `fails` together.
+    long long work_ = 4'000'000;
 };
 
 }  // namespace
 
-WorldPlan minimized(WorldPlan plan, const Fails& fails, long long work) {
-    return Minimizer(std::move(plan), fails, work).run();
+WorldPlan minimized(WorldPlan plan, const Fails& fails) {
+    return Minimizer(std::move(plan), fails).run();
 }
 
 }  // namespace fettle::bench::wild

@@ -10,9 +10,8 @@ namespace fettle::bench::wild {
 /// Whether a plan still fails.
 using Fails = std::function<bool(const WorldPlan&)>;
 
-/// Removes bodies, joints, fields, edits, shapes and steps, and then simplifies what is left: its
-/// settings, sizes and numbers. `work`: it stops after this many steps, each counted once for each
-/// body, in all calls of `fails` together.
-WorldPlan minimized(WorldPlan plan, const Fails& fails, long long work = 4'000'000);
+/// Removes bodies, joints, fields, edits, shapes and steps, and then simplifies the rest: its
+/// settings, sizes and numbers.
+WorldPlan minimized(WorldPlan plan, const Fails& fails);
 
 }  // namespace fettle::bench::wild

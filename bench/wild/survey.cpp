@@ -60,7 +60,7 @@ class Surveyor {
         return true;
     }
 
-    /// What is found in the smaller world takes the place of `finding`.
+    /// The finding in the smaller world replaces `finding`.
     std::string minimize(const WorldPlan& plan, Finding& finding) const {
         const std::string& name = finding.invariant;
         std::vector<Invariant> one;

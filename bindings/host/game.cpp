@@ -78,7 +78,7 @@ Game::Game(const fettle_hosted_def& def)
         if (console) console->note(text);
 }
 
-/// The files end after what their messages are for.
+/// The files are closed after the objects that may still write messages to them.
 Game::~Game() {
     open = false;
 }

@@ -11,7 +11,7 @@ namespace fettle::host {
 class TriangleSurface : public app::Surface {
   public:
     void begin(float width, float height);
-    /// What was drawn since `begin`.
+    /// The triangles that were drawn since `begin`.
     fettle_console_picture picture();
 
     float width() const override { return width_; }

@@ -21,8 +21,8 @@ class MixedValues {
     /// The property of another selected instance with that name and type; null if it has none.
     static const property::Property* same(const property::Tree& tree, property::Handle other,
                                           const property::Property& property);
-    /// "" if the values are equal, as far as they were compared; otherwise what is shown, such as
-    /// "mixed: 1 to 5 kg".
+    /// "" if the values are equal, as far as they were compared; otherwise the text to show, such
+    /// as "mixed: 1 to 5 kg".
     std::string look(const property::Tree& tree, const property::Property& property,
                      const property::Value& value);
 

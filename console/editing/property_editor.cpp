@@ -75,7 +75,6 @@ std::string PropertyEditor::problem(const Property& property) const {
 }
 
 // --- The row
-// --------------------------------------------------------------------------------------------------------
 
 bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bold) {
     if (problems_of_ != instance) forget();
@@ -228,7 +227,6 @@ bool PropertyEditor::reset_button(const Target& target) {
 }
 
 // --- Widgets
-// --------------------------------------------------------------------------------------------------------
 
 void PropertyEditor::widget(const Target& target, const Value& value, float width) {
     Type type = value.is_nil() || target.property->any_type ? value.type() : target.property->type;
@@ -391,7 +389,6 @@ void PropertyEditor::nil(const Target& target, float width) {
 }
 
 // --- Lists
-// ----------------------------------------------------------------------------------------------------------
 
 void PropertyEditor::list(const Target& target, const Value& value, float width) {
     const List& elements = value.list();

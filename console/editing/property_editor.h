@@ -28,8 +28,7 @@ class PropertyEditor {
     /// Called when a reference is clicked.
     std::function<void(property::Handle)> follow;
     /// Makes an expression the formula of the property with that path. Returns why it is refused,
-    /// or
-    /// "".
+    /// or "".
     std::function<std::string(const std::string& path, const std::string& expression)> define;
     /// Called with the path of a property that was clicked with the right button.
     std::function<void(const std::string& path)> menu;
@@ -132,7 +131,7 @@ class PropertyEditor {
 /// The descriptor in one line: "number · kg · 0 to inf · default 1".
 std::string describe(const property::Tree& tree, const property::Property& property);
 
-/// Who wrote: "main.lua:30", "console, step 412", "physics".
+/// The writer of a value as text: "main.lua:30", "console, step 412", "physics".
 std::string writer_text(const property::Cause& cause);
 /// File and line of a place in a script; no file for other places.
 std::pair<std::string, int> script_place(const std::string& where);

@@ -1,4 +1,4 @@
-// What the editor writes: an edit is one step of undo, and goes to all selected instances.
+// The writes of the editor: an edit is one step of undo, and changes all selected instances.
 
 #include <exception>
 

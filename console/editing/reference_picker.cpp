@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include <algorithm>
-
 #include <fettle/script/fuzzy.h>
 
 #include <look/fields.h>

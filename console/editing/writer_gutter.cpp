@@ -1,6 +1,5 @@
 // The gutter of the inspector: who wrote a property last. A click leads there.
 
-#include <algorithm>
 #include <utility>
 
 #include <editing/property_editor.h>

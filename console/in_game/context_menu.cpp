@@ -1,7 +1,5 @@
 #include <in_game/context_menu.h>
 
-#include <optional>
-
 #include <look/theme.h>
 #include <text/utf8.h>
 

@@ -1,6 +1,6 @@
 #pragma once
-// What will move in the next seconds: while the game is paused, each edit shows the ways that the
-// physics would take from here.
+// Ghosts of the bodies that will move in the next seconds: while the game is paused, each edit
+// shows the paths that the bodies would take from here.
 
 #include <imgui.h>
 

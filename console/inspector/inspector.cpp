@@ -114,7 +114,6 @@ void Inspector::draw(ImFont* bold) {
 }
 
 // --- Outline
-// --------------------------------------------------------------------------------------------------------
 
 void Inspector::draw_outline(float height) {
     ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::well);
@@ -222,7 +221,6 @@ void Inspector::draw_splitter() {
 }
 
 // --- The selected instance
-// ------------------------------------------------------------------------------------------
 
 void Inspector::draw_header(ImFont* bold) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -242,7 +240,7 @@ void Inspector::draw_header(ImFont* bold) {
     draw_text(list, ImVec2(low.x + em * 0.4f, y), class_color(class_name), class_name);
 }
 
-/// The header for several selected instances, with what can be done to all of them.
+/// The header for several selected instances, with buttons for operations on all of them.
 void Inspector::draw_several(ImFont* bold) {
     const std::string& kind = tree_.class_of(selected()).name();
     const bool alike = selection_.of_one_class();

@@ -21,7 +21,7 @@ class InstanceSearch {
     /// Begins a search. A text with an operator is a condition (property::Condition); another one
     /// is a part of a name, of a class or, with a dot, of a path, and then letters of a name.
     void begin(std::string_view text);
-    /// Begins the same search again; what was found stays until it has ended.
+    /// Begins the same search again; earlier results stay until it has ended.
     void begin_again();
     /// Goes on with the search. Returns whether there is another result.
     bool advance();

@@ -33,7 +33,7 @@ class InstanceTree {
     /// Searches by name, class or condition (instance_search.h); "" shows the outline.
     void search(std::string_view text);
     const std::string& searched() const { return search_; }
-    /// What is wrong with the search; "" if nothing is.
+    /// The error in the text of the search; "" if it has none.
     const std::string& problem() const { return matches_.problem(); }
     bool searching() const { return matches_.running(); }
     void fold(property::Handle instance, bool unfolded);

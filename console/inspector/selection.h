@@ -1,6 +1,6 @@
 #pragma once
-// The selected instances. A hundred thousand of them cost a frame next to nothing: what depends on
-// all of them is computed when they change.
+// The selected instances. A hundred thousand of them take almost no time in a frame: data that
+// depends on all of them is computed only when they change.
 
 #include <cstdint>
 #include <unordered_set>

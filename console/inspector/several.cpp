@@ -1,7 +1,6 @@
 #include <inspector/several.h>
 #include <observed/last_value.h>
 
-#include <algorithm>
 #include <functional>
 #include <set>
 
@@ -22,7 +21,7 @@ const Property* position_of(const property::Tree& tree, Handle instance) {
     return found != nullptr && found->type == Type::vec2 && !found->read_only ? found : nullptr;
 }
 
-/// Those that can be moved; what is below one of them moves with it.
+/// The instances that can be moved, without those below one of them, which move with it.
 std::vector<Handle> movable(const property::Tree& tree, std::vector<Handle> instances) {
     std::erase_if(instances, [&](Handle each) { return position_of(tree, each) == nullptr; });
     return topmost(tree, instances);

@@ -8,7 +8,7 @@
 
 namespace fettle::console {
 
-/// The living ones, each once and in their order; those that are below another one are left out.
+/// The instances that are alive, each once and in their order, without those below another one.
 std::vector<property::Handle> topmost(const property::Tree& tree,
                                       const std::vector<property::Handle>& instances);
 /// Instances that are at a place inside the box; not those below another one.

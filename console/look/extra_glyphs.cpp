@@ -1,7 +1,6 @@
 #include <look/extra_glyphs.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 

@@ -30,7 +30,7 @@ class ExtraGlyphs {
     static const ImWchar* always();
     /// Files of fonts that have what the others lack, the best first.
     static const std::vector<const char*>& fallbacks();
-    /// Those of the current context.
+    /// The glyphs of the current context.
     static ExtraGlyphs& current() { return *static_cast<ExtraGlyphs*>(ImGui::GetIO().UserData); }
 
     /// The text with stand-ins, for Dear ImGui: `text` itself if it needs none, otherwise

@@ -42,7 +42,7 @@ void draw_number_frame(ImVec2 low, ImVec2 high, double value, const NumberLook& 
                        ImGui::GetColorU32(hot ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg),
                        style.FrameRounding);
     double span = look.range.max - look.range.min;
-    // Of a very large range any usual value is the same part.
+    // In a very large range all usual values would fill the same part.
     if (span > 0 && span <= widest_share && std::isfinite(value)) {
         double part = std::clamp((value - look.range.min) / span, 0.0, 1.0);
         float x = low.x + static_cast<float>(part) * (high.x - low.x);

@@ -53,7 +53,7 @@ float covered(int at, float from, float to) {
         0.0f, std::min(to, static_cast<float>(at + 1)) - std::max(from, static_cast<float>(at)));
 }
 
-/// A smaller bitmap: each pixel is the mean of what it covers.
+/// A smaller bitmap: each pixel is the mean of the pixels that it covers.
 Bitmap shrunk(const Bitmap& from, int width, int height) {
     Bitmap made{width, height, {}};
     const float wide = static_cast<float>(from.width) / static_cast<float>(width);

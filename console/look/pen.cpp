@@ -143,7 +143,7 @@ void Pen::stroke(bool closed, const property::Paint& paint) {
     const int flags = closed ? ImDrawFlags_Closed : 0;
     const bool hidden = paint.fill.a <= 0 && paint.border.a <= 0;
     if (style_.as_drawn && !hidden) {
-        // What is not convex has its border only.
+        // An outline that is not convex has its border only.
         if (closed && paint.fill.a > 0 && is_convex(points_))
             list_.AddConvexPolyFilled(points_.data(), count, color_of(paint.fill, style_.opacity));
         const bool border = paint.border.a > 0 && paint.border_width > 0;

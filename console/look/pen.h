@@ -31,7 +31,7 @@ struct PenStyle {
     ImU32 glow = 0;                // of a wide line below the outline; 0: none
     float glow_width = 7;          // px
     bool as_drawn = false;         // fills and borders as the game draws them
-    float opacity = 1;             // of what is `as_drawn`
+    float opacity = 1;             // of figures that are `as_drawn`
 };
 
 class Pen : public property::Painter {

@@ -40,7 +40,7 @@ inline constexpr ImU32 note = rgb(0x74cbb9);
 inline constexpr ImU32 clear = rgb(0, 0);
 }  // namespace palette
 
-/// Opacity of what cannot be changed.
+/// Opacity of widgets that cannot be changed.
 inline constexpr float disabled_alpha = 0.85f;
 
 /// The fonts: for code and values, the same bold, and for labels.

@@ -28,7 +28,7 @@ Value value_of_time(const property::Tree& tree, const char* name) {
     return property != nullptr ? last_value(tree, time, *property) : Value();
 }
 
-/// Whether what is below the instance is on the screen, and not in the world.
+/// Whether the children of the instance are on the screen, and not in the world.
 bool is_on_screen(const property::Tree& tree, Handle instance) {
     const property::Property* const space = tree.class_of(instance).property("space");
     return space != nullptr && tree.peek(instance, *space) == Value("screen");

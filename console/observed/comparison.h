@@ -39,7 +39,7 @@ class Comparison {
 
     Comparison(property::Tree& tree, Log& log) : tree_(tree), log_(log) {}
 
-    /// Receives what was found, in addition to the log; optional.
+    /// Receives the results, in addition to the log; optional.
     std::function<void(const std::string& line)> found;
 
     /// Compares at the next `between_frames`. Throws Error for a path that names no writable
@@ -56,7 +56,7 @@ class Comparison {
     bool shown() const { return !a_.empty() && !b_.empty(); }
     const std::vector<Moment>& a() const { return a_; }
     const std::vector<Moment>& b() const { return b_; }
-    /// What A is: "as it was", or the name of a branch.
+    /// The name of A: "as it was", or the name of a branch.
     const std::string& original() const { return original_; }
     /// "world.ball.mass = 3 kg", or the name of a branch
     const std::string& change() const { return change_; }

@@ -43,7 +43,7 @@ const NotedValues::Noted* find_noted(const Values& values, const std::string& na
     return found == values.end() ? nullptr : &*found;
 }
 
-/// What differs in a property: the first instance, and in how many it does.
+/// Differences in one property: the first instance, and the number of instances.
 struct Difference {
     std::string line;
     std::size_t instances = 0;

@@ -96,7 +96,8 @@ void TimeMarks::leave_for(const std::string& branch,
 
 void TimeMarks::look() {
     if (frames_++ % frames_apart != 0) return;
-    // Going back restores the history as it was then. What was seen of later steps stays marked.
+    // Going back restores the history as it was then. Marks of later steps that were seen before
+    // stay.
     const auto now = static_cast<std::int64_t>(tree_.step());
     std::erase_if(edits_, [&](const TimeMark& mark) { return mark.step <= now; });
     for (const property::HistoryEntry& entry : tree_.history()) {

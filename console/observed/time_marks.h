@@ -1,6 +1,6 @@
 #pragma once
-// What happened at the steps of the past: edits of people, errors of scripts, breaks, and
-// bookmarks. Each branch of the past has its own.
+// Marks for events at past steps: edits of people, errors of scripts, breaks, and bookmarks. Each
+// branch of the past has its own.
 
 #include <cstdint>
 #include <map>

@@ -318,7 +318,6 @@ void Console::State::follow_link(std::string_view path, bool insert) {
 }
 
 // --- The layer
-// ------------------------------------------------------------------------------------------------------
 
 Console::Console(property::Tree& tree, Interpreter interpreter, Options options)
     : state_(std::make_unique<State>(tree, std::move(interpreter), std::move(options))) {}

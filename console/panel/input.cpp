@@ -52,7 +52,6 @@ void Console::State::lose_focus() {
 }
 
 // --- Keyboard
-// -------------------------------------------------------------------------------------------------------
 
 // Shift and the grave key give a tilde, which Lua needs.
 bool Console::State::press_key(const InputEvent& event) {
@@ -161,7 +160,6 @@ void Console::State::prompt_key(const InputEvent& event) {
 }
 
 // --- Mouse
-// ----------------------------------------------------------------------------------------------------------
 
 bool Console::State::over_windows(float x, float y) const {
     return screen.popup_open || screen.panel_rect.contains(x, y) ||
@@ -281,7 +279,6 @@ bool Console::State::click_game(float x, float y, bool menu) {
 }
 
 // --- To widgets
-// -----------------------------------------------------------------------------------------------------
 
 void Console::State::feed(const InputEvent& event) {
     bool key = event.kind == EventKind::key_pressed || event.kind == EventKind::key_released;

@@ -1,4 +1,4 @@
-// What a player has arranged in the console, kept from run to run.
+// The player's arrangement of the console, kept from run to run.
 
 #include <array>
 #include <string_view>

@@ -132,7 +132,7 @@ float Console::State::panel_height() {
     return std::clamp(settings.number("height") * screen.height, least, most);
 }
 
-/// The lowest place that is free above what is at the lower edge.
+/// The lowest free place above the views at the lower edge.
 float Console::State::free_above() const {
     float low = screen.height - margin;
     for (const Rect& rect : {views.time_bar.rect(), views.watch_list.rect(), views.plot_view.rect(),
@@ -151,7 +151,7 @@ void Console::State::draw_time_bar(float right) {
                         settings.number("opacity"), ui.bold());
 }
 
-/// Draws what lies over the game and under the windows.
+/// Draws the pictures over the game and under the windows.
 void Console::State::draw_in_game() {
     if (!options.to_pixels) return;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -163,7 +163,7 @@ void Console::State::draw_in_game() {
     draw_outlines();
 }
 
-/// Draws two runs between the panel and what is at the lower edge.
+/// Draws two runs between the panel and the views at the lower edge.
 void Console::State::draw_comparison(float right, double seconds) {
     if (!comparison.shown() || !options.to_world) return views.compare_view.hide();
     const float low = free_above();
@@ -176,7 +176,7 @@ void Console::State::draw_comparison(float right, double seconds) {
                             views.time_bar.available() ? views.time_bar.times().dt : 1.0 / 60);
 }
 
-/// Draws the times of the last frames above what is observed.
+/// Draws the times of the last frames above the observed values.
 void Console::State::draw_frames(float right) {
     if (options.frames == nullptr || !shows("timings")) return views.frame_view.hide();
     float low = screen.height - margin;
@@ -223,7 +223,6 @@ void Console::State::draw_observed(float right) {
 }
 
 // --- The panel
-// ------------------------------------------------------------------------------------------------------
 
 void Console::State::draw_panel(float panel_width, float panel_height, float cell) {
     ImGui::SetNextWindowPos(ImVec2(margin, margin));
@@ -367,7 +366,6 @@ void Console::State::draw_height_handle() {
 }
 
 // --- The inspector
-// --------------------------------------------------------------------------------------------------
 
 void Console::State::draw_inspector(float left, float inspector_width) {
     ImGui::SetNextWindowPos(ImVec2(left, margin));
@@ -382,7 +380,7 @@ void Console::State::draw_inspector(float left, float inspector_width) {
     ImGui::End();
 }
 
-/// Draws the inspector in the room between the panel and what is at the lower edge, if there is
+/// Draws the inspector in the room between the panel and the views at the lower edge, if there is
 /// enough. If nothing is selected, the game is visible in the lower half.
 void Console::State::draw_inspector_below() {
     const float least = least_inspector * ImGui::GetFontSize();

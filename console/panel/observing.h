@@ -1,6 +1,6 @@
 #pragma once
-// What a person observes: pinned values, plots, conditions that break, searches of the past; and
-// the commands that wait, or that a key or a word stands for.
+// The means of observation: pinned values, plots, conditions that break, searches of the past. Also
+// commands that wait, and commands with a key or a word for them.
 
 #include <cstdint>
 #include <deque>
@@ -30,7 +30,7 @@ class Observing {
 
     /// Receives the line of a break; optional.
     std::function<void(const std::string& line)> on_break{};
-    /// Receives what breaks and searches find, in addition to the log; optional.
+    /// Receives the results of breaks and searches, in addition to the log; optional.
     std::function<void(const std::string& line)> found;
 
     /// The functions of the console that this class implements for scripts.

@@ -43,7 +43,7 @@ class MemoryClipboard : public app::Clipboard {
     std::string text_;
 };
 
-/// What the console draws, in the order of its panel.
+/// The views of the console, in the order of its panel.
 struct Views {
     LogView log_view;
     PromptView prompt_view;
@@ -61,7 +61,7 @@ struct DrawnBox {
     float from_x = 0, from_y = 0, to_x = 0, to_y = 0;
 };
 
-/// What the player holds down, and which events wait for the next frame.
+/// Keys and buttons that the player holds down, and events that wait for the next frame.
 struct Input {
     HeldKeys keys, buttons;
     bool shift_held = false, control_held = false;
@@ -80,7 +80,7 @@ struct Screen {
     std::string part_problem;  // the last one in the log
 };
 
-/// What the console has done in this run, and what it has seen.
+/// Things that the console has done in this run, and states of the last frame.
 struct Status {
     bool was_open = false;
     bool greeted = false;
@@ -108,7 +108,7 @@ struct Console::State {
     bool leaves_menu(char32_t character);
     bool over_windows(float x, float y) const;
     bool click_game(float x, float y, bool menu);
-    /// Selects what is in the box that was drawn with Shift.
+    /// Selects the instances in the box that was drawn with Shift.
     void end_box();
     /// Keys for the selection, after a click into the game: arrows move it, Delete deletes it.
     bool selection_key(const app::InputEvent& event);

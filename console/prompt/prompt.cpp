@@ -111,7 +111,6 @@ void Prompt::text_changed() {
 }
 
 // --- Candidates
-// -----------------------------------------------------------------------------------------------------
 
 void Prompt::complete() {
     if (!interpreter_.complete) return;
@@ -185,7 +184,6 @@ bool Prompt::menu_key(const Key& key) {
 }
 
 // --- History
-// --------------------------------------------------------------------------------------------------------
 
 void Prompt::walk(bool older) {
     if (!walk_at_) walk_prefix_ = edit_.text();
@@ -241,7 +239,6 @@ bool Prompt::search_key(const Key& key) {
 }
 
 // --- Editing
-// --------------------------------------------------------------------------------------------------------
 
 bool Prompt::copy() {
     if (!edit_.selecting()) return false;
@@ -322,7 +319,6 @@ bool Prompt::erase_key(const Key& key) {
 }
 
 // --- Running
-// --------------------------------------------------------------------------------------------------------
 
 /// For Enter inside an open block: the next line gets the indentation of the current one.
 void Prompt::new_line() {

@@ -145,7 +145,6 @@ void PromptView::draw_caret(ImVec2 origin, float line_height, float cell, bool f
 }
 
 // --- Candidates
-// -----------------------------------------------------------------------------------------------------
 
 void PromptView::draw_menu(float cell, ImFont* bold) {
     menu_rect_ = signature_rect_ = {};

@@ -31,7 +31,6 @@ std::string seconds_text(double seconds) {
 }  // namespace
 
 // --- State and actions
-// -------------------------------------------------------------------------------------------
 
 Value TimeBar::value(const char* name) const {
     const Handle time = tree_.child(tree_.root(), "time");
@@ -108,7 +107,6 @@ void TimeBar::go_to(std::int64_t step) {
 }
 
 // --- Appearance
-// -----------------------------------------------------------------------------------------------------
 
 float TimeBar::height() const {
     return ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().WindowPadding.y + 14 +

@@ -1,7 +1,7 @@
 // Fettle's console dropped into a game that has a window and a loop of its own, written with SFML.
-// The game draws its balls itself; the console (the grave key) sees and edits them as they fly.
+// The game draws its balls itself; the console (the grave key) shows and edits them as they fly.
 //
-//   window [FRAMES]     ends after so many frames, with the console open and a picture in
+//   window [FRAMES]     ends after FRAMES frames, with the console open and a picture in
 //   window.png
 
 #include <cstdint>

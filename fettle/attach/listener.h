@@ -25,8 +25,9 @@ struct ListenLimits {
     std::size_t waiting = 8;    // that have not sent it; beyond it, the oldest is disconnected
     double greeting_seconds = 2;
     std::size_t accepted = 4;  // connections of a frame
-    // No request of a frame is begun after so many, after a completion, after so many bytes of
-    // requests and answers, or after so many seconds; and no completion after another request.
+    // A frame begins no further request after this number of requests, after a completion, after
+    // this number of bytes of requests and answers, or after this time; and no completion after
+    // another request.
     std::size_t requests = 8, answered = 32768;
     double busy_seconds = 0.0005;
     std::size_t received = 16384;  // bytes of a frame and connection

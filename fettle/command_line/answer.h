@@ -1,5 +1,5 @@
 #pragma once
-// What a console command printed, as the terminal shows it.
+// The output of a console command, as the terminal shows it.
 
 #include <string>
 #include <vector>

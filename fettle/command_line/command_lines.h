@@ -14,7 +14,7 @@
 
 namespace fettle::program {
 
-/// What runs the commands that `CommandLines` reads.
+/// Runs the commands that `CommandLines` reads.
 class CommandRunner {
   public:
     virtual ~CommandRunner() = default;

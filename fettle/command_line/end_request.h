@@ -32,8 +32,8 @@ class EndRequest {
         Scripts(const Scripts&) = delete;
     };
 
-    /// While it exists, a first SIGINT does not end the run: it stops what is done at the moment, a
-    /// command or the line that is typed. A second one that arrives before `take` ends the run.
+    /// While it exists, a first SIGINT does not end the run: it stops the present work, a command
+    /// or the line that is typed. A second one that arrives before `take` ends the run.
     class Interrupts {
       public:
         Interrupts();

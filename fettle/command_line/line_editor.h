@@ -36,7 +36,7 @@ class LineEditor {
     };
 
     /// Reads a line. None when the input ends, or when `idle` returns `end`. `idle` is called sixty
-    /// times a second meanwhile. What it prints appears above the line.
+    /// times a second meanwhile. The text that it prints appears above the line.
     std::optional<Line> read(const std::string& prompt, const std::function<Next()>& idle);
     /// Call before `idle` prints.
     void make_room();

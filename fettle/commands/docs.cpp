@@ -13,7 +13,7 @@
 #include <command_line/terminal.h>
 #include <files/file_errors.h>
 #include <files/game_path.h>
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::program {
 

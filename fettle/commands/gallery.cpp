@@ -11,7 +11,7 @@
 #include <fettle/property/storage/saves.h>
 
 #include <files/settings.h>
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::program {
 

@@ -25,7 +25,7 @@
 #include <command_line/terminal.h>
 #include <files/file_errors.h>
 #include <files/game_path.h>
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::program {
 
@@ -114,7 +114,7 @@ void fill_in_settings(const fs::path& folder, const std::string& name) {
     write_new(file, text);
 }
 
-/// What an editor completes and checks: the classes and functions of this version.
+/// Writes the classes and functions of this version for editors, which complete and check them.
 void write_annotations(const fs::path& folder) {
     fs::create_directories(folder / ".editor");
     RunOptions run;
@@ -140,14 +140,14 @@ void make(const fs::path& folder, const std::string& pattern, const std::string&
     for (const std::string& from : {std::string(common_files), pattern})
         fs::copy(templates() / from, folder,
                  fs::copy_options::recursive | fs::copy_options::overwrite_existing);
-    // Those of an installation may be write-protected.
+    // Files of an installation may be write-protected.
     for (const auto& each : fs::recursive_directory_iterator(folder))
         fs::permissions(each.path(), fs::perms::owner_write, fs::perm_options::add);
     fill_in_settings(folder, name);
     write_annotations(folder);
 }
 
-/// Moves what is in the draft into the folder, or nothing.
+/// Moves all files of the draft into the folder, or none.
 void fill(const fs::path& folder, const fs::path& draft) {
     std::vector<fs::path> moved;
     try {
@@ -173,7 +173,7 @@ int new_game(const NewGameOptions& options) {
     fs::path folder = fs::absolute(options.folder).lexically_normal();
     if (!folder.has_filename()) folder = folder.parent_path();
     std::error_code error;
-    // Also a link that leads nowhere is something.
+    // A link that leads nowhere counts as existing.
     const bool there = fs::exists(fs::symlink_status(folder, error));
     if (there && (!fs::is_directory(folder, error) || !fs::is_empty(folder)))
         throw FileError(options.folder.string() +

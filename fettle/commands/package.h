@@ -12,7 +12,7 @@ namespace fettle::program {
 
 struct PackageOptions {
     std::filesystem::path game{};
-    // What to make; empty: not wanted.
+    // The files to make; empty: this one is not made.
     std::filesystem::path file{};       // NAME.fettle
     std::filesystem::path linux_run{};  // a folder, or NAME.tar.gz
     std::filesystem::path deb{};        // NAME.deb

@@ -10,7 +10,6 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fettle/app/error_screen.h>
@@ -24,7 +23,7 @@
 #include <commands/attach.h>
 #include <files/file_errors.h>
 #include <files/game_path.h>
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::program {
 namespace {

@@ -25,8 +25,8 @@
 #include <files/game_path.h>
 #include <files/recorded_files.h>
 #include <files/settings.h>
-#include <game/game_window.h>
-#include <game/session.h>
+#include <session/game_window.h>
+#include <session/session.h>
 
 namespace fettle::program {
 

@@ -9,7 +9,7 @@
 
 #include <command_line/exit_status.h>
 #include <game/run_options.h>
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::program {
 

@@ -9,7 +9,7 @@ namespace fettle::program {
 
 Command add_where(CLI::App& app);
 
-/// Prints one line for each place. Throws what reading the settings of the game throws.
+/// Prints one line for each place. Throws the errors of reading the settings of the game.
 int where(const std::filesystem::path& game);
 
 }  // namespace fettle::program

@@ -1,6 +1,5 @@
 #include <files/recorded_files.h>
 
-#include <algorithm>
 #include <fstream>
 #include <set>
 #include <string_view>

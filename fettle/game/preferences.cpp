@@ -1,7 +1,6 @@
 #include <game/preferences.h>
 
 #include <string>
-#include <utility>
 #include <variant>
 
 namespace fettle::program {

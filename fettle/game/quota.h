@@ -1,5 +1,5 @@
 #pragma once
-// What a game may use of the computer.
+// Limits for the memory and the files that a game may use.
 
 #include <cstddef>
 #include <cstdint>

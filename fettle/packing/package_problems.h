@@ -1,5 +1,5 @@
 #pragma once
-// What would be missing in a package of a game.
+// Files that a package of a game would lack.
 
 #include <string>
 #include <vector>

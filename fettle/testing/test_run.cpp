@@ -11,7 +11,7 @@
 
 #include <command_line/end_request.h>
 #include <files/game_path.h>
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::program {
 
@@ -57,7 +57,7 @@ std::string file_name_of(const TestChoice& choice) {
     return name.substr(0, longest);
 }
 
-/// The folder for what failed tests leave: beside the game, or one for temporary files.
+/// The folder for files of failed tests: beside the game, or one for temporary files.
 fs::path folder_for_failures(const fs::path& game) {
     std::error_code error;
     for (const fs::path& above : {folder_of(game), fs::temp_directory_path(error) / "fettle"}) {

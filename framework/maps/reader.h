@@ -11,7 +11,7 @@
 
 namespace fettle::maps {
 
-/// Limits of what is read, against damaged files.
+/// Limits for the contents of a file, against damaged files.
 inline constexpr std::int64_t max_side = 1 << 16;   // cells of a map or px of a tile along x or y
 inline constexpr std::int64_t max_cells = 1 << 24;  // of a layer
 inline constexpr std::int64_t max_tiles = 1 << 24;  // of a tileset

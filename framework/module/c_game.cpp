@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <limits>
-#include <new>
 #include <stdexcept>
 #include <string>
 

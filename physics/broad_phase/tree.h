@@ -64,8 +64,8 @@ class Tree {
     /// overlapped at the last `forget_moves`.
     template <typename Visit>
     void pairs(const Tree& other, FindOverlaps overlaps, Visit&& visit) const;
-    /// Appends parts of that walk, about `enough` if there is so much work; they can be processed
-    /// in any order.
+    /// Appends parts of that walk, about `enough` of them if the walk is long enough; they can be
+    /// processed in any order.
     void begin_walk(const Tree& other, std::size_t enough, std::vector<NodePair>& parts) const;
     template <typename Visit>
     void pairs(const Tree& other, NodePair part, FindOverlaps overlaps, Visit&& visit) const;

@@ -11,7 +11,7 @@ void log(LogLevel level, const std::string& text) noexcept;
 /// Whether there is a log: a text need not be made otherwise.
 bool is_logged() noexcept;
 
-/// The function for faults of worlds, and what it gets.
+/// The function for faults of worlds, and its argument.
 struct FailureHook {
     FailureFunction function = nullptr;
     void* user = nullptr;

@@ -13,9 +13,9 @@ constexpr float flat = 1e-3f;
 /// shape is in front of another piece.
 constexpr float beyond = 0.01f;
 
-/// What touches a one-sided segment is pushed to its front until all of it is this far behind (m):
-/// a heavy impact may press a thin body through within a step or two, before the contact pushes it
-/// out.
+/// A body that touches a one-sided segment is pushed to its front until the whole body is this far
+/// behind (m): a heavy impact may press a thin body through within a step or two, before the
+/// contact pushes it out.
 constexpr float far_behind = 0.01f;
 
 float sign_of(Vec2 v) {
@@ -119,8 +119,8 @@ bool is_left_by_all(const Piece& piece, float least, float through_face) {
 }
 
 /// True if the shape is in front of another piece: the overlap through an inner edge is smaller.
-/// The back of a segment has no other piece behind it. What the segment holds may be behind it by
-/// more than its own thickness.
+/// The back of a segment has no other piece behind it. A body that the segment holds may be behind
+/// it by more than the thickness of the body.
 bool is_behind_inner(const Piece& piece, float inner, float outer) {
     return !piece.one_sided() && inner > outer + beyond;
 }

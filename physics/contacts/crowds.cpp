@@ -4,7 +4,6 @@
 #include <state/limits.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace fettle::physics::detail {
 namespace {

@@ -28,7 +28,7 @@ inline bool may_keep(const ObjectState& objects, const ContactRecord& c) {
 }
 
 /// True if a body that moves on its own turns. The lever arm on it would lag behind, by meters for
-/// a large platform: what stands on it would be moved along a tangent, and so outwards.
+/// a large platform: a body on it would be moved along a tangent, and so outwards.
 inline bool turns_on_its_own(const ObjectState& objects, uint32_t shape, uint32_t body) {
     return objects.forms[shape].turn != 0.0f &&
            objects.bodies[body].mobility == Mobility::kinematic;

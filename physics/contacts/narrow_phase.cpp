@@ -22,7 +22,7 @@ bool is_segment(const ShapeForm& form) {
     return form.kind == FormKind::convex && form.count == 2;
 }
 
-/// What touches a two-sided segment stays on its side, however deep it is.
+/// A shape that touches a two-sided segment stays on its side, however deep it is.
 void keep_side(const NarrowPhaseInput& in, ContactRecord& c, float margin, Vec2 old_normal) {
     const bool first = is_segment(in.objects.forms[c.shape_a]);
     const uint32_t segment = first ? c.shape_a : c.shape_b, other = first ? c.shape_b : c.shape_a;

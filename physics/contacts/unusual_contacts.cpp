@@ -19,7 +19,8 @@ struct BesideHalfPlane {
     Vec2 center;
 };
 
-/// The origin is that of the world. In double precision it is the center of the body.
+/// The half-plane relative to the origin of the world; in double precision, relative to the center
+/// of the body.
 BesideHalfPlane seen_from(const BorderPlane& border, const Position& center) {
     if (double_positions)
         return {{border.normal, float(border.depth - dot(border.normal, center))}, {}};

@@ -2,6 +2,7 @@
 #include <contacts/mixing.h>
 #include <edits/edits.h>
 #include <forms/corners.h>
+#include <geometry/trigonometry.h>
 #include <state/active_lists.h>
 #include <state/limits.h>
 #include <state/place_shape.h>
@@ -436,6 +437,24 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
         moves && !(record.flags.locked_x && record.flags.locked_y) ? bounded_inverse(mass) : 0.0f;
     record.inverse_inertia =
         moves && !record.flags.locked_rotation ? bounded_inverse(inertia) : 0.0f;
+}
+
+void teleport(const Activity& activity, uint32_t body, const Position& position, float angle) {
+    wake_for_edit(activity, body);
+    wake_touching(activity, body);
+    BodyState& state = activity.columns.states[body];
+    BodyRecord& record = activity.objects.bodies[body];
+    state.position = position;
+    if (state.angle != angle) {
+        const Rotation q = rotation_of(angle);
+        state.angle = angle;
+        state.cosine = q.c;
+        state.sine = q.s;
+        record.angle_rest = 0.0f;
+    }
+    activity.columns.previous[body] = {position, angle};
+    record.center = position + rotate({state.cosine, state.sine}, record.local_center);
+    mark_placement(activity.objects, activity.active, body);
 }
 
 }  // namespace fettle::physics::detail

@@ -53,6 +53,10 @@ inline void wake_for_edit(const Activity& activity, uint32_t body) {
     if (activity.objects.bodies[body].mobility != Mobility::dynamic) wake_touching(activity, body);
 }
 
+/// Moves a body to another pose. Bodies that rested on it wake, derived data are marked as
+/// outdated, and nothing is drawn in between.
+void teleport(const Activity& activity, uint32_t body, const Position& position, float angle);
+
 // traits.cpp
 
 /// The traits of a body, to be edited; `settle_traits` must be called after.
@@ -101,12 +105,13 @@ void write_outline(ObjectState& objects, ActiveLists& active, uint32_t shape,
 void rebuild_parts(const Editing& editing, uint32_t shape);
 /// Destroys the parts after `last`; none: all.
 void drop_parts(const Editing& editing, uint32_t shape, uint32_t last);
-/// Copies the surface of an outline to its parts, except what segments have of their own.
+/// Copies the surface of an outline to its parts, except for surfaces that segments have of their
+/// own.
 void share_surface(ObjectState& objects, uint32_t shape);
 
 // segment_surfaces.cpp: surfaces of single segments of a chain
 
-/// Those of a chain, in the order of the segments.
+/// The surfaces of a chain, in the order of the segments.
 std::span<const SegmentRecord> segment_surfaces_of(const ObjectState& objects, uint32_t shape);
 /// The own surface of a segment; null: it has none.
 const SegmentSurface* own_surface(const ObjectState& objects, uint32_t shape, uint32_t segment);

@@ -63,7 +63,7 @@ std::vector<std::vector<uint32_t>> in_parts(size_t count) {
     return parts;
 }
 
-/// What of a straight edge of a piece is on the outline.
+/// The part of a straight edge of a piece that is on the outline.
 struct OnOutline {
     bool any = false;     ///< some of it: the rest is diagonals that continue the line
     bool at_end = false;  ///< the part before its second end

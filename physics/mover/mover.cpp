@@ -6,8 +6,6 @@
 #include <world/world_data.h>
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace fettle::physics {
 
@@ -187,7 +185,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
 
     Vec2 left = moving.clipped(wanted);
     auto found = state_.climbing || lifts ? std::nullopt : moving.ground();
-    // What falls freely is no ground: nothing has weight on it, and it carries nobody.
+    // A body that falls freely is no ground: nothing has weight on it, and it carries no mover.
     const uint32_t own = world.is_valid(def_.body) ? def_.body.index : 0;
     if (found && obstacles[found->obstacle].dynamic &&
         !is_held(data, obstacles[found->obstacle].body, own))
@@ -219,7 +217,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     const Vec2 absolute = bounded(velocity, 1e6f) + (1.0f / dt) * ride.motion;
     for (const Push& push : moving.pushes) push_body(world, def_, push, absolute, dt);
     if (below != nullptr && below->dynamic && def_.mass > 0.0f) {
-        // A force, not an impulse: what weighs much less than the mover would jump under it.
+        // A force, not an impulse: a body much lighter than the mover would jump under it.
         Body body = world.body(data.body_id(below->body));
         body.apply_force(bounded(def_.mass * world.gravity(), 1e12f), ground.point);
     }

@@ -1,4 +1,4 @@
-// What stops a mover: shapes near it, as planes and along a motion.
+// The obstacles of a mover: shapes near it, as planes and along a motion.
 
 #include <collision/ellipse.h>
 #include <collision/piece.h>

@@ -13,7 +13,7 @@ bool is_pushed(const Load& load) {
 }  // namespace
 
 bool is_held(const WorldData& data, uint32_t body, uint32_t left_out) {
-    constexpr size_t most = 64;  // bodies that are looked at; a larger heap lies somewhere
+    constexpr size_t most = 64;  // examined bodies; a larger heap counts as held
     if (data.field_slots.count > 0) return true;
     std::vector<uint32_t> group = {body};
     bool held = false;

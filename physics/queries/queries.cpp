@@ -3,8 +3,8 @@
 #include <checks/arguments.h>
 #include <contacts/border.h>
 #include <distance/distance.h>
+#include <handles/live.h>
 #include <queries/asking.h>
-#include <world/live.h>
 
 #include <algorithm>
 

@@ -42,7 +42,7 @@ struct ChunkHeader {
 };
 static_assert(sizeof(ChunkHeader) == 24);
 
-// What a step asked the functions of the user.
+// The questions of a step to the functions of the user, with their answers.
 void fields(auto& io, Some<Callbacks> auto& s) {
     io(s.filter, s.mixing, s.before_solve);
 }

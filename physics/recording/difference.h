@@ -22,7 +22,7 @@ struct StateBlocks {
     }
 };
 
-/// Writes what changed from `before` to `now`. False, and writes nothing, if nothing did.
+/// Writes the changes from `before` to `now`. False, and writes nothing, if there are none.
 bool write_difference(const StateBlocks& before, const StateBlocks& now, ByteWriter& out);
 
 /// The bytes of the state `now`, from `before` and the difference. Throws std::invalid_argument if

@@ -3,7 +3,6 @@
 #include <saving/seal.h>
 #include <world/world_data.h>
 
-#include <cmath>
 #include <utility>
 
 namespace fettle::physics {

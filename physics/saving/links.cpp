@@ -196,8 +196,8 @@ void check_proxies(const WorldState& w, Findings& findings) {
         const Tree& in = shape.tree == Mobility::fixed ? w.fixed_tree : w.moving_tree;
         findings.require(shape.proxy == Tree::none || in.is_leaf(shape.proxy), "a proxy");
     }
-    // A step moves the proxies of all awake bodies without checks. Those of an edited body are
-    // created again before.
+    // A step moves the proxies of all awake bodies without checks. The proxies of an edited body
+    // are created again before.
     std::vector<bool> edited(w.bodies.size());
     for (const uint32_t b : w.edited_bodies)
         if (b < edited.size())

@@ -2,8 +2,6 @@
 
 #include <saving/saved_world.h>
 
-#include <algorithm>
-
 namespace fettle::physics::detail {
 namespace {
 
@@ -160,7 +158,7 @@ Fault check_bodies(const WorldState& data) {
                             data.body_slots);
 }
 
-/// True for what collides, unless an edit has listed it, which gives it a proxy.
+/// True for a shape that collides, unless an edit has listed it, which gives it a proxy.
 bool needs_proxy(const WorldState& data, uint32_t shape) {
     const uint32_t body = data.forms[shape].body;
     return body != none && data.is_solid(shape) && !data.bodies[body].flags.disabled &&

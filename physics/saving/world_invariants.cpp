@@ -1,8 +1,6 @@
 #include <saving/saved_world.h>
 #include <world/world_data.h>
 
-#include <algorithm>
-
 // Checks all invariants of a world. Compares every shape with every other one.
 
 namespace fettle::physics {

@@ -49,9 +49,9 @@ void order_by_node(std::span<ActingContact> contacts, uint32_t nodes, NodeRanges
 /// solved by one thread unless it is large.
 constexpr size_t least_shared_first = 1000, least_shared = 2 * SolverBlocks::enough_contacts;
 
-/// So many bodies of the solver fill half of the second-level cache of a core. Each color of a
-/// section reads and writes all bodies of the section. So in a larger heap each strip is a section
-/// of its own, also if one thread solves several of them.
+/// This number of bodies of the solver fills half of the second-level cache of a core. Each color
+/// of a section reads and writes all bodies of the section. So in a larger heap each strip is a
+/// section of its own, also if one thread solves several of them.
 constexpr size_t cached_bodies = (size_t{1} << 19) / sizeof(SolverBody);
 
 struct Coloring {

@@ -215,7 +215,7 @@ void keep_pushed_awake(ObjectState& objects, const ActiveLists& active, const Bo
 namespace {
 
 /// True if the two surfaces of a contact move past each other no faster than half of their given
-/// speed. What an obstacle holds back slides on the belt and may rest.
+/// speed. A body that an obstacle holds back slides on the belt and may rest.
 bool carried_by_belt(const ObjectState& objects, const Columns& columns,
                      const ContactRecord& contact) {
     if (contact.surface_speed == 0.0f) return false;

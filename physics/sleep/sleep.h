@@ -40,9 +40,9 @@ void put_to_sleep(const Activity& activity, std::span<const uint32_t> bodies);
 void compact_awake(ObjectState& objects, ActiveLists& active);
 /// Puts the body to sleep with all bodies that it touches or is joined to.
 void put_group_to_sleep(const Activity& activity, uint32_t body);
-/// `candidates`: number of bodies that have rested long enough.
-/// What moves on its own does not rest, however slow it is: a body with a velocity of its own, a
-/// body that a motor moves, and a body that a belt carries.
+/// `candidates`: number of bodies that have rested long enough. A body that moves on its own does
+/// not rest, however slow it is: a body with a velocity of its own, a body that a motor moves, and
+/// a body that a belt carries.
 void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
                            const WorldDef& settings, uint32_t candidates, uint64_t step);
 /// For solvers that correct positions without velocities: a body is not at rest if it

@@ -1,8 +1,6 @@
 #include <solver/contact_solver.h>
 #include <solver/joint_response.h>
 
-#include <cmath>
-
 // Sequential impulses (E. Catto, "Iterative Dynamics with Temporal Coherence", 2005) on small steps
 // with soft contacts (E. Catto, "Solver2D", 2024: "soft step"). Two points are solved one after the
 // other, but the effect of the first on the relative velocity of the second is computed in advance
@@ -249,7 +247,8 @@ struct PointResponse {
             answers[k] = joints->answer(
                 Jacobian::along(c.a, c.b, c.normal, p.normal_lever_a, p.normal_lever_b));
         }
-        // What joints hold completely keeps a trace of mobility, so that nothing is divided by 0.
+        // A body that joints hold completely keeps a little mobility, so that no number is divided
+        // by 0.
         constexpr float least = 1e-5f;
         of_first = max(of_first - float(answers[0].less(answers[0])), least * of_first);
         if (c.count < 2) return;
@@ -289,8 +288,8 @@ struct Bounce {
 
 /// False in the pass in which a contact with this restitution e no longer passes impacts on. A body
 /// hands (1 + e) / 2 of its speed on to an equal one at rest, so an impact is down to a hundredth
-/// after ln 100 / ln (2 / (1 + e)) bodies. What still approaches then is pressed together, by a
-/// motor or between walls; that is the work of the sub-steps.
+/// after ln 100 / ln (2 / (1 + e)) bodies. Bodies that still approach then are pressed together, by
+/// a motor or between walls; the sub-steps stop them.
 bool passes_on(float restitution, uint8_t pass) {
     constexpr float spent = 0.01f;
     const float handed_on = 0.5f * (1.0f + restitution);

@@ -1,6 +1,6 @@
 #include <solver/direct_row.h>
 
-// Rows of contacts for the direct solver. Those of joints are in the files of the joints.
+// Rows of contacts for the direct solver. Rows of joints are in the files of the joints.
 
 namespace fettle::physics::detail {
 namespace {

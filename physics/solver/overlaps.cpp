@@ -52,8 +52,8 @@ struct OverlapLimits {
                         state.angular_velocity + substeps * force.turn_change, record);
     }
 
-    /// The greatest speed that the body can get from forces, from what it touches, and from joints;
-    /// or less, but then at least `enough`.
+    /// The greatest speed that the body can get from forces, from its contacts, and from joints; or
+    /// less, but then at least `enough`.
     float greatest_speed_of(uint32_t body, float enough) const {
         const ObjectState& objects = input.objects;
         float most = max(free_speed_of(body), input.settings.push_speed);
@@ -107,7 +107,7 @@ void limit_pushes(const SolverInput& input, const Columns& columns) {
     seen[0] = true;  // bodies that sleep
     for (const uint32_t body : awake)
         if (limits.overlaps_others(body, least_at_edge)) add(body);
-    // What a body that was too fast has pushed may be too fast as well.
+    // A body that was too fast may have made the bodies that it pushed too fast as well.
     for (size_t i = 0; i < open.size(); ++i) {
         const uint32_t body = open[i];
         if (!limits.limit(body)) continue;

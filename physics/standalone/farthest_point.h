@@ -17,7 +17,7 @@ class FarthestPoint {
         Vec2 from, way;  ///< m; `way` leads to the other end
     };
     struct Found {
-        float squared = 0.0f;  ///< m², only what is farther is found
+        float squared = 0.0f;  ///< m², only points that are farther are found
         size_t index = 0;      ///< of the point
     };
 

@@ -73,9 +73,16 @@ class Samples {
     float threshold_;
 };
 
-/// For each crossing the next one of its line.
+/// For each crossing, the next crossing on the same line.
 std::vector<uint32_t> linked(const Samples& samples) {
     enum Side { bottom, right, top, left };
+    // From side to side, by the filled corners: 1 lower left, 2 lower right, 4 upper right, 8 upper
+    // left. The filled area is on the right of a line.
+    constexpr Side lines[][2] = {
+        {}, {left, bottom}, {bottom, right}, {left, right},   {right, top},
+        {}, {bottom, top},  {left, top},     {top, left},     {top, bottom},
+        {}, {top, right},   {right, left},   {right, bottom}, {bottom, left},
+        {}};
     std::vector<uint32_t> next(samples.crossings(), nowhere);
     for (uint32_t k = 0; k + 1 < samples.height; ++k) {
         for (uint32_t i = 0; i + 1 < samples.width; ++i) {
@@ -86,58 +93,16 @@ std::vector<uint32_t> linked(const Samples& samples) {
             const auto corner = [&](uint32_t x, uint32_t y) {
                 return uint32_t{samples.filled(i + x, k + y)};
             };
-            // Filled corners: 1 lower left, 2 lower right, 4 upper right, 8 upper left.
-            switch (corner(0, 0) + 2 * corner(1, 0) + 4 * corner(1, 1) + 8 * corner(0, 1)) {
-                case 1:
-                    join(left, bottom);
-                    break;
-                case 2:
-                    join(bottom, right);
-                    break;
-                case 3:
-                    join(left, right);
-                    break;
-                case 4:
-                    join(right, top);
-                    break;
-                case 6:
-                    join(bottom, top);
-                    break;
-                case 7:
-                    join(left, top);
-                    break;
-                case 8:
-                    join(top, left);
-                    break;
-                case 9:
-                    join(top, bottom);
-                    break;
-                case 11:
-                    join(top, right);
-                    break;
-                case 12:
-                    join(right, left);
-                    break;
-                case 13:
-                    join(right, bottom);
-                    break;
-                case 14:
-                    join(bottom, left);
-                    break;
-                case 5:
-                    if (samples.mean_is_filled(i, k))
-                        join(right, bottom), join(left, top);
-                    else
-                        join(left, bottom), join(right, top);
-                    break;
-                case 10:
-                    if (samples.mean_is_filled(i, k))
-                        join(bottom, left), join(top, right);
-                    else
-                        join(bottom, right), join(top, left);
-                    break;
-                default:
-                    break;
+            const uint32_t filled =
+                corner(0, 0) + 2 * corner(1, 0) + 4 * corner(1, 1) + 8 * corner(0, 1);
+            if (filled == 5 || filled == 10) {  // two opposite corners: two lines
+                const bool joined = samples.mean_is_filled(i, k);
+                if (filled == 5)
+                    join(joined ? right : left, bottom), join(joined ? left : right, top);
+                if (filled == 10)
+                    join(bottom, joined ? left : right), join(top, joined ? right : left);
+            } else if (filled != 0 && filled != 15) {
+                join(lines[filled][0], lines[filled][1]);
             }
         }
     }

@@ -6,7 +6,6 @@
 #include <standalone/line_ends.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 // Lines as chains.

@@ -58,8 +58,8 @@ struct JointKind {
     JointLoad (*load)(const JointArray& array, size_t index);
     /// The impulses of a joint in a sub-step, as its type defines them.
     JointImpulses (*impulses)(const JointArray& array, size_t index);
-    /// What such impulses do with the current levers to the body of a side, 0 or 1: an impulse on
-    /// its center of mass and an angular impulse about it.
+    /// The effect of such impulses, with the current levers, on the body of a side, 0 or 1: an
+    /// impulse on its center of mass and an angular impulse about it.
     JointLoad (*load_on)(const JointArray& array, size_t index, const JointImpulses& impulses,
                          size_t side);
     /// Writes the rows of some joints, at the current poses of their bodies. The conditions of

@@ -58,13 +58,13 @@ inline bool is_given(float value) {
     return !std::isnan(value);
 }
 
-/// What acts at the center of mass of a body.
+/// The load at the center of mass of a body.
 struct Load {
     Vec2 force;           ///< N
     float torque = 0.0f;  ///< N m
 };
 
-/// What a user set about a body, and what is out of date since an edit.
+/// Switches of a body that the user set, and marks of data that is out of date since an edit.
 struct BodyFlags {
     bool locked_x = false, locked_y = false, locked_rotation = false;
     bool can_sleep = true;
@@ -76,7 +76,7 @@ struct BodyFlags {
     bool disabled = false;  ///< fixed, in no tree, and without contacts
 };
 
-/// The lists of what belongs to a body, and its place in the list of its sleeping island.
+/// The lists of the objects of a body, and its place in the list of its sleeping island.
 struct BodyLists {
     uint32_t first_shape = none, last_shape = none;
     uint32_t first_contact = none;  ///< edge: contact << 1 | side
@@ -88,7 +88,7 @@ struct BodyLists {
     uint32_t joint_count = 0;
 };
 
-/// Overrides of what follows from the shapes.
+/// Overrides of values that follow from the shapes.
 struct GivenMass {
     float mass = not_given, inertia = not_given;
     Vec2 center = {not_given, not_given};
@@ -311,7 +311,7 @@ struct JointRecord {
     /// It has an effect on its bodies, not on their contacts only.
     bool moves() const { return acts() && type != JointType::filter; }
     bool is_tuned() const { return constraint_hertz > 0.0f; }
-    /// Its load is compared with what it bears or with what is to be reported.
+    /// Its load is compared with the load that breaks it, or with the one that is reported.
     bool is_measured() const {
         return break_force < infinity || break_torque < infinity || report_force < infinity ||
                report_torque < infinity;

@@ -1,14 +1,13 @@
 #include <checks/hooks.h>
 #include <state/limits.h>
 #include <step/gather.h>
-#include <world/live.h>
+#include <world/world_data.h>
 
-#include <algorithm>
 #include <cmath>
 
 // The functions of the user that move single bodies. A velocity function is called once in a step,
 // and not in each sub-step: sub-steps run on several threads, and the solver may repeat the sum of
-// all changes of a sub-step in the next one. The change of velocity that the function wants is
+// all changes of a sub-step in the next one. The change of velocity that the function makes is
 // spread over the sub-steps like that of a force, so contacts carry the body as they carry a
 // weight.
 
@@ -18,31 +17,7 @@ using namespace detail;
 
 namespace {
 
-/// The functions of a body, to be set; a body without any gets an entry in the order of the slots.
-BodyFunctions& functions_of(WorldSelf& self, BodyId body) {
-    auto& all = self.functions;
-    const auto place = std::lower_bound(
-        all.begin(), all.end(), body.index,
-        [](const BodyFunctions& each, uint32_t slot) { return each.body.index < slot; });
-    if (place == all.end() || place->body.index != body.index)
-        return *all.insert(place, BodyFunctions{.body = body});
-    if (place->body != body) *place = BodyFunctions{.body = body};  // of a destroyed body
-    return *place;
-}
-
-/// `function` goes to the entry of the body; an entry without functions is removed. The old
-/// function is destroyed last, because its destructor may use the world.
-template <class Function>
-void set_function(WorldData& data, BodyId body, Function BodyFunctions::*which,
-                  Function& function) {
-    auto& all = data.self.functions;
-    BodyFunctions& own = functions_of(data.self, body);
-    std::swap(own.*which, function);
-    if (!own.velocity && !own.position) all.erase(all.begin() + (&own - all.data()));
-    data.change(wake_body, body.index);
-}
-
-/// The value that a function of the user has set, within limits; NaN: what was there.
+/// The value that a function of the user has set, within limits; for NaN, the value before.
 template <class Number>
 Number taken(Number set, Number before, float most) {
     if (!std::isnan(set)) return bounded(set, most);
@@ -134,21 +109,11 @@ void WorldData::ask_position_functions(float dt) {
             taken(edit.pose.position.y, usual.position.y, greatest_coordinate)};
         const float angle = taken(edit.pose.angle, usual.angle, greatest_coordinate);
         if (position == usual.position && angle == usual.angle) continue;
-        teleport(*this, slot, position, angle);
+        teleport(activity(), slot, position, angle);
         previous[slot] = before;
         placed = true;
     }
     if (placed) refresh({});  // reads after a step find nothing out of date
-}
-
-void Body::set_velocity_function(VelocityFunction function) {
-    FETTLE_EDIT_BODY
-    set_function(data, id_, &BodyFunctions::velocity, function);
-}
-
-void Body::set_position_function(PositionFunction function) {
-    FETTLE_EDIT_BODY
-    set_function(data, id_, &BodyFunctions::position, function);
 }
 
 }  // namespace fettle::physics

@@ -152,7 +152,7 @@ requires std::is_base_of_v<std::remove_const_t<Part>, WorldData> Parts::operator
     return data;
 }
 
-/// world.cpp: hash of the poses and velocities of all bodies.
+/// hash.cpp: hash of the poses and velocities of all bodies.
 uint64_t hash_of(const Columns& columns);
 
 /// callbacks.cpp: mixes the surfaces of all contacts, as if no callback had changed them.

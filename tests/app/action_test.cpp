@@ -1,4 +1,4 @@
-// Actions: what the player wants, from keys, buttons and sticks.
+// Actions: commands of the player, from keys, buttons and sticks.
 
 #include <catch.h>
 

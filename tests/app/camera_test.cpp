@@ -209,7 +209,7 @@ TEST_CASE_METHOD(Pictures, "the zoom of a camera is in pixels of its viewport") 
     CHECK(heard() == "80.0");
 }
 
-TEST_CASE_METHOD(Pictures, "what is on the screen is drawn once and last") {
+TEST_CASE_METHOD(Pictures, "instances on the screen are drawn once and last") {
     runtime.run("function draw(pen) pen.screen(function() pen.circle(vec(5, 5), 2) end) end", "t");
     if (!errors.empty()) errors.clear();
     set("camera.visible", true);

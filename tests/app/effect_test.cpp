@@ -1,4 +1,4 @@
-// The effect of a view: its file, and the values of its uniforms. What it draws is tested in a
+// The effect of a view: its file, and the values of its uniforms. Its pictures are tested in a
 // window.
 
 #include <catch.h>

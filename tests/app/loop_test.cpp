@@ -211,7 +211,7 @@ TEST_CASE("a hook of a loop may replace itself") {
     CHECK(game.get("time.step").integer() == 2);
 }
 
-TEST_CASE("what a loop calls may add modules and layers to it") {
+TEST_CASE("functions that a loop calls may add modules and layers to it") {
     struct Adding : Layer {
         explicit Adding(Loop& to) : loop(to) {}
         bool handle(const InputEvent&) override {

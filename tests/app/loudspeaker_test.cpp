@@ -1,5 +1,5 @@
-// What comes out of the sound device. OpenAL Soft, on which SFML 2 plays, writes it to a file here,
-// so no device is needed.
+// The output of the sound device. OpenAL Soft, on which SFML 2 plays, writes it to a file here, so
+// no device is needed.
 
 #include <catch.h>
 

@@ -1,4 +1,4 @@
-// What the mixer makes of voices, measured without a device.
+// The output of the mixer, measured without a device.
 
 #include <catch.h>
 
@@ -165,7 +165,7 @@ TEST_CASE("many loud voices are limited and never wrap around") {
     CHECK(frequency(out.left) == Approx(440).margin(1));
 }
 
-TEST_CASE("what is to be heard changes while another thread makes the samples") {
+TEST_CASE("the sounds to be heard change while another thread makes the samples") {
     Mixer mixer;
     std::atomic<bool> done = false;
     std::thread device([&] {

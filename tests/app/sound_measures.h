@@ -69,7 +69,7 @@ struct Signal {
     }
 };
 
-/// What the mixer makes next.
+/// The next output of the mixer.
 inline Signal mixed(fettle::app::Mixer& mixer, double seconds) {
     Signal all;
     std::vector<std::int16_t> chunk(512);

@@ -162,7 +162,7 @@ TEST_CASE("a file of 501 lines is too long") {
     CHECK(of(overlong_files, "physics/world/world.cpp", text + "int b;\n").size() == 1);
 }
 
-TEST_CASE("what some standard libraries lack is reported in physics and nowhere else") {
+TEST_CASE("a function that some standard libraries lack is reported in physics and nowhere else") {
     const char* text = "auto x = std::ranges::find(a, 1);  \n// std::bit_cast is not there\n";
     CHECK(of(unportable_names, "physics/world/world.cpp", text).size() == 1);
     CHECK(of(unportable_names, "bindings/c/body.cpp", text).size() == 1);

@@ -46,7 +46,7 @@ TEST_CASE("each word has one spelling in the whole project") {
              fs::recursive_directory_iterator(fs::path(FETTLE_SOURCE_DIR) / folder)) {
             const fs::path& path = entry.path();
             if (!entry.is_regular_file() || !texts.contains(path.extension().string())) continue;
-            if (path.string().find(".fettle/") != std::string::npos) continue;  // what a user types
+            if (path.string().find(".fettle/") != std::string::npos) continue;  // edits of a user
             std::ifstream file(path, std::ios::binary);
             const std::string word =
                 other_spelling_in(std::string(std::istreambuf_iterator<char>(file), {}));

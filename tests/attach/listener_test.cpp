@@ -394,7 +394,7 @@ TEST_CASE("a flood of requests waits for its turn") {
     tell_cost("a flood of requests", game);
 }
 
-TEST_CASE("a frame answers as many bytes as the limit allows, whoever asks") {
+TEST_CASE("a frame answers as many bytes as the limit allows for all terminals together") {
     // The clock ends no turn here: what a frame does is counted.
     Game game({.busy_seconds = 1e9});
     std::vector<Visitor> crowd;

@@ -44,7 +44,7 @@ TEST_CASE("requests come back as they were") {
     CHECK(complete->cursor == 2);
 }
 
-TEST_CASE("what is no request is none") {
+TEST_CASE("a line that is no request is refused") {
     for (const char* const line :
          {"", "{", "{}", "[]", "3", "null", R"({"run": 3})", R"({"run": ["x"]})",
           R"({"run": {"run": "x"}})", R"({"walk": "x"})", "\xff\xfe", R"({"run": "x"} y)"}) {

@@ -178,7 +178,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("what an overlap pushes may push what lies on it") {
+TEST_CASE("a body that an overlap pushes may push bodies that lie on it") {
     WorldPlan plan;
     plan.steps = 30;
     plan.bodies.push_back(

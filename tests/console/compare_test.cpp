@@ -70,7 +70,7 @@ TEST_CASE_METHOD(CompareRig, "a comparison holds the past as it was and as it wo
     CHECK(value("world.ball.mass") == Value(1.0));
 }
 
-TEST_CASE_METHOD(CompareRig, "what is on the screen is in neither run") {
+TEST_CASE_METHOD(CompareRig, "instances on the screen are in neither run") {
     property::ClassDescriptor layer{.name = "Sheet"};
     layer.properties = {{.name = "space",
                          .type = property::Type::text,
@@ -114,7 +114,7 @@ TEST_CASE_METHOD(CompareRig, "both runs are shown side by side and play again an
     CHECK_FALSE(runs().shown());
 }
 
-TEST_CASE_METHOD(CompareRig, "what cannot be compared is refused") {
+TEST_CASE_METHOD(CompareRig, "values that cannot be compared are refused") {
     CHECK_THROWS(runs().ask("world.ball.mas", Value(3.0), 1));
     CHECK_THROWS(runs().ask("world.ball", Value(3.0), 1));
     CHECK_THROWS(runs().ask("world.ball.energy", Value(3.0), 1));

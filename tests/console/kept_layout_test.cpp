@@ -1,4 +1,4 @@
-// What a player keeps from run to run: the layout, and commands of his own.
+// Settings of the player that are kept from run to run: the layout, and own commands.
 
 #include <memory>
 #include <optional>

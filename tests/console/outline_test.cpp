@@ -98,7 +98,7 @@ TEST_CASE_METHOD(Haunted,
     CHECK(surface.faults() == 0);
 }
 
-TEST_CASE("what is hidden from the player is outlined, too") {
+TEST_CASE("an instance that is hidden from the player is outlined, too") {
     Haunted rig;
     property::ClassDescriptor hidden{.name = "Hidden"};
     hidden.properties = {{.name = "position", .type = property::Type::vec2}};

@@ -110,7 +110,6 @@ void make_game(property::Tree& tree) {
 }
 
 // --- The rig
-// --------------------------------------------------------------------------------------------------------
 
 Options Rig::with_view(Options options) {
     if (options.clipboard == nullptr) options.clipboard = &clipboard;

@@ -110,7 +110,7 @@ TEST_CASE("a search in a large game takes several frames and follows its changes
     CHECK(outline.rows(2).size() == 1);
     while (outline.searching()) outline.rows(2);
     CHECK(outline.rows(2).size() == 2);
-    // What was to be looked at next is deleted.
+    // The instance that the search would visit next is deleted.
     CHECK(outline.rows(4).size() == 2);
     CHECK(outline.searching());
     rig.tree.destroy(world);

@@ -167,7 +167,7 @@ TEST_CASE("different values are shown as mixed") {
     const property::Property& label = tree.property(ball, "label");
     tree.set(crate, "label", Value("x"));
     CHECK(mixed.look(tree, label, tree.get(ball, label)) == "mixed");
-    // A world has no mass, and nobody else matters.
+    // A world has no mass, so no other instance is compared.
     mixed.compare_with({world}, 2);
     CHECK(mixed.look(tree, mass, tree.get(ball, mass)).empty());
 }
@@ -215,7 +215,7 @@ TEST_CASE("arrows move the selection after a click into the game") {
     CHECK(after.y == Approx(before.y + 10 * pixel));
     rig.tree.undo();
     CHECK(rig.value("world.ball.position").vec2().y == Approx(before.y));
-    // Who types gets the keys back for the prompt.
+    // Typed letters go to the prompt again.
     rig.type("world");
     rig.key("left");
     rig.type("x");
@@ -227,7 +227,7 @@ TEST_CASE("all selected are deleted and cloned by one command") {
     SelectionRig rig;
     CHECK(console::delete_command(rig.tree, {rig.ball, rig.crate}) ==
           "world.ball:delete(); world.crate:delete()");
-    // What is below another one goes with it.
+    // An instance below another selected one goes with it.
     CHECK(console::delete_command(rig.tree, {rig.ball, rig.world}) == "world:delete()");
     CHECK(console::clone_command(rig.tree, {rig.ball}) == "world:add(world.ball:clone())");
     const std::vector<Handle> many(1000, rig.ball);

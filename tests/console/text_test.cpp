@@ -108,7 +108,7 @@ TEST_CASE("the log drops its oldest lines and cuts very long ones") {
     CHECK(log.lines().empty());
 }
 
-TEST_CASE("what a command has caused stands below it") {
+TEST_CASE("output that a command has caused stands below it") {
     Log log;
     log.note("before");
     const std::uint64_t begin = log.end();

@@ -1,4 +1,4 @@
-// What the console draws: the log with selection and links, sizes, fonts, any surface.
+// The pictures of the console: the log with selection and links, sizes, fonts, any surface.
 
 #include <algorithm>
 #include <cmath>
@@ -203,7 +203,7 @@ TEST_CASE("the text grows by a factor") {
     property::set(rig.tree, "console.scale", Value(2.0));
     rig.draw(3);
     CHECK(rig.state().views.log_view.cell() == Approx(2 * cell).margin(1));
-    // What is measured in text grows with it, as long as there is room beside the panel.
+    // Lengths measured in letters grow with it, as long as there is room beside the panel.
     property::set(rig.tree, "console.scale", Value(1.25));
     rig.draw(3);
     const auto wide = [&] {
@@ -220,7 +220,7 @@ TEST_CASE("the text grows by a factor") {
     CHECK(rig.surface.faults() == 0);
 }
 
-TEST_CASE("what can be clicked in the title is high enough") {
+TEST_CASE("the filter field in the title is high enough") {
     Rig rig;
     property::set(rig.tree, "console.font_size", Value(10.0));
     rig.key("grave");

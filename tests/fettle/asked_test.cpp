@@ -1,6 +1,6 @@
-// What functions of a game may do when the physics calls them in the middle of a step or of a
-// search: every question is combined with every action; one test is one game, and each combination
-// is one of its steps.
+// Actions of a game's functions when the physics calls them in the middle of a step or of a search:
+// every question is combined with every action; one test is one game, and each combination is one
+// of its steps.
 
 #include <catch.h>
 

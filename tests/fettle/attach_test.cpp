@@ -81,7 +81,8 @@ TEST_CASE("a terminal types into a game that runs") {
     CHECK(contains(said.out, "did you mean \"gravity\"?"));
     CHECK(contains(said.out, "  3.1415927 kg\n"));
     CHECK(said.out.ends_with("✗ the command ends too early\n"));
-    // What one terminal has set is there for the next one, found by its name and its path.
+    // A variable that one terminal has set exists for the next one, which finds the game by its
+    // name and its path.
     CHECK(contains(attached(running.folder, "x\n", {"drop"}).out, "  3\n"));
     CHECK(contains(attached(running.folder, "x\n", {(running.folder / "drop").string()}).out,
                    "  3\n"));

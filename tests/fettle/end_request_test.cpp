@@ -116,7 +116,7 @@ TEST_CASE("a second signal ends a run at once") {
 
 TEST_CASE("an endless call outside of scripts is ended after some seconds with a message") {
     const Folder folder;
-    // The first step of so many bodies in one spot takes more than half a minute.
+    // The first step of 40 000 bodies in one spot takes more than half a minute.
     const std::string file =
         folder.write("main.lua",
                      "for i = 1, 40000 do world:add(Body { Circle {} }) end\n"

@@ -61,7 +61,7 @@ TEST_CASE("the gallery opens a game of its list and nothing else") {
     CHECK(run_gallery(folder, "gallery_show('car')").status == 1);
 }
 
-TEST_CASE("who comes back to the gallery finds the game that was opened") {
+TEST_CASE("the gallery chooses the game from which the player comes back") {
     const Folder folder;
     CHECK(contains(run_gallery(folder, "print(gallery.chosen)").out, "1\n"));
     const std::string right = "input.keys.right = true";

@@ -34,7 +34,7 @@ std::string quoted(const std::string& text);
 Outcome fettle(const Folder& folder, const std::vector<std::string>& arguments,
                const std::string& before = {}, const std::string& input = "/dev/null");
 
-/// Runs this script as a game for so many steps. `more`: further arguments.
+/// Runs this script as a game for `steps` steps. `more`: further arguments.
 Outcome run_script(const Folder& folder, const std::string& script, int steps,
                    const std::vector<std::string>& more = {});
 

@@ -43,7 +43,7 @@ TEST_CASE("a recorded run is replayed step by step") {
     CHECK(again.out == "60 steps, each as it was recorded\n" + made.out);
 }
 
-TEST_CASE("what breaks and searches and files of commands do is replayed") {
+TEST_CASE("breaks and searches and files of commands are replayed") {
     const Folder folder;
     const std::string path = folder.write("main.lua", game);
     folder.write("setup.lua", "world.body_5.mass = 4\nworld.body_6.mass = 5\n");

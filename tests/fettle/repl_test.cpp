@@ -135,7 +135,7 @@ TEST_CASE("a game stands still between commands from a file") {
     CHECK(said.out.ends_with("  0.5 kg\n"));
 }
 
-TEST_CASE("what repl cannot do is said") {
+TEST_CASE("the repl reports errors of commands and games that it cannot open") {
     const Folder folder;
     CHECK(contains(repl(folder, "advance(-1)\n").out, "expected a time from 0 to 3600 s"));
     CHECK(contains(repl(folder, "advance('x')\n").out, "expected a time from 0 to 3600 s"));

@@ -86,7 +86,7 @@ function open() game.menu = Panel { Button { name = "save", pressed = function()
     CHECK(contains(run.err,
                    "the saved game \"a\": menu.save and 1 more: the functions that were "
                    "given to them as handlers are gone"));
-    // What both moments have keeps its handlers.
+    // Instances that exist in both moments keep their handlers.
     const Outcome kept = fettle(folder, {"run", file, "--headless", "--steps", "9", "--at",
                                          "2:save_game('b')", "--at", "4:load_game('b')"});
     CHECK(kept.err == "");

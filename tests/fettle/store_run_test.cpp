@@ -75,7 +75,7 @@ TEST_CASE("assigning a table copies it and reading gives the table in the store"
           "replaced or removed\n");
 }
 
-TEST_CASE("what cannot be in the store is refused with its path") {
+TEST_CASE("a value that cannot be in the store is refused with its path") {
     const Folder folder;
     const std::string out = run(folder, R"(
         local function try(f) local ok, why = pcall(f) print(why) end

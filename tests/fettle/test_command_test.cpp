@@ -278,7 +278,7 @@ TEST_CASE("a picture is compared where there is a display and skipped elsewhere"
           "1 test, 0 failed\n");
 }
 
-TEST_CASE("what a test writes reaches no file of the game or of the player") {
+TEST_CASE("writes of a test reach no file of the game or of the player") {
     const Folder folder;
     const Outcome run = run_tests(folder, R"lua(
 test("it", function(t)

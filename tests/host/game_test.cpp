@@ -68,7 +68,7 @@ TEST_CASE("scripts call functions of the host and the host calls scripts") {
     CHECK(number_at(game.get(), "seen") == 7);
 }
 
-TEST_CASE("what scripts print and what a command prints reach the host") {
+TEST_CASE("output of scripts and of commands reaches the host") {
     const Game game = make();
     std::string printed;
     require(fettle_hosted_on_print(

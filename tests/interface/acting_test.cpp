@@ -1,4 +1,4 @@
-// What the player does, by simulated input.
+// Actions of the player, by simulated input.
 
 #include "screen.h"
 
@@ -365,7 +365,7 @@ TEST_CASE("a rewind into a modal menu knows what had the keyboard before") {
     CHECK(s.focus() == "m.column.b");
 }
 
-TEST_CASE_METHOD(Menu, "what the player did is state") {
+TEST_CASE_METHOD(Menu, "changes of widgets by the player are restored with a snapshot") {
     set("time.rewind_limit", Value(60.0));
     click("menu.column.f");
     type(U"abc");

@@ -69,7 +69,7 @@ TEST_CASE("a rewind within a step has the settings of the player before the next
     CHECK(s.problems.empty());
 }
 
-TEST_CASE("what the game writes over a setting of the player is state") {
+TEST_CASE("a write of the game over a setting of the player is state") {
     Screen s(settings);
     s.turn(5);
     lower(s, "music");
@@ -135,7 +135,7 @@ TEST_CASE("a game prefers a value for the player and ends that") {
     CHECK(s.get("game.difficulty").as_double() == 1);
 }
 
-TEST_CASE("what cannot be preferred is refused with the nearest name") {
+TEST_CASE("a property that cannot be preferred is refused with the nearest name") {
     Screen s(settings);
     const auto refused = [&](const char* chunk, const char* expected) {
         INFO(chunk);

@@ -128,7 +128,7 @@ TEST_CASE("a plugin that ends before its tree takes its instances with it") {
     tree.restore(tree.snapshot());
 }
 
-TEST_CASE("what a module prints in its trial is not printed") {
+TEST_CASE("output of a module in its trial is not printed") {
     const TemporaryFolder folder;
     const auto file = folder.path / "printed.txt";
     const auto lines = [&] {

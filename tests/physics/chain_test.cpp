@@ -67,7 +67,7 @@ TEST_CASE("a chain is one shape with one set of properties") {
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("what slides along a flat chain is not kicked at its seams") {
+TEST_CASE("a body that slides along a flat chain is not kicked at its seams") {
     const int kind = GENERATE(0, 1, 2, 3, 4);
     const float speed = GENERATE(0.5f, 2.0f, 7.0f, 15.0f, 30.0f);
     World world({.sleeping = false});
@@ -278,8 +278,8 @@ TEST_CASE("ten thousand segments cost no more than those that are near") {
     REQUIRE(world.statistics().shapes == 51);
 }
 
-// What begins and ends between an outline's many parts and one body was looked for among all of
-// them: these took 50 s and 40 s.
+// The search for touches that begin and end between the many parts of an outline and one body went
+// through all parts: these tests took 50 s and 40 s.
 TEST_CASE("a long chain across the border of the world costs no square of its points") {
     World world({.bounds = Aabb{{-1, -1}, {1, 1}}});
     Chain chain;

@@ -217,7 +217,7 @@ TEST_CASE("a ball falls into a concave polygon and stays in it") {
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("what slides over a concave polygon is not kicked where its pieces meet") {
+TEST_CASE("a body that slides over a concave polygon is not kicked where its pieces meet") {
     // A long table on many legs: cut into many pieces, flat on top with vertices all along.
     std::vector<Vec2> table;
     for (int i = 0; i <= 60; ++i) {

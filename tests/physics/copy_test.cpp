@@ -61,7 +61,7 @@ TEST_CASE("a moved world has its handles callbacks and future at the new place")
     REQUIRE(there.hash() == plain.hash());
     REQUIRE_FALSE(there.validate());
 
-    // What is left is an empty world that can be used.
+    // The world that was moved from is empty and can be used.
     REQUIRE(world.body_count() == 0);
     REQUIRE_FALSE(world.is_valid(body.id()));
     Body fresh = add_ball(world, {0, 5});

@@ -108,7 +108,7 @@ TEST_CASE("the joints of a disabled body do not act and act again") {
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("what rests on a body that is disabled wakes and falls") {
+TEST_CASE("a body that rests on a body that is disabled wakes and falls") {
     World world;
     Body shelf = world.create_body({.type = BodyType::static_body, .position = {0, 5}});
     shelf.add(Box{.width = 4, .height = 0.2f});

@@ -5,7 +5,8 @@
 
 namespace far_numbers_test {
 
-// What a world is driven to by numbers at the ends of what is allowed can be saved and comes back.
+// Numbers at the ends of their allowed ranges: every state to which they lead can be saved and
+// restored.
 
 using namespace scenes;
 
@@ -71,7 +72,7 @@ TEST_CASE("a body that is stopped while it turns keeps an angle that may be set"
     }
 }
 
-TEST_CASE("a body that rests longer than a number can say sleeps and can be saved") {
+TEST_CASE("a body whose time at rest exceeds the largest float sleeps and can be saved") {
     World world({.gravity = {0, 0}, .sleep_delay = 3e38f});
     Body body = add_ball(world, {0, 0});
     check_saved_in_each_step(world, 20, 3e38f);

@@ -339,7 +339,7 @@ TEST_CASE("a joint whose impulses overflow has finite forces and works again") {
     }
 }
 
-TEST_CASE("what is written may be a part of what is there") {
+TEST_CASE("a list that is written may be a part of the list that is replaced") {
     World world;
     Body body = world.create_body();
     Shape chain = body.add(Chain{{{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}, {-1, 2}}});
@@ -406,7 +406,8 @@ TEST_CASE("a query reports that a refresh callback has destroyed its other world
         }
 }
 
-TEST_CASE("what follows from the points of an outline is read at once after they are set") {
+TEST_CASE(
+    "values that follow from the points of an outline are read at once after the points are set") {
     World world;
     Body body = world.create_body({.position = {1, 0}});
     Shape chain = body.add(Chain{{{0, 0}, {1, 0}, {1, 1}}});

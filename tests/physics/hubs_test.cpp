@@ -1,4 +1,4 @@
-// What many lighter bodies lie on: its copies, and that it moves as one body does.
+// Hubs, on which many lighter bodies lie: their copies, and that a hub moves like one body.
 
 #include <partition/hubs.h>
 
@@ -105,7 +105,7 @@ TEST_CASE("impulses on the copies of a hub count in full") {
             CHECK(hub.angular_velocity ==
                   Approx(before.angular_velocity + before.inverse_inertia * torque));
         }
-        // To what nobody pushes nothing happens, to the last bit.
+        // Without any impulse the hub stays the same to the last bit.
         const SolverBody still = bodies[1];
         hubs.hand_out({strips, 2 * strips}, bodies);
         hubs.take_back(bodies);
@@ -114,7 +114,7 @@ TEST_CASE("impulses on the copies of a hub count in full") {
     }
 }
 
-TEST_CASE("what is not much lighter meets the hub itself") {
+TEST_CASE("a body that is not much lighter meets the hub itself") {
     auto bodies = hub_and_light();
     Hubs hubs;
     hubs.begin(4);

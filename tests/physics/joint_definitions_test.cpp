@@ -104,7 +104,7 @@ TEST_CASE("a definition has all that a joint can have") {
     CHECK(spring.max_motor_force() == 9);
 }
 
-TEST_CASE("what a definition leaves open is measured") {
+TEST_CASE("values that a definition leaves open are measured") {
     World world;
     const Body a = add_box(world, {0, 0});
     const Body b = world.create_body({.position = {3, 0}, .angle = 0.5f});

@@ -3,7 +3,7 @@
 
 namespace joint_readings_test {
 
-// What a joint reports: its separation, and its load above a threshold. And its own stiffness.
+// Readings of a joint: its separation, and its load above a threshold. Also its own stiffness.
 
 using namespace scenes;
 

@@ -5,7 +5,7 @@
 
 namespace joint_storage_test {
 
-// What all joints have: bodies, sleep, filters, life and death.
+// The common properties of all joints: bodies, sleep, filters, creation and destruction.
 
 using namespace scenes;
 
@@ -49,7 +49,7 @@ TEST_CASE("a body that is restless keeps what is tied to it awake") {
     REQUIRE(left.awake());
 }
 
-TEST_CASE("what hangs on a kinematic body follows when that starts to move") {
+TEST_CASE("a body that hangs on a kinematic body follows when that starts to move") {
     World world;
     Body hand = world.create_body({.type = BodyType::kinematic_body, .position = {0, 5}});
     Body ball = add_ball(world, {0, 3}, 0.3f);

@@ -160,7 +160,7 @@ struct Touch {
     int points = 0;
 };
 
-/// What touches when a polygon of many vertices is next to something fixed.
+/// The touch of a polygon of many vertices next to a fixed geometry.
 Touch touch_of(const Geometry& fixed, const Polygon& polygon, const Pose& pose) {
     World world({.gravity = {0, 0}, .sleeping = false});
     Body ground = world.create_body({.type = BodyType::static_body});
@@ -229,7 +229,7 @@ TEST_CASE("large polygons meet pieces of outlines as they meet the convex polygo
     REQUIRE(behind < 5);
 }
 
-TEST_CASE("what slides over a large polygon in pieces is held by all of them") {
+TEST_CASE("a body that slides over a large polygon in pieces is held by all of them") {
     // A crescent: its outer arc is cut into few pieces of many vertices.
     std::vector<Vec2> crescent;
     for (int i = 0; i <= 200; ++i) {

@@ -62,7 +62,7 @@ TEST_CASE("a change of gravity wakes all sleeping bodies") {
     REQUIRE(scene.box.position().y > 2.0f);
 }
 
-TEST_CASE("what rested on a support that is deleted or moved or changed falls") {
+TEST_CASE("a body that rested on a support that is deleted or moved or changed falls") {
     Resting scene;
     SECTION("deleted") {
         scene.floor.destroy();

@@ -11,8 +11,8 @@
 
 namespace locked_test {
 
-// What functions of the user may do inside the library's own, and what becomes of a world when they
-// do something else.
+// Calls that functions of the user may make while a function of the library runs, and the state of
+// a world after a forbidden call.
 
 using namespace scenes;
 

@@ -1,4 +1,4 @@
-// What a world takes: bytes that were asked for, counted where they are asked for.
+// The memory of a world: bytes are counted when they are allocated.
 
 #include "catch.h"
 #include "memory_end.h"
@@ -57,8 +57,9 @@ scenes::MemoryEnd::~MemoryEnd() {
     allocations_left = -1;
 }
 
-// Of the whole program: the tests beside these count too, which harms nobody. All forms that are
-// not for arrays, since a sanitizer has its own of those that are missing, and minds a mixture.
+// These replace the operators of the whole program, so they count in other tests as well, which
+// does no harm. All forms but those for arrays are replaced: a sanitizer defines the missing ones,
+// and reports a mixture.
 void* operator new(std::size_t size) {
     return or_throw(allocate(size));
 }
@@ -164,7 +165,7 @@ TEST_CASE("a world tells where its memory is") {
     for (const MemoryShare& share : world->memory()) REQUIRE(share.used <= share.reserved);
 }
 
-TEST_CASE("what a step needs besides is given back when most bodies sleep") {
+TEST_CASE("the scratch memory of a step is given back when most bodies sleep") {
     World world({.sleep_delay = 0.05f});
     add_row(world, 1000);
     world.step(frame);
@@ -172,7 +173,7 @@ TEST_CASE("what a step needs besides is given back when most bodies sleep") {
     settle(world);
     REQUIRE(world.statistics().awake_bodies == 0);
     REQUIRE(reserved(world, "step") < awake / 20);
-    // One that wakes brings back what one needs.
+    // A body that wakes brings back the memory that one body needs.
     world.bodies()[500].apply_impulse({0, 1});
     world.step(frame);
     REQUIRE(world.statistics().awake_bodies == 1);

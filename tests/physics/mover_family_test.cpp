@@ -169,7 +169,7 @@ TEST_CASE("a mover does not catch on the seams of random tiles") {
     }
 }
 
-TEST_CASE("what falls freely falls as fast below a mover as alone") {
+TEST_CASE("a body that falls freely falls as fast below a mover as alone") {
     const float drop = GENERATE(0.5f, 2.0f, 10.0f, 20.0f), density = GENERATE(1.0f, 7.0f, 40.0f);
     const bool on_another = GENERATE(false, true);
     World world;

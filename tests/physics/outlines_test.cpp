@@ -104,7 +104,7 @@ std::vector<Vec2> zigzag(int count, float angle) {
 
 }  // namespace
 
-TEST_CASE("what remains of a line is what a search of all its points keeps") {
+TEST_CASE("a simplified line keeps the points that a search of all points keeps") {
     std::mt19937 random(3);
     const auto number = [&random] { return float(random() % 2001) / 1000 - 1; };
     for (int run = 0; run < 60; ++run) {

@@ -64,7 +64,7 @@ TEST_CASE("the owner of a world alone makes and ends what is in it") {
     REQUIRE(world.hash() == hash);
     REQUIRE_FALSE(world.validate());
 
-    // The rest is everybody's, a copy too.
+    // Other code may do everything else, also with a copy.
     things.body.set_velocity({1, 0});
     world.step(frame);
     World copy = world.clone();

@@ -21,8 +21,7 @@ inline std::vector<std::byte> saved(const World& world) {
     return bytes;
 }
 
-/// How far a field lies from the beginning of a saved record: where its bytes change when `change`
-/// changes it.
+/// The offset of a field in a saved record: of the first byte that differs after `change`.
 template <class Record, class Change>
 size_t place_in(Change change) {
     Record one{}, other{};

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-// What many tests set up, and how they look at it.
+// Worlds and checks that many tests use.
 
 namespace scenes {
 

@@ -192,7 +192,7 @@ TEST_CASE("the seal covers how many bytes there are and where each stands") {
     REQUIRE((exchanged == bytes || detail::checksum(exchanged) != detail::checksum(bytes)));
 }
 
-TEST_CASE("what was saved again behind other bytes is sealed by itself") {
+TEST_CASE("a world that was saved behind other bytes is sealed by itself") {
     World world;
     add_ball(world, {0, 5});
     std::vector<std::byte> bytes(13, std::byte{7});

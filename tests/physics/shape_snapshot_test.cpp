@@ -44,7 +44,7 @@ TEST_CASE("a heap of every kind of shape goes on bit for bit after restoring") {
     run(other, 1.5f);
     REQUIRE(other.hash() == expected);
     REQUIRE(other.shape_count() == 25);
-    // What was edited and not yet looked at comes along.
+    // Edits that were not yet refreshed are saved as well.
     for (Shape shape : world.shapes())
         if (shape.type() == ShapeType::chain)
             shape.set_vertices(std::vector<Vec2>{{-9, 0}, {9, 0}, {10, 4}});

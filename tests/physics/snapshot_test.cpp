@@ -26,8 +26,8 @@ std::vector<uint64_t> hashes(World& world, int steps) {
     return all;
 }
 
-/// Saves after `before` steps, goes on, restores, goes on again: both futures are the same, after
-/// `meddle` has done what it likes with the world in between.
+/// Saves after `before` steps, goes on, changes the world by `meddle`, restores, goes on again:
+/// both futures must be the same.
 void check_restored(World& world, int before, int after,
                     const std::function<void(World&)>& meddle = {}) {
     for (int i = 0; i < before; ++i) world.step(frame);
@@ -458,7 +458,7 @@ TEST_CASE("a saved joint of no type is refused") {
         REQUIRE_THROWS_WITH(target.restore(with_type(type)), contains("a joint"));
 }
 
-TEST_CASE("whatever bodies do at the greatest angle can be saved") {
+TEST_CASE("any motion of bodies at the greatest angle can be saved") {
     World world({.gravity = {0, 0}});
     Body wall = world.create_body({.type = BodyType::static_body});
     wall.add(Box{.width = 1, .height = 2000});

@@ -392,7 +392,7 @@ float rms_speed(const std::vector<Body>& bodies) {
 
 }  // namespace
 
-TEST_CASE("what is too hard for the direct solver comes to rest all the same") {
+TEST_CASE("a problem that is too hard for the direct solver comes to rest all the same") {
     World world({.gravity = {0, 0}, .sleeping = false, .solver = Solver::direct});
     const std::vector<Body> circles = confine(world, 8);
     bool too_hard = false;

@@ -69,7 +69,7 @@ struct Course {
     size_t broken = 0, hits = 0;
 };
 
-/// With so many threads at a time, however many processors there are.
+/// Runs with `hands` threads, however many processors there are.
 Course run_with(int hands, int steps, int heaps = 1) {
     ThreadPool pool(hands, hands);
     World world({.sleeping = false});
@@ -92,7 +92,7 @@ Course run_with(int hands, int steps, int heaps = 1) {
 
 }  // namespace
 
-TEST_CASE("what lies between two strips belongs to the lowest node above both") {
+TEST_CASE("a constraint between two strips belongs to the lowest node above both") {
     for (uint32_t a = 8; a < 16; ++a) {
         for (uint32_t b = 8; b < 16; ++b) {
             const uint32_t node = above_both(StripNode(a), StripNode(b));
@@ -195,7 +195,7 @@ TEST_CASE("strips follow the list where it runs along an axis") {
     REQUIRE(strips.leaf_at({0, 0}) < strips.leaf_at({0, 2.25f}));
 }
 
-TEST_CASE("what cannot be cut is in some strip") {
+TEST_CASE("bodies that cannot be divided are in some strip") {
     Strips strips;
     std::vector<StripSample> one_place(40, StripSample{{3, 3}, 1});
     strips.cut(one_place, 4);

@@ -32,7 +32,7 @@ std::vector<Box4> scattered(uint32_t count, float width, uint32_t seed) {
     return boxes;
 }
 
-/// A tree with its leaves, built and fitted by so many threads.
+/// A tree with its leaves, built and fitted by `count` threads.
 struct Grown {
     explicit Grown(int count) : pool(count, count) {}
 

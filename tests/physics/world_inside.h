@@ -2,7 +2,7 @@
 
 #include <world/world_data.h>
 
-/// What the world has inside.
+/// Access to the data of a world.
 struct fettle::physics::detail::WorldInside {
     static WorldData& of(World& world) { return *world.data_; }
 };

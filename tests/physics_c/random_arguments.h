@@ -182,7 +182,7 @@ class Arguments {
     }
     fettle_start_tasks callback(fettle_start_tasks) {
         if (below(2) == 0) return nullptr;
-        return [](void*, uint32_t, fettle_task, void*) {};  // nobody has time for them
+        return [](void*, uint32_t, fettle_task, void*) {};  // no thread runs them
     }
     /// Also a fettle_finish_tasks.
     fettle_unlocked_callback callback(fettle_unlocked_callback) {

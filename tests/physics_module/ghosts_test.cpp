@@ -106,7 +106,7 @@ TEST_CASE_METHOD(Ahead, "looking ahead calls no handler and asks no question") {
     CHECK(called > 0);
 }
 
-TEST_CASE_METHOD(Ahead, "what does not move has no ghost") {
+TEST_CASE_METHOD(Ahead, "a body that does not move has no ghost") {
     floor();
     body("Box", {8, 0.5}, "static");
     const Handle crate = body("Box", {0, 0.5});

@@ -10,7 +10,7 @@
 
 #include <fettle/app/screen.h>
 
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::pictures {
 

@@ -139,7 +139,7 @@ TEST_CASE_METHOD(Stage, "snapshots and undo bring z back") {
     CHECK(tree.get(a, "z") == Value(4.0));
 }
 
-TEST_CASE_METHOD(Stage, "what is below a layer is drawn between its beginning and its end") {
+TEST_CASE_METHOD(Stage, "instances below a layer are drawn between its beginning and its end") {
     const Handle layer = tree.create(*curtain, tree.root(), "layer");
     add("a", layer);
     add("b");

@@ -355,7 +355,9 @@ TEST_CASE_METHOD(Fixture, "the last writer is known by kind and step and for edi
     CHECK_FALSE(tree.who(next, p).known);
 }
 
-TEST_CASE_METHOD(Fixture, "what a step has changed since a person wrote it is of the simulation") {
+TEST_CASE_METHOD(
+    Fixture,
+    "the writer of a value that a step has changed since a person wrote it is the simulation") {
     const Property& velocity = tree.property(ball, "velocity");
     tree.set_step(4);
     console([&] { tree.set(ball, velocity, Vec2(5, 0)); });

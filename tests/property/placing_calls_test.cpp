@@ -75,7 +75,7 @@ class Guests {
 
 }  // namespace
 
-TEST_CASE("what has something below it that is being made cannot be moved") {
+TEST_CASE("an instance above one that is being made cannot be moved") {
     Tree tree;
     Guests guests(tree);
     const Handle group = tree.create(tree.object_class(), tree.root(), "group");
@@ -120,7 +120,8 @@ TEST_CASE("what has something below it that is being made cannot be moved") {
     CHECK(tree.path(top) == "top");
 }
 
-TEST_CASE("what a module is placing and what it may go back to can be neither deleted nor moved") {
+TEST_CASE(
+    "an instance that a module is placing and its former parent can be neither deleted nor moved") {
     Tree tree;
     Guests guests(tree);
     const Handle from = tree.create(tree.object_class(), tree.root(), "from");

@@ -157,7 +157,7 @@ TEST_CASE_METHOD(Fixture, "a formula read inside a setter is read again after th
 
     for (const double wanted : {1.0, 2.0, 3.0}) {
         CHECK(tree.write(full, of(full, "level"), wanted));
-        CHECK(gauge.seen == wanted);  // of the level before
+        CHECK(gauge.seen == wanted);  // computed from the level before the write
         CHECK(tree.get(ball, "mass").number() == wanted + 1);
     }
 }

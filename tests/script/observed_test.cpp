@@ -186,7 +186,7 @@ TEST_CASE("several values are plotted by words with commas") {
     CHECK(s.plotted.empty());
 }
 
-TEST_CASE("what is observed cannot change the game") {
+TEST_CASE("an observed expression cannot change the game") {
     Served s;
     s.console("pin(function() world.ball.mass = 9 return 1 end)");
     CHECK_THROWS_WITH(s.pinned.at(0).value(), contains("cannot"));

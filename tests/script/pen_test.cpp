@@ -131,7 +131,7 @@ function draw(pen) pen.text(vec(0, 0), "over") end
     CHECK(recorder.log == "text behind;text c;text b;text a;text over;");
 }
 
-TEST_CASE("what a pen pushes ends with the function") {
+TEST_CASE("states that a pen pushes end with the function") {
     Stage s;
     s.run(R"lua(
 Mark = class("Mark", Object) {}

@@ -7,8 +7,8 @@
 // __gc, where no hook runs                    base_functions.cpp: setmetatable refuses __gc
 // __close that loops while a script is ended  coroutines of a stopped script are not closed
 // patterns that go back and forth             text/patterns.cpp charges each step
-// rep, concat, move, insert, unpack, format   string_functions.cpp, table_functions.cpp: charged or
-//                                             refused before they begin
+// rep, concat, move, insert, unpack, format   string_and_date_functions.cpp, table_functions.cpp:
+//                                             charged or refused before they begin
 // deep nesting in the parser and in gsub      limits of Lua, and of C calls in patterns
 // __tostring, __name, __index, errors that    errors.cpp calls them in protected mode, and only
 // are objects                                 while the budget lasts

@@ -176,7 +176,7 @@ TEST_CASE("an ease may be a function or a list of numbers") {
     CHECK_THAT(s.fails("tween(ball, 'mass', 2, 1, {1})"), contains("two numbers at least"));
 }
 
-TEST_CASE("what a tween cannot do is an error at once") {
+TEST_CASE("a tween that is impossible is an error at once") {
     Game s;
     CHECK_THAT(s.fails("tween(ball, 'mass', 2, 1, 'out_qaud')"),
                contains("tween: no ease \"out_qaud\" (did you mean \"out_quad\"?)"));

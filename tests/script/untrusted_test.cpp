@@ -154,7 +154,7 @@ TEST_CASE("the time of a call of an untrusted game is limited by the host") {
                contains("main.lua:1: stopped: it ran for 0.2 seconds"));
 }
 
-TEST_CASE("what an untrusted game draws is counted as instructions") {
+TEST_CASE("the drawing of an untrusted game is counted as instructions") {
     const std::string attack =
         GENERATE(as<std::string>{}, "for i = 1, 2000 do pen.circle(vec(0, 0), 1) end",
                  "for i = 1, 2000 do pen.text('x', vec(0, 0)) end",

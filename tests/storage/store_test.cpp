@@ -116,7 +116,7 @@ TEST_CASE("a table that was replaced is no longer in the store") {
     CHECK(store.path(table_at(store, "t"), "two words") == "store.t[\"two words\"]");
 }
 
-TEST_CASE("what a store cannot hold is refused and changes nothing") {
+TEST_CASE("a value that a store cannot hold is refused and changes nothing") {
     const Place place;
     Store store(place.file(), {});
     store.set(Store::root, "a", value(1));

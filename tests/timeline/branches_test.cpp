@@ -47,7 +47,8 @@ struct Forked : Playing {
 
 }  // namespace
 
-TEST_CASE_METHOD(Forked, "what came later is kept as a branch when the game goes on earlier") {
+TEST_CASE_METHOD(Forked,
+                 "later steps are kept as a branch when the game goes on from an earlier one") {
     CHECK(names() == "2: 1 50-120");
     CHECK(time().newest() == 90);
 }

@@ -123,7 +123,7 @@ TEST_CASE("a recording that was cut off replays the run up to there") {
     }
 }
 
-TEST_CASE("what a console command writes is recorded as the command alone") {
+TEST_CASE("writes of a console command are recorded as the command alone") {
     const File file;
     {
         Playing playing(game);
@@ -146,7 +146,7 @@ TEST_CASE("what a console command writes is recorded as the command alone") {
     CHECK(replay(file).difference == "");
 }
 
-TEST_CASE("what is selected when a command runs is it in the replay") {
+TEST_CASE("the instance that is selected when a command runs is it in the replay") {
     const File file;
     {
         Playing playing(game);

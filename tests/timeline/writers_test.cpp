@@ -70,7 +70,7 @@ TEST_CASE_METHOD(Writing, "edits by people keep their writer when the past is re
     CHECK(who("world.crate.mass").text() == "module, step 45");
 }
 
-TEST_CASE_METHOD(Writing, "what was written in a past that was left is not the last write") {
+TEST_CASE_METHOD(Writing, "a write in a past that was left is not the last write") {
     run(70);
     time().go_to(30);
     {

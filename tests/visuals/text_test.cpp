@@ -54,7 +54,7 @@ struct Written : Gallery {
 
 }  // namespace
 
-TEST_CASE_METHOD(Written, "what is drawn has the measured size at any zoom") {
+TEST_CASE_METHOD(Written, "a drawn text has the measured size at any zoom") {
     const double measured = width();
     CHECK(measured > 3);
     CHECK(measured < 6);

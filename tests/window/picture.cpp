@@ -57,7 +57,6 @@ Picture read_xwd(const std::filesystem::path& file) {
 }
 
 // --- PNG, without compression (ISO/IEC 15948; RFC 1950 and 1951 for the stored blocks)
-// ----------------------------------------------------------------------------------------
 
 namespace {
 

@@ -1,5 +1,5 @@
 #pragma once
-// Invariants: what holds after each step of any world.
+// Invariants: statements that are true after each step of any world.
 
 #include <functional>
 #include <memory>

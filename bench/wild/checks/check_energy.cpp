@@ -114,7 +114,7 @@ class Momentum : public Check {
     std::optional<std::string> look(const Moment& moment) override {
         if (moment.step == 0) isolated_ = is_isolated(moment.plan);
         if (!isolated_) return {};
-        // What falls asleep loses what little it has.
+        // A body that falls asleep loses the little energy that it has.
         for (const BodyNow& body : moment.after)
             if (body.exists && !body.awake) isolated_ = false;
         if (!isolated_) return {};

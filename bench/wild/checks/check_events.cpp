@@ -17,7 +17,7 @@ ShapePair unordered(const ShapeId& a, const ShapeId& b) {
     return std::minmax(key(a), key(b));
 }
 
-/// Pairs that began and did not end. Says what is wrong with an event; empty if nothing is.
+/// Pairs that began and did not end. Returns the error in an event; empty if there is none.
 class Open {
   public:
     const char* begin(const ShapePair& pair) {
@@ -67,7 +67,7 @@ class BeginsAndEnds : public Check {
     }
 
   private:
-    /// What touches now has begun and not ended, and nothing else.
+    /// The pairs that touch now must be those that have begun and not ended.
     std::string compare(const World& world) const {
         std::set<ShapePair> touching;
         for (const Contact& contact : world.contacts())

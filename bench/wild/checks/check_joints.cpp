@@ -1,4 +1,4 @@
-// Joints hold together what they connect.
+// Joints hold the bodies together that they connect.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// What can rest rests in time.
+// A body that can rest comes to rest in time.
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 
 #include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 

@@ -83,8 +83,8 @@ void Passages::look(const Pair& pair, const Moment& moment, std::vector<Passage>
         return local(at, o0.position + o * (o1.position - o0.position),
                      o0.angle + o * (o1.angle - o0.angle));
     };
-    // What a body that moves by command stopped, it carries along: until then the body moved
-    // freely, and afterwards it stayed where it is on that body.
+    // A body that moves by command carries along the body that it stopped: until the impact that
+    // body moved freely, and afterwards it stayed in its place on the other one.
     const bool carried = o1.type == BodyType::kinematic_body && b_end < 1;
     const auto free_place = [&](float t) {
         return in_obstacle(placed(pair.deep.point, b0.position + t * moment.dt * b1.velocity,

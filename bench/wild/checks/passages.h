@@ -1,6 +1,6 @@
 #pragma once
-// Where the insides of bodies cross the outlines of others in a step. What is deep in a body cannot
-// be where another solid is, so a crossing means an overlap as deep as the body itself.
+// Where the insides of bodies cross the outlines of others in a step. A point deep in a body cannot
+// be in another solid, so a crossing means an overlap as deep as the body itself.
 
 #include <functional>
 #include <string>

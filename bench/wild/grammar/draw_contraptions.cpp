@@ -1,6 +1,5 @@
 // Contraptions of several bodies and joints, as games build them.
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 

@@ -128,7 +128,8 @@ void draw_edits(Sketch& sketch) {
     for (int i = random.whole(1, 6); i > 0; --i) {
         Edit edit;
         const int body = random.whole(0, int(plan.bodies.size()) - 1);
-        // What the world stands on is edited less often: it would fall for the rest of its time.
+        // Static bodies are edited less often: without its ground, the world would fall for the
+        // rest of its time.
         const bool spared = is_fixed(plan.bodies[std::size_t(body)]) && !random.chance(0.2);
         const int joints = int(plan.joints.size());
         if (random.chance(0.1))

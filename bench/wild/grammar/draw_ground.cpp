@@ -1,4 +1,4 @@
-// What worlds stand on: every kind of static support.
+// The ground of worlds: every kind of static support.
 
 #include <functional>
 

@@ -1,8 +1,6 @@
 // A joint of a random type with random settings, between two bodies or a body and the world. Gears,
 // ratchets and pulleys are in draw_contraptions.cpp.
 
-#include <cmath>
-
 #include "wild/grammar/sketch.h"
 
 namespace fettle::bench::wild {

@@ -1,5 +1,6 @@
 #pragma once
-// What the parts of the grammar draw on: a plan, the random numbers, and the style of the world.
+// The sketch to which the parts of the grammar add: a plan, the random numbers, and the style of
+// the world.
 
 #include <cmath>
 #include <utility>

@@ -225,7 +225,7 @@ class Box2dWorld : public RunningWorld {
         return body;
     }
 
-    /// Sets what all definitions of joints have in common.
+    /// Sets the members that all definitions of joints have.
     template <class Def>
     Def between(const JointPlan& plan) const {
         Def def;

@@ -1,5 +1,5 @@
 #pragma once
-// A plan in an engine: what checks read after each step.
+// A plan in an engine, with the data that checks read after each step.
 
 #include <cstdint>
 #include <memory>
@@ -44,7 +44,7 @@ class RunningWorld {
     /// Makes what the plan has before this step.
     virtual void prepare(int step) = 0;
     virtual void advance(float dt) = 0;
-    /// By the indices of the plan.
+    /// Reads all bodies, in the order of the plan.
     virtual void read(std::vector<BodyNow>& bodies) const = 0;
     /// The world of the library; null for another engine.
     virtual World* fettle() { return nullptr; }

@@ -24,7 +24,7 @@ struct Setter {
 };
 
 /// Throws std::invalid_argument if there is none.
-const Setter& setter_named(const std::string& name, Target target, JointType joint = {});
+const Setter& setter_named(const std::string& name, Target target, JointType joint);
 
 /// "RevoluteJoint" and the like.
 const char* class_of(JointType type);

@@ -171,7 +171,7 @@ fettle_code init(const char* function, Def* def, size_t size, const Def& default
     });
 }
 
-/// Gives the id of a new object to a caller that wants it.
+/// Stores the id of a new object at `out`, unless the caller passed null.
 template <class Id>
 void give(fettle_id* out, Id id) {
     if (out != nullptr) *out = converted(id);

@@ -19,7 +19,6 @@ Value& needed(const char* name, Value* pointer) {
 }
 
 // --- Ids: generation (32 bits), kind (4 bits), slot (28 bits)
-// ---------------------------------------
 
 template <class Id>
 inline constexpr uint32_t kind_of = 0;
@@ -108,7 +107,6 @@ bool lives(const fettle_world* world, fettle_id id) noexcept {
 }
 
 // --- To C
-// --------------------------------------------------------------------------------------------
 
 template <class Value>
 requires std::is_arithmetic_v<Value> Value converted(Value value) {
@@ -148,7 +146,6 @@ fettle_memory_share converted(const physics::MemoryShare& share);
 void tell_geometry(const physics::Shape& shape, fettle_geometry* geometry);
 
 // --- From C
-// ------------------------------------------------------------------------------------------
 
 void check_size(size_t given, size_t expected);
 /// A byte that should be 0 or 1: a caller may have left it as it was.

@@ -228,7 +228,6 @@ fettle_code fettle_world_set_velocity(fettle_world* world, uint32_t slot, float 
 }
 
 // --- Many worlds
-// -----------------------------------------------------------------------------------
 
 fettle_code fettle_worlds_step(fettle_world* const* worlds, uint32_t world_count, float dt) {
     return guarded(__func__, [&] {

@@ -142,7 +142,6 @@ fettle_code fettle_world_locked(const fettle_world* world, bool* locked) {
 }
 
 // --- The owner
-// -------------------------------------------------------------------------------------
 
 fettle_code fettle_owner_create(const char* advice, fettle_owner** owner) {
     return guarded(__func__, [&] {

@@ -9,7 +9,6 @@ using namespace fettle::physics;
 using namespace fettle::physics_c;
 
 // --- Life and steps
-// --------------------------------------------------------------------------------
 
 fettle_code fettle_world_create(const fettle_world_def* def, fettle_world** world) {
     return guarded(__func__, [&] {
@@ -59,7 +58,6 @@ fettle_code fettle_world_clear(fettle_world* world) {
 }
 
 // --- Snapshots
-// -------------------------------------------------------------------------------------
 
 fettle_code fettle_world_clone(const fettle_world* world, fettle_world** clone) {
     return guarded(__func__, [&] {
@@ -110,7 +108,6 @@ fettle_code fettle_world_hash(const fettle_world* world, uint64_t* hash) {
 }
 
 // --- Measuring and checking
-// ------------------------------------------------------------------------
 
 fettle_code fettle_world_statistics(const fettle_world* world, fettle_statistics* statistics) {
     return guarded(__func__, [&] {

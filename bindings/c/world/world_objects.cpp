@@ -6,7 +6,6 @@ using namespace fettle::physics;
 using namespace fettle::physics_c;
 
 // --- Objects
-// ---------------------------------------------------------------------------------------
 
 fettle_code fettle_world_create_body(fettle_world* world, const fettle_body_def* def,
                                      fettle_id* body) {

@@ -1,6 +1,6 @@
 -- Boxes and balls that the mouse drags. With the argument --love the bodies are those of LÖVE, for comparison:
 --
---     love GAME [--love] [--frames N PICTURE.png]     ends after so many frames and saves the last one in the save folder
+--     love GAME [--love] [--frames N PICTURE.png]     ends after N frames and saves the last one in the save folder
 --     love GAME --speed [--love]                      steps a second of a pyramid of 820 boxes
 
 local options = {}

@@ -141,7 +141,7 @@ function Body:setMassData(x, y, mass, inertia)
     self:setInertia(inertia)
 end
 
--- Forces and impulses are in pixels, too: a force of LÖVE accelerates 1 kg by so many pixels a second in a second.
+-- Forces and impulses are in pixels, too: a force of 1 in LÖVE accelerates 1 kg by one pixel per second squared.
 local function apply(name, self, x, y, at_x, at_y)
     local m, world = units.meter, self.world.pointer
     if at_x then

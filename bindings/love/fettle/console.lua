@@ -96,7 +96,7 @@ function Console:renew_mesh(picture)
     self.mesh:setVertexMap(bytes_of(picture.indices, picture.index_count * 4), "uint32")
 end
 
---- Draws the console over what is there. It is called before each frame is shown.
+--- Draws the console over the picture. It is called before each frame is shown.
 function Console:draw()
     local now = love.timer.getTime()
     local seconds = math.min(now - (self.drawn or now), 1)

@@ -1,4 +1,4 @@
--- What all joints of love.physics have, and how their classes get the properties of Fettle's.
+-- The members of all joints of love.physics, and the functions that give their classes the properties of Fettle's joints.
 
 local fettle = require "fettle"
 local units = require "fettle.units"
@@ -52,7 +52,7 @@ function joint.class(kind)
     return class
 end
 
---- What a number of LÖVE is in Fettle, and back: `scale(meter)` is what one in SI is multiplied with.
+--- Converts a number of LÖVE to Fettle, and back: `scale(meter)` is the factor for a number in SI units.
 local function scaled(scale)
     scale = scale or joint.one
     return function(value) return value / scale(units.meter) end, function(value) return value * scale(units.meter) end
@@ -70,7 +70,7 @@ function joint.property(to, name, in_c, scale)
     to["set" .. name] = function(self, value) check(lib[write](self.world.pointer, self.id, there(value)), 2) end
 end
 
---- The frequency of what is rigid is 0 in LÖVE, and infinite in Fettle.
+--- The frequency of a rigid joint is 0 in LÖVE, and infinite in Fettle.
 function joint.stiffness(to, name, in_c)
     local read, write = "fettle_" .. in_c, "fettle_" .. in_c:gsub("_joint_", "_joint_set_", 1)
     to["get" .. name] = function(self)

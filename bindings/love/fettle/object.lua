@@ -1,4 +1,4 @@
--- What all objects of LÖVE have: the name of their type.
+-- The members of all objects of LÖVE: the name of their type.
 
 local object = {}
 
@@ -14,7 +14,7 @@ function Object:typeOf(name)
     return name == "Object"
 end
 
---- A game needs the object no more: the garbage collector frees what can be freed.
+--- To be called when a game no longer needs the object: the garbage collector then frees it.
 function Object:release() return true end
 
 --- A class of objects whose `type()` is `name`, with the methods of `parent`.

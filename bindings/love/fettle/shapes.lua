@@ -1,4 +1,4 @@
--- Shapes as love.physics has them: geometries in pixels. Those of a fixture are its own copies.
+-- Shapes as love.physics has them: geometries in pixels. The shapes of a fixture are its own copies.
 
 local fettle = require "fettle"
 local units = require "fettle.units"
@@ -14,7 +14,7 @@ local Edge, Chain = object.class("EdgeShape", Shape), object.class("ChainShape",
 function Shape:getType() return self.kind end
 function Shape:getChildCount() return 1 end
 
--- The skin that Box2D puts around what is not round; other radii are those of circles.
+-- The skin that Box2D puts around polygons, edges and chains; other radii are those of circles.
 function Shape:getRadius() return self.radius or 0.01 * units.meter end
 
 local function shape(class, kind, values)
@@ -22,7 +22,7 @@ local function shape(class, kind, values)
     return setmetatable(values, class)
 end
 
---- Checks the numbers of a shape where the game gives them. `n` in the list: so many there must be.
+--- Checks the numbers of a shape, so that an error names the line of the game. `n` in the list: the required count.
 local function numbers(what, values, least)
     for i = 1, values.n or #values do
         if type(values[i]) ~= "number" then

@@ -1,6 +1,6 @@
 -- Balls of a hosted game, drawn by LÖVE; the grave key opens Fettle's console over them.
 --
---     love GAME [--frames N PICTURE.png]     types a command, ends after so many frames and saves the last one in the save folder
+--     love GAME [--frames N PICTURE.png]     types a command, ends after N frames and saves the last one in the save folder
 
 local host = require "fettle.host"
 local scale = 32  -- pixels a meter

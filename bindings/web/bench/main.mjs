@@ -1,6 +1,6 @@
 // Prints a table: milliseconds of processor time a step of each engine that is installed, and what became of the scene in it.
 //
-//   node main.mjs [SECONDS] [SCENE ...]    SECONDS: at most so many for a scene in an engine, 10 without it
+//   node main.mjs [SECONDS] [SCENE ...]    SECONDS: the limit for a scene in an engine; 10 by default
 //
 // An engine makes the steps that fit in its time. Its time is compared with that of Fettle for the same steps. Each engine makes some steps of a
 // scene before it is measured, since a program of JavaScript or WebAssembly is slow until it has run for a while.

@@ -72,7 +72,7 @@ const edits = (name) => (call, world, p) => {
 };
 const point = (p) => classes.readVec2(p);
 
-// What the function of the program gets, by kind. The result is 1 where the library is to go on.
+// The arguments of the function of the program, by kind. The result is 1 where the library is to go on.
 const ofWorlds = {
   pair_filter: (call, world, a, b) => call(shapeOf(world, a), shapeOf(world, b)),
   contact_callback: edits("ContactEdit"),

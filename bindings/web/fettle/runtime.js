@@ -63,8 +63,8 @@ export const yOf = (value) => value.y;
 
 // --- Memory of one call ---------------------------------------------------------------------------
 
-// What a call gets and gives lies in one block, and behind it that of the calls that a function of the program makes inside. What is too
-// large for the block is freed by the next call.
+// Arguments and results of a call are in one block; those of calls that a function of the program makes meanwhile follow them. Data that is
+// too large for the block is freed by the next call.
 const blockSize = 1 << 16;
 let block = 0, bottom = 0, top = 0;
 /** What the next call does first: functions. */
@@ -401,7 +401,7 @@ async function compiled(source) {
   return WebAssembly.instantiate(source, imports);
 }
 
-// What the C library of Emscripten asks of its host: a clock, and a place for what it prints.
+// The functions that the C library of Emscripten requires of its host: a clock, and output of text.
 const now = () => BigInt(Math.round(performance.now() * 1e6));
 const fail = (what) => () => { throw new FettleError(what); };
 const imports = {

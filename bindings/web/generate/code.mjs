@@ -118,7 +118,7 @@ function methodBody(plan, structs) {
     return `begin(); keep(${world}, ${key}, ${variable(input)}, ${JSON.stringify(input.name)}, "${input.call}", (call, user) => c.${plan.fn.name}(${args}));`;
   }
   if (plan.owner === "Mover") code.push("const mover = this.written();");
-  // What is written to memory is written before the places of the results are taken.
+  // Arguments are written to memory before the places of the results are taken.
   const args = [];
   for (const [i, g] of plan.given.entries()) {
     if (typeof g === "string") args.push(g);

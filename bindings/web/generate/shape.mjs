@@ -1,4 +1,4 @@
-// What a function in C becomes in JavaScript: a method or a property of a class, its arguments and its result.
+// The form of a function of C in JavaScript: a method or a property of a class, its arguments and its result.
 
 export const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
 export const pascal = (name) => camel("_" + name);
@@ -35,7 +35,7 @@ export function handleOf(name, inFunction = "") {
   return kinds[plain] ?? "Body";
 }
 
-// What is written by hand in runtime.js and replay.js.
+// Functions that are written by hand in runtime.js and replay.js.
 const byHand = /^fettle_replay_|_init$|^fettle_(last_error|world_create|world_destroy|world_columns|world_draw)$|_is_valid$/;
 
 /** What a program in JavaScript does not have, and why. */

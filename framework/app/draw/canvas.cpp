@@ -30,7 +30,7 @@ void multiply_by_opacity(std::vector<CanvasVertex>& vertices) {
 void Canvas::begin(Color background) {
     strip_.clear();
     source_ = nullptr;
-    joined_.clear();
+    collected_.parts.clear();
     reset_state();
     pictures_.begin_frame();
     whole_ = 0;

@@ -130,7 +130,7 @@ class Canvas : public property::Painter, public Surface {
 
     // --- In parts.cpp
     bool is_collected(const property::Paint& paint);
-    void collect();  // adds outline_ to joined_
+    void collect();  // adds outline_ to collected_
     /// Draws the collected parts of one whole.
     void draw_collected();
     void draw_joined(const Rim& rim);
@@ -167,10 +167,14 @@ class Canvas : public property::Painter, public Surface {
     std::array<sf::Color, 4> ring_colors_{};
     Area area_{};
     std::vector<Trapezoid> trapezoids_{};
-    std::uint64_t whole_ = 0;
-    Joined joined_{};  // collected parts of one whole with the same paint
-    std::uint64_t joined_whole_ = 0;
-    property::Paint joined_paint_{};
+    std::uint64_t whole_ = 0;  // of the figures that are drawn now; 0: of none
+    /// Parts of one whole with the same paint, to be drawn together.
+    struct Collected {
+        Joined parts{};
+        std::uint64_t whole = 0;
+        property::Paint paint{};
+    };
+    Collected collected_{};
     std::unordered_map<Texture, std::unique_ptr<sf::Texture>> textures_{};
     Texture next_texture_ = 1;
     std::vector<CanvasVertex> layer_{};

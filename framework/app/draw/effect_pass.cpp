@@ -50,7 +50,7 @@ std::string whole(std::string code) {
     return version + declarations + (newer ? "#line 1\n" : "#line 0\n") + code;
 }
 
-/// What SFML writes while it lives.
+/// Collects the messages that SFML writes while this object exists.
 class Messages {
   public:
     Messages() : before_(sf::err().rdbuf(text_.rdbuf())) {}

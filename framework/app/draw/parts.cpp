@@ -10,58 +10,60 @@ using property::Paint;
 /// Returns whether a figure with this paint is to be collected. Draws the collected parts first if
 /// they belong to another whole or have another paint.
 bool Canvas::is_collected(const Paint& paint) {
-    const bool same = joined_whole_ == whole_ && joined_paint_.fill == paint.fill &&
-                      joined_paint_.border == paint.border &&
-                      joined_paint_.border_width == paint.border_width;
+    const bool same = collected_.whole == whole_ && collected_.paint.fill == paint.fill &&
+                      collected_.paint.border == paint.border &&
+                      collected_.paint.border_width == paint.border_width;
     if (!same) draw_collected();
     if (whole_ == 0) return false;
     // An opaque color without a border shows no seams, so each part is drawn by itself.
     if (!bordered(paint) && opaque(native(paint.fill))) return false;
-    joined_whole_ = whole_;
-    joined_paint_ = paint;
+    collected_.whole = whole_;
+    collected_.paint = paint;
     return true;
 }
 
 void Canvas::collect() {
     rings_.clear();
     outline_.ring(0, rings_);
-    joined_.add(rings_);
+    collected_.parts.add(rings_);
 }
 
 void Canvas::draw_collected() {
-    if (joined_.size() == 0) return;
+    if (collected_.parts.size() == 0) return;
     constexpr float too_small = 12;  // px; in a smaller whole the seams are not visible
-    if (joined_.size() > 1 && joined_.extent() > too_small && joined_.find_seams())
-        draw_joined(Rim::inside(joined_paint_));
+    if (collected_.parts.size() > 1 && collected_.parts.extent() > too_small &&
+        collected_.parts.find_seams())
+        draw_joined(Rim::inside(collected_.paint));
     else
         draw_parts();
-    joined_.clear();
-    joined_whole_ = 0;
+    collected_.parts.clear();
+    collected_.whole = 0;
 }
 
 void Canvas::draw_joined(const Rim& rim) {
     if (rim.fill.a > 0) {
         area_.clear();
-        for (std::size_t i = 0; i < joined_.size(); ++i) {
+        for (std::size_t i = 0; i < collected_.parts.size(); ++i) {
             rings_.clear();
-            joined_.contour(i, rim.depth, rings_);
+            collected_.parts.contour(i, rim.depth, rings_);
             area_.add(rings_);
         }
         draw_inside(Area::Rule::forward, rim.fill);
     }
-    for (const Run& run : joined_.border(rim.overlap)) draw_rim(rim, run.bends, run.closed);
+    for (const Run& run : collected_.parts.border(rim.overlap))
+        draw_rim(rim, run.bends, run.closed);
 }
 
 void Canvas::draw_parts() {
     edge_ = Edge::touching;
-    for (std::size_t i = 0; i < joined_.size(); ++i) {
-        const auto corners = joined_.part(i);
+    for (std::size_t i = 0; i < collected_.parts.size(); ++i) {
+        const auto corners = collected_.parts.part(i);
         if (is_convex(corners)) {
             outline_.set(corners, 0);
-            draw_outline(joined_paint_);
+            draw_outline(collected_.paint);
         } else {
             outline_.set_any(corners);
-            draw_any_outline(joined_paint_);
+            draw_any_outline(collected_.paint);
         }
     }
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include <draw/canvas.h>
 
@@ -64,7 +63,7 @@ bool is_upright(const Vec2 (&corners)[4], const PictureArea& area) {
 
 void Pictures::begin_frame() {
     ++frame_;
-    if (pages_are_full_) {  // much on them is out of use; what is in use is copied again
+    if (pages_are_full_) {  // many pictures on them are out of use; the others are copied again
         std::erase_if(entries_, [](const auto& entry) { return entry.second.own == nullptr; });
         pages_.clear();
         pages_are_full_ = false;
@@ -178,7 +177,7 @@ void Canvas::picture(const Picture& picture, const PictureArea& area, const Vec2
     const Pictures::Place place = pictures_.place(picture, smooth, multiplies);
     if (place.texture == nullptr) return;
     const sf::Color color = native(faded(tint));
-    // Within the area, so that what is beside it in the picture does not show.
+    // Within the area, so that its neighbors in the picture are not seen.
     const auto whole = [&](double begin, double size, std::uint32_t all) {
         return begin <= 0 && begin + size >= static_cast<double>(all);
     };

@@ -2,7 +2,6 @@
 // instance of its name below `input`.
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -38,7 +37,7 @@ List default_move() {
 
 // --- Strength
 
-/// What lies beyond the dead zone, from 0 to 1.
+/// The part of a value beyond the dead zone, from 0 to 1.
 double beyond(double value, double dead_zone) {
     return std::clamp((value - dead_zone) / (1 - dead_zone), 0.0, 1.0);
 }
@@ -66,7 +65,7 @@ void each_gamepad(const State& s, int number, Visit visit) {
 }
 
 double strength_of(const State& s, const ActionSwitch& from) {
-    // What the foreground has is not held for the game.
+    // A switch that the foreground has taken is not held for the game.
     const auto held = [](const State::Switch& each) { return each.down && !each.taken ? 1 : 0; };
     if (from.kind == ActionSwitch::Kind::key) return held(s.keys[from.index]);
     if (from.kind == ActionSwitch::Kind::mouse) return held(s.buttons[from.index]);

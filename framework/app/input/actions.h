@@ -1,5 +1,5 @@
 #pragma once
-// Actions: what the player wants, from any of several keys, buttons and sticks.
+// Actions: commands of the player, from any of several keys, buttons and sticks.
 
 #include <cstdint>
 #include <string>

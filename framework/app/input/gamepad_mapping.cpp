@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <charconv>
-#include <span>
 #include <stdexcept>
 #include <vector>
 

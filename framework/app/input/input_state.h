@@ -45,7 +45,7 @@ struct Input::State {
         std::array<double, gamepad_trigger_names.size()> triggers{};
         std::array<bool, gamepad_buttons> buttons{};
         std::array<bool, gamepad_button_names.size()> named{};
-        // What the foreground has.
+        // Sticks, triggers and buttons that the foreground has taken.
         std::array<bool, gamepad_stick_names.size()> taken_sticks{};
         std::array<bool, gamepad_trigger_names.size()> taken_triggers{};
         std::array<bool, gamepad_buttons> taken_buttons{};
@@ -159,7 +159,7 @@ struct Input::State {
     /// positive. `axis`: 0 to 5 are X, Y, Z, and the three rotations; 6 and 7 are those of the hat.
     void move_raw_axis(Gamepad& gamepad, std::size_t axis, double value);
 
-    /// Computes all actions from the switches, and queues what has changed.
+    /// Computes all actions from the switches, and queues the changes.
     void update_actions();
     /// Makes the instance of an action, reads its bindings, or deletes it, as `input.actions` says.
     void sync_action(std::string_view name);

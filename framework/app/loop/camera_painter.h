@@ -1,5 +1,5 @@
 #pragma once
-// A painter that draws a part of what another one draws: only the world, only what is on the
+// A painter that draws a part of what another one draws: only the world, only the instances on the
 // screen, or the world as a camera sees it.
 
 #include <fettle/app/view.h>
@@ -7,7 +7,7 @@
 
 namespace fettle::app {
 
-/// What a camera sees, and where on the screen.
+/// The view of a camera, and its place on the screen.
 struct CameraPicture {
     View view{};                              // its screen is the part below
     property::Vec2 lower{0, 0}, upper{0, 0};  // px, from the top left corner

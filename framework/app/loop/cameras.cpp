@@ -200,7 +200,7 @@ CameraPicture Cameras::picture(Handle camera, const Vec2& screen, double alpha) 
 CameraPicture Cameras::drawn(Handle camera, const Vec2& screen, double alpha, double now) const {
     CameraPicture made = picture(camera, screen, alpha);
     View& view = made.view;
-    // The shake first: what it adds does not depend on the center.
+    // The shake first: its offset does not depend on the center.
     const Vec2 shaken = view.drawn(1, now).center - view.center;
     const auto row = std::ranges::find(rows_, camera, &Row::self);
     if (!without_delay(view) && row != rows_.end() && view.center == row->after)

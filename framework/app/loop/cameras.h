@@ -26,7 +26,7 @@ class Cameras {
               const std::function<void(property::Painter&)>& game) const;
 
   private:
-    /// What the tree does not store.
+    /// The data of a camera that the tree does not store.
     struct Row {
         property::Handle self{};  // null: the row is free
         // For drawing only: the center before and after the last step.
@@ -41,10 +41,10 @@ class Cameras {
     std::vector<property::Property> properties();
     /// The visible ones in the game, in the order of their z.
     std::vector<property::Handle> shown() const;
-    /// Whether it is always where what it follows is.
+    /// Whether it is always at the place of the instance that it follows.
     bool without_delay(const View& view) const;
-    /// What it shows, as a view, and where on the screen; what it follows is where it is drawn
-    /// at `alpha`.
+    /// The picture of a camera as a view, and its place on the screen. The instance that it follows
+    /// is taken where it is drawn at `alpha`.
     CameraPicture picture(property::Handle camera, const property::Vec2& screen,
                           double alpha) const;
     /// The same between the last two steps, and shaken.

@@ -68,7 +68,8 @@ void draw_bars(property::Painter& painter, const View& view) {
     painter.end_screen();
 }
 
-/// Draws what covers the screen during a change of the scene, which scripts begin with go_to_scene.
+/// Draws the cover of the screen during a change of the scene, which scripts begin with
+/// go_to_scene.
 void draw_transition(property::Painter& painter, const property::Tree& tree, const Vec2& screen) {
     const property::Handle now = tree.child(tree.root(), "transition");
     if (!now || tree.class_of(now).name() != "Transition") return;

@@ -23,7 +23,7 @@ class Effects {
     /// Reads the file if its name has changed. So a missing file is reported also if nothing is
     /// drawn.
     void step();
-    /// What is to be drawn now; null without an effect. `time`: s.
+    /// The effect to draw now; null if there is none. `time`: s.
     const Effect* now(double time);
     /// Reports a problem, once.
     void tell(const std::string& problem);

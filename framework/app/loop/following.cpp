@@ -103,7 +103,7 @@ void View::advance(const Tree& tree, double dt) {
     center_before_ = center;
     if (follow && tree.alive(follow)) {
         const Vec2 way = world_position(tree, follow) - center;
-        // As far as it is outside of the dead zone.
+        // Only the part of the way outside of the dead zone counts.
         const Vec2 half = 0.5 * dead_zone;
         const Vec2 beyond = way - way.max(-half).min(half);
         const double share = follow_damping > 0 ? 1 - std::exp(-dt / follow_damping) : 1;

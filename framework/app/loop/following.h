@@ -1,5 +1,5 @@
 #pragma once
-// What the view and a camera have in common: height, following an instance, limits, shaking.
+// The common properties of the view and of cameras: height, following an instance, limits, shaking.
 
 #include <vector>
 

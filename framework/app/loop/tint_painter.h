@@ -1,5 +1,5 @@
 #pragma once
-// A painter that draws what another one draws, all in one color.
+// A painter that draws like another one, but everything in one color.
 
 #include <string_view>
 

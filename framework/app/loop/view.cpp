@@ -171,7 +171,7 @@ std::vector<Property> where(View& view) {
     };
 }
 
-/// The properties of what it follows, with their places in the view.
+/// The properties for following an instance, with their places in the view.
 std::vector<Property> following(View& view) {
     std::vector<Property> made = following_properties();
     const auto put = [&made](std::string_view name, property::Binding binding) {

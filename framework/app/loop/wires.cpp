@@ -1,7 +1,5 @@
 #include <loop/wires.h>
 
-#include <cmath>
-
 #include <fettle/app/view.h>
 #include <fettle/property/error.h>
 #include <fettle/property/label.h>
@@ -32,7 +30,7 @@ std::string short_path(const std::string& path) {
     return before == std::string::npos ? path : path.substr(before + 1);
 }
 
-/// Nothing is drawn from what is gone, or is no property.
+/// No wire is drawn from a deleted instance, or from a cell that is no property.
 std::optional<Handle> instance_at(const Tree& tree, const std::string& path) {
     try {
         return property::resolve(tree, path).instance;

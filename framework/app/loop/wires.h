@@ -1,5 +1,5 @@
 #pragma once
-// `view.show.wires`: arrows from what formulas read to what they write.
+// `view.show.wires`: arrows from the properties that formulas read to those that they write.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 namespace fettle::app {
 
 struct Wire {
-    std::optional<property::Vec2> from;  // m; nothing if what is read has no place
+    std::optional<property::Vec2> from;  // m; none if the read instance has no place
     property::Vec2 to{0, 0};             // m
     std::string label;                   // "ball.mass → crate.mass"
 };

@@ -53,7 +53,7 @@ bool openal_device_opened();
 
 #if SFML_VERSION_MAJOR >= 3
 
-/// Whether the library plays through OpenAL, which can write what it plays to a file.
+/// Whether the library plays through OpenAL, which can write its output to a file.
 inline constexpr bool plays_on_openal = false;
 /// True if the library could open a sound device. Only meaningful while a stream exists, which
 /// opens it.

@@ -11,8 +11,8 @@
 
 namespace fettle::app::sfml {
 
-/// What `NoMessages` does, for the libraries that SFML plays through. To be called before the first
-/// stream exists.
+/// Silences the libraries through which SFML plays, as `NoMessages` does for SFML. To be called
+/// before the first stream exists.
 void silence_audio_libraries();
 
 /// A stream of stereo samples of 16 bits. The library fetches them on its own thread. A derived

@@ -76,7 +76,7 @@ struct Audio::State {
     /// Whether the voice sounds in a paused game, too.
     bool ignores_pause(property::Handle voice) const;
 
-    /// What is to be heard now. `halted`: every voice pauses.
+    /// The sounds to be heard now. `halted`: every voice pauses.
     std::vector<Heard> heard(bool halted) const;
 
     Audio& audio;

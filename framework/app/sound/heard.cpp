@@ -1,4 +1,4 @@
-// What is to be heard: the voices in the tree as the mixer takes them.
+// The sounds to be heard: the voices in the tree as the mixer takes them.
 
 #include <algorithm>
 #include <cmath>

@@ -101,7 +101,7 @@ void Mixer::adapt(Playing& voice, const Heard& to) {
     if (to.rate > 0) voice.speed = to.rate;
 }
 
-/// Takes over what is to be heard now.
+/// Takes over the sounds to be heard now.
 void Mixer::exchange() {
     std::optional<std::vector<Heard>> next;
     {

@@ -1,10 +1,10 @@
 #pragma once
 // Adds voices to one stereo signal.
 //
-// One thread says what is to be heard, another makes the samples. They share only the list of what
-// is to be heard, under a lock that is held while the list is exchanged. A voice is compared with
-// the time that it should have: if it is far off (the game went back in time, or was stopped), it
-// continues where it should be.
+// One thread sets the sounds to be heard, another makes the samples. They share only the list of
+// what is to be heard, under a lock that is held while the list is exchanged. A voice is compared
+// with the time that it should have: if it is far off (the game went back in time, or was stopped),
+// it continues where it should be.
 
 #include <cstdint>
 #include <memory>
@@ -25,7 +25,7 @@ struct Heard {
     std::shared_ptr<const SoundFile> file{};
     SynthParameters synth{};
     double duration = 0;  // s
-    double time = 0;      // s, what it has played
+    double time = 0;      // s, how long it has played
     double rate = 1;      // seconds of the sound a second; 0: it pauses
     Stereo loudness{1, 1};
     bool loops = false;
@@ -37,7 +37,7 @@ class Mixer {
     static constexpr double tolerance = 0.2;           // s, before a voice jumps
     static constexpr std::size_t chunk_frames = 1024;  // that the device asks for at once
 
-    /// What is to be heard from now on.
+    /// Sets the sounds to be heard from now on.
     void hear(std::vector<Heard> all);
     /// Makes the next samples, left and right in turn. For one thread.
     void fill(std::span<std::int16_t> out);

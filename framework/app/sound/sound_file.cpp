@@ -1,6 +1,5 @@
 #include <sound/sound_file.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 

@@ -1,6 +1,4 @@
-// The classes of what can be played, and of `audio` with its buses.
-
-#include <stdexcept>
+// The classes of sources of sound, and of `audio` with its buses.
 
 #include <fettle/property/error.h>
 

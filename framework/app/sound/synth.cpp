@@ -139,7 +139,7 @@ std::span<const SynthNumber> synth_numbers() {
     return numbers_of_synth;
 }
 
-/// Computes what changes slowly: frequency, duty and the filters.
+/// Computes the slowly changing values: frequency, duty and the filters.
 void Generator::control(const SynthParameters& p, double dt) {
     const double since = p.retrigger > 0 ? std::fmod(time_, p.retrigger) : time_;
     const double turn = 2 * std::numbers::pi * time_;

@@ -1,6 +1,5 @@
 // The class of voices.
 
-#include <algorithm>
 #include <stdexcept>
 
 #include <sound/audio_state.h>

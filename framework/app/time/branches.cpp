@@ -1,4 +1,4 @@
-// Branches of the past: what came later, where the game went on from an earlier step.
+// Branches of the past: later steps that were left when the game went on from an earlier step.
 
 #include <fettle/app/timeline.h>
 
@@ -29,7 +29,7 @@ std::int64_t Timeline::Other::newest() const {
     return steps.empty() ? last : std::max(last, steps.back()->number);
 }
 
-/// What it takes besides the present branch.
+/// The memory that it takes besides the present branch.
 std::size_t Timeline::Other::memory() const {
     std::size_t sum = bytes + sizeof *this;
     for (const Keyframe& frame : keyframes)
@@ -47,7 +47,8 @@ std::string Timeline::new_branch_name() const {
     }
 }
 
-/// Keeps what is newer than the present step as a branch; the steps that follow get a new name.
+/// Keeps the steps that are newer than the present one as a branch; the steps that follow get a new
+/// name.
 void Timeline::keep_branch() {
     if (clock_.branch_limit <= 0) {
         others_.clear();

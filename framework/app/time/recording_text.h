@@ -11,7 +11,8 @@
 
 namespace fettle::app {
 
-/// The number of the format, which changes with the lines and with what their hashes cover.
+/// The number of the format, which changes with the lines and with the data that their hashes
+/// cover.
 constexpr std::int64_t recording_format = 4;
 
 /// Adds double quotes and escapes line breaks, quotes, backslashes and control characters.

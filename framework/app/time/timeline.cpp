@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include <fettle/property/error.h>
@@ -331,8 +330,9 @@ void Timeline::trim() {
     forget_all();
 }
 
-/// Keyframes are where there was time for them. What can be reached must not depend on that, so
-/// what the first keyframe has beyond the limit is not offered, also after going back.
+/// Keyframes are made when there is time for them. The steps that can be reached must not depend on
+/// that, so steps older than the limit are not offered, even if a keyframe is before them, also
+/// after going back.
 std::int64_t Timeline::oldest() const {
     if (keyframes_.empty()) return clock_.step;
     const std::int64_t offered = std::max(newest() - limit_of(clock_), clock_.oldest);
@@ -341,7 +341,8 @@ std::int64_t Timeline::oldest() const {
 
 Timeline::KeptSteps Timeline::kept_steps() const {
     if (!jumps_->jumped) return {clock_.oldest, clock_.newest};
-    // What `note_jump` will do: later steps are dropped, or all, if the step is not one of them.
+    // The same as `note_jump` will do: later steps are dropped, or all, if the step is not one of
+    // them.
     const std::int64_t step = clock_.step;
     const bool is_known =
         log_ != nullptr && !keyframes_.empty() && step >= oldest() && step <= newest();

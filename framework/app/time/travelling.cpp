@@ -6,7 +6,6 @@
 #include <cmath>
 #include <exception>
 #include <string>
-#include <utility>
 
 #include <fettle/property/error.h>
 

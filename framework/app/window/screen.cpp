@@ -264,8 +264,8 @@ class SfmlWindow : public Window {
         }
         return false;
     }
-    /// What is let go while the window is opened again is told to neither window: a key before the
-    /// window has the keyboard, a button of the mouse outside of it.
+    /// A release while the window is opened again is reported to neither window: that of a key
+    /// before the window has the keyboard, that of a mouse button outside of the window.
     bool poll_let_go(InputEvent& event) {
         return poll_let_go_button(event) || poll_let_go_key(event);
     }

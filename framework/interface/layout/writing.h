@@ -21,7 +21,7 @@ struct Lettering {
     double width(property::Media& media, std::string_view text) const;
 };
 
-/// The lines of `text`. Those longer than `width` are divided at spaces (`wrap`) or end with "…".
+/// The lines of `text`. Lines longer than `width` are divided at spaces (`wrap`) or end with "…".
 std::vector<std::string> fitted(property::Media& media, const Lettering& lettering,
                                 const std::string& text, double width, bool wrap);
 

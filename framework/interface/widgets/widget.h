@@ -64,7 +64,7 @@ struct Style {
     std::string look = "normal", font;
 };
 
-/// What a widget shows, and what the player changes.
+/// The data that a widget shows, and the data that the player changes.
 struct Content {
     std::string text, image, bind, placeholder, prompt = "press a key";
     double value = 0, step = 0, scroll = 0;
@@ -76,7 +76,7 @@ struct Content {
 
 inline constexpr property::Row no_widget = std::numeric_limits<property::Row>::max();
 
-/// What the layout computes.
+/// The results of the layout.
 struct Arranged {
     std::vector<property::Row> children{};
     property::Row parent = no_widget;
@@ -88,7 +88,7 @@ struct Arranged {
     bool shown = false;                // visible, with all above it
 };
 
-/// What changes gradually when a widget is drawn.
+/// Numbers that change gradually while a widget is drawn.
 struct Animation {
     double hover = 0, press = 0, ring = 0, switched = -1;  // 0 to 1; below 0: not known yet
     double view_left = 0;                                  // px, what a text field has scrolled

@@ -22,7 +22,7 @@ struct Board {
     bool focus_shown = true;
 };
 
-/// What other rooms add to the instance `interface`.
+/// Members that other rooms add to the instance `interface`.
 struct ServiceParts {
     std::vector<property::Property> properties{};
     std::vector<property::Method> methods{};

@@ -82,7 +82,7 @@ struct Changes {
     /// instance itself knew it.
     void queue_deletion_notice(Existence gone, bool only_own);
     bool wants_deletion_notice(Handle handle, const Class& of, bool only_own) const;
-    /// What watchers of the deletion receive. Its cause is not known yet.
+    /// The record that watchers of the deletion receive. Its cause is not known yet.
     Existence deletion_notice_of(Handle handle, const Class& of, bool with_values) const;
     /// Marks all instances as old: the watchers of their classes know them now.
     void forget_fresh();
@@ -103,7 +103,7 @@ struct Changes {
     void deliver(QueueItem& item, std::exception_ptr& first_error);
     template <class What>
     void call(const Watcher& watcher, const What& what);
-    /// Describes one item for a report of what caused what.
+    /// Describes one item for a report of causes and effects.
     std::string describe(const QueueItem& item, std::size_t part) const;
 
   private:

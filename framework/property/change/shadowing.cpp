@@ -10,7 +10,7 @@ void Changes::count_interest(const Watcher& watcher, int sign) {
             property.shortcut.note_interest(property.shortcut.interest +
                                             static_cast<std::uint32_t>(sign));
     };
-    if (watcher.property) {  // The watcher wants one property name, so only that name is looked up.
+    if (watcher.property) {  // The watcher has one property name, so only that name is looked up.
         for (std::uint32_t i = 0; i < instances.classes.size(); ++i) {
             const Property* property = instances.classes[i].property(watcher.property);
             if (property != nullptr && property->owner == &instances.classes[i]) count(*property);
@@ -29,8 +29,8 @@ void Changes::refresh_shadows_below(std::uint32_t top) {
     instances.visit_below(top, [this](std::uint32_t i) { refresh_shadows(i); });
 }
 
-/// Visits every shadowed cell that a broad watcher wants or could want. Only cells that the watcher
-/// could match are visited, so the cost of a pattern does not depend on other watchers.
+/// Visits every shadowed cell that a broad watcher matches or could match. Only cells that the
+/// watcher could match are visited, so the cost of a pattern does not depend on other watchers.
 template <class Visit>
 void Changes::each_cell_wanted(const Watcher& watcher, Visit visit) {
     std::vector<std::vector<const Property*>> of_class(instances.classes.size());

@@ -7,7 +7,8 @@
 namespace fettle::property {
 namespace {
 
-// An end event follows within a step or so. So many can only gather in worlds that are not stepped.
+// An end event follows within a step or so. More than this number can gather only in worlds that
+// are not stepped.
 constexpr std::size_t limit = 4096;
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// Watchers: they are found by what they watch and are called in the order of registration. A
-// handler may add and remove watchers while it runs.
+// Watchers: they are found by the cell, instance or class that they watch, and are called in the
+// order of registration. A handler may add and remove watchers while it runs.
 
 #include <algorithm>
 #include <cstdint>

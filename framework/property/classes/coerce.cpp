@@ -136,7 +136,7 @@ class Coercion {
     [[noreturn]] void out_of_range(const Value& value) const {
         fail(ErrorKind::out_of_range, "expected " + expected() + ", got " + shown(value));
     }
-    /// For a finite value that is too large for a float.
+    /// Reports a finite value that is too large for a float.
     [[noreturn]] void too_large(const Value& value) const {
         constexpr double largest = std::numeric_limits<float>::max();
         const Range fits{.min = std::max(property_.range.min, -largest),

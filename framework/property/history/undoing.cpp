@@ -1,5 +1,5 @@
-// Undo and redo. What cannot be restored is reported in notes; the rest of the step is undone all
-// the same.
+// Undo and redo. Values that cannot be restored are reported in notes; the rest of the step is
+// undone all the same.
 
 #include <algorithm>
 #include <unordered_map>

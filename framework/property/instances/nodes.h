@@ -176,9 +176,9 @@ class Nodes {
     }
 
   private:
-    // Hash table with open addressing. Key: (parent, name). Value: node index, 0 if empty. Removal
-    // shifts entries back and leaves no tombstones.
     void detach_link(std::uint32_t index);
+    // `index_` is a hash table with open addressing. Key: (parent, name). Value: node index, 0 if
+    // empty. Removal shifts entries back and leaves no tombstones.
     std::size_t slot_of(std::uint32_t parent, NodeName name) const;
     void index_insert(std::uint32_t index);
     void index_erase(std::uint32_t index);

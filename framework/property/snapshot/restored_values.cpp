@@ -37,7 +37,7 @@ void RestoredValues::check_ad_hoc(const Value& value) const {
 }
 
 /// Whether all references in the value lead to instances that exist or existed, and have the class
-/// that the property wants.
+/// that the property requires.
 bool RestoredValues::of_its_class(const Property& property, const Value& value) const {
     if (value.is(Type::list)) {
         bool all = true;

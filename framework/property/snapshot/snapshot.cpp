@@ -213,7 +213,7 @@ void prepare(Prepared& prepared, Tree::State& state, const Snapshot& snapshot) {
     const auto* const memory =
         of_tree == nullptr ? nullptr : static_cast<const TreeMemory*>(of_tree->get());
     const bool own = memory != nullptr && memory->is_of(state);
-    // In another tree, what no bytes can hold is left out, as it is in a file.
+    // In another tree, data that bytes cannot hold is left out, as in a file.
     const auto memory_of = [&](std::string_view name) {
         const Memory* const held = own ? find(snapshot.memories(), name) : nullptr;
         return held == nullptr ? Memory() : *held;

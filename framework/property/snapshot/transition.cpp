@@ -72,7 +72,7 @@ bool Transition::lives_on(const Lived& lived) const {
     return node != nullptr && &instances_.class_of(*node) == lived.of;
 }
 
-/// Of one that lived.
+/// The data of an instance that existed before.
 const Transition::Lived& Transition::before(Handle instance) const {
     return *std::lower_bound(
         lived_.begin(), lived_.end(), instance.index,

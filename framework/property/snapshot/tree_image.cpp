@@ -58,14 +58,9 @@ bool TreeMemory::is_of(const Tree::State& state) const {
     return state.lifetime.is_marked_by(of);
 }
 
-std::shared_ptr<const TreeMemory> TreeImage::save(const Tree::State& state, ByteWriter& to) {
-    const Instances& s = state.instances;
-    to.put(state.changes.author.step);
-    to.put(s.root);
-    to.put(std::uint64_t{s.classes.size()});
-    for (std::uint32_t i = 0; i < s.classes.size(); ++i) to.put(s.classes[i].name());
-    s.nodes.save(to);
+namespace {
 
+void save_stored(const Instances& s, ByteWriter& to) {
     std::vector<std::uint32_t> stored;
     for (std::uint32_t i = 0; i < s.classes.size(); ++i)
         if (s.stored[i] != nullptr && s.classes[i].snapshots() != Snapshots::never)
@@ -77,7 +72,9 @@ std::shared_ptr<const TreeMemory> TreeImage::save(const Tree::State& state, Byte
         s.stored[i]->save(to);
         to.end_block(block);
     }
+}
 
+void save_ad_hoc(const Instances& s, ByteWriter& to) {
     std::vector<std::uint32_t> owners;
     for (const auto& [index, own] : s.ad_hoc.of_instance) owners.push_back(index);
     std::sort(owners.begin(), owners.end());
@@ -90,7 +87,10 @@ std::shared_ptr<const TreeMemory> TreeImage::save(const Tree::State& state, Byte
             to.put(name);
             to.put(own.second);
         }
+}
 
+/// Saves the values of properties that snapshots read and write one by one.
+void save_values(const Instances& s, ByteWriter& to) {
     std::vector<std::vector<const Property*>> by_class(s.classes.size());
     for (std::uint32_t i = 0; i < s.classes.size(); ++i) by_class[i] = saved_by_value(s.classes[i]);
     const std::size_t values = to.begin_block();
@@ -105,6 +105,20 @@ std::shared_ptr<const TreeMemory> TreeImage::save(const Tree::State& state, Byte
         }
     }
     to.end_block(values);
+}
+
+}  // namespace
+
+std::shared_ptr<const TreeMemory> TreeImage::save(const Tree::State& state, ByteWriter& to) {
+    const Instances& s = state.instances;
+    to.put(state.changes.author.step);
+    to.put(s.root);
+    to.put(std::uint64_t{s.classes.size()});
+    for (std::uint32_t i = 0; i < s.classes.size(); ++i) to.put(s.classes[i].name());
+    s.nodes.save(to);
+    save_stored(s, to);
+    save_ad_hoc(s, to);
+    save_values(s, to);
 
     auto memory = std::make_shared<TreeMemory>();
     memory->of = state.lifetime.mark;

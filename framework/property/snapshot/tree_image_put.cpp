@@ -211,7 +211,8 @@ void TreeImage::put_values() {
             const Node& node = now_.nodes[each.instance.index];
             try {
                 if (now_.read(each.instance.index, node, *property) == value) continue;
-                // A reference to what was deleted when the snapshot was taken is nil now.
+                // A reference to an instance that was deleted when the snapshot was taken is nil
+                // now.
                 const bool gone =
                     value.is(Type::reference) && now_.nodes.find(value.reference()) == nullptr;
                 now_.write(

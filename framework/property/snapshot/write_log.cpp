@@ -2,7 +2,6 @@
 
 #include <fettle/property/write_log.h>
 
-#include <algorithm>
 #include <bit>
 #include <optional>
 #include <utility>

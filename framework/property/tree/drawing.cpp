@@ -14,8 +14,8 @@ namespace {
 
 thread_local double moment = 1;
 
-/// What is drawn, in order. The functions of modules may change the tree, so all instances are
-/// collected before the first one is drawn.
+/// The instances that are drawn, in order. The functions of modules may change the tree, so all
+/// instances are collected before the first one is drawn.
 class Sheet {
   public:
     Sheet(const Tree& tree, const Instances& instances, Painter& painter, double alpha,
@@ -80,7 +80,7 @@ class Sheet {
     };
     struct Level {
         std::uint32_t index;
-        Above below;  // for what is below this instance
+        Above below;  // for the instances below this one
     };
     struct Layer {
         Handle self;

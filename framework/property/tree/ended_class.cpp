@@ -8,7 +8,7 @@
 namespace fettle::property {
 namespace {
 
-/// What a lifecycle function below throws is ignored, unless the instance still lives.
+/// Exceptions of lifecycle functions below are ignored, unless the instance still exists.
 void take_out(Tree& tree, Handle instance) {
     try {
         tree.destroy(instance);

@@ -2,7 +2,6 @@
 
 #include <fettle/property/explaining.h>
 
-#include <exception>
 #include <utility>
 
 #include "state.h"

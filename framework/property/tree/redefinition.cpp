@@ -2,8 +2,6 @@
 
 #include <fettle/property/redefinition.h>
 
-#include <algorithm>
-
 #include <classes/fit_saved_value.h>
 #include <values/weight.h>
 

@@ -129,7 +129,7 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
     const bool stands = property.binding.overridden == nullptr ||
                         property.binding.overridden(property.binding.context, node.row);
     if (old == next && stands && !had_formula) {
-        // What the property stands for may be gone: a deleted action, for example.
+        // The object of the property may be gone: a deleted action, for example.
         if (rules != nullptr) rules->changed(instance, property.name);
         return;
     }

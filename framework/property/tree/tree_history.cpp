@@ -62,7 +62,7 @@ Provenance Tree::who(Handle instance, const Property& property) const {
     if (!property.simulated || !property.derives_from.empty()) return written;
     if (written.known) {
         // Later steps may have changed the value, which nothing reports. The step that follows the
-        // write still shows what was written, so a break at it names the writer.
+        // write still shows the written value, so a break at it names the writer.
         const Value left = writes.left_by(instance, property.symbol, written.cause);
         if (left.is_nil() || written.cause.step + 1 >= step() || peek(instance, property) == left)
             return written;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -43,7 +42,7 @@ struct Step {
     std::size_t index = 0;  // of a constant or of a place; the number of steps to skip
 };
 
-/// What is read: `position.x` is the name `position` and one part.
+/// A value to be read: `position.x` is the name `position` and one part.
 struct Lookup {
     std::string name;
     struct Part {

@@ -81,9 +81,8 @@ class WritesLog {
         if (full_.size() >= max_count) full_.clear();
         full_[{instance.index, property}] = {instance.generation, cause, std::move(left)};
     }
-    /// The tree went from its state at the step `from` to that at `to`. What was written at `from`
-    /// since the last call is lost, if later steps are known: looking at the past does not change
-    /// it.
+    /// The tree went from its state at the step `from` to that at `to`. Writes at `from` since the
+    /// last call are dropped if later steps are known: looking at the past does not change it.
     void went(std::uint64_t from, std::uint64_t to);
     /// The step begins. Entries of it and of later ones are of a future that does not come.
     void begins(std::uint64_t step);

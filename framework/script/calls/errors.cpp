@@ -1,7 +1,4 @@
 #include <algorithm>
-#include <cctype>
-#include <charconv>
-#include <cstdio>
 #include <optional>
 
 #include <fettle/script/runtime.h>

@@ -32,8 +32,8 @@ namespace fettle::script {
 
 namespace {
 
-// Children of one instance, or entries of one table, that are compared: each letter that somebody
-// types, here or in an attached terminal, must not delay the game.
+// Children of one instance, or entries of one table, that are compared: a letter that is typed,
+// here or in an attached terminal, must not delay the game.
 constexpr std::size_t max_compared = 2'000;
 
 // Order of completions while no letter is typed: values, then functions, then the rest.

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 
 #include <fettle/property/condition.h>
 #include <fettle/property/path.h>

@@ -29,7 +29,7 @@ namespace {
 /// intervals; more are due only after a jump of the time, as in a changed saved game.
 constexpr double most_calls = 20'000;
 
-/// When a repeated timer that was due is due again. The interval starts when it was due, so that
+/// The time when a repeated timer is due again. The interval starts when it was due, so that
 /// intervals do not drift. 0 means every step, and so does an interval that is too short to be
 /// added to the time.
 double next_due(double due, double interval, double end, double tolerance) {

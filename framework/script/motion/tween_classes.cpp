@@ -55,7 +55,7 @@ std::vector<std::string> kinds_of_ease() {
     return names;
 }
 
-/// What a script gives.
+/// The properties that a script gives to a tween.
 std::vector<Property> settings_of_tween() {
     return {{.name = "target",
              .type = Type::reference,
@@ -100,7 +100,7 @@ std::vector<Property> settings_of_tween() {
              .doc = "Whether every second run goes back."}};
 }
 
-/// Where it is.
+/// The state of a tween in time.
 std::vector<Property> state_of_tween() {
     return {{.name = "progress",
              .type = Type::number,

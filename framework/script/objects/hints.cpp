@@ -321,7 +321,7 @@ void Hints::check_keys() {
             });
 }
 
-/// `Body {}` alone makes an instance that nobody ever sees.
+/// `Body {}` alone makes an instance that is never placed in the tree.
 void Hints::check_dropped() {
     const property::Tree& tree = machine_.tree;
     if (std::ranges::none_of(machine_.unplaced.handles,

@@ -3,8 +3,6 @@
 // dispatch table of the class. Numbers and vectors of declared properties are the most frequent, so
 // they are tried first; the general path handles all other cases.
 
-#include <cmath>
-
 #include <fettle/property/path.h>
 #include <fettle/property/reserved_names.h>
 #include <fettle/property/spelling.h>

@@ -2,7 +2,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include <fettle/property/acceptance.h>

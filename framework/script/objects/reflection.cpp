@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include <fettle/property/spelling.h>
 
 #include <lua/budget.h>

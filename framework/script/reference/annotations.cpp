@@ -1,7 +1,6 @@
 // LuaCATS annotations, with which lua-language-server completes and checks a game.
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include <fettle/property/path.h>

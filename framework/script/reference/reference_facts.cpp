@@ -25,7 +25,7 @@ std::string unit_text(const std::string& unit) {
     return unit.empty() ? "–" : unit;
 }
 
-/// A bound as text: 1e8 in place of 100000000, whose zeros nobody counts.
+/// A bound as text: 1e8 in place of 100000000, whose zeros are hard to count.
 std::string bound_text(double bound) {
     constexpr double many_zeros = 1e6;
     if (!std::isfinite(bound) || std::abs(bound) < many_zeros) return property::number_text(bound);

@@ -1,5 +1,5 @@
 #pragma once
-// Compares what the top level of a game has declared with what it declared before, and applies the
+// Compares the declarations of the top level of a game with the earlier ones, and applies the
 // differences to the game.
 //
 // The top level has made detached instances. If the top level made an instance for the same place

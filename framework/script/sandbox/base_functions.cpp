@@ -2,7 +2,6 @@
 // make runs differ.
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 #include <fettle/property/pinned.h>

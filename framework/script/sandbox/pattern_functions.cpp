@@ -1,7 +1,6 @@
 // Implements string.find, match, gmatch and gsub with PatternMatcher.
 
 #include <algorithm>
-#include <cstring>
 #include <string>
 
 #include <lua/arena.h>

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <cctype>
 #include <iterator>
-#include <span>
 
 #include <text/other_languages.h>
 #include <text/words.h>

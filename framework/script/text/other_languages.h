@@ -1,6 +1,6 @@
 #pragma once
-// Words and signs of other languages, and of older versions of Lua: what stands in their place
-// here. Each hint is " (write ...)", to be added to a message, or "".
+// Words and signs of other languages, and of older versions of Lua: the words that stand in their
+// place here. Each hint is " (write ...)", to be added to a message, or "".
 
 #include <string>
 #include <string_view>

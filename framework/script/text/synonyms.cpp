@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <span>
-
 #include <fettle/property/spelling.h>
 
 #include <text/synonyms.h>

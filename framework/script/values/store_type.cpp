@@ -45,7 +45,7 @@ void push_entry(lua_State* L, const Store::Entry& entry) {
         push_value(L, entry.value);
 }
 
-/// The key at `index`; throws for what is neither a text nor a whole number.
+/// The key at `index`; throws for a value that is neither a text nor a whole number.
 Store::Key key_at(lua_State* L, int index, const std::string& where) {
     if (lua_type(L, index) == LUA_TSTRING) return string_at(L, index);
     if (lua_isinteger(L, index)) return std::int64_t{lua_tointeger(L, index)};

@@ -1,7 +1,6 @@
 // The type vec(x, y): arithmetic and methods.
 
 #include <cmath>
-#include <cstring>
 
 #include <lua/guard.h>
 #include <lua/host.h>

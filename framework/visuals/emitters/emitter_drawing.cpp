@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <emitters/emitters.h>
 #include <fettle/property/pose.h>

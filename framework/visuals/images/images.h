@@ -22,7 +22,7 @@ class Images {
 
     /// The file of that name; the checkerboard if it is missing or cannot be read.
     std::shared_ptr<const Sheet> get(const property::FileUser& user, const std::string& name);
-    /// What `get` shows for "save:SLOT": the picture of a saved game.
+    /// Gives the picture of a saved game, which `get` returns for "save:SLOT".
     using SavedPicture = std::function<property::Thumbnail(const std::string& slot)>;
     void saved_pictures(SavedPicture of) { saved_ = std::move(of); }
     /// Reads the file again, and the sheets that it belongs to. If that fails, they stay.
@@ -35,7 +35,7 @@ class Images {
     void on_problem(std::function<void(const std::string&)> tell);
     property::Assets* assets() const { return assets_; }
 
-    std::optional<bool> smooth{};  // of enlarged images; empty: as their classes say
+    std::optional<bool> smooth{};  // of enlarged images; empty: by class
 
   private:
     void read_saved(Sheet& into, const std::string& slot) const;

@@ -1,5 +1,6 @@
 #pragma once
-// The class Layer: what hangs below it scrolls at its own rate, repeats, or stays on the screen.
+// The class Layer: instances below a layer scroll at the rate of the layer, repeat, or stay on the
+// screen.
 
 #include <vector>
 

@@ -112,7 +112,7 @@ void Font::Data::open_spacing(const std::string& file, int index) {
 
 /// The two letters are set as a text: their width without the sum of their widths.
 double Font::Data::kerning(char32_t first, char32_t second) const {
-    // Letters stay what they are: each one is drawn by itself.
+    // Letters are not joined to ligatures: each one is drawn by itself.
     constexpr std::array<hb_feature_t, 3> features = {{{HB_TAG('l', 'i', 'g', 'a'), 0, 0, ~0u},
                                                        {HB_TAG('c', 'l', 'i', 'g'), 0, 0, ~0u},
                                                        {HB_TAG('c', 'a', 'l', 't'), 0, 0, ~0u}}};

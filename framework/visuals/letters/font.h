@@ -30,7 +30,7 @@ class Font {
     bool has(char32_t letter) const;
     // Lengths for a font of size 1.
     double advance(char32_t letter) const;
-    /// What is added to the distance of two letters that follow each other.
+    /// The change of the distance between two letters that follow each other.
     double kerning(char32_t first, char32_t second) const;
     double ascent() const { return ascent_; }    // of the highest letters above the baseline
     double descent() const { return descent_; }  // below it, positive

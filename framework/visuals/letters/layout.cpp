@@ -80,8 +80,8 @@ class Setter {
         line.break_end = line.end;
         line.can_break = true;
     }
-    /// Moves what is behind the last break to a new line. A word that is longer than the line stays
-    /// in one piece.
+    /// Moves the letters after the last break to a new line. A word that is longer than the line
+    /// stays in one piece.
     void wrap() {
         Line& line = lines_.back();
         if (!line.can_break) return;

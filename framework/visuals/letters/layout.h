@@ -25,7 +25,7 @@ struct Layout {
     static constexpr std::size_t most_letters = 100'000;
 
     /// Lines end at "\n", and at a space before they become longer than `wrap` (0: never). A tab
-    /// goes on at the next multiple of two. What follows the first `most_letters` is left out.
+    /// goes on at the next multiple of two. Letters after the first `most_letters` are left out.
     static Layout of(std::string_view utf8, const Family& family, Align align, double wrap);
 };
 

@@ -69,7 +69,7 @@ Font* SystemFonts::with(char32_t letter) {
         FcConfigSubstitute(config.get(), wanted.get(), FcMatchPattern);
         FcDefaultSubstitute(wanted.get());
         FcResult result = FcResultMatch;
-        // Only fonts that add letters to those before them.
+        // The list has only fonts with letters that the fonts before them lack.
         const std::unique_ptr<FcFontSet, EndSet> sorted(
             FcFontSort(config.get(), wanted.get(), FcTrue, nullptr, &result));
         for (int i = 0; sorted != nullptr && i < sorted->nfont; ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-// What the classes of this part have in common: reading of stored values, and some properties.
+// Common code of the classes of this part: reading of stored values, and some properties.
 
 #include <fettle/property/painter.h>
 #include <fettle/property/stored_values.h>

@@ -1,6 +1,5 @@
 // The properties of Sprite.
 
-#include <algorithm>
 #include <stdexcept>
 
 #include <properties/properties.h>

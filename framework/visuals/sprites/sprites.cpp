@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
-#include <cmath>
-#include <utility>
 
 #include <fettle/property/pose.h>
 #include <fettle/property/spelling.h>

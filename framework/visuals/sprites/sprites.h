@@ -24,7 +24,7 @@ class Sprites {
     std::uint64_t hash() const;
 
   private:
-    /// What the tree does not store: the simulation changes it.
+    /// The data of a sprite that the tree does not store, since the simulation changes it.
     struct Row {
         property::Handle self{};  // null: the row is free
         std::int64_t frame = 0;   // within the animation, from 0

@@ -1,7 +1,5 @@
 #include <texts/texts.h>
 
-#include <cmath>
-
 #include <fettle/property/pose.h>
 #include <letters/writing.h>
 #include <properties/properties.h>

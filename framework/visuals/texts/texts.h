@@ -23,7 +23,7 @@ class Texts {
     void step();
 
   private:
-    /// The layout that was used last, and what it was made of.
+    /// The layout that was used last, and the settings from which it was made.
     struct Row {
         property::Handle self{};
         property::Value text{}, font{}, align{};

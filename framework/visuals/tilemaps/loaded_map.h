@@ -1,5 +1,5 @@
 #pragma once
-// What a tile looks like, and where it is solid.
+// The picture of a tile, and its solid outlines.
 
 #include <cstdint>
 #include <functional>

@@ -1,5 +1,3 @@
-#include <exception>
-
 #include <fettle/property/error.h>
 
 #include <tilemaps/map_objects.h>

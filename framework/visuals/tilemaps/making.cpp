@@ -21,7 +21,7 @@ using property::Vec2;
 
 namespace {
 
-/// What the groups around a layer say.
+/// The settings of the groups around a layer.
 struct Outer {
     Vec2 offset{0, 0};  // px, y down
     Vec2 parallax{1, 1};

@@ -46,7 +46,7 @@ class Maker {
     void set_if_there(property::Handle instance, const char* name, const property::Value& value);
     void set_or_add(property::Handle instance, const std::string& name,
                     const property::Value& value);
-    /// Those of the editor: declared properties are set, others added to the instance.
+    /// Properties from the editor: declared ones are set, others are added to the instance.
     void set_custom(property::Handle instance, const maps::Properties& properties);
     void note(std::int64_t id, property::Handle instance) { by_id_[id] = instance; }
     /// Properties that name an object become references to its instance.

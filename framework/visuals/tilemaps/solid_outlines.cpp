@@ -118,7 +118,7 @@ class Collector {
             if (closed) points.pop_back();
             if (points.size() > 1) all.push_back({std::move(points), closed});
         };
-        // First those to which no other leads, then what is left, which are rings.
+        // First the lines to which no other line leads, then the rest, which are rings.
         for (std::size_t i = 0; i < lines_.size(); ++i)
             if (!used[i] && !ends.contains(key(lines_[i].front()))) follow(i);
         for (std::size_t i = 0; i < lines_.size(); ++i)

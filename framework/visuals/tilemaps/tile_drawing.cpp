@@ -111,7 +111,7 @@ void Tilemaps::draw(Handle layer, Painter& painter) {
     const property::Blend blend = blend_of(read.value(in_layer_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
 
-    // What is seen, in pixels of the map, y up.
+    // The visible part, in pixels of the map, y up.
     const property::Seen seen = painter.seen();
     const Transform back = inverse(painter.transform());
     Vec2 lower = back(seen.lower), upper = lower;

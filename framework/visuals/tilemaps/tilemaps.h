@@ -27,7 +27,7 @@ class Tilemaps {
     Tilemaps(const Tilemaps&) = delete;
     void define(property::Tree& tree);
     void step(double dt);
-    /// Makes what was written to properties take effect: another map, other collisions.
+    /// Applies writes of properties: another map, other collisions.
     void report();
     /// A snapshot may be of a moment at which the collisions did not follow yet.
     void restored();
@@ -56,7 +56,7 @@ class Tilemaps {
     struct LayerRow {
         property::Handle self{};
         property::Handle map{};  // whose collisions have it, or what else it is below
-        // What `grid` was made of.
+        // The data from which `grid` was made.
         std::shared_ptr<const LoadedMap> file{};
         std::int64_t id = 0;
         property::Value changes{};

@@ -1,4 +1,5 @@
-// What changed the velocities and the pose of a body in the last step.
+// Accounts of the motion of a body: the causes of the changes of its velocities and its pose in the
+// last step.
 
 #include <bodies/motion_account.h>
 

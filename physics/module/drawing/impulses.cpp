@@ -44,7 +44,7 @@ void draw_arrow(const Vec2& from, const Vec2& way, double pixel, Painter& painte
     painter.line(to, to + back - side, ink, 2);
 }
 
-/// Draws what length an impulse has, at the lower edge of the picture.
+/// Draws the scale of the impulses at the lower edge of the picture.
 void draw_scale(double meters_each, double pixel, Painter& painter) {
     const double shown = round_number(120 * pixel / meters_each);
     char text[48];

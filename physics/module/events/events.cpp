@@ -1,7 +1,6 @@
-// Events: what happened in a step, reported to handlers. An event without handlers costs nothing:
-// no record of it is made.
+// Events of a step, reported to handlers. An event without handlers costs nothing: no record of it
+// is made.
 
-#include <algorithm>
 #include <utility>
 
 #include <bindings/bindings.h>

@@ -1,9 +1,6 @@
 // Field and the classes that derive from it: Wind, Drag, Buoyancy, Attractor. A field acts in the
 // nearest World above it; without a World above it, it can be read and edited, too.
 
-#include <stdexcept>
-#include <type_traits>
-
 #include <bindings/bindings.h>
 #include <fields/field_classes.h>
 

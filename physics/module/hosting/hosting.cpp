@@ -1,7 +1,5 @@
 #include <hosting/hosting.h>
 
-#include <stdexcept>
-
 namespace fettle::physics_module {
 namespace {
 

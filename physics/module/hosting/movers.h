@@ -10,7 +10,7 @@ namespace fettle::physics_module {
 
 // These structs are saved byte by byte, so they have no gaps between their members.
 
-/// What games set.
+/// Settings of a mover, which games change.
 struct MoverSettings {
     float radius = 0.4f, height = 1.8f, crouch_height = 0.9f;  // m
     float max_slope = 0.87f, step_height = 0.3f, snap = 0.25f;
@@ -31,11 +31,11 @@ struct MoverResult {
     physics::ShapeId ground, dropped;
 };
 
-/// What happened in the step, for its events.
+/// Events of a mover in the step.
 struct MoverEvents {
     std::uint32_t happened = 0;
     float landing_speed = 0.0f;
-    float bump_x = 0.0f, bump_y = 0.0f;  // normal of what it bumped against
+    float bump_x = 0.0f, bump_y = 0.0f;  // normal of the obstacle that it bumped against
     physics::ShapeId bumped, was_ground;
 };
 

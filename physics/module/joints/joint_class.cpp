@@ -1,4 +1,4 @@
-// Joint, MouseJoint, and PairJoint: what all joints of two bodies have in common.
+// Joint, MouseJoint, and PairJoint, which has the common members of all joints of two bodies.
 
 #include <joints/joint_bindings.h>
 #include <joints/joint_classes.h>

@@ -1,7 +1,5 @@
 // Mover: a body that walks, climbs and rides through a world.
 
-#include <limits>
-
 #include <bindings/bindings.h>
 #include <bodies/body_class.h>
 #include <drawing/drawing.h>

@@ -1,7 +1,6 @@
 // The step of movers, and its events.
 
 #include <algorithm>
-#include <cmath>
 
 #include <bindings/bindings.h>
 #include <movers/mover_class.h>
@@ -30,7 +29,7 @@ physics::Mover mover_of(const MoverRecord& record, const physics::Body& body) {
     return mover;
 }
 
-/// Something else moved the body: it does not ride on what was below it.
+/// Something else moved the body: it does not ride on its earlier ground.
 bool was_moved(const MoverResult& result, const Vec2& position) {
     const Vec2 off = position - Vec2(result.place_x, result.place_y);
     return off.length() > 0.01f + 1e-5f * position.length();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 #include <unordered_map>
-#include <utility>
 
 #include <fettle/property/restoring.h>
 #include <fettle/property/spelling.h>

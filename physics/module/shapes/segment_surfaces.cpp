@@ -1,8 +1,5 @@
 // Chain: surfaces of its segments, as one list for each value.
 
-#include <algorithm>
-#include <limits>
-
 #include <bindings/bindings.h>
 #include <shapes/shape_classes.h>
 
@@ -34,7 +31,7 @@ Number meant(const Value& value) {
         return static_cast<Number>(value.number());
 }
 
-/// One value of the surfaces of all segments. What follows the last own value is left out.
+/// One value of the surfaces of all segments. Values after the last own value are left out.
 template <auto Member>
 Binding of_segments(Hosting& hosting) {
     using Number = std::remove_cvref_t<decltype(physics::surface_of_shape.*Member)>;

@@ -1,4 +1,4 @@
-// Shape: what all shapes have in common.
+// Shape, which has the common members of all shapes.
 
 #include <algorithm>
 #include <limits>

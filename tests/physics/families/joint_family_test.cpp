@@ -133,7 +133,7 @@ TEST_CASE("a motor stops at the limit of its own joint") {
     }
 }
 
-TEST_CASE("what moves slowly on its own stays awake") {
+TEST_CASE("a body that moves slowly on its own stays awake") {
     for (unsigned seed = 0; seed < seeds_or(20); ++seed) {
         Random random{std::mt19937(seed)};
         const float speed = random(0.002f, 0.04f);

@@ -55,7 +55,7 @@ TEST_CASE("an edit of the filter of a long chain finds and ends pairs") {
     std::vector<Vec2> points;
     for (int i = 0; i <= 2000; ++i) points.emplace_back(float(1000 - i), 0.0f);
     Body ground = world.create_body({.type = BodyType::static_body, .position = {3, 1}});
-    // From left to right it is a ground.
+    // In the order from left to right the chain is solid below.
     std::vector<Vec2> forward(points.rbegin(), points.rend());
     Shape chain = ground.add(Chain{forward});
     std::vector<Body> balls;

@@ -82,8 +82,8 @@ bool paddle_misses(bool bullet, unsigned seed) {
     return (body.position() - Position(place)).length() < 0.01f;
 }
 
-/// A wall that moves on its own towards a row of bodies; returns how many it left behind. What goes
-/// round an end of a wall that rotates does not count.
+/// A wall that moves on its own towards a row of bodies; returns how many it left behind. A body
+/// that goes round an end of a rotating wall does not count.
 int left_behind(unsigned kind, float speed, int count, bool rotates, unsigned seed) {
     Random random{std::mt19937(seed)};
     World world = empty_world();

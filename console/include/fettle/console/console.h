@@ -35,7 +35,7 @@ struct Layout {
     std::vector<std::string> pins{}, plots{};           // paths and expressions
 };
 
-/// What a host gives to its console. Everything may be left out.
+/// The settings that a host gives to its console. Each may be left out.
 struct Options {
     app::Clipboard* clipboard = nullptr;  // null: copied text stays inside the console
     /// File for the typed commands of all runs; empty: there is none. A file that cannot be read or
@@ -62,14 +62,15 @@ struct Options {
     std::function<void(const std::string& branch, std::int64_t from,
                        const std::function<void(std::int64_t step)>& look)>
         review_branch{};
-    /// Writes this moment into a file, and returns what it wrote. Without it, `share` is refused.
+    /// Writes this moment into a file, and returns a message about the file. Without it, `share` is
+    /// refused.
     std::function<std::string(const std::string& file)> share{};
     /// Returns the text of a script of the game, "main.lua"; throws if it cannot be read. Without
     /// it, the lines that wrote a value are not shown.
     std::function<std::string(const std::string& file)> script{};
     /// The times of the last frames, which must outlive the console; null: they are not shown.
     const app::FrameLog* frames = nullptr;
-    /// Receives what breaks and searches of the past find, in addition to the log.
+    /// Receives the results of breaks and of searches of the past, in addition to the log.
     std::function<void(const std::string& line)> found{};
     /// Writes a new file for the player, and returns its path; `kind`: "csv". Throws if it cannot.
     std::function<std::string(const std::string& kind, const std::string& content)> write_file{};
@@ -77,7 +78,7 @@ struct Options {
     std::function<std::string(float width, float height,
                               const std::function<void(app::Surface&)>& draw)>
         write_picture{};
-    /// As the player has left it in an earlier run. Settings of a script come later, and win.
+    /// The layout that the player left in an earlier run. Settings of a script replace it.
     Layout layout{};
     /// Receives the layout whenever the console is closed, and at the end.
     std::function<void(const Layout&)> keep_layout{};
@@ -134,9 +135,9 @@ class Console : public app::Layer {
     /// `print`: text of the game's own `print`. `output`: what a command printed. `note`: what a
     /// person should know. `report`: an error of the game.
     void print(std::string_view text);
-    /// What a command printed.
+    /// Adds text that a command printed.
     void output(std::string_view text);
-    /// What a person should know.
+    /// Adds a note for the user.
     void note(std::string_view text);
     /// An error of the game.
     void report(const script::ScriptError& error);

@@ -44,7 +44,7 @@ class Audio {
     void renew(const std::string& name);
     /// A step of `dt` seconds passes for all voices. The modules step afterwards.
     void step(double dt);
-    /// So many seconds of real time pass in a paused game, for the voices that do not pause with
+    /// This many seconds of real time pass in a paused game, for the voices that do not pause with
     /// it. They stand while an earlier step is looked at.
     void wait(double seconds);
     /// Functions of the classes in Lua: `Synth.coin()`.

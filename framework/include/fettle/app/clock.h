@@ -14,7 +14,7 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
-/// What came later, where the game went on from an earlier step.
+/// Later steps that were left when the game went on from an earlier step.
 struct Branch {
     std::string name;
     std::int64_t fork = 0;    ///< the last step that it has in common with the present branch

@@ -50,7 +50,7 @@ class ErrorScreen : public Layer {
     /// Shows the place of a script that does not return, and asks whether to stop it; to be called
     /// repeatedly while the script runs.
     void show_running(const script::LongCall& call);
-    /// True if the user wants to stop the script.
+    /// True if the user has chosen to stop the script.
     bool stop_wanted() const { return stop_wanted_; }
     /// To be called when the script has returned.
     void came_back();

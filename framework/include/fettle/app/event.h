@@ -12,7 +12,7 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
-/// What happened.
+/// The kind of an event.
 enum class EventKind : std::uint8_t {
     key_pressed,
     key_released,

@@ -1,5 +1,5 @@
 #pragma once
-// What lies over the game and gets its input first, such as menus.
+// Pictures over the game that get its input first, such as menus.
 
 #include <cstdint>
 #include <string>
@@ -36,11 +36,11 @@ struct Act {
 class Foreground {
   public:
     virtual ~Foreground() = default;
-    /// Whether the game is not to get this input. Called when it is made; must change nothing. What
-    /// is released is kept from the game if its press was.
+    /// Whether the game is not to get this input. Called when it is made; must change nothing. A
+    /// release is kept from the game if the press was.
     virtual bool takes(const Act& act) const = 0;
-    /// Called for all input in the input phase of the frame, before the game gets what was not
-    /// taken. It may change the tree.
+    /// Called for all input in the input phase of the frame, before the game gets the input that
+    /// was not taken. It may change the tree.
     virtual void handle(const Act& act, bool taken) = 0;
     /// Called at the beginning of each frame. `mouse` and `screen`: px; `seconds`: real time since
     /// the last frame.

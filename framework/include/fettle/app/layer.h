@@ -18,7 +18,7 @@ class Clipboard {
   public:
     virtual ~Clipboard() = default;
     virtual std::string read() = 0;                 ///< "" if it has no text
-    virtual void write(std::string_view text) = 0;  ///< replaces what is in it
+    virtual void write(std::string_view text) = 0;  ///< replaces its text
 };
 
 /// Lies over the game: it gets input first and is drawn last.

@@ -62,8 +62,8 @@ class Recorder : public Witness, public property::Observer {
     void begin(property::Tree& tree, Loop& loop);
 
     void command(std::string_view command);
-    /// What is selected in the console when the next command runs; the last one is `it`. Nothing is
-    /// written if it is the same as before.
+    /// The instances that are selected in the console when the next command runs; the last one is
+    /// `it`. Nothing is written if it is the same as before.
     void selected(const std::vector<property::Handle>& instances);
     void file(const RunFile& file);
     void event(const InputEvent& event, bool taken) override;
@@ -123,8 +123,8 @@ class Replay : public Witness {
   public:
     Replay(const Recording& recording, property::Tree& tree, script::Runtime& runtime, Loop& loop);
     ~Replay() override;
-    /// Receives what was selected in the console when a command ran. Without this function, the
-    /// last of them becomes `it`.
+    /// Receives the instances that were selected in the console when a command ran. Without this
+    /// function, the last of them becomes `it`.
     void on_selected(std::function<void(const std::vector<property::Handle>&)> select) {
         select_ = std::move(select);
     }

@@ -41,7 +41,7 @@ class Services {
     Cameras& cameras() { return *cameras_; }
     /// The effect of the view.
     Effects& effects() { return *effects_; }
-    /// Receives what is wrong with the effect of the view.
+    /// Receives errors of the effect of the view.
     void on_effect_problem(std::function<void(const std::string&)> tell);
     /// Reads the file again if it is that of the effect.
     void renew_effect(const std::string& name);

@@ -32,7 +32,7 @@ struct ClipRectangle {
     float left, top, width, height;  // pixels
 };
 
-/// What a window must offer for the console and other layers to be drawn.
+/// The functions that a window must have to draw the console and other layers.
 class Surface {
   public:
     using Texture = std::uint32_t;  // 0: no texture, plain color

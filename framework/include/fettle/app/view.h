@@ -51,7 +51,7 @@ struct View {
     WindowState window{};
     Show show{};
 
-    // What it follows. docs/design/app.md describes how.
+    // The followed instance. docs/design/app.md describes how it is followed.
     property::Handle follow{};
     double follow_damping = 0;             // s
     property::Vec2 dead_zone{0, 0};        // m

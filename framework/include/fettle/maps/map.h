@@ -124,7 +124,7 @@ struct Map {
 
     /// The tileset of a tile; null for 0 and for numbers that no tileset has.
     const Tileset* tileset_of(std::uint32_t gid) const;
-    /// What the tileset says of the tile; null if there is nothing.
+    /// The description of the tile in its tileset; null if there is none.
     const Tile* tile(std::uint32_t gid) const;
 };
 

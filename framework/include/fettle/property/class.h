@@ -173,7 +173,7 @@ struct Property {
         /// is a watcher, or if the type does not fit, because then there may be no `put`.
         mutable Range numbers_at_once = Range::nothing();
         mutable Range vec2s_at_once = Range::nothing();  ///< as `numbers_at_once`
-        /// Sets `interest` and what depends on it.
+        /// Sets `interest` and the members that depend on it.
         void note_interest(std::uint32_t watchers) const {
             interest = watchers;
             const auto taken = [&](Access access) {
@@ -211,7 +211,7 @@ struct Field {
 
 /// Values by the names of their fields: the data of an event, the result of a query.
 struct Record {
-    /// Not owned. Those of events, and all `record_fields`, live as long as the program.
+    /// Not owned. Fields of events, and all `record_fields`, live as long as the program.
     const std::vector<Field>* fields = nullptr;
     std::vector<Value> values;  ///< one for each field
     /// nil if there is no such field.
@@ -221,10 +221,10 @@ struct Record {
 /// Result of a method: nothing (nil), a value, a record or a list of records.
 using Result = std::variant<Value, Record, std::vector<Record>>;
 
-/// What a method changes. `nothing`: it only reads, and a formula may call it. `tree`: properties
-/// and instances, through members of the tree. `memory`: memory of its module, without reporting
-/// changes. Formulas, and functions that are called in the middle of a step or of a query, may not
-/// call methods of the last two kinds.
+/// The data that a method changes. `nothing`: it only reads, and a formula may call it. `tree`:
+/// properties and instances, through members of the tree. `memory`: memory of its module, without
+/// reporting changes. Formulas, and functions that are called in the middle of a step or of a
+/// query, may not call methods of the last two kinds.
 enum class Effect : std::uint8_t { nothing, tree, memory };
 
 /// A method. An aggregate: set the fields that you need.
@@ -272,7 +272,7 @@ enum class Snapshots : std::uint8_t {
     never      // no data, and none of the tree's own columns: it belongs to the present (a console)
 };
 
-/// What a class is made of: for `Tree::define`.
+/// The description of a class, for `Tree::define`.
 struct ClassDescriptor {
     std::string name;             ///< as users write it
     std::string base = "Object";  // "" only for Object itself
@@ -373,7 +373,6 @@ class Class {
 };
 
 // --- Binding makers
-// -------------------------------------------------------------------------------------------------
 
 /// Compares bits: a NaN equals itself, and -0.0 is not 0.0.
 inline bool same_bits(double a, double b) {

@@ -34,8 +34,9 @@ class Condition {
 
     /// Names are properties of the instance, then children, then classes, which hold for their
     /// instances. `.x` and `.y` of vectors, `.r` `.g` `.b` `.a` of colors, `[1]` of lists, and the
-    /// properties of references can be read. What an instance does not have is nil. A formula that
-    /// fails makes its instance fail. Changes nothing; takes time in proportion to the text.
+    /// properties of references can be read. A property that an instance does not have is nil. A
+    /// formula that fails makes its instance fail. Changes nothing; takes time in proportion to the
+    /// text.
     bool holds(const Tree& tree, Handle instance);
     /// A message if no instance that was asked had one of the names, with the nearest spelling; ""
     /// if all names are known.

@@ -11,7 +11,7 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// What was wrong.
+/// The kind of an error.
 enum class ErrorKind {
     unknown_name,    // no such property, child, class, method, event
     near_miss,       // would add an ad-hoc property with a name similar to a declared one
@@ -29,7 +29,8 @@ enum class ErrorKind {
     damaged          // a snapshot or save that is incomplete, changed or of another version
 };
 
-/// A refused call: nothing has changed. Its text names path, value and what was expected.
+/// A refused call: nothing has changed. Its text names the path, the value and the expected kind of
+/// value.
 class Error : public std::runtime_error {
   public:
     /// With a text for the user.

@@ -26,7 +26,7 @@ struct UndoChange {
     std::string path, from, to;  ///< the property, the value before and the value now
 };
 
-/// What `Tree::undo` and `Tree::redo` have done.
+/// The result of `Tree::undo` and `Tree::redo`.
 struct UndoResult {
     static constexpr std::size_t max_changes = 20;  ///< listed ones
     bool done = false;                              // false: there was nothing to undo

@@ -48,8 +48,8 @@ struct Lifecycle {
                       double alpha) = nullptr;
     /// Instances below this one are drawn between `begin_below` and `end_below`: once for each
     /// `pass`, 0, 1, 2 ..., until `begin_below` returns false; then `end_below` is not called. Both
-    /// are called again if others are drawn in between. What the first one pushes, the second one
-    /// pops.
+    /// are called again if others are drawn in between. A state of the painter that the first one
+    /// pushes, the second one pops.
     bool (*begin_below)(void* context, const Tree& tree, Handle self, Row row, Painter& painter,
                         int pass) = nullptr;
     /// Called after the instances below this one are drawn.

@@ -50,10 +50,10 @@ struct Gradient {
     std::vector<Color> colors{};  // two or more, at equal distances
 };
 
-/// What of the world is seen.
+/// The visible part of the world.
 struct Seen {
     Vec2 center{0, 0};              // in the middle of the screen
-    Vec2 lower{0, 0}, upper{0, 0};  // a box around what is seen
+    Vec2 lower{0, 0}, upper{0, 0};  // a box around the visible part
     Vec2 screen{0, 0};              // px, size of the screen
 };
 
@@ -166,7 +166,7 @@ class Painter {
         outer_.push_back(state_);
         set_state(screen);
     }
-    /// Forgets what was pushed.
+    /// Drops all pushed states.
     void reset_state() {
         outer_.clear();
         set_state({});

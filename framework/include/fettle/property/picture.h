@@ -61,8 +61,8 @@ struct PictureArea {
     double left = 0, top = 0, width = 0, height = 0;
 };
 
-/// How a color is put on what is there: `normal` covers it, `add` makes it lighter, `multiply`
-/// makes it darker.
+/// How a color is combined with the picture below it: `normal` covers it, `add` makes it lighter,
+/// `multiply` makes it darker.
 enum class Blend : std::uint8_t { normal, add, multiply };
 
 }  // namespace fettle::property

@@ -37,8 +37,8 @@ class SnapshotPart {
     /// function that destroys it). `memory` is what `save` returned; null if the bytes come from a
     /// file.
     virtual std::function<void()> restore(ByteReader& from, const Memory& memory) = 0;
-    /// What the last restore lost, one line each, for `restore_remarks`. Called when the tree is
-    /// complete again.
+    /// Descriptions of the data that the last restore lost, one line each, for `restore_remarks`.
+    /// Called when the tree is complete again.
     virtual std::vector<std::string> remarks() const { return {}; }
 
     /// The changes since the last call in the data that `save` returns as memory; null: none. A
@@ -56,7 +56,7 @@ class SnapshotPart {
 /// The state of a tree at a moment. Cheap to copy: copies share it.
 class Snapshot {
   public:
-    /// What parts keep in memory, by the names of the parts.
+    /// The data that parts keep in memory, by the names of the parts.
     using Memories = std::vector<std::pair<std::string, Memory>>;
 
     Snapshot() = default;

@@ -16,9 +16,9 @@ class Tree;
 /// variable "speed" of main.lua:12`. A file contains the last values of their properties instead.
 std::vector<std::string> unsaved_formulas(const Tree& tree);
 
-/// What differs after the last restored snapshot, one line each: formulas that were not saved or no
+/// Differences from the last restored snapshot, one line each: formulas that were not saved or no
 /// longer compile, values that no longer fit their properties, instances that their modules refused
-/// to create (`world.a: it cannot be made ...`), and what the parts lost.
+/// to create (`world.a: it cannot be made ...`), and the data that parts lost.
 const std::vector<std::string>& restore_remarks(const Tree& tree);
 
 }  // namespace fettle::property

@@ -74,7 +74,6 @@ class Tree {
     std::weak_ptr<const Tree*> lifetime() const;
 
     // --- Classes
-    // ----------------------------------------------------------------------------------------------------
 
     /// Throws Error, which names class and member, for an invalid descriptor: a name that is taken
     /// or invalid, also within the class; an unknown base; an accessor without `get`, a column
@@ -90,7 +89,6 @@ class Tree {
     const Class& object_class() const;
 
     // --- Instances
-    // --------------------------------------------------------------------------------------------------
 
     Handle root() const;  // `game`
     /// Without a parent the instance is detached: alive, editable, not simulated. Without a name it
@@ -158,7 +156,6 @@ class Tree {
     std::function<void()> way_back(Handle instance);
 
     // --- Properties
-    // -------------------------------------------------------------------------------------------------
 
     /// Declared or ad-hoc; nullptr if the instance has none of that name.
     const Property* find(Handle instance, Symbol name) const;
@@ -220,7 +217,6 @@ class Tree {
     std::string text(const Value& value, Precision precision = Precision::double_precision) const;
 
     // --- Formulas
-    // ----------------------------------------------------------------------------------------------------
 
     /// From now on the function *is* the value of the property. Its dependencies are found by
     /// running it; a read of the property gives its result, and a plain write replaces it. Reads
@@ -254,7 +250,6 @@ class Tree {
     const FormulaCompiler& formula_compiler() const;
 
     // --- History
-    // ----------------------------------------------------------------------------------------------------
 
     /// Writes by people (console, inspector, remote) can be undone, each write by itself. All
     /// writes between `begin_edit` and `end_edit` are one step of undo. With `scripts`, writes by
@@ -266,7 +261,7 @@ class Tree {
     /// edit that has changed something. Before the first change, it undoes the step before the
     /// edit; this is for a console command that is only `undo()`.
     UndoResult undo();
-    UndoResult redo();  ///< makes again what was undone last
+    UndoResult redo();  ///< makes the step again that was undone last
     /// The latest first.
     std::vector<HistoryEntry> history() const;
     /// Memory limit of the history, 64 MiB by default; the oldest entries are dropped first. An
@@ -296,7 +291,6 @@ class Tree {
     void draw(Handle top, Painter& painter, double alpha, Drawer* also = nullptr) const;
 
     // --- Watching
-    // ---------------------------------------------------------------------------------------------------
 
     /// Watches one property of one instance.
     Connection watch(Handle instance, const Property& property, ChangeHandler handler,
@@ -340,7 +334,7 @@ class Tree {
     /// generations of handlers that make changes. `between_steps` is false in the middle of a step,
     /// when functions given to `at_barrier` must wait.
     void barrier(bool between_steps = true);
-    /// Sets what receives the errors of handlers.
+    /// Sets the function that receives the errors of handlers.
     void on_handler_error(std::function<void(const HandlerError&)> sink);
     /// Number of registered watchers.
     std::size_t watcher_count() const;
@@ -353,7 +347,6 @@ class Tree {
     void observe_edits(EditObserver* observer);
 
     // --- Growth
-    // --------------------------------------------------------------------------------------------------
 
     /// Memory of instances, values, watchers and other lasting data, in bytes. The estimate is the
     /// same in every run. It serves to measure how much something adds.
@@ -365,7 +358,6 @@ class Tree {
     void mark_weight(std::int64_t mark, std::function<void()> passed);
 
     // --- Snapshots
-    // --------------------------------------------------------------------------------------------------
 
     /// Not owned; its state becomes part of snapshots until `remove_part`. Throws Error(bad_name)
     /// if the name is taken.
@@ -390,9 +382,9 @@ class Tree {
     /// the changes, with cause `restore`, at the next barrier; so do handlers of `restored` of the
     /// root. Classes stay. Changes that were not yet delivered are dropped.
     ///
-    /// A snapshot of another tree can be restored if this one has its classes and parts. What is
-    /// bound to that tree is left out, as in `Snapshot::to_bytes`: formulas are compiled again from
-    /// their text (`compile_formulas_with`), and the history of edits is empty.
+    /// A snapshot of another tree can be restored if this one has its classes and parts. Data that
+    /// is bound to that tree is left out, as in `Snapshot::to_bytes`: formulas are compiled again
+    /// from their text (`compile_formulas_with`), and the history of edits is empty.
     ///
     /// Throws Error(damaged) or, for a class or a module that this game does not have,
     /// Error(unknown_name), and nothing has changed then; Error(bad_structure) in a handler, and in
@@ -405,7 +397,6 @@ class Tree {
     void check(const Snapshot& snapshot) const;
 
     // --- Time and cause
-    // ---------------------------------------------------------------------------------------------
 
     /// Number of the current step of the simulation.
     std::uint64_t step() const;

@@ -44,8 +44,8 @@ struct ConsoleFunctions {
     /// Shows the last seconds twice: as they were, and with that value of the property from their
     /// beginning on. Without a path: ends that.
     std::function<void(const std::string& path, const property::Value& value, double seconds)> ab{};
-    /// Shows the present branch of the past and another one, and what differs between them; "" is
-    /// the branch that was left last.
+    /// Shows the present branch of the past and another one, and their differences; "" is the
+    /// branch that was left last.
     std::function<void(const std::string& branch)> compare_branch{};
     /// Marks a step on the time bar, the present one if there is none; "" gets a name.
     std::function<void(const std::string& name, std::optional<std::int64_t> step)> bookmark{};
@@ -55,7 +55,7 @@ struct ConsoleFunctions {
     std::function<std::vector<std::pair<std::string, std::int64_t>>()> bookmarks{};
     /// Shows these seconds of the past once more, as they were.
     std::function<void(double seconds)> play_back{};
-    /// Writes this moment of the game into a file; returns what was written.
+    /// Writes this moment of the game into a file; returns a message about the file.
     std::function<std::string(const std::string& file)> share{};
     /// Runs the command when the key goes down; an empty command ends it.
     std::function<void(const std::string& key, const std::string& command)> bind{};

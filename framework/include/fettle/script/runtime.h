@@ -59,7 +59,7 @@ struct Options {
     std::filesystem::path assets;  // folder for files that the game's folder does not have
     // Not owned; null if the game has none.
     property::GameSaves* saves = nullptr;  ///< saved games; not owned
-    property::Tweaks* tweaks = nullptr;    ///< what people edit; not owned
+    property::Tweaks* tweaks = nullptr;    ///< of people; not owned
     property::Store* store = nullptr;      ///< lasting values of the game; not owned
     property::GameFiles* files = nullptr;  // null: the files on the disk
     property::Media* media = nullptr;      // null: `pen` has no images and cannot measure text
@@ -106,7 +106,7 @@ struct Evaluation {
     property::Value result;            // the last result; nil if it is not a value of the tree
 };
 
-/// A candidate for what may be typed.
+/// A candidate of a completion.
 struct Completion {
     std::string text;              // replaces the input from `replace_from` to the cursor
     std::string label;             // as listed: "friction"
@@ -146,13 +146,13 @@ class Runtime {
     /// Error(bad_structure) while a script of this runtime runs.
     bool load(const std::filesystem::path& game);
     /// Runs the top level of the loaded game again, because its files have changed, and calls its
-    /// `reloaded(files)`. The tree stays. What the top level declares (instances that it makes, and
-    /// values that it gives) is compared with what it declared before, and only the differences are
-    /// applied. Classes get their new functions, properties and defaults. Handlers and timers of
-    /// the old top level end. Variables of Lua begin again; those that only callbacks have assigned
-    /// stay. After an error everything is as it was. `files`: names for `reloaded`. Throws
-    /// property::FileError if main.lua cannot be read, and Error(bad_structure) if no game is
-    /// loaded or a script of this runtime runs.
+    /// `reloaded(files)`. The tree stays. The declarations of the top level (instances that it
+    /// makes, and values that it gives) are compared with the earlier ones, and only the
+    /// differences are applied. Classes get their new functions, properties and defaults. Handlers
+    /// and timers of the old top level end. Variables of Lua begin again; those that only callbacks
+    /// have assigned stay. After an error everything is as it was. `files`: names for `reloaded`.
+    /// Throws property::FileError if main.lua cannot be read, and Error(bad_structure) if no game
+    /// is loaded or a script of this runtime runs.
     Reloaded reload(const std::vector<std::string>& files);
     /// Runs a chunk as part of the game (`--eval`). It is stopped if it adds more than
     /// `Options::memory_limit` bytes, in Lua and in the tree, or, like every call, takes longer

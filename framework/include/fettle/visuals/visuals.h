@@ -50,8 +50,8 @@ class Visuals : public module::Module {
     /// again if it is an image, a font, or a part of a map that is in use. If it cannot be read,
     /// the old one stays, and `on_problem` gets the reason.
     void renew(const std::string& name);
-    /// What the image "save:SLOT" shows: the picture of a saved game. `renew("save:SLOT")` when it
-    /// is another one.
+    /// Sets the function that gives the picture of a saved game, which is the image "save:SLOT".
+    /// Call `renew("save:SLOT")` when the picture has changed.
     void saved_pictures(std::function<property::Thumbnail(const std::string& slot)> of);
     /// Images and text for `draw(pen)`.
     property::Media& media();

@@ -8,7 +8,7 @@
 
 namespace fettle::property {
 
-/// The meaning of an error number in words. For a full disk it says what to do.
+/// The meaning of an error number in words. For a full disk it says how to make room.
 std::string system_reason(int error);
 
 /// Why something of that mode cannot be read or replaced as a file: "it is a folder", "it is a

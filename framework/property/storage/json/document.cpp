@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include <fettle/property/storage/scene.h>
 #include <nlohmann/json.hpp>

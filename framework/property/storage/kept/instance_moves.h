@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include <scenes/instance_paths.h>
+#include <values/instance_paths.h>
 
 namespace fettle::property {
 

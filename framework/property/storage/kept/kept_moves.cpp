@@ -1,13 +1,11 @@
 // When an instance gets another name or parent, the paths in its kept tweaks are changed.
 
-#include <algorithm>
-
 #include <fettle/property/path.h>
 
 #include <kept/kept_tweaks.h>
 #include <scenes/scene_edit.h>
 #include <scenes/scene_names.h>
-#include <scenes/scene_value.h>
+#include <values/scene_value.h>
 
 namespace fettle::property {
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <utility>
 
 #include <fettle/property/coercion.h>
@@ -14,7 +13,7 @@
 
 #include <json/unknown_keys.h>
 #include <scenes/scene_names.h>
-#include <scenes/scene_value.h>
+#include <values/scene_value.h>
 
 namespace fettle::property {
 

@@ -10,8 +10,8 @@
 
 #include <kept/kept_tweaks.h>
 #include <scenes/scene_load.h>
-#include <scenes/scene_reference.h>
-#include <scenes/scene_value.h>
+#include <values/scene_reference.h>
+#include <values/scene_value.h>
 
 namespace fettle::property {
 

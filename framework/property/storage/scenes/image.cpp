@@ -4,8 +4,8 @@
 
 #include <json/document.h>
 #include <scenes/scene_names.h>
-#include <scenes/scene_reference.h>
-#include <scenes/scene_value.h>
+#include <values/scene_reference.h>
+#include <values/scene_value.h>
 
 namespace fettle::property {
 
@@ -165,7 +165,7 @@ std::string image_in_file(const Tree& tree, const Property* declared, const Imag
     const bool formula =
         image.kind == Image::Kind::formula && image.not_saved.empty() &&
         writer.append(out, property, {.function = {}, .source = image.source}, value);
-    // An integer is converted if the property wants a number.
+    // An integer is converted if the property is a number.
     if (!formula && declared != nullptr && value.is(Type::integer) &&
         declared->type == Type::number)
         writer.append(out, property, Value(value.as_double()), 0, 0);

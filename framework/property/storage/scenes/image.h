@@ -7,7 +7,7 @@
 #include <fettle/property/edits.h>
 #include <fettle/property/tree.h>
 
-#include <scenes/instance_paths.h>
+#include <values/instance_paths.h>
 
 namespace fettle::property {
 
@@ -45,7 +45,7 @@ Value image_value(const Tree& tree, const Image& image);
 /// The value as it is written in a file. `declared`: the property of the class; null for an ad-hoc
 /// property. `written`: replaces paths that begin at the root; none: all paths stay.
 std::string image_in_file(const Tree& tree, const Property* declared, const Image& image,
-                          const NewPath& written = {});
+                          const NewPath& written);
 
 /// Sets the property to that state. Throws Error.
 void apply_image(Tree& tree, Handle instance, const std::string& property, const Image& image);

@@ -6,9 +6,9 @@
 #include <fettle/property/storage/scene.h>
 
 #include <json/unknown_keys.h>
-#include <scenes/instance_paths.h>
 #include <scenes/scene_plan.h>
-#include <scenes/scene_value.h>
+#include <values/instance_paths.h>
+#include <values/scene_value.h>
 
 namespace fettle::property {
 

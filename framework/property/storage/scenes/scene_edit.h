@@ -8,8 +8,8 @@
 
 #include <json/json_edit.h>
 #include <scenes/image.h>
-#include <scenes/instance_paths.h>
 #include <scenes/scene_origins.h>
+#include <values/instance_paths.h>
 
 namespace fettle::property {
 

@@ -16,8 +16,8 @@
 #include <json/document.h>
 #include <scenes/scene_load.h>
 #include <scenes/scene_plan.h>
-#include <scenes/scene_reference.h>
-#include <scenes/scene_value.h>
+#include <values/scene_reference.h>
+#include <values/scene_value.h>
 
 namespace fettle::property {
 
@@ -25,7 +25,7 @@ namespace {
 
 using Node = Document::Node;
 
-/// Destroys what was built, unless it was released.
+/// Destroys the built instances, unless they were released.
 class Detached {
   public:
     explicit Detached(Tree& tree) : tree_(tree) {}

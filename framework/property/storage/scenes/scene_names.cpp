@@ -5,7 +5,7 @@
 
 #include <json/json_edit.h>
 #include <scenes/scene_plan.h>
-#include <scenes/scene_value.h>
+#include <values/scene_value.h>
 
 namespace fettle::property {
 

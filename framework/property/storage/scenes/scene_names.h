@@ -6,7 +6,7 @@
 #include <fettle/property/tree.h>
 
 #include <json/document.h>
-#include <scenes/instance_paths.h>
+#include <values/instance_paths.h>
 
 namespace fettle::property {
 

@@ -11,7 +11,7 @@
 #include <json/document.h>
 #include <json/unknown_keys.h>
 #include <scenes/scene_text.h>
-#include <scenes/scene_value.h>
+#include <values/scene_value.h>
 
 namespace fettle::property {
 

@@ -265,7 +265,7 @@ Store::Changes Store::take_changes() {
 
 /// The changes could not be written, so they are to be written again.
 void Store::put_back(Changes changes) {
-    // What was removed by a later clear() is not written again.
+    // Entries that a later clear() has removed are not written again.
     if (!cleared_)
         for (const auto& [key, entry] : changes.entries) changed_[key] = true;
     cleared_ = cleared_ || changes.cleared;

@@ -1,6 +1,5 @@
 #include <store/store_text.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -1,6 +1,7 @@
 #pragma once
 // The text of a store: JSON. A table with names is an object, one with the keys 1, 2, 3 ... an
-// array. What JSON does not have is an object with one key that begins with $: {"$vec2": [1, 2]}.
+// array. A value that JSON does not have is an object with one key that begins with $: {"$vec2":
+// [1, 2]}.
 
 #include <string>
 

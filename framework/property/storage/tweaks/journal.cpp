@@ -274,6 +274,57 @@ void Journal::refresh(std::vector<JournalRow>& rows) {
     }
 }
 
+void Journal::write(const Changes& changes) {
+    Statement put = database_->statement(
+        "INSERT OR REPLACE INTO tweaks VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+    for (const JournalRow* row : changes.put) {
+        put.bind(1, run_)
+            .bind(2, row->number)
+            .bind(3, static_cast<std::int64_t>(row->kind))
+            .bind(4, static_cast<std::int64_t>(row->state))
+            .bind(5, row->instance)
+            .bind(6, row->property)
+            .bind(7, row->was)
+            .bind(8, row->now)
+            .bind(9, row->was_text)
+            .bind(10, row->now_text)
+            .bind(11, row->step)
+            .bind(12, row->time)
+            .bind(13, row->file)
+            .bind(14, row->inside)
+            .bind(15, row->kept_in);
+        put.run();
+    }
+    Statement withdraw = database_->statement("DELETE FROM tweaks WHERE run = ? AND number = ?");
+    for (const std::int64_t number : changes.withdrawn)
+        withdraw.bind(1, run_).bind(2, number).run();
+    for (const JournalRow* row : changes.removed)
+        withdraw.bind(1, row->run).bind(2, row->number).run();
+    // The condition compares the content, because the run of the row may still change it.
+    Statement settle = database_->statement(
+        "UPDATE tweaks SET state = ?, kept_in = ? WHERE run = ? AND number = ? AND now = "
+        "?");
+    for (const JournalRow* row : changes.settled)
+        settle.bind(1, static_cast<std::int64_t>(row->state))
+            .bind(2, row->kept_in)
+            .bind(3, row->run)
+            .bind(4, row->number)
+            .bind(5, row->now)
+            .run();
+    Statement rename = database_->statement(
+        "UPDATE tweaks SET instance = ?, inside = ?, was = ?, was_text = ? WHERE run = ? "
+        "AND number = ? AND now = ?");
+    for (const JournalRow* row : changes.renamed)
+        rename.bind(1, row->instance)
+            .bind(2, row->inside)
+            .bind(3, row->was)
+            .bind(4, row->was_text)
+            .bind(5, row->run)
+            .bind(6, row->number)
+            .bind(7, row->now)
+            .run();
+}
+
 bool Journal::commit(const Changes& changes) {
     try {
         if (!database_) create();
@@ -282,56 +333,7 @@ bool Journal::commit(const Changes& changes) {
         DatabaseTransaction transaction(*database_);
         if (run_ == 0) begin_run();
         try {
-            Statement put = database_->statement(
-                "INSERT OR REPLACE INTO tweaks VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
-            for (const JournalRow* row : changes.put) {
-                put.bind(1, run_)
-                    .bind(2, row->number)
-                    .bind(3, static_cast<std::int64_t>(row->kind))
-                    .bind(4, static_cast<std::int64_t>(row->state))
-                    .bind(5, row->instance)
-                    .bind(6, row->property)
-                    .bind(7, row->was)
-                    .bind(8, row->now)
-                    .bind(9, row->was_text)
-                    .bind(10, row->now_text)
-                    .bind(11, row->step)
-                    .bind(12, row->time)
-                    .bind(13, row->file)
-                    .bind(14, row->inside)
-                    .bind(15, row->kept_in);
-                put.run();
-            }
-            Statement withdraw =
-                database_->statement("DELETE FROM tweaks WHERE run = ? AND number = ?");
-            for (const std::int64_t number : changes.withdrawn)
-                withdraw.bind(1, run_).bind(2, number).run();
-            for (const JournalRow* row : changes.removed)
-                withdraw.bind(1, row->run).bind(2, row->number).run();
-            // The condition compares the content, because the run of the row may still change it.
-            Statement settle = database_->statement(
-                "UPDATE tweaks SET state = ?, kept_in = ? WHERE run = ? AND number = ? AND now = "
-                "?");
-            for (const JournalRow* row : changes.settled)
-                settle.bind(1, static_cast<std::int64_t>(row->state))
-                    .bind(2, row->kept_in)
-                    .bind(3, row->run)
-                    .bind(4, row->number)
-                    .bind(5, row->now)
-                    .run();
-            Statement rename = database_->statement(
-                "UPDATE tweaks SET instance = ?, inside = ?, was = ?, was_text = ? WHERE run = ? "
-                "AND "
-                "number = ? AND now = ?");
-            for (const JournalRow* row : changes.renamed)
-                rename.bind(1, row->instance)
-                    .bind(2, row->inside)
-                    .bind(3, row->was)
-                    .bind(4, row->was_text)
-                    .bind(5, row->run)
-                    .bind(6, row->number)
-                    .bind(7, row->now)
-                    .run();
+            write(changes);
             transaction.commit();
         } catch (...) {
             run_ = known;

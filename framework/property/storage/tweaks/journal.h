@@ -89,6 +89,8 @@ class Journal {
     void find_existing();
     void create();
     void begin_run();
+    /// Writes into the database, within the transaction of a commit.
+    void write(const Changes& changes);
     void read_rows(Database& from, std::vector<JournalRow>& rows);
 
     std::vector<std::filesystem::path> folders_;

@@ -6,10 +6,10 @@
 
 #include <scenes/scene_load.h>
 #include <scenes/scene_names.h>
-#include <scenes/scene_value.h>
 #include <tweaks/row_paths.h>
 #include <tweaks/scene_keeping.h>
 #include <tweaks/tweaks_state.h>
+#include <values/scene_value.h>
 
 namespace fettle::property {
 

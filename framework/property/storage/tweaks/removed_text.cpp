@@ -6,7 +6,7 @@
 #include <json/json_edit.h>
 #include <kept/instance_moves.h>
 #include <scenes/scene_names.h>
-#include <scenes/scene_value.h>
+#include <values/scene_value.h>
 
 namespace fettle::property {
 
@@ -181,7 +181,8 @@ std::string with_new_homes(const Tree& tree, const std::string& text, const std:
                     const auto [instance, property] = split_path(key);
                     key = renamed(instance) + path_suffix(property);
                     const std::string raw(document.raw(node));
-                    // Those of the instance itself get their references when they are put back.
+                    // References of the removed instances themselves are set when the instances are
+                    // put back.
                     return is_at_or_below(instance, removed) ? raw : value_with(raw, now);
                 });
             if (section == "created")

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string>
 
-#include <scenes/instance_paths.h>
 #include <scenes/scene_origins.h>
+#include <values/instance_paths.h>
 
 namespace fettle::property {
 

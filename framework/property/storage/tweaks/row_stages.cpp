@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <scenes/instance_paths.h>
+#include <values/instance_paths.h>
 
 namespace fettle::property {
 

@@ -43,7 +43,7 @@ struct Tweaks::State : EditObserver {
         std::string taken_out;  // for a kept deletion: the text removed from the file
     };
 
-    /// What earlier runs left in the journal.
+    /// Rows that earlier runs left in the journal.
     struct EarlierRows {
         std::vector<JournalRow> rows;
         std::vector<JournalRow*> changed;  // of `rows`: to be written again

@@ -29,7 +29,7 @@ struct JointShare {
     float turn = 0.0f;   ///< rad/s
 };
 
-/// What changed the angular velocity of a body in a step, besides contacts and joints.
+/// The changes of the angular velocity of a body in a step, besides those by contacts and joints.
 struct TurnAccount {
     float earlier = 0.0f;  ///< rad/s at the end of the step before; `before` if it is unknown
     float before = 0.0f;   ///< rad/s at the start of the step
@@ -38,15 +38,15 @@ struct TurnAccount {
     float applied = 0.0f;  ///< by `Body::apply_torque` and by forces beside the center of mass
     float fields = 0.0f;   ///< by fields of force
     float damping = 0.0f;  ///< by damping
-    /// What has no other name: limits of speed, bounces of curved shapes, the answer of joints to a
-    /// blow, rounding.
+    /// Other changes: limits of speed, bounces of curved shapes, the answer of joints to a blow,
+    /// rounding.
     float rest = 0.0f;
     /// The sum of the sizes of all changes, also of those that cancel: rounding errors are small
     /// compared with it.
     float size = 0.0f;
 };
 
-/// What changed the velocity of a body in a step: `after` - `before` is the sum of all changes.
+/// The changes of the velocity of a body in a step: `after` - `before` is their sum.
 struct VelocityAccount {
     Vec2 earlier = {};  ///< m/s at the end of the step before; `before` if it is unknown
     Vec2 before = {};   ///< m/s at the start of the step
@@ -58,8 +58,7 @@ struct VelocityAccount {
     Vec2 damping = {};  ///< by `Body::linear_damping`
     std::vector<ContactShare> contacts;  ///< by contacts, one each
     std::vector<JointShare> joints;      ///< by joints, one each
-    /// What has no other name: locked axes, limits of speed, the answer of joints to a blow,
-    /// rounding.
+    /// Other changes: locked axes, limits of speed, the answer of joints to a blow, rounding.
     Vec2 rest = {};
     TurnAccount turn = {};  ///< what changed the angular velocity
 };

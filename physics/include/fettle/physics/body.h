@@ -98,7 +98,7 @@ class Body {
     /// False: it takes no part in steps, touches nothing, is found by no query, and its joints do
     /// not act. It keeps its shapes, joints and velocity; forces and impulses have no effect on it.
     bool enabled() const;
-    void set_enabled(bool enabled);  ///< what it touched wakes
+    void set_enabled(bool enabled);  ///< wakes the bodies that it touched
     std::string name() const;        ///< for messages and tools; need not be unique
     /// At most 63 bytes without a zero; throws std::invalid_argument for others.
     void set_name(std::string_view name);

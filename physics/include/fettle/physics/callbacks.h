@@ -97,7 +97,7 @@ using ContactCallback = std::function<void(ContactEdit&)>;
 
 /// The data that a read updates: all edited data, or the derived data of one body or shape.
 struct Refresh {
-    /// What is updated.
+    /// The data that is updated.
     enum class Of : uint8_t { everything, body, shape };
     Of of = Of::everything;  ///< what is updated
     uint32_t slot = 0;       ///< of the body or shape

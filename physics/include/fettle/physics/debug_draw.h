@@ -10,7 +10,7 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
-/// What `World::draw` draws, and where.
+/// The parts of a world that `World::draw` draws.
 struct DebugDrawOptions {
     bool shapes = true;     ///< their outlines
     bool joints = true;     ///< from the centers of mass to the anchors

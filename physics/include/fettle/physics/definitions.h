@@ -183,7 +183,7 @@ struct Chain {
     bool closed = false;            ///< true: a segment goes from the last point to the first
 };
 
-/// What a shape may be.
+/// The geometry of a shape.
 using Geometry = std::variant<Circle, Box, Segment, Polygon, Ellipse, Concave, Chain>;
 
 /// A definition of a type of joint: joint_definitions.h.

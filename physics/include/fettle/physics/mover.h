@@ -39,7 +39,7 @@ struct MoverPlane {
     Shape shape;              ///< that bounds it
 };
 
-/// What a mover keeps from one move to the next.
+/// The state of a mover from one move to the next.
 struct MoverState {
     Position position = {};   ///< of its feet, m
     Vec2 ground_normal = {};  ///< zero in the air
@@ -49,7 +49,7 @@ struct MoverState {
     bool climbing = false;    ///< without steps, ground and rides
 };
 
-/// What happened in a move.
+/// The results of a move.
 struct Moved {
     Vec2 motion = {};  ///< m, the ride on the ground included
     /// The velocity that is left, m/s, relative to the ground: without the parts that obstacles

@@ -30,9 +30,9 @@ struct JoinOptions {
 /// Joins lines, which may be in any order and direction, into as few chains as their ends allow. A
 /// chain has the direction of the first of its lines, and is closed if its ends meet. Where more
 /// than two ends meet, the nearest are joined; among equals the end that keeps the direction of its
-/// line, then the earlier line. What is left of less than two points, or three of a closed chain,
-/// is dropped. Throws std::invalid_argument for a negative or infinite option, and for coordinates
-/// beyond ±1e6 m.
+/// line, then the earlier line. A line with less than two points, or a closed chain with less than
+/// three, is dropped. Throws std::invalid_argument for a negative or infinite option, and for
+/// coordinates beyond ±1e6 m.
 std::vector<Chain> join_lines(std::span<const std::vector<Vec2>> lines,
                               const JoinOptions& options = {});
 
@@ -50,12 +50,12 @@ struct GridLayout {
 };
 
 /// The outlines of the area where a grid of numbers (row after row) is above `threshold`, by
-/// marching squares; between two samples the number changes linearly. What is outside the grid is
-/// empty: the outline passes half a cell beyond the last samples. All chains are closed: clockwise
-/// around an area, counter-clockwise around a hole in it, so bodies collide with the area. Where
-/// two areas meet at a corner, the mean of the four samples decides. Points on a straight line are
-/// dropped as `join_lines` does. Throws std::invalid_argument if the number of values is not
-/// columns · rows (at most 2^24), or if a value is not finite.
+/// marching squares; between two samples the number changes linearly. The area outside of the grid
+/// is empty: the outline passes half a cell beyond the last samples. All chains are closed:
+/// clockwise around an area, counter-clockwise around a hole in it, so bodies collide with the
+/// area. Where two areas meet at a corner, the mean of the four samples decides. Points on a
+/// straight line are dropped as `join_lines` does. Throws std::invalid_argument if the number of
+/// values is not columns · rows (at most 2^24), or if a value is not finite.
 std::vector<Chain> grid_outlines(std::span<const float> values, const GridLayout& layout,
                                  float threshold = 0.5f, float straight = 0.0f);
 /// The same for cells that are filled or not.

@@ -53,7 +53,7 @@ class Replay {
     explicit Replay(std::span<const std::byte> recording);
     ~Replay();
     Replay(Replay&& other) noexcept;
-    Replay& operator=(Replay&& other) noexcept;  ///< what was there ends
+    Replay& operator=(Replay&& other) noexcept;  ///< the earlier replay ends
 
     uint64_t steps() const;  ///< in the recording
     /// Repeats the next step. None at the end, and after a step that was not the same. Throws

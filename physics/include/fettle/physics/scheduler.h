@@ -10,11 +10,11 @@ namespace fettle::physics {
 
 /// Threads of a host that do the work of a world's steps: `World::set_scheduler`. Each step calls
 /// `start` once and then `finish` once, on the thread that steps. The tasks of a step end by
-/// themselves as soon as the step is over. The stepping thread works, too, and does what no task
-/// does: so a step needs no task to run, and its result does not depend on when and where they run.
-/// What the functions throw, `World::step` throws: after `start`, the world has made no step; after
-/// `finish`, it has made the whole step, and steps on one thread until `World::set_scheduler` is
-/// called again.
+/// themselves as soon as the step is over. The stepping thread works, too, and does the work that
+/// no task does: so a step needs no task to run, and its result does not depend on when and where
+/// they run. An exception of these functions leaves `World::step`: after `start`, the world has
+/// made no step; after `finish`, it has made the whole step, and steps on one thread until
+/// `World::set_scheduler` is called again.
 class TaskScheduler {
   public:
     /// To be called once by the host, with the context and the number of the task.

@@ -90,11 +90,11 @@ class Shape {
     void set_segment_surface(uint32_t segment, const std::optional<SegmentSurface>& surface);
     /// None when the segment has that of the shape.
     std::optional<SegmentSurface> segment_surface_override(uint32_t segment) const;
-    /// Those of all segments, in order, as `set_segment_surfaces` takes them: `surface_of_shape`
-    /// for a segment that has none. Empty if no segment has one.
+    /// The surfaces of all segments, in order, as `set_segment_surfaces` takes them:
+    /// `surface_of_shape` for a segment that has none. Empty if no segment has one.
     std::vector<SegmentSurface> segment_surface_overrides() const;
-    /// Sets those of all segments, in order; no surface at all: each has that of the shape. Throws
-    /// std::invalid_argument for another number of surfaces than segments.
+    /// Sets the surfaces of all segments, in order; no surface at all: each has that of the shape.
+    /// Throws std::invalid_argument for another number of surfaces than segments.
     void set_segment_surfaces(std::span<const SegmentSurface> surfaces);
 
     float density() const;  ///< kg/m², at least 0

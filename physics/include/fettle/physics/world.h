@@ -216,14 +216,14 @@ class World {
     /// of the state.
     void set_scheduler(TaskScheduler* scheduler, int threads);
 
-    /// Records what happens to the world, for a bug report: `sink` gets its state now, and then in
-    /// every step what was edited since the last one, the answers of callbacks, and the hash.
-    /// `Replay` (recording.h) repeats the recording. Bytes come in order and are to be appended to
-    /// a file or to memory; if the program ends unexpectedly, what was recorded can be replayed up
-    /// to there. A recorded step takes as long as saving the world twice. Throws
-    /// std::invalid_argument if the world is recorded already. The recording belongs to the world,
-    /// and not to its state. `sink` is called as callbacks are (callbacks.h): if it throws, the
-    /// recording ends, and the step throws the exception when it is complete.
+    /// Records the changes of the world, for a bug report: `sink` gets its state now, and then in
+    /// every step the edits since the last one, the answers of callbacks, and the hash. `Replay`
+    /// (recording.h) repeats the recording. Bytes come in order and are to be appended to a file or
+    /// to memory; if the program ends unexpectedly, what was recorded can be replayed up to there.
+    /// A recorded step takes as long as saving the world twice. Throws std::invalid_argument if the
+    /// world is recorded already. The recording belongs to the world, and not to its state. `sink`
+    /// is called as callbacks are (callbacks.h): if it throws, the recording ends, and the step
+    /// throws the exception when it is complete.
     void start_recording(RecordingSink sink);
     void stop_recording();     ///< does nothing if there is no recording
     bool is_recorded() const;  ///< between a start and the end of a recording
@@ -244,9 +244,9 @@ class World {
     void set_before_solve(ContactCallback callback);
     /// True: the last two callbacks are called on all threads that work on a step, for several
     /// contacts at a time and in no order. They must be safe to run so; they may read the world,
-    /// but must not destroy it, and `after_step` throws Locked in them. What they set is taken in
-    /// the order of the contacts: if that depends on nothing but what they get, so do the results.
-    /// False, as at first: on the thread of the caller, one after the other.
+    /// but must not destroy it, and `after_step` throws Locked in them. The values that they set
+    /// are used in the order of the contacts: if the values depend only on the arguments, so do the
+    /// results. False, as at first: on the thread of the caller, one after the other.
     void set_parallel_callbacks(bool parallel);
     bool parallel_callbacks() const;  ///< whether they may run so
 
@@ -395,8 +395,8 @@ class World {
     void keep_account(BodyId body);
     /// The number of bodies of which accounts can be kept at a time.
     static constexpr size_t most_accounts = 8;
-    /// What changed the velocity of a body in the last step; none if that was not added up, or if
-    /// the body was asleep or does not move by forces.
+    /// The changes of the velocity of a body in the last step; none if they were not added up, or
+    /// if the body was asleep or does not move by forces.
     std::optional<VelocityAccount> account(BodyId body) const;
     /// Heap memory of the world, by purpose, without callbacks, threads and accounts. Memory that a
     /// step can rebuild is freed when most bodies have fallen asleep.

@@ -44,13 +44,13 @@ class PhysicsModule : public module::Module {
     /// Makes an update of physics that a recording contains: `World::refresh`.
     void refresh(std::uint64_t what) override;
 
-    /// Gets notes about what has no effect, each once: bodies, fields and joints below no world,
-    /// shapes on no body, joints that hold nothing.
+    /// Gets notes about objects that have no effect, each once: bodies, fields and joints below no
+    /// world, shapes on no body, joints that hold nothing.
     void on_problem(std::function<void(const std::string&)> tell);
 
     /// Saves every world, bit for bit.
     property::Memory save(property::ByteWriter& to) const override;
-    /// Reads what `save` wrote, and returns the function that takes it over.
+    /// Reads the bytes that `save` wrote, and returns the function that applies them.
     std::function<void()> restore(property::ByteReader& from,
                                   const property::Memory& memory) override;
 

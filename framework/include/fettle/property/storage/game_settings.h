@@ -1,6 +1,6 @@
 #pragma once
 // The file `game.json` of a game: name, version, window and other settings that are needed before
-// its scripts run. And the settings that a player makes, which are kept for the next run.
+// its scripts run. Also the settings that a player has made, in a file that the next run reads.
 
 #include <cstdint>
 #include <filesystem>
@@ -21,7 +21,7 @@ class GameFiles;
 /// Whether a game has the console: always, in developer runs only, or never.
 enum class ConsoleUse : std::uint8_t { on, developer, off };
 
-/// What `game.json` says about the window; empty: nothing.
+/// Settings of the window in `game.json`; empty: the file does not have it.
 struct WindowSettings {
     static constexpr double largest = 16384;  // px, of each side
     std::optional<std::string> title{};
@@ -39,8 +39,8 @@ struct GameSettings {
     std::string icon{};    // an image below the game's folder
     std::string fettle{};  // the version of Fettle that the game was written for
     ConsoleUse console = ConsoleUse::on;
-    /// Whether images that are enlarged are smooth, unless an instance says it; empty: as their
-    /// classes say.
+    /// Whether enlarged images are smooth, for instances whose `smooth` was not set; empty: the
+    /// default of their class.
     std::optional<bool> smooth{};
     std::optional<std::uint64_t> seed{};  // of random()
     WindowSettings window{};
@@ -62,9 +62,9 @@ GameSettings read_game_settings(GameFiles& files, const std::filesystem::path& g
 GameSettings game_settings(std::string text, const std::string& file_name,
                            std::string_view program);
 
-/// The folder for what a player has of a game: saves, store, settings. It belongs to the `id`,
-/// wherever the game lies; without an id it is `user_folder(game)`. Not created. Empty if the user
-/// has no such folder.
+/// The folder for a player's data of a game: saves, store, settings. It depends on the `id` and not
+/// on the folder of the game; without an id it is `user_folder(game)`. It is not created. Empty if
+/// the user has no folder for data.
 std::filesystem::path player_folder(const std::filesystem::path& game, const std::string& id);
 
 /// Settings that the player has made in earlier runs; empty: never made.

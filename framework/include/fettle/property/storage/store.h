@@ -60,7 +60,7 @@ class Store {
     /// Reads the file, which may be missing. A damaged file is reported to `warn`, and is moved
     /// aside before the first write.
     Store(std::filesystem::path file, Options options);
-    /// Writes what is not written yet.
+    /// Writes all entries that are not written yet.
     ~Store();
     Store(const Store&) = delete;
     Store& operator=(const Store&) = delete;

@@ -1,11 +1,11 @@
-#include <game/exports.h>
+#include <session/exports.h>
 
 #include <fstream>
 
 #include <fettle/app/screen.h>
 
 #include <files/game_path.h>
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::program {
 

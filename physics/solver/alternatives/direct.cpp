@@ -1,4 +1,4 @@
-#include <solver/direct_problem.h>
+#include <solver/alternatives/direct_problem.h>
 #include <solver/direct_row.h>
 #include <solver/joint_passes.h>
 #include <solver/motion.h>

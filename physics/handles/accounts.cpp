@@ -1,9 +1,9 @@
 #include <checks/hooks.h>
-#include <world/live.h>
+#include <handles/live.h>
 
 #include <algorithm>
 
-// What changed the velocities of a body in the last step.
+// Accounts of the velocities of a body: the causes of their changes in the last step.
 
 namespace fettle::physics {
 

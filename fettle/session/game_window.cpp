@@ -1,10 +1,10 @@
-#include <game/game_window.h>
+#include <session/game_window.h>
 
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
 
 #include <command_line/terminal.h>
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::program {
 

@@ -1,8 +1,6 @@
 #include <checks/arguments.h>
 #include <world/world_data.h>
 
-#include <stdexcept>
-
 // Handles of fields of force.
 
 namespace fettle::physics {

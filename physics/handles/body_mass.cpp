@@ -1,5 +1,5 @@
+#include <handles/live.h>
 #include <step/shape_box.h>
-#include <world/live.h>
 
 // Mass and size of a body: computed from its shapes, or overridden.
 

@@ -1,4 +1,4 @@
-#include <game/session.h>
+#include <session/session.h>
 
 #include <algorithm>
 #include <array>
@@ -14,11 +14,11 @@
 #include <files/archive.h>
 #include <files/game_path.h>
 #include <files/recorded_files.h>
-#include <game/console_layer.h>
-#include <game/exports.h>
-#include <game/game_window.h>
 #include <game/preferences.h>
 #include <game/quota.h>
+#include <session/console_layer.h>
+#include <session/exports.h>
+#include <session/game_window.h>
 
 namespace fettle::program {
 

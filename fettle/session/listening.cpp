@@ -3,8 +3,8 @@
 #include <fettle/property/exception_text.h>
 
 #include <attach/protocol.h>
-#include <game/console_layer.h>
-#include <game/session.h>
+#include <session/console_layer.h>
+#include <session/session.h>
 
 namespace fettle::program {
 

@@ -1,4 +1,4 @@
-#include <world/live.h>
+#include <handles/live.h>
 
 #include <stdexcept>
 #include <string>

@@ -1,4 +1,4 @@
-// Methods of World: queries.
+// Methods of World: queries, explosions.
 
 #include <algorithm>
 #include <stdexcept>

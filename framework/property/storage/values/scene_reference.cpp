@@ -1,11 +1,11 @@
-#include <scenes/scene_reference.h>
+#include <values/scene_reference.h>
 
 #include <vector>
 
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
-#include <scenes/instance_paths.h>
+#include <values/instance_paths.h>
 
 namespace fettle::property {
 

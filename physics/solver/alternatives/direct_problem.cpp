@@ -1,4 +1,4 @@
-#include <solver/direct_problem.h>
+#include <solver/alternatives/direct_problem.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <scenes/scene_value.h>
+#include <values/scene_value.h>
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include <contacts/mixing.h>
 #include <geometry/trigonometry.h>
+#include <handles/live.h>
 #include <step/shape_box.h>
-#include <world/live.h>
 
 #include <stdexcept>
 #include <string>

@@ -1,13 +1,13 @@
 #ifdef FETTLE_WITH_CONSOLE
 
-#include <game/console_layout.h>
+#include <session/console_layout.h>
 
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
 #include <files/game_path.h>
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::program {
 

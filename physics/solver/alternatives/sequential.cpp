@@ -82,8 +82,8 @@ class SequentialPass {
         for (Turn& turn : turns_) turn.severity = bounded(gap_of(turn).separation, 1e30f);
         std::sort(turns_.begin(), turns_.end());
         for (const Turn& turn : turns_) push_apart(turn, 0.5f);
-        // What is fixed does not yield. Without this, other bodies press a body on the ground
-        // further in than half of its overlap is removed, and a heap sinks through.
+        // A body that does not move does not yield. Without this, other bodies press a body on the
+        // ground further in than half of its overlap is removed, and a heap sinks through.
         for (const Turn& turn : turns_)
             if (constraints_[turn.constraint].fixed != 0) push_apart(turn, 1.0f);
     }

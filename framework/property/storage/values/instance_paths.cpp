@@ -1,4 +1,4 @@
-#include <scenes/instance_paths.h>
+#include <values/instance_paths.h>
 
 #include <fettle/property/error.h>
 

@@ -12,9 +12,9 @@
 #include <fettle/property/storage/scene.h>
 
 #include <files/game_path.h>
-#include <game/game_window.h>
 #include <game/preferences.h>
-#include <game/session.h>
+#include <session/game_window.h>
+#include <session/session.h>
 
 namespace fettle::program {
 
@@ -143,7 +143,7 @@ script::Reloaded Session::reload_media(const std::vector<std::string>& names) {
     return {.done = true};
 }
 
-/// What cannot be read again stays as it was, and `problems_` says why.
+/// A file that cannot be read again leaves everything as it was, and `problems_` says why.
 void Session::renew(const std::string& name) {
     problems_.erase(name);
     run_.renewed = name;
@@ -158,7 +158,7 @@ void Session::renew(const std::string& name) {
     run_.renewed.clear();
 }
 
-/// The run continues with what is there: a checkerboard for an image, no effect.
+/// The run continues without the file: with a checkerboard for an image, or without an effect.
 void Session::tell_problem_of_files(const std::string& problem) {
     script::ScriptError report;
     report.message = problem;

@@ -7,7 +7,7 @@
 #include <files/archive.h>
 #include <files/game_path.h>
 #include <game/moment.h>
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::program {
 

@@ -15,10 +15,6 @@ WorldData& live(WorldLink* link, Id id, const char* kind) {
     return *link->data;
 }
 
-/// Moves a body to another pose. Bodies that rested on it wake, derived data are marked as
-/// outdated, and nothing is drawn in between.
-void teleport(WorldData& data, uint32_t body, const Position& position, float angle);
-
 /// To be called after an edit of the surface of a shape or of its segments.
 void surface_changed(WorldData& data, uint32_t shape);
 

@@ -142,7 +142,7 @@ class Session {
         std::function<void(std::string_view)> output{};
         std::function<void(const script::ScriptError*)> error_over{};
     };
-    /// What has happened in the run.
+    /// Events of the run so far.
     struct Run {
         bool loaded = false;                   // main.lua and start() had no error
         std::vector<std::string> early_notes;  // notes from before the console existed

@@ -8,7 +8,7 @@
 #include <fettle/console/console.h>
 #endif
 
-#include <game/session.h>
+#include <session/session.h>
 
 namespace fettle::program {
 

@@ -3,8 +3,8 @@
 #include <checks/arguments.h>
 #include <contacts/reports.h>
 #include <geometry/trigonometry.h>
+#include <handles/live.h>
 #include <state/limits.h>
-#include <world/live.h>
 
 #include <stdexcept>
 #include <string>
@@ -30,23 +30,6 @@ void kick(const BodyRecord& record, BodyState& state, Vec2 impulse, float angula
 }
 
 }  // namespace
-
-void detail::teleport(WorldData& data, uint32_t body, const Position& position, float angle) {
-    data.change(wake_for_edit, body);
-    data.change(wake_touching, body);
-    BodyState& state = data.states[body];
-    state.position = position;
-    if (state.angle != angle) {
-        const Rotation q = rotation_of(angle);
-        state.angle = angle;
-        state.cosine = q.c;
-        state.sine = q.s;
-        data.bodies[body].angle_rest = 0.0f;
-    }
-    data.previous[body] = {position, angle};
-    data.bodies[body].center = position + rotate(rotation(state), data.bodies[body].local_center);
-    data.change(mark_placement, body);
-}
 
 void detail::refuse_border_body(const char* function) {
     throw std::invalid_argument(std::string("Body::") + function +
@@ -116,20 +99,20 @@ void Body::set_type(BodyType type) {
 
 void Body::set_position(const Position& position) {
     FETTLE_EDIT_BODY
-    teleport(data, id_.index, check_coordinates("position", position), state.angle);
+    data.change(teleport, id_.index, check_coordinates("position", position), state.angle);
 }
 
 void Body::set_angle(float angle) {
     FETTLE_EDIT_BODY
-    teleport(data, id_.index, state.position,
-             check_range("angle", angle, -greatest_coordinate, greatest_coordinate));
+    data.change(teleport, id_.index, state.position,
+                check_range("angle", angle, -greatest_coordinate, greatest_coordinate));
 }
 
 void Body::set_pose(const Pose& pose) {
     FETTLE_EDIT_BODY
     check_coordinates("position", pose.position);
     check_range("angle", pose.angle, -greatest_coordinate, greatest_coordinate);
-    teleport(data, id_.index, pose.position, pose.angle);
+    data.change(teleport, id_.index, pose.position, pose.angle);
 }
 
 namespace {
