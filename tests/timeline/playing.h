@@ -37,7 +37,11 @@ struct Playing {
             saves = std::make_unique<property::GameSaves>(
                 tree, property::Saves(slots, "game", "test"),
                 property::GameSaves::Options{
-                    .warn = [this](const std::string& text) { errors.push_back(text); }});
+                    // A saved game tells that it holds no timers, which is no error.
+                    .warn = [this](const std::string& text) {
+                        if (text.find("a file holds no functions") == std::string::npos)
+                            errors.push_back(text);
+                    }});
         script::Options with = options();
         with.saves = saves.get();
         runtime = std::make_unique<script::Runtime>(tree, with);

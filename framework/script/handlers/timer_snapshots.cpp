@@ -51,9 +51,10 @@ Timers::Ending Timers::ending() const {
         if (!timer.function || timer.top || ended(timer)) continue;
         if (++found.count > most_looked_at || found.places.size() >= most_places) continue;
         std::string place = timer.function->given_at();
-        if (place.empty()) {
+        if (place.empty() && lua_checkstack(machine_.lua.main, 2) != 0) {
             timer.function->push(machine_.lua.main);
             place = definition(machine_.lua.main);
+            lua_pop(machine_.lua.main, 1);
             if (place.ends_with(": ")) place.resize(place.size() - 2);
         }
         if (std::ranges::find(found.places, place) == found.places.end())
