@@ -76,6 +76,11 @@ std::string PropertyEditor::problem(const Property& property) const {
 
 // --- The row
 
+bool PropertyEditor::written_by_simulation(Handle instance, const Property& property) const {
+    const property::Provenance written = tree_.who(instance, property);
+    return written.known && written.cause.writer == property::Writer::simulation;
+}
+
 bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bold) {
     if (problems_of_ != instance) forget();
     problems_of_ = instance;
@@ -98,9 +103,11 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     const property::Formula* formula = tree_.formula(instance, property);
     std::string source = formula != nullptr ? formula->source : std::string();
     std::string wrong = formula != nullptr ? tree_.problem(instance, property) : std::string();
-    // A value that the simulation writes differs from the default without being set, unless its
-    // module can tell (`overridden`): a mass that was set.
-    const bool computed = property.simulated && property.binding.overridden == nullptr;
+    // A value that the simulation writes differs from the default without being set. Some modules
+    // can tell (`overridden`): a mass that was set, but not whether it was a step that made a body
+    // fall asleep.
+    const bool computed = property.simulated && (property.binding.overridden == nullptr ||
+                                                 written_by_simulation(instance, property));
     const bool set = formula != nullptr || (!computed && tree_.overridden(instance, property));
     const bool resettable = !property.read_only && !ad_hoc && set;
     bool gone = false;
@@ -139,7 +146,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         problems_.erase(&property);  // typing ended with the value that there was
     }
     if (!gone) {
-        mixed_line(start + label_width, mixed);
+        mixed_line(start, label_width, mixed);
         if (formula_of_ != &property) {
             remark(start + label_width, palette::note, source.empty() ? source : "is " + source);
             if (!source.empty() && ImGui::IsItemClicked(0)) begin_formula(property);
@@ -162,10 +169,14 @@ void PropertyEditor::remark(float left, ImU32 color, const std::string& text) {
 }
 
 /// Always one line: values that change all the time must not move the rows below.
-void PropertyEditor::mixed_line(float left, const std::string& text) {
+void PropertyEditor::mixed_line(float start, float indent, const std::string& text) {
     if (text.empty()) return;
-    ImGui::SetCursorPosX(left);
-    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::SetCursorPosX(start);
+    const float whole = ImGui::GetContentRegionAvail().x;
+    // A text that is too long for its place below the value begins below the name.
+    const float left = std::clamp(whole - text_width(text), ImGui::GetFontSize(), indent);
+    const float room = whole - left;
+    ImGui::SetCursorPosX(start + left);
     draw_text_fit(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), palette::dim, text,
                   room);
     ImGui::Dummy(ImVec2(std::max(1.0f, room), ImGui::GetTextLineHeight()));

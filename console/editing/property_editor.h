@@ -76,7 +76,8 @@ class PropertyEditor {
     bool reset_button(const Target& target);
     /// Draws a line of text below the widget.
     void remark(float left, ImU32 color, const std::string& text);
-    void mixed_line(float left, const std::string& text);
+    bool written_by_simulation(property::Handle instance, const property::Property& property) const;
+    void mixed_line(float start, float indent, const std::string& text);
     /// Width of the column with the last writer: a text, or a mark if there is no room for one.
     static float gutter_width(float available);
     static constexpr float wide_enough = 40;  // font heights

@@ -25,10 +25,19 @@ bool ContextMenu::item(const char* label, const char* tip) {
     return chosen;
 }
 
+void ContextMenu::pin_item(const char* pin, const char* unpin, const std::string& path) {
+    const std::string text = pinned ? pinned(path) : std::string();
+    if (text.empty()) {
+        if (item(pin, "Adds it to the watch list")) run("pin " + path);
+    } else if (item(unpin, "Takes it out of the watch list")) {
+        run("unpin(" + lua_string(text) + ")");
+    }
+}
+
 void ContextMenu::draw_value(const property::Place& place) {
     const property::Property& property = *place.property;
     const std::string path = path_;  // a command may open another menu
-    if (item("Pin", "Adds it to the watch list")) run("pin " + path);
+    pin_item("Pin", "Unpin", path);
     if (can_be_plotted(property) && item("Plot", "Shows it over time, with the kept past"))
         run("plot " + path);
     if (item("Break on change", "Pauses the game when it changes")) run("break_when " + path);
@@ -54,8 +63,7 @@ void ContextMenu::draw_value(const property::Place& place) {
 void ContextMenu::draw_instance(property::Handle instance) {
     const std::string path = path_;
     const bool moves = tree_.find(instance, "position") != nullptr;
-    if (moves && item("Pin position", "Adds it to the watch list"))
-        run("pin " + path + ".position");
+    if (moves) pin_item("Pin position", "Unpin position", path + ".position");
     if (moves && item("Plot position", "Shows it over time, with the kept past"))
         run("plot " + path + ".position");
     if (item("Help", "What its class has")) run("help(" + path + ")");

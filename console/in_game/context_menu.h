@@ -27,6 +27,9 @@ class ContextMenu {
     /// Puts a text into the prompt; into the clipboard.
     std::function<void(const std::string&text)> insert, copy;
 
+    /// The text with which the value of that path was pinned; "" if it is not.
+    std::function<std::string(const std::string& path)> pinned;
+
     /// Begins typing a formula of that property. False if it cannot be typed there.
     std::function<bool(const property::Place&)> begin_formula;
 
@@ -42,6 +45,8 @@ class ContextMenu {
 
   private:
     bool item(const char* label, const char* tip);
+    /// `pin` and `unpin` are the labels; the entry depends on whether the value is pinned.
+    void pin_item(const char* pin, const char* unpin, const std::string& path);
     void draw_value(const property::Place& place);
     void draw_instance(property::Handle instance);
 

@@ -103,15 +103,34 @@ std::string short_number(double value, int digits) {
     return shown;
 }
 
+namespace {
+
+// A field has one line, in which a line end is shown as a sign.
+constexpr std::string_view line_end = "\n", line_end_sign = "↵";
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+}  // namespace
+
 bool input_line(const char* id, const char* hint, std::string& text, int flags) {
     ExtraGlyphs& extra = ExtraGlyphs::current();
-    std::string line = extra.shown(text);
-    // More different characters than there are stand-ins: it would not come back as it was.
-    if (line != text && extra.meant(line) != text) flags |= ImGuiInputTextFlags_ReadOnly;
+    const bool lines = text.find(line_end) != std::string::npos;
+    const auto meant = [&](const std::string& line) {
+        const std::string typed = extra.meant(line);
+        return lines ? replaced(typed, line_end_sign, line_end) : typed;
+    };
+    std::string line = extra.shown(lines ? replaced(text, line_end, line_end_sign) : text);
+    // More different characters than there are stand-ins, or line ends beside their sign: it would
+    // not come back as it was.
+    if (line != text && meant(line) != text) flags |= ImGuiInputTextFlags_ReadOnly;
     const bool entered =
         ImGui::InputTextWithHint(id, hint, line.data(), line.capacity() + 1,
                                  flags | ImGuiInputTextFlags_CallbackResize, grow, &line);
-    if ((flags & ImGuiInputTextFlags_ReadOnly) == 0) text = extra.meant(line);
+    if ((flags & ImGuiInputTextFlags_ReadOnly) == 0) text = meant(line);
     return entered;
 }
 

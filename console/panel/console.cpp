@@ -130,6 +130,12 @@ void Console::State::connect() {
         inspector.editor().begin_formula(*place.property);
         return true;
     };
+    context_menu.pinned = [this](const std::string& path) {
+        const auto& pins = observing.pins();
+        const auto found =
+            std::ranges::find_if(pins, [&](const Trace& pin) { return pin.what().path == path; });
+        return found == pins.end() ? std::string() : found->what().text;
+    };
     context_menu.insert = inspector.insert;
     context_menu.copy = [this](const std::string& text) { clipboard->write(text); };
     views.watch_list.follow = views.tweak_list.follow;

@@ -50,6 +50,11 @@ const Trace::Sample* sample_at(const Trace& trace, std::int64_t step) {
 
 }  // namespace
 
+double seconds_between_labels(double seconds) {
+    const double usual = spacing_for(seconds);
+    return seconds < 2.2 * usual ? spacing_for(0.6 * seconds) : usual;
+}
+
 PlotView::Scale PlotView::scale_of(const std::vector<Trace>& plots, const Times& times) const {
     Scale scale;
     scale.last = std::max(times.newest, times.step);
@@ -97,7 +102,7 @@ void PlotView::draw_grid(const Scale& scale, const Times& times) const {
                   text);
     }
     const double seconds = static_cast<double>(scale.last - scale.first) * times.dt;
-    const double tick = std::max(spacing_for(seconds), times.dt);
+    const double tick = std::max(seconds_between_labels(seconds), times.dt);
     float labeled = rect_.high.x;  // labels end here
     for (double back = tick; back < seconds; back += tick) {
         const float x =

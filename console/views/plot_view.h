@@ -17,6 +17,10 @@
 
 namespace fettle::console {
 
+/// The distance of the labels below curves of so many seconds: there are two of them at least,
+/// since one says nothing of the scale.
+double seconds_between_labels(double seconds);
+
 class PlotView {
   public:
     /// Runs a command as if it were typed.

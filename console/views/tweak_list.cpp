@@ -88,10 +88,11 @@ void TweakList::draw_header() {
     const auto open = open_count();
     const bool earlier =
         std::any_of(rows_.begin(), rows_.end(), [](const Tweak& t) { return t.earlier; });
-    colored(palette::dim, rows_.empty()
-                              ? "Nothing was tweaked. What you edit while the game runs is listed "
-                                "here, and survives whatever happens to the game."
-                              : std::to_string(open) + " to keep or to drop");
+    const std::string text =
+        rows_.empty() ? "Nothing was tweaked. What you edit while the game runs is listed here, "
+                        "and survives whatever happens to the game."
+                      : std::to_string(open) + " to keep or to drop";
+    colored(palette::dim, wrapped(text, ImGui::GetContentRegionAvail().x));
     if (open == 0) return;
     ImGui::SameLine();
     if (small_button(-1, "keep all", "Write them into the files they came from")) act("keep", "**");

@@ -68,7 +68,9 @@ void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float wid
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float y = at.y + (height - ImGui::GetTextLineHeight()) / 2;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float side = height, spark = std::min(6 * em, width * 0.22f);
+    // A text or a list has no curve.
+    const bool curve = pin.samples().size() > 1;
+    const float side = height, spark = curve ? std::min(6 * em, width * 0.22f) : 0;
     const float room = width - side - spark - em;
     const float widest = room * 0.65f;
     std::string value = pin.problem();

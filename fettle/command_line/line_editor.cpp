@@ -9,6 +9,7 @@
 #include <clocale>
 #include <cstdio>
 #include <cwchar>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -24,14 +25,18 @@ std::size_t characters_in(std::string_view text) {
         text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// The beginning that all texts have in common.
-std::string common_beginning(const std::vector<LineEditor::Candidate>& candidates) {
-    std::string common = candidates.front().text;
+/// What all candidates begin with that begin as typed; those that only resemble it do not count. ""
+/// if there is none.
+std::string common_beginning(const std::vector<LineEditor::Candidate>& candidates,
+                             const std::string& typed) {
+    std::optional<std::string> common;
     for (const LineEditor::Candidate& candidate : candidates) {
-        const auto end = std::ranges::mismatch(common, candidate.text).in1;
-        common.erase(end, common.end());
+        if (!candidate.text.starts_with(typed)) continue;
+        if (!common) common = candidate.text;
+        const auto end = std::ranges::mismatch(*common, candidate.text).in1;
+        common->erase(end, common->end());
     }
-    return common;
+    return common.value_or("");
 }
 
 }  // namespace
@@ -90,7 +95,7 @@ struct LineEditor::State {
             return c.replace_from == found.front().replace_from;
         });
         const std::string text = found.size() == 1 ? found.front().text
-                                 : alike           ? common_beginning(found)
+                                 : alike           ? common_beginning(found, typed)
                                                    : typed;
         if (found.size() == 1 || text.size() > typed.size()) {
             el_deletestr(editor, static_cast<int>(characters_in(typed)));

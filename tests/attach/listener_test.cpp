@@ -279,24 +279,17 @@ TEST_CASE("there are no more terminals than the limit") {
 TEST_CASE("a completion has a frame of its own and the next one after other requests") {
     Game game;
     Visitor one = game.terminal(), two = game.terminal();
-    const std::string run = text_of({.text = "1"});
-    const std::string complete =
-        text_of({.kind = Request::Kind::complete, .text = "wor", .cursor = 3});
+    const std::string run = text_of({.text = "1"}), complete = text_of({Request::Kind::complete});
     for (int i = 0; i < 10; ++i) {
         one.say(run + run + complete + run);
         two.say(complete + run);
     }
-    std::size_t commands = 0, completions = 0;
-    for (int i = 0; i < 60 && completions < 20; ++i) {
+    for (int i = 0; i < 60; ++i) {
+        const std::size_t commands = game.commands.size(), completions = game.completions;
         game.frames();
-        const bool more = game.commands.size() > commands;
-        CHECK(game.completions - completions <= (more ? 0U : 1U));
-        commands = game.commands.size();
-        completions = game.completions;
+        const bool others = game.commands.size() > commands;
+        CHECK(game.completions - completions <= (others ? 0U : 1U));
     }
-    game.frames(4);
-    CHECK(game.completions == 20);
-    CHECK(game.commands.size() == 40);
     CHECK(one.hear().size() == 40);
     CHECK(two.hear().size() == 20);
 }

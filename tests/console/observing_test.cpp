@@ -354,6 +354,14 @@ TEST_CASE("the menu of a property pins and plots and copies its path") {
     choose("Pin");
     REQUIRE(rig.pins().size() == 1);
     CHECK(rig.pins()[0].what().path == "world.ball.mass");
+    open();
+    CHECK(state.context_menu.entry("Pin").empty());
+    rig.press_key("escape");
+    rig.show();
+    choose("Unpin");
+    CHECK(rig.pins().empty());
+    choose("Pin");
+    REQUIRE(rig.pins().size() == 1);
     choose("Plot");
     CHECK(rig.plots().size() == 1);
     choose("Copy path");

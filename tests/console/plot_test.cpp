@@ -10,6 +10,15 @@ namespace plot_test {
 using namespace fettle;
 using console::test::ObservingRig;
 
+TEST_CASE("the time below a plot has from two to five labels") {
+    for (double seconds = 0.05; seconds < 200; seconds *= 1.01) {
+        CAPTURE(seconds);
+        const double labels = seconds / console::seconds_between_labels(seconds);
+        CHECK(labels >= 2);
+        CHECK(labels < 6);
+    }
+}
+
 TEST_CASE("a long error leaves room for the name in the legend, and the tooltip has it whole") {
     ObservingRig rig;
     rig.step(10);

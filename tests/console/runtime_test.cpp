@@ -54,6 +54,30 @@ TEST_CASE("an assignment to gravity in the console is echoed with old and new va
     CHECK(rig.says("world.gravity: vec(0, -10) → vec(0, -2) m/s²"));
 }
 
+TEST_CASE("an assignment to it in the console selects an instance") {
+    LuaRig rig;
+    const property::Handle world = rig.tree.child(rig.tree.root(), "world");
+    rig.run("it = world.ball");
+    CHECK(rig.lua.selected() == rig.tree.child(world, "ball"));
+    rig.run("it.mass = 3");
+    CHECK(rig.value("world.ball.mass") == Value(3.0));
+    rig.run("it = 3");
+    INFO(rig.text());
+    CHECK(rig.says("it: it is the selected instance; expected an instance or nil, not an integer"));
+    CHECK(rig.lua.selected() == rig.tree.child(world, "ball"));
+    rig.run("it.mass = 4");
+    CHECK(rig.value("world.ball.mass") == Value(4.0));
+    rig.run("it = nil");
+    CHECK_FALSE(rig.lua.selected());
+    // The last result cannot be replaced either.
+    rig.run("_, last = 1, 2");
+    rig.run("40 + 2");
+    rig.run("world.ball.mass = _");
+    CHECK(rig.value("world.ball.mass") == Value(42.0));
+    // A variable of a script may have any name.
+    rig.runtime.run("it = 7 _ = 8 assert(it == 7 and _ == 8)", "main.lua");
+}
+
 TEST_CASE("undo of a clone lists no values of the clone") {
     LuaRig rig;
     rig.run("world.ball.mass = 7");

@@ -1,5 +1,7 @@
 // The list of tweaks, used with a mouse.
 
+#include <imgui_internal.h>
+
 #include <fstream>
 #include <iterator>
 
@@ -72,6 +74,19 @@ TEST_CASE("a row of the list of tweaks stays in its place when the one above it 
     const float before = rig.state().views.tweak_list.button(1, "keep").low.y;
     rig.press(0, "keep");
     CHECK(rig.state().views.tweak_list.button(1, "keep").low.y == before);
+}
+
+TEST_CASE("the text of an empty list of tweaks is wrapped") {
+    const Place place;
+    Rig rig({}, place.game());
+    rig.key("grave");
+    property::set(rig.tree, "console.tweaks", true);
+    console::test::RasterSurface narrow(400, 700);
+    for (int i = 0; i < 3; ++i) rig.console.draw(narrow, 1.0 / 60);
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+        INFO(window->Name);
+        CHECK(window->ContentSize.x <= window->Size.x);
+    }
 }
 
 TEST_CASE("in a narrow window the list of tweaks leaves the times to tooltips") {

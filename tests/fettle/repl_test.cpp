@@ -162,6 +162,10 @@ TEST_CASE("in a terminal words are completed and the game goes on") {
     {
         Terminal terminal(folder, game);
         REQUIRE(terminal.shows("Tab completes"));
+        // Of several candidates, only one begins like that.
+        terminal.type("world.step_st = 'so it' world.stepp_x = 1\n");
+        terminal.type("print(world.step_\t, 'is')\n");
+        CHECK(terminal.shows("so it\tis"));
         terminal.type("world.gravit\t\n");
         CHECK(terminal.shows("vec(0, -10) m/s²"));
         CHECK(terminal.shows("späte Zeile"));

@@ -77,6 +77,17 @@ TEST_CASE("an instance prints as a table with units and a set as rows") {
     CHECK(s.console("world:all('Circle'):set('radius', 1) and nil") != "");
 }
 
+TEST_CASE("a long name or value does not move the values of the other properties") {
+    Stage s;
+    s.run(
+        "world.thing = Object {} world.thing.short = 1 world.thing.z = 2 "
+        "world.thing['a_name_that_is_far_longer_than_all_of_the_other_ones'] = 3");
+    const std::string shown = s.console("world.thing");
+    CAPTURE(shown);
+    CHECK_THAT(shown, contains("|  short   1|") && contains("|  z       2"));
+    CHECK_THAT(shown, contains("a_name_that_is_far_longer_than_all_of_the_other_ones  3|"));
+}
+
 TEST_CASE("the console says what the name of a new property may mean") {
     Stage s;
     s.run("world.ball = Body { Circle {} } world.ball.hp = 3 world.plain = Object { health = 1 }");

@@ -252,6 +252,19 @@ int selection(lua_State* L) {
 
 }  // namespace
 
+void assign_it(lua_State* L, int index) {
+    Machine& machine = machine_of(L);
+    std::vector<property::Handle> all;
+    if (instance_at(L, index) != nullptr)
+        all.push_back(check_instance(L, index, "it"));
+    else if (!lua_isnil(L, index))
+        refuse_type(L, index, "it: it is the selected instance; expected an instance or nil");
+    if (const auto& select = (*machine.host.console).select)
+        select(all);
+    else
+        machine.globals.it = all.empty() ? property::Handle() : all.front();
+}
+
 void open_console_functions(lua_State* L) {
     add_function<pin>(L, "pin");
     add_function<unpin>(L, "unpin");

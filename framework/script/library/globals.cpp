@@ -192,6 +192,8 @@ int write_global(lua_State* L) {
     if (lua_type(L, 2) == LUA_TSTRING) {
         const std::string_view name = view_at(L, 2);
         refuse_fixed(machine, name);
+        if (machine.recording.active && name == "it") return assign_it(L, 3), 0;
+        if (machine.recording.active && name == "_") return 0;  // `_, y = f()` drops a result
         if (write_stated(L, machine, name, 3)) return 0;
         // Fettle would never call a function with a misspelled name such as `keypressed`.
         if (lua_type(L, 3) == LUA_TFUNCTION && name.size() >= 8) {

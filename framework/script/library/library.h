@@ -16,6 +16,8 @@ void open_stated(lua_State* L);
 void open_tweaks(lua_State* L);
 void open_history(lua_State* L);
 void open_console_functions(lua_State* L);
+/// `it = ball` in the console: selects the instance at `index`, or nothing if it is nil.
+void assign_it(lua_State* L, int index);
 
 /// Returns true in a replay, and notes that `what` writes nothing. It is not an error, because then
 /// the replay would differ from the recorded run.

@@ -29,20 +29,37 @@ std::string number_for_people(double number) {
     return text;
 }
 
+namespace {
+
+/// The width of a column with cells of such widths. A cell that is far wider than most of them does
+/// not count: it moves the rest of its own row, and not that of all others.
+std::size_t column_width(std::vector<std::size_t> cells) {
+    constexpr std::size_t usual = 32;
+    std::sort(cells.begin(), cells.end());
+    const std::size_t widest = std::max(usual, 2 * cells[cells.size() / 2]);
+    const auto end = std::upper_bound(cells.begin(), cells.end(), widest);
+    return end == cells.begin() ? 0 : *(end - 1);
+}
+
+}  // namespace
+
 std::vector<std::string> columns(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> widths;
+    std::vector<std::vector<std::size_t>> cells;
     for (const auto& row : rows) {
-        widths.resize(std::max(widths.size(), row.size()));
-        for (std::size_t i = 0; i < row.size(); ++i)
-            widths[i] = std::max(widths[i], shown_width(row[i]));
+        cells.resize(std::max(cells.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i) cells[i].push_back(shown_width(row[i]));
     }
+    std::vector<std::size_t> widths;
+    for (std::vector<std::size_t>& column : cells) widths.push_back(column_width(column));
     std::vector<std::string> lines;
     for (const auto& row : rows) {
         std::string line;
         for (std::size_t i = 0; i < row.size(); ++i) {
             if (i) line += "  ";
             line += row[i];
-            if (i + 1 < row.size()) line.append(widths[i] - shown_width(row[i]), ' ');
+            if (const std::size_t width = shown_width(row[i]);
+                i + 1 < row.size() && width < widths[i])
+                line.append(widths[i] - width, ' ');
         }
         while (!line.empty() && line.back() == ' ') line.pop_back();
         lines.push_back(std::move(line));

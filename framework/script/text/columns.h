@@ -14,6 +14,7 @@ inline constexpr std::size_t line_width = 100;  // characters of a value on one 
 /// A number for people: values of floats in short form, integral floats with ".0".
 std::string number_for_people(double number);
 /// Joins the cells of each row. Cells are padded to the width of their column, except in the last.
+/// Cells that are far wider than the others of their column are not cut and stand out of it.
 std::vector<std::string> columns(const std::vector<std::vector<std::string>>& rows);
 /// Number of characters that a terminal shows for UTF-8 text.
 std::size_t shown_width(std::string_view text);

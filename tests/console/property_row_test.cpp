@@ -1,0 +1,79 @@
+// Rows of the inspector: when there is a mark to reset a value, and texts of several lines.
+
+#include "catch.h"
+#include "rig.h"
+
+namespace property_row_test {
+
+using namespace fettle;
+using console::test::Rig;
+using property::Handle;
+using property::Value;
+
+TEST_CASE("what a step wrote has no reset mark even if its module takes it for set") {
+    Rig rig;
+    rig.key("grave");
+    bool awake = false;
+    property::Property property{.name = "roused",
+                                .type = property::Type::boolean,
+                                .default_value = true,
+                                .simulated = true};
+    property::Binding& binding = property.binding;
+    binding.kind = property::BindingKind::accessor;
+    binding.context = &awake;
+    binding.get = [](void* it, property::Row) { return Value(*static_cast<bool*>(it)); };
+    binding.set = [](void* it, property::Row, const Value& value) {
+        *static_cast<bool*>(it) = value.boolean();
+    };
+    binding.reset = [](void* it, property::Row) { *static_cast<bool*>(it) = true; };
+    binding.overridden = [](void* it, property::Row) { return !*static_cast<bool*>(it); };
+    const Handle sleeper = rig.tree.create(
+        rig.tree.define({.name = "Sleeper", .properties = {property}}), rig.tree.root(), "sleeper");
+    rig.console.select(sleeper);
+    rig.draw(3);
+    const auto click_mark = [&] {
+        const console::Rect row =
+            rig.state().inspector.editor().widget_rect(rig.tree.property(sleeper, "roused"));
+        const console::Rect gutter =
+            rig.state().inspector.editor().gutter_rect(rig.tree.property(sleeper, "roused"));
+        REQUIRE_FALSE(gutter.empty());
+        rig.click(gutter.low.x - ImGui::GetFrameHeight() / 2, row.middle().y);
+        rig.draw(2);
+    };
+    click_mark();
+    CHECK_FALSE(awake);
+    awake = true;
+    {
+        const property::Tree::CauseScope cause(rig.tree, property::Writer::console);
+        rig.tree.set(sleeper, "roused", Value(false));
+    }
+    rig.draw(2);
+    click_mark();
+    CHECK(awake);
+}
+
+TEST_CASE("a text of several lines is edited in one line and keeps its line ends") {
+    Rig rig;
+    const Handle ball = rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball");
+    rig.key("grave");
+    rig.console.select(ball);
+    rig.tree.set(ball, "label", Value("one\ntwo ↵"));
+    rig.draw(3);
+    const auto append = [&](const char* text) {
+        const ImVec2 at = rig.widget("label");
+        rig.click(at.x, at.y);
+        rig.draw(3);
+        rig.key("end");
+        rig.type(text);
+        rig.key("enter");
+        rig.draw(3);
+    };
+    append("!");
+    CHECK(rig.value("world.ball.label").text() == "one\ntwo ↵");  // would not come back as it was
+    rig.tree.set(ball, "label", Value("one\ntwo"));
+    rig.draw(3);
+    append(" and more");
+    CHECK(rig.value("world.ball.label").text() == "one\ntwo and more");
+}
+
+}  // namespace property_row_test
