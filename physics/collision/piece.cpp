@@ -40,6 +40,10 @@ Piece::Verdict Piece::decide(int vertex, Vec2 direction) const {
     return is_inner(vertex) ? Verdict::leaves : Verdict::pushes;
 }
 
+bool Piece::continues(int vertex) const {
+    return sign_of(limits_[2 * vertex]) != 0.0f && sign_of(limits_[2 * vertex + 1]) != 0.0f;
+}
+
 int Piece::edge_at(int vertex, Vec2 direction) const {
     const int previous = vertex > 0 ? vertex - 1 : form.count - 1;
     int best = -1;
@@ -129,8 +133,8 @@ bool is_behind_inner(const Piece& piece, float inner, float outer) {
 void collide_circle(const Piece& a, Vec2 center, float radius, Vec2 offset, float margin, bool held,
                     Manifold& m) {
     const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center); });
-    if (axes.greatest() > radius + margin || !a.faces(center, held ? radius + far_behind : 0.0f))
-        return;
+    if (axes.greatest() > radius + margin) return;
+    const bool in_front = a.faces(center, held ? radius + far_behind : 0.0f);
     // The circle is outside an inner edge, or nearer to it than to any other: it meets another
     // piece first.
     const bool hidden = !a.one_sided() && (axes.inner > max(axes.outer.separation, 0.0f) ||
@@ -143,6 +147,7 @@ void collide_circle(const Piece& a, Vec2 center, float radius, Vec2 offset, floa
     const float t1 = dot(center - v1, along), t2 = dot(v2 - center, along);
     const float over = overhang(axes.outer.separation, v1) * length(along);
     if (!hidden && t1 >= -over && t2 >= -over) {
+        if (!in_front) return;
         const float gap = axes.outer.separation;
         one_point(center - gap * n, n, gap, radius, offset, margin, feature_of(edge, 254), m);
         return;
@@ -161,10 +166,38 @@ void collide_circle(const Piece& a, Vec2 center, float radius, Vec2 offset, floa
     const Vec2 p = a.form.vertices[vertex];
     const float distance = std::sqrt(least);
     const Vec2 direction = distance > 1e-9f ? (1.0f / distance) * (center - p) : n;
+    if (!in_front && !a.continues(vertex)) return;
     if (a.decide(vertex, direction) != Piece::Verdict::pushes) return;
     if (axes.greatest() <= 0.0f) return;
     one_point(p, direction, distance, radius, offset, margin, feature_of(vertex, 255), m);
     m.corner = distance;
+}
+
+/// The end of a one-sided segment, 0 or 1, beyond which an ellipse crosses its line; -1: none.
+int crossed_beyond(const EllipseForm& e, Vec2 center, Vec2 v1, Vec2 v2) {
+    // In the frame in which the ellipse is the unit circle.
+    const auto on_circle = [&](Vec2 d) {
+        return Vec2{dot(d, e.axis) / e.first, cross(e.axis, d) / e.second};
+    };
+    const Vec2 p1 = on_circle(v1 - center), p2 = on_circle(v2 - center), along = p2 - p1;
+    if (dot(p1, along) > 0.0f && length_squared(p1) > 1.0f) return 0;
+    if (dot(p2, along) < 0.0f && length_squared(p2) > 1.0f) return 1;
+    return -1;
+}
+
+/// Pushes an ellipse with the corner that is nearest to it, if there is one.
+void push_with_corner(const Piece& a, const EllipseForm& e, Vec2 offset, float margin,
+                      bool in_front, Manifold& m) {
+    const float reach = max(e.first, e.second) + margin;
+    for (int i = 0; i < a.form.count && m.count == 0; ++i) {
+        const Vec2 to_center = e.center + offset - a.form.vertices[i];
+        if (length_squared(to_center) > reach * reach) continue;
+        const RimPoint rim = nearest_on_rim(e, a.form.vertices[i] - offset);
+        if (rim.distance <= 0.0f || (!in_front && !a.continues(i))) continue;
+        if (a.decide(i, -rim.normal) == Piece::Verdict::pushes)
+            one_point(a.form.vertices[i], -rim.normal, rim.distance, 0.0f, offset, margin,
+                      feature_of(i, 255), m);
+    }
 }
 
 void collide_ellipse(const Piece& a, const EllipseForm& e, Vec2 offset, float margin, bool held,
@@ -172,16 +205,22 @@ void collide_ellipse(const Piece& a, const EllipseForm& e, Vec2 offset, float ma
     const Vec2 center = e.center + offset;
     const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center) - e.reach(n); });
     const float depth = held ? e.reach(a.form.normals[0]) + far_behind : 0.0f;
-    if (axes.greatest() > margin || !a.faces(center, depth) || axes.outer.edge < 0) return;
-    if (is_behind_inner(a, axes.inner, axes.outer.separation)) return;
+    if (axes.greatest() > margin || axes.outer.edge < 0) return;
+    const bool in_front = a.faces(center, depth);
+    if (!in_front || is_behind_inner(a, axes.inner, axes.outer.separation)) {
+        push_with_corner(a, e, offset, margin, in_front, m);
+        return;
+    }
     const int edge = axes.outer.edge;
     const int next = edge + 1 < a.form.count ? edge + 1 : 0;
     const Vec2 v1 = a.form.vertices[edge], v2 = a.form.vertices[next];
     const Vec2 n = a.form.normals[edge], along = v2 - v1;
     const Vec2 deepest = e.support(-n) + offset;
     const float over = overhang(axes.outer.separation, v1) * length(along);
-    const bool before = dot(deepest - v1, along) < -over;
-    const bool after = dot(deepest - v2, along) > over;
+    const int end =
+        a.one_sided() && axes.outer.separation < 0.0f ? crossed_beyond(e, center, v1, v2) : -1;
+    const bool before = end == 0 || (end < 0 && dot(deepest - v1, along) < -over);
+    const bool after = end == 1 || (end < 0 && dot(deepest - v2, along) > over);
     if (!before && !after) {
         const float gap = axes.outer.separation;
         one_point(deepest - gap * n, n, gap, 0.0f, offset, margin, feature_of(edge, 254), m);
@@ -194,9 +233,36 @@ void collide_ellipse(const Piece& a, const EllipseForm& e, Vec2 offset, float ma
         const float gap = axes.outer.separation;
         if (is_left_by_all(a, -rim.distance, -gap))
             one_point(deepest - gap * n, n, gap, 0.0f, offset, margin, feature_of(edge, 254), m);
+        else
+            push_with_corner(a, e, offset, margin, in_front, m);
         return;
     }
     one_point(p, -rim.normal, rim.distance, 0.0f, offset, margin, feature_of(vertex, 255), m);
+}
+
+/// A point on the edge of a polygon, at a part of the edge.
+struct EdgePoint {
+    int edge = 0;
+    float part = 0.0f;
+    Vec2 point;
+};
+
+EdgePoint nearest_on_edges(const Convex& form, Vec2 p) {
+    EdgePoint best;
+    float least = 1e30f;
+    for (int i = 0; i < form.count; ++i) {
+        const Vec2 from = form.vertices[i];
+        const Vec2 along = form.vertices[i + 1 < form.count ? i + 1 : 0] - from;
+        const float square = length_squared(along);
+        const float t = square > 0.0f ? clamp(dot(p - from, along) / square, 0.0f, 1.0f) : 0.0f;
+        const Vec2 q = from + t * along;
+        const float d = length_squared(p - q);
+        if (d < least) {
+            least = d;
+            best = {i, t, q};
+        }
+    }
+    return best;
 }
 
 /// A polygon, a capsule, or a piece of another outline.
@@ -217,17 +283,14 @@ class PolygonOnPiece {
         else
             on_b.outer = deepest_edge(Facets(b_), Facets(a_.form).middle() - offset_, lowest_of_a);
         if (on_b.greatest() > reach) return;
-        if (!in_front(a_, b_, offset_) || (piece_b_ && !in_front(*piece_b_, a_.form, -offset_)))
-            return;
         const float best = max(on_a.outer.separation, on_b.outer.separation);
-        if (is_behind_inner(a_, on_a.inner, best) || on_b.inner > best + beyond) return;
-        if (on_b.outer.separation > on_a.outer.separation + face_preference)
-            push_with_b(on_b.outer);
-        else
-            push_with_a(on_a.outer.edge, on_a.outer.separation);
-        if (m_.count == 0 &&
-            is_left_by_all(a_, b_.radius - best, b_.radius - on_a.outer.separation))
-            push_alone(on_a.outer, on_b.outer);
+        if (piece_b_ && !in_front(*piece_b_, a_.form, -offset_)) return;
+        const bool front = in_front(a_, b_, offset_);
+        if (front && !is_behind_inner(a_, on_a.inner, best) && on_b.inner <= best + beyond)
+            push_with_edges(on_a.outer, on_b.outer);
+        // Not of two outlines: tips that hook into each other would hold and let go by turns.
+        const bool apart = max(best, on_a.inner) > face_preference;
+        if (m_.count == 0 && apart && piece_b_ == nullptr) push_with_corner(front);
     }
 
   private:
@@ -240,6 +303,18 @@ class PolygonOnPiece {
         return counted + dot(n, to_other) >= piece.form.offsets[0];
     }
 
+    void push_with_edges(EdgeGap on_a, EdgeGap on_b) {
+        if (on_b.separation > on_a.separation + face_preference)
+            push_with_b(on_b);
+        else
+            push_with_a(on_a.edge, on_a.separation);
+        const float best = max(on_a.separation, on_b.separation);
+        // While the cores are apart, they have nearest points, and the piece that has one pushes.
+        if (m_.count == 0 && best <= face_preference &&
+            is_left_by_all(a_, b_.radius - best, b_.radius - on_a.separation))
+            push_alone(on_a, on_b);
+    }
+
     /// Pushes where no other segment does: with the face, or with the end of the segment if the
     /// face has no point of the other shape above it.
     void push_alone(EdgeGap on_a, EdgeGap on_b) {
@@ -250,6 +325,24 @@ class PolygonOnPiece {
         const int vertex = support(a_.form, outwards);
         one_point(a_.form.vertices[vertex], outwards, on_b.separation, b_.radius, offset_, margin_,
                   feature_of(vertex, on_b.edge), m_);
+    }
+
+    /// Pushes with the corner that is nearest to the other shape, if there is one. It may be at
+    /// none of the edges that separate the shapes best; and most of a shape beside a sharp corner
+    /// is behind one of the two segments that meet there (`front` is false).
+    void push_with_corner(bool front) {
+        for (int i = 0; i < a_.form.count && m_.count == 0; ++i) {
+            if (!front && !a_.continues(i)) continue;
+            const Vec2 p = a_.form.vertices[i] - offset_;
+            const EdgePoint near = nearest_on_edges(b_, p);
+            const float distance = length(near.point - p);
+            if (distance <= face_preference) continue;
+            const Vec2 direction = (1.0f / distance) * (near.point - p);
+            if (a_.decide(i, direction) != Piece::Verdict::pushes) continue;
+            one_point(a_.form.vertices[i], direction, distance, b_.radius, offset_, margin_,
+                      feature_of(i, near.edge), m_);
+            if (near.part == 0.0f || near.part == 1.0f) m_.corner = distance;
+        }
     }
 
     /// Pushes along the normal of an edge of the piece.

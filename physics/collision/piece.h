@@ -38,6 +38,8 @@ class Piece {
     };
     /// Decides whether a vertex pushes along `direction` (unit vector, outwards).
     Verdict decide(int vertex, Vec2 direction) const;
+    /// True if the outline goes on at both sides of a vertex.
+    bool continues(int vertex) const;
     /// The edge of the outline at a vertex with the normal nearest to `direction`; -1 if neither
     /// edge is on the outline.
     int edge_at(int vertex, Vec2 direction) const;

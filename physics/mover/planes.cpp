@@ -13,6 +13,11 @@ namespace {
 
 constexpr float tolerance = 1e-5f;
 
+/// No motion differs from the wanted one by more than this, as a multiple of the greatest error of
+/// the wanted one. Between two obstacles that press from nearly opposite sides, the nearest motion
+/// that both allow may lead out of the end of their wedge, hundreds of meters away.
+constexpr float most_evasion = 10.0f;
+
 bool allows(std::span<const Bound> bounds, Vec2 motion) {
     for (const Bound& bound : bounds)
         if (dot(bound.normal, motion) < bound.least - tolerance) return false;
@@ -44,11 +49,13 @@ Vec2 between(std::span<const Bound> bounds) {
 
 Vec2 allowed_motion(Vec2 wanted, std::span<const Bound> bounds) {
     if (allows(bounds, wanted)) return wanted;
+    float error = 0.0f;
+    for (const Bound& bound : bounds) error = max(error, bound.least - dot(bound.normal, wanted));
     std::optional<Vec2> best;
-    float least = 0.0f;
+    float least = most_evasion * most_evasion * error * error;
     const auto consider = [&](Vec2 motion) {
         const float far = length_squared(motion - wanted);
-        if ((best && far >= least) || !allows(bounds, motion)) return;
+        if (far >= least || !allows(bounds, motion)) return;
         best = motion;
         least = far;
     };

@@ -351,8 +351,14 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, std::span<uint8_t> change
                                             : velocity + max(p.separation, 0.0f) / dt;
         }
         if (!meets[0] && !meets[1]) continue;
-        any = true;
         const PointResponse response(c, joints);
+        for (int k = 0; response.jointed && k < c.count; ++k) {
+            const float forbidden = float(joints->forbidden(response.answers[k], bodies));
+            v[k] -= forbidden;
+            meets[k] = meets[k] && extra.approach[k] - forbidden < -restitution_threshold;
+        }
+        if (!meets[0] && !meets[1]) continue;
+        any = true;
         const Bounce bounce(response, v, meets, extra.restitution);
         for (int k = 0; k < c.count; ++k) {
             const ConstraintPoint& p = c.points[k];

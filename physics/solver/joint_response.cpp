@@ -158,6 +158,24 @@ JointResponse::Answer JointResponse::answer(const Jacobian& contact) {
     return answer;
 }
 
+double JointResponse::forbidden(const Answer& answer, std::span<const SolverBody> bodies) const {
+    const auto speed = [&](uint32_t body, const double(&on)[3]) {
+        const SolverBody& b = bodies[body];
+        return on[0] * double(b.velocity.x) + on[1] * double(b.velocity.y) +
+               on[2] * double(b.angular_velocity);
+    };
+    double sum = 0.0;
+    for (const Answer::Part& part : answer.parts) {
+        const std::vector<DirectRow>& rows = components_[part.component].rows;
+        for (size_t i = 0; i < rows.size(); ++i) {
+            const Jacobian& row = rows[i].jacobian;
+            sum +=
+                part.impulses[Eigen::Index(i)] * (speed(row.a, row.on_a) + speed(row.b, row.on_b));
+        }
+    }
+    return sum;
+}
+
 void JointResponse::push(DirectRow& row, double impulse, std::span<SolverBody> bodies) const {
     row.impulse += impulse;
     const auto add = [&](uint32_t body, const double(&on)[3]) {

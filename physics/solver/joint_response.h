@@ -39,6 +39,9 @@ class JointResponse {
         return first_joints_[a] != none || first_joints_[b] != none;
     }
     Answer answer(const Jacobian& contact);
+    /// The part of the velocity at a contact that its joints do not allow and will take away: that
+    /// of a joint made between bodies which move apart, for example. No impact has to stop it.
+    double forbidden(const Answer& answer, std::span<const SolverBody> bodies) const;
     /// Applies the impulses of the joints; calls `changed(body)` for every body that they move.
     void apply(const Answer& answer, double impulse, std::span<SolverBody> bodies, auto&& changed) {
         for (const Answer::Part& part : answer.parts) {

@@ -218,4 +218,28 @@ TEST_CASE("a mover that pushes a crate stays in touch with it") {
     }
 }
 
+TEST_CASE("a mover that two leaning walls squeeze is not thrown to the end of their wedge") {
+    for (unsigned seed = 1; seed <= 50; ++seed) {
+        std::mt19937 engine(seed);
+        const auto random = [&engine](float low, float high) {
+            return low + (high - low) * float(engine()) / 4294967296.0f;
+        };
+        World world;
+        const float lean = random(0.002f, 0.05f), squeezed = random(0.01f, 0.06f);
+        for (const float side : {-1.0f, 1.0f}) {
+            Body wall = world.create_body({.type = BodyType::static_body,
+                                           .position = {side * (0.9f - 0.5f * squeezed), 0},
+                                           .angle = -side * lean});
+            wall.add(Box{.width = 1, .height = 200});
+        }
+        Mover mover(MoverDef{.radius = 0.4f, .height = 0.8f}, {0, -0.4f});
+        for (int step = 0; step < 20; ++step) {
+            const Position before = mover.position();
+            mover.move(world, {random(-4, 4), random(-4, 0)}, 1.0f / 60);
+            INFO("seed " << seed << ", step " << step);
+            REQUIRE((mover.position() - before).length() < 1);
+        }
+    }
+}
+
 }  // namespace mover_family_test
