@@ -22,10 +22,6 @@ struct JointStep {
     Softness rigid;              ///< softness of rigid rows
     /// A wider gap is closed as fast as this one, m.
     float greatest_gap = 1e30f;
-    /// What a gap is wider than this, m, is closed in addition, with this share of the softness. No
-    /// impact makes such gaps, but edits do.
-    static constexpr float wide_gap = 0.5f;
-    float wide_share = 0.0f;
 
     /// The softness with which a row closes a gap. If the gap is too wide, the correction and what
     /// the row yields are scaled alike: this limits the speed, and the force is still in proportion
@@ -34,7 +30,7 @@ struct JointStep {
     Softness softness(float gap) const {
         gap = std::abs(gap);
         if (gap <= greatest_gap) return rigid;
-        const float share = (greatest_gap + wide_share * max(gap - wide_gap, 0.0f)) / gap;
+        const float share = greatest_gap / gap;
         return {share * rigid.bias_rate, rigid.mass_scale, share * rigid.impulse_scale};
     }
     Softness softness(Vec2 gap) const { return softness(max(std::abs(gap.x), std::abs(gap.y))); }

@@ -38,15 +38,11 @@ constexpr LoadSettings settings_of_load[JointScratch::loads] = {{0.0f, 60.0f, 0.
                                                                 {10.0f, 120.0f, 0.5f, 4, 16.0f},
                                                                 {100.0f, 240.0f, 1.0f, 16, 64.0f}};
 
-/// Gaps of meters come from edits. They are closed in proportion to their width, at this rate, 1/s.
-constexpr float wide_rate = 6.0f;
-
 /// Sets how the joints under a load are solved.
 void follow_load(size_t load, JointStep& step) {
     const LoadSettings& settings = settings_of_load[load];
     step.rigid = make_softness(min(settings.hertz, settings.share / step.h), 2.0f, step.h);
     step.greatest_gap = settings.speed / step.rigid.bias_rate;
-    step.wide_share = min(wide_rate / step.rigid.bias_rate, 1.0f);
 }
 
 bool moves(const SolverBody& body) {

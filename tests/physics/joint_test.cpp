@@ -114,17 +114,4 @@ TEST_CASE("bodies do not fall asleep while a joint draws them together") {
         if (body.type() == BodyType::dynamic_body) CHECK_FALSE(body.awake());
 }
 
-// Edits make gaps of meters. They close within a second, and leave no speed.
-TEST_CASE("a joint between bodies that are meters apart soon holds them together") {
-    const float apart = GENERATE(1.0f, 3.0f, 10.0f);
-    World world({.gravity = {0, 0}});
-    Body a = add_box(world, {0, 0}), b = add_box(world, {1 + apart, 0});
-    const Joint pin = world.create_revolute_joint(
-        {.body_a = a.id(), .body_b = b.id(), .anchor_a = {0.5f, 0}, .anchor_b = {-0.5f, 0}});
-    run(world, 1);
-    CHECK(pin.separation() < 0.01f);
-    CHECK(a.velocity().length() < 0.01f);
-    CHECK(b.velocity().length() < 0.01f);
-}
-
 }  // namespace joint_test

@@ -161,8 +161,8 @@ Cases form_cases() {
         const Picture picture = s.draw();
         return picture.figures.at(0).size == Approx(0.3) && s.load() < 9.5;
     });
-    cases["Segment.from"] = of("Segment", make_case(Vec2(-0.5, -0.5), 60, rises_to(0.3)));
-    cases["Segment.to"] = of("Segment", make_case(Vec2(0.5, -0.5), 60, rises_to(0.3)));
+    cases["Segment.from"] = of("Segment", make_case(Vec2(-0.5, -0.5), 60, rises_to(0.2)));
+    cases["Segment.to"] = of("Segment", make_case(Vec2(0.5, -0.5), 60, rises_to(0.2)));
     cases["Capsule.from"] = of("Capsule", make_case(Vec2(-0.25, -0.5), 15, rises_to(0.35)));
     cases["Capsule.to"] = of("Capsule", make_case(Vec2(0.25, -0.5), 15, rises_to(0.35)));
     cases["Capsule.radius"] = of("Capsule", make_case(0.6, 60, rises_to(0.55)));

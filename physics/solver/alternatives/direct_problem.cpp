@@ -19,7 +19,6 @@
 //     (I + Σ dᵢ·ĵᵢᵀ·ĵᵢ)·u = Σ_bound ĵᵢᵀ·λᵢ - Σ_free ĵᵢᵀ·(dᵢ·(J·v₀)ᵢ + fᵢ),   ĵ = J·M^(-½),
 //
 // whose matrix is as sparse as the graph of contacts and joints, symmetric, and positive definite
-// whose matrix is as sparse as the graph of contacts and joints, symmetric, and positive definite
 // even if rows are redundant: a sparse Cholesky factorization with three unknowns per body. The
 // search begins with the sets of the previous pass, which are correct in most cases. (M. Anitescu
 // and F. Potra, "Formulating dynamic multi-rigid-body contact problems with friction as solvable
