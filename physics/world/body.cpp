@@ -32,8 +32,8 @@ void kick(const BodyRecord& record, BodyState& state, Vec2 impulse, float angula
 }  // namespace
 
 void detail::teleport(WorldData& data, uint32_t body, const Position& position, float angle) {
-    data.change(wake_for_edit, body);
-    data.change(wake_touching, body);
+    data.change<wake_for_edit>(body);
+    data.change<wake_touching>(body);
     BodyState& state = data.states[body];
     state.position = position;
     if (state.angle != angle) {
@@ -45,7 +45,7 @@ void detail::teleport(WorldData& data, uint32_t body, const Position& position, 
     }
     data.previous[body] = {position, angle};
     data.bodies[body].center = position + rotate(rotation(state), data.bodies[body].local_center);
-    data.change(mark_placement, body);
+    data.change<mark_placement>(body);
 }
 
 void detail::refuse_border_body(const char* function) {
@@ -66,7 +66,7 @@ World& Body::world() const {
 void Body::destroy() {
     FETTLE_EDIT_BODY
     data.self.may_populate("Body", __func__);
-    data.change(detail::destroy_body, id_.index);
+    data.change<detail::destroy_body>(id_.index);
 }
 
 FETTLE_BODY_READ(BodyType, type, record.type)
@@ -97,8 +97,8 @@ FETTLE_BODY_NUMBER(angular_damping, angular_damping, check_not_negative)
     void Body::set_##name(bool locked) {            \
         FETTLE_EDIT_BODY                            \
         record.flags.name = locked;                 \
-        data.change(mark_mass, id_.index);          \
-        data.change(wake_body, id_.index);          \
+        data.change<mark_mass>(id_.index);          \
+        data.change<wake_body>(id_.index);          \
     }
 FETTLE_BODY_LOCK(locked_x)
 FETTLE_BODY_LOCK(locked_y)
@@ -107,11 +107,11 @@ FETTLE_BODY_LOCK(locked_rotation)
 void Body::set_type(BodyType type) {
     FETTLE_EDIT_BODY
     if (check_enumerator("type", type, BodyType::dynamic_body) == record.type) return;
-    data.change(wake_for_edit, id_.index);
+    data.change<wake_for_edit>(id_.index);
     record.type = type;
-    data.change(mark_mass, id_.index);
-    data.change(detail::refresh_mass,
-                id_.index);  // at once, because reading `awake` or setting a velocity depends on it
+    data.change<mark_mass>(id_.index);
+    // At once, because reading `awake` or setting a velocity depends on it.
+    data.change<detail::refresh_mass>(id_.index);
 }
 
 void Body::set_position(const Position& position) {
@@ -138,7 +138,7 @@ namespace {
 bool moves_after_edit(WorldData& data, uint32_t body) {
     data.read_mass(body);
     if (data.bodies[body].mobility == Mobility::fixed) return keeps_motion(data.bodies[body]);
-    data.change(wake_for_edit, body);
+    data.change<wake_for_edit>(body);
     return true;
 }
 
@@ -179,7 +179,7 @@ void Body::set_target(const Pose& target, float dt) {
 void Body::set_force(const Vec2& force) {
     FETTLE_EDIT_BODY
     record.load.force = check_finite("force", force);
-    data.change(wake_body, id_.index);
+    data.change<wake_body>(id_.index);
 }
 
 namespace {
@@ -192,7 +192,7 @@ constexpr float greatest_force = std::numeric_limits<float>::max();
 void push(WorldData& data, uint32_t body, Vec2 force, float torque) {
     BodyRecord& record = data.bodies[body];
     if (record.mobility != Mobility::dynamic) return;
-    data.change(wake_body, body);
+    data.change<wake_body>(body);
     record.step_load.force = bounded(record.step_load.force + force, greatest_force);
     record.step_load.torque = bounded(record.step_load.torque + torque, greatest_force);
 }
@@ -225,7 +225,7 @@ void Body::apply_impulse(const Vec2& impulse) {
     FETTLE_EDIT_BODY
     check_finite("impulse", impulse);
     data.read_mass(id_.index);
-    data.change(wake_body, id_.index);
+    data.change<wake_body>(id_.index);
     kick(record, state, impulse, 0.0f);
 }
 
@@ -234,7 +234,7 @@ void Body::apply_impulse(const Vec2& impulse, const Position& world_point) {
     check_finite("impulse", impulse);
     check_finite_point("world_point", world_point);
     data.read_mass(id_.index);
-    data.change(wake_body, id_.index);
+    data.change<wake_body>(id_.index);
     kick(record, state, impulse, cross(world_point - record.center, impulse));
 }
 
@@ -242,29 +242,29 @@ void Body::apply_angular_impulse(float impulse) {
     FETTLE_EDIT_BODY
     check_finite("impulse", impulse);
     data.read_mass(id_.index);
-    data.change(wake_body, id_.index);
+    data.change<wake_body>(id_.index);
     kick(record, state, {}, impulse);
 }
 
 void Body::set_awake(bool awake) {
     FETTLE_EDIT_BODY
     if (awake) {
-        data.change(wake_body, id_.index);
+        data.change<wake_body>(id_.index);
     } else if (data.settings.sleeping) {
         data.read_all();
-        data.change(put_group_to_sleep, id_.index);
+        data.change<put_group_to_sleep>(id_.index);
     }
 }
 
 void Body::set_can_sleep(bool can_sleep) {
     FETTLE_EDIT_BODY
     record.flags.can_sleep = can_sleep;
-    if (!can_sleep) data.change(wake_body, id_.index);
+    if (!can_sleep) data.change<wake_body>(id_.index);
 }
 
 void Body::set_enabled(bool enabled) {
     FETTLE_EDIT_BODY
-    data.change(set_body_enabled, id_.index, enabled);
+    data.change<set_body_enabled>(id_.index, enabled);
 }
 
 std::string Body::name() const {
@@ -283,7 +283,7 @@ void Body::set_max_speed(float speed) {
     check_inertial("max_speed", speed);
     traits_of(data, id_.index).max_speed = speed;
     settle_traits(data, id_.index);
-    data.change(wake_body, id_.index);
+    data.change<wake_body>(id_.index);
 }
 
 std::optional<float> Body::sleep_speed_override() const {
@@ -297,7 +297,7 @@ void Body::set_sleep_speed(std::optional<float> speed) {
     if (speed) check_not_negative("sleep_speed", *speed);
     traits_of(data, id_.index).sleep_speed = speed.value_or(not_given);
     settle_traits(data, id_.index);
-    data.change(wake_body, id_.index);
+    data.change<wake_body>(id_.index);
 }
 
 void Body::set_bullet(bool bullet) {
@@ -354,7 +354,7 @@ Shape Body::add(const Geometry& geometry, const ShapeDef& def) {
     FETTLE_EDIT_BODY
     data.self.may_populate("Body", __func__);
     const Shape shape = link_->world->create_shape(geometry, def);
-    data.change(detail::attach_shape, shape.index(), id_.index);
+    data.change<detail::attach_shape>(shape.index(), id_.index);
     return shape;
 }
 

@@ -39,7 +39,7 @@ void set_function(WorldData& data, BodyId body, Function BodyFunctions::*which,
     BodyFunctions& own = functions_of(data.self, body);
     std::swap(own.*which, function);
     if (!own.velocity && !own.position) all.erase(all.begin() + (&own - all.data()));
-    data.change(wake_body, body.index);
+    data.change<wake_body>(body.index);
 }
 
 /// The value that a function of the user has set, within limits; NaN: what was there.
