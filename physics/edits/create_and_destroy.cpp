@@ -79,15 +79,19 @@ void apply_bounds(const Editing& e) {
 }
 
 void make_room_for_body(const Editing& e) {
-    make_room_in_each(e.objects.bodies, e.objects.rest_poses, e.columns.states, e.columns.previous,
-                      e.columns.body_generations, e.active.awake_bodies, e.active.edited_bodies);
+    if (e.objects.body_slots.free == none)
+        make_room_in_each(e.objects.bodies, e.objects.rest_poses, e.columns.states,
+                          e.columns.previous, e.columns.body_generations);
+    make_room_in_each(e.active.awake_bodies, e.active.edited_bodies);
 }
 
 void make_room_for_shape(const Editing& e, const Geometry& geometry) {
     ObjectState& objects = e.objects;
-    make_room_in_each(objects.shapes, objects.forms, e.broad_phase.boxes, e.broad_phase.fat_boxes,
-                      e.broad_phase.paired_boxes, e.columns.shape_generations,
-                      e.active.edited_shapes, e.active.edited_bodies);
+    if (objects.shape_slots.free == none)
+        make_room_in_each(objects.shapes, objects.forms, e.broad_phase.boxes,
+                          e.broad_phase.fat_boxes, e.broad_phase.paired_boxes,
+                          e.columns.shape_generations);
+    make_room_in_each(e.active.edited_shapes, e.active.edited_bodies);
     size_t vertices = 4;
     if (const Polygon* polygon = std::get_if<Polygon>(&geometry))
         vertices = polygon->vertices.size();

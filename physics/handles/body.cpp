@@ -49,7 +49,7 @@ World& Body::world() const {
 void Body::destroy() {
     FETTLE_EDIT_BODY
     data.self.may_populate("Body", __func__);
-    data.change(detail::destroy_body, id_.index);
+    data.change<detail::destroy_body>(id_.index);
 }
 
 FETTLE_BODY_READ(BodyType, type, record.type)
@@ -80,8 +80,8 @@ FETTLE_BODY_NUMBER(angular_damping, angular_damping, check_not_negative)
     void Body::set_##name(bool locked) {            \
         FETTLE_EDIT_BODY                            \
         record.flags.name = locked;                 \
-        data.change(mark_mass, id_.index);          \
-        data.change(wake_body, id_.index);          \
+        data.change<mark_mass>(id_.index);          \
+        data.change<wake_body>(id_.index);          \
     }
 FETTLE_BODY_LOCK(locked_x)
 FETTLE_BODY_LOCK(locked_y)
@@ -90,21 +90,21 @@ FETTLE_BODY_LOCK(locked_rotation)
 void Body::set_type(BodyType type) {
     FETTLE_EDIT_BODY
     if (check_enumerator("type", type, BodyType::dynamic_body) == record.type) return;
-    data.change(wake_for_edit, id_.index);
+    data.change<wake_for_edit>(id_.index);
     record.type = type;
-    data.change(mark_mass, id_.index);
-    data.change(detail::refresh_mass,
-                id_.index);  // at once, because reading `awake` or setting a velocity depends on it
+    data.change<mark_mass>(id_.index);
+    // At once, because reading `awake` or setting a velocity depends on it.
+    data.change<detail::refresh_mass>(id_.index);
 }
 
 void Body::set_position(const Position& position) {
     FETTLE_EDIT_BODY
-    data.change(teleport, id_.index, check_coordinates("position", position), state.angle);
+    data.change<teleport>(id_.index, check_coordinates("position", position), state.angle);
 }
 
 void Body::set_angle(float angle) {
     FETTLE_EDIT_BODY
-    data.change(teleport, id_.index, state.position,
+    data.change<teleport>(id_.index, state.position,
                 check_range("angle", angle, -greatest_coordinate, greatest_coordinate));
 }
 
@@ -112,7 +112,7 @@ void Body::set_pose(const Pose& pose) {
     FETTLE_EDIT_BODY
     check_coordinates("position", pose.position);
     check_range("angle", pose.angle, -greatest_coordinate, greatest_coordinate);
-    data.change(teleport, id_.index, pose.position, pose.angle);
+    data.change<teleport>(id_.index, pose.position, pose.angle);
 }
 
 namespace {
@@ -121,7 +121,7 @@ namespace {
 bool moves_after_edit(WorldData& data, uint32_t body) {
     data.read_mass(body);
     if (data.bodies[body].mobility == Mobility::fixed) return keeps_motion(data.bodies[body]);
-    data.change(wake_for_edit, body);
+    data.change<wake_for_edit>(body);
     return true;
 }
 
@@ -162,7 +162,7 @@ void Body::set_target(const Pose& target, float dt) {
 void Body::set_force(const Vec2& force) {
     FETTLE_EDIT_BODY
     record.load.force = check_finite("force", force);
-    data.change(wake_body, id_.index);
+    data.change<wake_body>(id_.index);
 }
 
 namespace {
@@ -175,7 +175,7 @@ constexpr float greatest_force = std::numeric_limits<float>::max();
 void push(WorldData& data, uint32_t body, Vec2 force, float torque) {
     BodyRecord& record = data.bodies[body];
     if (record.mobility != Mobility::dynamic) return;
-    data.change(wake_body, body);
+    data.change<wake_body>(body);
     record.step_load.force = bounded(record.step_load.force + force, greatest_force);
     record.step_load.torque = bounded(record.step_load.torque + torque, greatest_force);
 }
@@ -208,7 +208,7 @@ void Body::apply_impulse(const Vec2& impulse) {
     FETTLE_EDIT_BODY
     check_finite("impulse", impulse);
     data.read_mass(id_.index);
-    data.change(wake_body, id_.index);
+    data.change<wake_body>(id_.index);
     kick(record, state, impulse, 0.0f);
 }
 
@@ -217,7 +217,7 @@ void Body::apply_impulse(const Vec2& impulse, const Position& world_point) {
     check_finite("impulse", impulse);
     check_finite_point("world_point", world_point);
     data.read_mass(id_.index);
-    data.change(wake_body, id_.index);
+    data.change<wake_body>(id_.index);
     kick(record, state, impulse, cross(world_point - record.center, impulse));
 }
 
@@ -225,29 +225,29 @@ void Body::apply_angular_impulse(float impulse) {
     FETTLE_EDIT_BODY
     check_finite("impulse", impulse);
     data.read_mass(id_.index);
-    data.change(wake_body, id_.index);
+    data.change<wake_body>(id_.index);
     kick(record, state, {}, impulse);
 }
 
 void Body::set_awake(bool awake) {
     FETTLE_EDIT_BODY
     if (awake) {
-        data.change(wake_body, id_.index);
+        data.change<wake_body>(id_.index);
     } else if (data.settings.sleeping) {
         data.read_all();
-        data.change(put_group_to_sleep, id_.index);
+        data.change<put_group_to_sleep>(id_.index);
     }
 }
 
 void Body::set_can_sleep(bool can_sleep) {
     FETTLE_EDIT_BODY
     record.flags.can_sleep = can_sleep;
-    if (!can_sleep) data.change(wake_body, id_.index);
+    if (!can_sleep) data.change<wake_body>(id_.index);
 }
 
 void Body::set_enabled(bool enabled) {
     FETTLE_EDIT_BODY
-    data.change(set_body_enabled, id_.index, enabled);
+    data.change<set_body_enabled>(id_.index, enabled);
 }
 
 std::string Body::name() const {
@@ -266,7 +266,7 @@ void Body::set_max_speed(float speed) {
     check_inertial("max_speed", speed);
     traits_of(data, id_.index).max_speed = speed;
     settle_traits(data, id_.index);
-    data.change(wake_body, id_.index);
+    data.change<wake_body>(id_.index);
 }
 
 std::optional<float> Body::sleep_speed_override() const {
@@ -280,7 +280,7 @@ void Body::set_sleep_speed(std::optional<float> speed) {
     if (speed) check_not_negative("sleep_speed", *speed);
     traits_of(data, id_.index).sleep_speed = speed.value_or(not_given);
     settle_traits(data, id_.index);
-    data.change(wake_body, id_.index);
+    data.change<wake_body>(id_.index);
 }
 
 void Body::set_bullet(bool bullet) {
@@ -337,7 +337,7 @@ Shape Body::add(const Geometry& geometry, const ShapeDef& def) {
     FETTLE_EDIT_BODY
     data.self.may_populate("Body", __func__);
     const Shape shape = link_->world->create_shape(geometry, def);
-    data.change(detail::attach_shape, shape.index(), id_.index);
+    data.change<detail::attach_shape>(shape.index(), id_.index);
     return shape;
 }
 

@@ -32,7 +32,7 @@ void set_function(WorldData& data, BodyId body, Function BodyFunctions::*which,
     BodyFunctions& own = functions_of(data.self, body);
     std::swap(own.*which, function);
     if (!own.velocity && !own.position) all.erase(all.begin() + (&own - all.data()));
-    data.change(wake_body, body.index);
+    data.change<wake_body>(body.index);
 }
 
 }  // namespace

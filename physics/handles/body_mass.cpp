@@ -26,23 +26,23 @@ FETTLE_BODY_READ(uint32_t, rebuilds, record.rebuilds)
 void Body::set_mass(std::optional<float> mass) {
     FETTLE_EDIT_BODY
     record.given.mass = check_inertial("mass", mass).value_or(not_given);
-    data.change(wake_for_edit, id_.index);
-    data.change(mark_mass, id_.index);
+    data.change<wake_for_edit>(id_.index);
+    data.change<mark_mass>(id_.index);
 }
 
 void Body::set_inertia(std::optional<float> inertia) {
     FETTLE_EDIT_BODY
     record.given.inertia = check_inertial("inertia", inertia).value_or(not_given);
-    data.change(wake_body, id_.index);
-    data.change(mark_mass, id_.index);
+    data.change<wake_body>(id_.index);
+    data.change<mark_mass>(id_.index);
 }
 
 void Body::set_center(std::optional<Vec2> center) {
     FETTLE_EDIT_BODY
     record.given.center =
         center ? check_coordinates("center", *center) : Vec2{not_given, not_given};
-    data.change(wake_body, id_.index);
-    data.change(mark_mass, id_.index);
+    data.change<wake_body>(id_.index);
+    data.change<mark_mass>(id_.index);
 }
 
 std::optional<Vec2> Body::center_override() const {

@@ -21,7 +21,7 @@ namespace {
 bool wake_for_write(WorldData& data, uint32_t index) {
     data.read_mass(index);
     if (data.bodies[index].mobility == Mobility::fixed) return false;
-    data.change(wake_for_edit, index);
+    data.change<wake_for_edit>(index);
     return true;
 }
 

@@ -47,7 +47,7 @@ Field World::create_field(const FieldDef& def) {
     const FieldDef own = def;  // a copy: a reference into the list of fields would become invalid
     const uint32_t slot = data.field_slots.take(data.fields);
     data.fields[slot] = {own, data.self.link->generations.take(), none};
-    data.change(detail::wake_all);
+    data.change<detail::wake_all>();
     return {this, {slot, data.fields[slot].generation}};
 }
 
@@ -100,14 +100,14 @@ void Field::set(const FieldDef& wanted) {
         data.self.may_edit("Field", __func__);
     check(wanted);
     def = wanted;
-    data.change(detail::wake_all);
+    data.change<detail::wake_all>();
 }
 
 void Field::destroy() {
     WorldData& data = live();
     data.self.may_populate("Field", __func__);
     data.field_slots.give_back(data.fields, id_.index);
-    data.change(detail::wake_all);
+    data.change<detail::wake_all>();
 }
 
 }  // namespace fettle::physics

@@ -59,7 +59,7 @@ inline void may_edit_body(const WorldData& data, BodyId id, const char* function
     void Body::set_##name(float value) {       \
         FETTLE_EDIT_BODY                       \
         record.cell = check(#name, value);     \
-        data.change(wake_body, id_.index);     \
+        data.change<wake_body>(id_.index);     \
     }
 
 // The first line of every method of `Shape` that requires a live shape: declares `data` and its

@@ -40,7 +40,7 @@ void set_filtering(WorldData& data, uint32_t shape, T ShapeDef::*what, T value) 
     data.shapes[shape].surface.*what = value;
     share_surface(data, shape);
     WorldLock lock(data.self, WorldLock::During::change, in_edit);
-    data.change(detail::refilter, data.user_filter(), shape);
+    data.change<detail::refilter>(data.user_filter(), shape);
     lock.finish();
 }
 
@@ -50,7 +50,7 @@ void detail::surface_changed(WorldData& data, uint32_t shape) {
     share_surface(data, shape);
     if (data.forms[shape].body == none) return;
     remix_shape(data, data.settings, shape);
-    data.change(wake_for_edit, data.forms[shape].body);
+    data.change<wake_for_edit>(data.forms[shape].body);
 }
 
 bool Shape::is_valid() const {
@@ -70,7 +70,7 @@ void Shape::destroy() {
     FETTLE_EDIT_SHAPE
     data.self.may_populate("Shape", __func__);
     refuse_border(record, "bounds");
-    data.change(detail::destroy_shape, id_.index);
+    data.change<detail::destroy_shape>(id_.index);
 }
 
 Body Shape::body() const {
@@ -89,14 +89,14 @@ void Shape::attach(const Body& body) {
     if (body.index() == 0)
         throw std::invalid_argument("body: the bounds of the world take no other shapes");
     if (form.body == body.index()) return;
-    data.change(detail::attach_shape, id_.index, body.index());
+    data.change<detail::attach_shape>(id_.index, body.index());
 }
 
 void Shape::detach() {
     FETTLE_EDIT_SHAPE
     data.self.may_populate("Shape", __func__);
     refuse_border(record, "bounds");
-    if (form.body != none) data.change(detail::detach_shape, id_.index);
+    if (form.body != none) data.change<detail::detach_shape>(id_.index);
 }
 
 FETTLE_SHAPE_READ(ShapeType, type, record.type)
@@ -146,8 +146,8 @@ void Shape::set_density(float density) {
     refuse_border_any(record, "density");
     record.surface.density = check_not_negative("density", density);
     if (form.body == none) return;
-    data.change(wake_body, form.body);
-    data.change(mark_mass, form.body);
+    data.change<wake_body>(form.body);
+    data.change<mark_mass>(form.body);
 }
 
 void Shape::set_sensor(bool sensor) {
@@ -155,15 +155,15 @@ void Shape::set_sensor(bool sensor) {
     refuse_border_any(record, "sensor");
     if (record.surface.sensor == sensor) return;
     if (form.body != none) {
-        data.change(wake_for_edit, form.body);
-        data.change(wake_touching, form.body);
+        data.change<wake_for_edit>(form.body);
+        data.change<wake_touching>(form.body);
         // The contacts end with their old kind, as sensor contacts or not.
-        data.change(destroy_contacts_of_shape, id_.index);
+        data.change<destroy_contacts_of_shape>(id_.index);
     }
     record.surface.sensor = sensor;
     data.sensors += sensor ? 1u : ~0u;  // ± 1, modulo 2³²
     share_surface(data, id_.index);
-    if (form.body != none) data.change(mark_refiltered, id_.index);
+    if (form.body != none) data.change<mark_refiltered>(id_.index);
 }
 
 void Shape::set_hit_events(bool enabled) {

@@ -16,10 +16,10 @@ namespace {
 void geometry_changed(WorldData& data, uint32_t shape) {
     const uint32_t body = data.forms[shape].body;
     if (body != none) {
-        data.change(wake_for_edit, body);
-        data.change(wake_touching, body);
+        data.change<wake_for_edit>(body);
+        data.change<wake_touching>(body);
     }
-    data.change(mark_geometry, shape);
+    data.change<mark_geometry>(shape);
 }
 
 /// The type of a shape with that figure.
@@ -108,7 +108,7 @@ void Shape::set_geometry(const Geometry& geometry) {
     if (const Polygon* polygon = std::get_if<Polygon>(&geometry))
         convex_hull(polygon->vertices, hull);
     geometry_changed(data, id_.index);
-    data.change(detail::set_form, id_.index, geometry, hull);
+    data.change<detail::set_form>(id_.index, geometry, hull);
 }
 
 #define FETTLE_MEASURE(Value, Argument, name, ...)               \
@@ -164,7 +164,7 @@ HullStatus Shape::try_set_vertices(std::span<const Vec2> points) {
     if (status != HullStatus::ok) return status;
     for (const Vec2& v : hull) check_point("vertices", v);
     geometry_changed(data, id_.index);
-    data.change(detail::set_form, id_.index, Polygon{{}, polygon_rounding(record)}, hull);
+    data.change<detail::set_form>(id_.index, Polygon{{}, polygon_rounding(record)}, hull);
     return status;
 }
 
@@ -178,7 +178,7 @@ void Shape::set_vertices(std::span<const Vec2> given) {
         else
             check_chain(points, record.closed);
         geometry_changed(data, id_.index);
-        data.change(write_outline, id_.index, points);
+        data.change<write_outline>(id_.index, points);
         return;
     }
     const HullStatus status = try_set_vertices(points);

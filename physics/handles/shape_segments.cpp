@@ -73,7 +73,7 @@ void Shape::set_segment_surface(uint32_t segment, const std::optional<SegmentSur
     of_chain(data, id_.index, __func__);
     if (surface) check(*surface);
     check_segment(data, id_.index, segment);
-    data.change(set_own_surface, id_.index, segment, surface);
+    data.change<set_own_surface>(id_.index, segment, surface);
     surface_changed(data, id_.index);
 }
 
@@ -88,7 +88,7 @@ void Shape::set_segment_surfaces(std::span<const SegmentSurface> surfaces) {
                                     std::to_string(surfaces.size()));
     forget_segment_surfaces(data, id_.index);
     for (uint32_t i = 0; i < surfaces.size(); ++i)
-        data.change(set_own_surface, id_.index, i, surfaces[i]);
+        data.change<set_own_surface>(id_.index, i, surfaces[i]);
     surface_changed(data, id_.index);
 }
 

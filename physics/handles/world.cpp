@@ -243,36 +243,37 @@ void World::reserve(const Capacity& capacity) {
     FETTLE_WORLD_SETTING(float, float, name, check(#name, value), then)
 
 FETTLE_WORLD_SETTING(Vec2, const Vec2&, gravity, check_finite("gravity", value),
-                     data.change(detail::wake_all))
+                     data.change<detail::wake_all>())
 FETTLE_WORLD_SETTING(int, int, substeps, check_count("substeps", value, 1, 64), )
 int World::last_substeps() const {
     return data_->last_substeps;
 }
 FETTLE_WORLD_SETTING(const std::optional<Aabb>&, const std::optional<Aabb>&, bounds,
-                     value ? check_box("bounds", *value) : value, data.change(detail::apply_bounds))
-FETTLE_WORLD_NUMBER(bounds_friction, check_not_negative, data.change(detail::apply_bounds))
+                     value ? check_box("bounds", *value) : value,
+                     data.change<detail::apply_bounds>())
+FETTLE_WORLD_NUMBER(bounds_friction, check_not_negative, data.change<detail::apply_bounds>())
 FETTLE_WORLD_SETTING(float, float, bounds_restitution,
                      check_range("bounds_restitution", value, 0.0f, 1.0f),
-                     data.change(detail::apply_bounds))
-FETTLE_WORLD_SETTING(bool, bool, sleeping, value, if (!value) data.change(detail::wake_all))
+                     data.change<detail::apply_bounds>())
+FETTLE_WORLD_SETTING(bool, bool, sleeping, value, if (!value) data.change<detail::wake_all>())
 FETTLE_WORLD_SETTING(bool, bool, continuous, value, )
 FETTLE_WORLD_NUMBER(restitution_threshold, check_not_negative, )
 FETTLE_WORLD_NUMBER(hit_threshold, check_not_negative, )
-FETTLE_WORLD_NUMBER(sleep_speed, check_not_negative, data.change(detail::wake_all))
-FETTLE_WORLD_NUMBER(sleep_delay, check_not_negative, data.change(detail::wake_all))
-FETTLE_WORLD_NUMBER(contact_hertz, check_not_negative, data.change(detail::wake_all))
-FETTLE_WORLD_NUMBER(contact_damping, check_not_negative, data.change(detail::wake_all))
-FETTLE_WORLD_NUMBER(push_speed, check_not_negative, data.change(detail::wake_all))
+FETTLE_WORLD_NUMBER(sleep_speed, check_not_negative, data.change<detail::wake_all>())
+FETTLE_WORLD_NUMBER(sleep_delay, check_not_negative, data.change<detail::wake_all>())
+FETTLE_WORLD_NUMBER(contact_hertz, check_not_negative, data.change<detail::wake_all>())
+FETTLE_WORLD_NUMBER(contact_damping, check_not_negative, data.change<detail::wake_all>())
+FETTLE_WORLD_NUMBER(push_speed, check_not_negative, data.change<detail::wake_all>())
 FETTLE_WORLD_SETTING(MixRule, MixRule, friction_mix,
                      check_enumerator("friction_mix", value, MixRule::geometric), remix_all(data);
-                     data.change(detail::wake_all))
+                     data.change<detail::wake_all>())
 FETTLE_WORLD_SETTING(MixRule, MixRule, restitution_mix,
                      check_enumerator("restitution_mix", value, MixRule::geometric),
                      remix_all(data);
-                     data.change(detail::wake_all))
+                     data.change<detail::wake_all>())
 FETTLE_WORLD_SETTING(bool, bool, persist_events, value, )
 FETTLE_WORLD_SETTING(Solver, Solver, solver, check_enumerator("solver", value, Solver::direct),
-                     data.change(detail::wake_all))
+                     data.change<detail::wake_all>())
 
 int World::threads() const {
     return data_->self.pool ? data_->self.pool->threads() : 1;
@@ -312,7 +313,7 @@ void World::limit_simd_width(int most) {
 }
 
 void World::wake_all() {
-    edit(__func__).change(detail::wake_all);
+    edit(__func__).change<detail::wake_all>();
 }
 
 bool World::is_recorded() const {
@@ -326,7 +327,7 @@ Body World::create_body(const BodyDef& def) {
     WorldData& data = populate(__func__);
     check(def);
     detail::make_room_for_body(data.editing());
-    return {this, data.body_id(data.change(detail::create_body, def))};
+    return {this, data.body_id(data.change<detail::create_body>(def))};
 }
 
 Shape World::create_shape(const Geometry& geometry, const ShapeDef& def) {
@@ -334,7 +335,7 @@ Shape World::create_shape(const Geometry& geometry, const ShapeDef& def) {
     check(def);
     check(geometry);
     detail::make_room_for_shape(data.editing(), geometry);
-    return {this, data.shape_id(data.change(detail::create_shape, def, geometry))};
+    return {this, data.shape_id(data.change<detail::create_shape>(def, geometry))};
 }
 
 void World::clear() {

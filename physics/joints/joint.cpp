@@ -119,7 +119,7 @@ World& Joint::world() const {
 void Joint::destroy() {
     WorldData& data = live();
     data.self.may_populate("Joint", __func__);
-    data.change(detail::destroy_joint, id_.index);
+    data.change<detail::destroy_joint>(id_.index);
 }
 
 /// Checks that the joint may be attached to `body` at that end. Returns the slot of the body.
@@ -151,18 +151,18 @@ void Joint::set_body(uint32_t side, const Body& body, const char* function) {
     if (ends[0] == ends[1])
         throw std::invalid_argument(std::string(side == 0 ? "body_a" : "body_b") +
                                     ": expected another body than the other's");
-    data.change(set_joint_bodies, id_.index, ends[0], ends[1]);
+    data.change<set_joint_bodies>(id_.index, ends[0], ends[1]);
 }
 
 void Joint::connect(const Body& a, const Body& b) {
     WorldData& data = edited(__func__);
     const uint32_t ends[] = {a == Body() ? 0 : end_at(0, a), end_at(1, b)};
     if (ends[0] == ends[1]) throw std::invalid_argument(two_bodies);
-    data.change(set_joint_bodies, id_.index, ends[0], ends[1]);
+    data.change<set_joint_bodies>(id_.index, ends[0], ends[1]);
 }
 
 void Joint::disconnect() {
-    edited(__func__).change(set_joint_bodies, id_.index, 0, 0);
+    edited(__func__).change<set_joint_bodies>(id_.index, 0, 0);
 }
 
 bool Joint::dormant() const {
@@ -196,7 +196,7 @@ FETTLE_JOINT_READ(uint64_t, user_data)
     void Joint::set_anchor_##letter(const Position& anchor) {                                \
         WorldData& data = edited(__func__);                                                  \
         data.joints[id_.index].anchors[side] = check_coordinates("anchor_" #letter, anchor); \
-        data.change(wake_joint, id_.index);                                                  \
+        data.change<wake_joint>(id_.index);                                                  \
     }                                                                                        \
     Position Joint::world_anchor_##letter() const {                                          \
         const Body body = body_##letter();                                                   \
@@ -206,11 +206,11 @@ FETTLE_JOINT_SIDE(a, 0)
 FETTLE_JOINT_SIDE(b, 1)
 
 void Joint::set_enabled(bool enabled) {
-    edited(__func__).change(detail::set_joint_enabled, id_.index, enabled);
+    edited(__func__).change<detail::set_joint_enabled>(id_.index, enabled);
 }
 
 void Joint::set_collide(bool collide) {
-    edited(__func__).change(detail::set_joint_collide, id_.index, collide);
+    edited(__func__).change<detail::set_joint_collide>(id_.index, collide);
 }
 
 #define FETTLE_JOINT_VALUE(name, check)                    \
@@ -218,7 +218,7 @@ void Joint::set_collide(bool collide) {
     void Joint::set_##name(float value) {                  \
         WorldData& data = edited(__func__);                \
         data.joints[id_.index].name = check(#name, value); \
-        data.change(wake_joint, id_.index);                \
+        data.change<wake_joint>(id_.index);                \
     }
 FETTLE_JOINT_VALUE(break_force, check_strength)
 FETTLE_JOINT_VALUE(break_torque, check_strength)
@@ -228,7 +228,7 @@ FETTLE_JOINT_VALUE(constraint_hertz, check_not_negative)
 FETTLE_JOINT_VALUE(constraint_damping_ratio, check_ratio)
 
 void Joint::set_broken(bool broken) {
-    edited(__func__).change(detail::set_joint_broken, id_.index, broken);
+    edited(__func__).change<detail::set_joint_broken>(id_.index, broken);
 }
 
 float Joint::per_substep(float impulse) const {

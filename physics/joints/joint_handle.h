@@ -41,7 +41,7 @@ JointDef common_of(const Def& def) {
 
 template <class Handle>
 Handle make_joint(World& world, WorldData& data, const JointRecord& record) {
-    const uint32_t slot = data.change(create_joint, record);
+    const uint32_t slot = data.change<create_joint>(record);
     return {&world, {slot, data.joint_generations[slot]}};
 }
 
@@ -66,7 +66,7 @@ Settings& Joint::edit(const char* of, const char* function) const {
     Settings& settings = own<Settings>();
     detail::WorldData& data = live();
     data.self.may_edit(of, function);
-    data.change(detail::wake_joint, id_.index);
+    data.change<detail::wake_joint>(id_.index);
     return settings;
 }
 

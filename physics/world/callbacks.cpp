@@ -47,14 +47,14 @@ void WorldData::read_edited(const Refresh& wanted) {
 void WorldData::refresh(const Refresh& wanted) {
     switch (wanted.of) {
         case Refresh::Of::everything:
-            return change(static_cast<void (*)(const Editing&)>(detail::refresh));
+            return change<detail::refresh>();
         case Refresh::Of::body:
             if (wanted.slot < bodies.size() && body_generations[wanted.slot] != 0)
-                change(refresh_mass, wanted.slot);
+                change<refresh_mass>(wanted.slot);
             return;
         case Refresh::Of::shape:
             if (wanted.slot < shapes.size() && shape_generations[wanted.slot] != 0)
-                change(refresh_shape, wanted.slot);
+                change<refresh_shape>(wanted.slot);
             return;
     }
 }
@@ -347,13 +347,13 @@ void World::set_filter(PairFilter filter) {
     for (uint32_t slot = 0; slot < data.contacts.size(); ++slot) {
         const ContactRecord& c = data.contacts[slot];
         if (c.shape_a == none || data.may_collide(c.shape_a, c.shape_b)) continue;
-        data.change(wake_for_edit, c.body_a);
-        data.change(wake_for_edit, c.body_b);
-        data.change(destroy_contact, slot);
+        data.change<wake_for_edit>(c.body_a);
+        data.change<wake_for_edit>(c.body_b);
+        data.change<destroy_contact>(slot);
     }
     for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
         if (data.shape_generations[shape] != 0 && data.forms[shape].body != none)
-            data.change(mark_moved, shape);
+            data.change<mark_moved>(shape);
     }
     lock.finish();
 }
@@ -365,7 +365,7 @@ void World::ignore_until_separated(const Shape& a, const Shape& b) {
     if (a == b) throw std::invalid_argument("expected two shapes, got one twice");
     for (const Shape* shape : {&a, &b})
         if (const uint32_t body = data.forms[shape->index()].body; body != none)
-            data.change(wake_for_edit, body);
+            data.change<wake_for_edit>(body);
     data.ignored_pairs.push_back({a.id(), b.id()});
 }
 void World::set_mixing(ContactCallback mix) {

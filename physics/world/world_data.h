@@ -78,18 +78,22 @@ struct WorldData : WorldState, StepScratch {
     void consult_callbacks();
 
     // damage.cpp
-    /// Makes an edit by a function of edits.h or sleep.h: it gets the parts of the world that it
-    /// takes, then `given`. If memory ends in the middle of it, the world is damaged.
-    template <class Result, class... Parameters, class... Given>
-    Result change(Result (*act)(Parameters...), Given&&... given) {
-        const auto with_parts = [&]<size_t... i>(std::index_sequence<i...>)->Result {
-            return act(((void)i, Parts{*this})..., std::forward<Given>(given)...);
-        };
+    /// Makes an edit by `act`, a function of edits.h or sleep.h: it gets the parts of the world
+    /// that it takes, then `given`. If memory ends in the middle of it, the world is damaged.
+    template <auto act, class... Given>
+    auto change(Given&&... given) {
         try {
-            return with_parts(std::make_index_sequence<sizeof...(Parameters) - sizeof...(Given)>());
+            return [&]<size_t... i>(std::index_sequence<i...>) {
+                return act(((void)i, Parts{*this})..., std::forward<Given>(given)...);
+            }
+            (std::make_index_sequence<parameters(act) - sizeof...(Given)>());
         } catch (...) {
             break_off();
         }
+    }
+    template <class Result, class... Parameters>
+    static constexpr size_t parameters(Result (*)(Parameters...)) {
+        return sizeof...(Parameters);
     }
     /// To be called in a handler: the data may be inconsistent, so no object exists any more, and
     /// whatever uses the world throws `Damaged` until another state replaces it. Throws the
