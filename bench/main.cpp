@@ -230,7 +230,7 @@ int main(int argc, char** argv) {
     add_wild(app, wild);
     const std::string command = argc > 1 ? argv[1] : "";
     if (!command.empty() && command[0] != '-' && !has_table(app, command)) {
-        std::cerr << "fettle-bench: \"" << command << "\" is no table; there are";
+        std::cerr << "fettle-bench: \"" << command << "\" is not a table; there are";
         for (const CLI::App* each : app.get_subcommands({})) std::cerr << " " << each->get_name();
         std::cerr << "\n";
         return 2;

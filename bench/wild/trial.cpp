@@ -98,7 +98,7 @@ std::vector<Invariant> invariants_named(const std::vector<std::string>& names) {
             std::ranges::count(chosen, name, &Invariant::name) == 0) {
             std::string all = "same, throws";
             for (const Invariant& invariant : invariants()) all += ", " + invariant.name;
-            throw std::invalid_argument("\"" + name + "\" is no invariant; there are " + all);
+            throw std::invalid_argument("\"" + name + "\" is not an invariant; there are " + all);
         }
     return chosen;
 }

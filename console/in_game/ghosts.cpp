@@ -67,7 +67,7 @@ Ghosts::~Ghosts() {
 // --- Edits
 
 void Ghosts::wrote(Handle, const property::Property& property, const Value&) {
-    // Transient properties, such as the pause itself, are no part of the game.
+    // Transient properties, such as the pause itself, are not part of the game.
     if (!property.transient) note();
 }
 

@@ -29,7 +29,7 @@ class InstanceSearch {
     /// The instances that were found; during a first search, those found so far. By name: first the
     /// names that contain the text, then names with its letters, best first.
     const std::vector<property::Handle>& found() const { return found_; }
-    /// Why the text is no condition, or the name that nothing has; "" without a problem.
+    /// Why the text is not a condition, or the name that nothing has; "" without a problem.
     const std::string& problem() const { return problem_; }
 
   private:

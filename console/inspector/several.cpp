@@ -86,7 +86,7 @@ std::vector<Handle> in_box(const property::Tree& tree, Vec2 corner, Vec2 other) 
         const Vec2 at = last_value(tree, instance, *position_of(tree, instance)).vec2();
         if (at.within(low, high)) inside.push_back(instance);
     });
-    // A shape has a position inside its body, which is no place in the world.
+    // A shape has a position inside its body, which is not a place in the world.
     std::erase_if(inside, [&](Handle instance) {
         for (Handle above = tree.parent(instance); above; above = tree.parent(above)) {
             if (tree.class_of(above).method("at") != nullptr) return false;

@@ -17,7 +17,7 @@ class Breaks {
     void clear() { all_.clear(); }
     std::size_t size() const { return all_.size(); }
     /// Computes all conditions. Returns lines for the log about those that have become true (or,
-    /// for a value that is no boolean, have changed) since the last call.
+    /// for a value that is not a boolean, have changed) since the last call.
     std::vector<std::string> look();
 
   private:

@@ -257,7 +257,7 @@ std::int64_t Observing::time_value(const char* name, std::int64_t otherwise) con
     return value.is(Type::integer) ? value.integer() : otherwise;
 }
 
-// As in the time bar: pausing is no edit by a person.
+// As in the time bar: pausing is not an edit by a person.
 void Observing::pause() {
     const Handle time = tree_.child(tree_.root(), "time");
     if (!time || tree_.find(time, "paused") == nullptr) return;

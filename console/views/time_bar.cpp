@@ -58,7 +58,7 @@ TimeBar::Times TimeBar::times() const {
     return now;
 }
 
-// Pausing is no edit by a person, so undo does not revert it.
+// Pausing is not an edit by a person, so undo does not revert it.
 void TimeBar::set(const char* name, bool on) {
     const Handle time = tree_.child(tree_.root(), "time");
     const property::Tree::CauseScope cause(tree_, property::Writer::module);

@@ -855,12 +855,12 @@ World = {}
 ---@field enabled boolean False if it takes no part in the world: it does not move, nothing collides with it, no query finds it, and its joints do not act. It is drawn, and keeps its velocity. · true or false · default true
 ---@field force vec Force on its center of mass in every step until it is changed. · N · any finite vec · default vec(0, 0)
 ---@field gravity_scale number Factor of the world's gravity for this body: 0 floats, -1 falls upwards. · any finite number · default 1
----@field inertia number Rotational inertia about the center of mass, computed from the shapes unless it is set; nil computes it again. With infinite inertia, or more than 1e18, nothing turns it. · kg m² · 1e-30 to inf · default computed · simulated, may be infinite
+---@field inertia number Rotational inertia about the center of mass, computed from the shapes unless it is set; nil computes it again. Segments without rounding have no area: a dynamic body of nothing else has its mass along them, like a wire. With infinite inertia, or more than 1e18, nothing turns it. · kg m² · 1e-30 to inf · default computed · simulated, may be infinite
 ---@field linear_damping number Share of its velocity that it loses in a second, for small values. · 1/s · at least 0 · default 0
 ---@field locked_rotation boolean True if it cannot turn. · true or false · default false
 ---@field locked_x boolean True if it cannot move along x. · true or false · default false
 ---@field locked_y boolean True if it cannot move along y. · true or false · default false
----@field mass number Mass: area times density of its shapes, unless it is set; nil computes it again. With infinite mass, or 1e18 kg and more, nothing moves it, gravity neither. A dynamic body without shapes has 1 kg. · kg · 1e-30 to inf · default computed · simulated, may be infinite
+---@field mass number Mass: area times density of its shapes, unless it is set; nil computes it again. With infinite mass, or 1e18 kg and more, nothing moves it, gravity neither. A dynamic body without shapes, or of lines alone, has 1 kg. · kg · 1e-30 to inf · default computed · simulated, may be infinite
 ---@field max_speed number Limit of the speed. World.substeps says how often it is applied in a step. · m/s · 1e-30 to inf · default inf · may be infinite
 ---@field position vec Position of its origin in the world. A write moves it at once. · m · -1e8 to 1e8 · default vec(0, 0) · simulated
 ---@field sleep_speed number It rests below this speed; that of the world unless it is set; nil uses that of the world again. · m/s · at least 0 · default 0.05 · simulated
@@ -1939,7 +1939,7 @@ Timings = {}
 ---@field zoom number Pixels a meter. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1e6 · default computed · simulated, not saved
 ---@field show Show What is shown over the picture, for looking into a game.
 ---@field uniforms Uniforms Values for the uniforms of `view.effect`: each property that is added here is the uniform of that name. A number is a float or an int, a boolean a bool, a vec a vec2, a color a vec3 or vec4.
----@field window GameWindow The window of the game. It is no part of saved games, and going back in time leaves it as it is.
+---@field window GameWindow The window of the game. It is not part of saved games, and going back in time leaves it as it is.
 local fettle_View = {}
 
 ---Shakes the picture, for an explosion or a blow. Only what is drawn moves; a weaker shake does not end a stronger one.
@@ -1984,7 +1984,7 @@ local fettle_Show = {}
 ---@class Class.Show : Class
 Show = {}
 
----The window of the game. It is no part of saved games, and going back in time leaves it as it is.
+---The window of the game. It is not part of saved games, and going back in time leaves it as it is.
 ---@class GameWindow : Object
 ---@field cursor "arrow"|"hand"|"text"|"cross"|"move"|"size_horizontal"|"size_vertical"|"wait"|"help"|"not_allowed" Form of the pointer of the mouse over the window. · "arrow", "hand", "text", "cross", "move", "size_horizontal", "size_vertical", "wait", "help", "not_allowed" · default "arrow" · not saved
 ---@field cursor_visible boolean Whether the pointer of the mouse is seen over the window. · true or false · default true · not saved
@@ -1997,7 +1997,7 @@ Show = {}
 ---@field vsync boolean Whether frames wait for the screen. Off, they are drawn as fast as they go. · true or false · default true · not saved
 local fettle_GameWindow = {}
 
----The window of the game. It is no part of saved games, and going back in time leaves it as it is.
+---The window of the game. It is not part of saved games, and going back in time leaves it as it is.
 ---@class Class.GameWindow : Class
 GameWindow = {}
 
@@ -2725,7 +2725,7 @@ local fettle_Image = {}
 ---@overload fun(members?: table): Image
 Image = {}
 
----The player has changed it. A change by a script is no event: watch the property.
+---The player has changed it. A change by a script is not an event: watch the property.
 ---@class Slider.changed
 ---@field value number The new value.
 ---@field instance Slider The instance with the event.
@@ -2756,7 +2756,7 @@ function fettle_Slider:on(event, handler) end
 ---@overload fun(members?: table): Slider
 Slider = {}
 
----The player has changed it. A change by a script is no event: watch the property.
+---The player has changed it. A change by a script is not an event: watch the property.
 ---@class Toggle.changed
 ---@field value boolean The new value.
 ---@field instance Toggle The instance with the event.
@@ -2790,7 +2790,7 @@ function fettle_Toggle:on(event, handler) end
 ---@overload fun(members?: table): Toggle
 Toggle = {}
 
----The player has changed it. A change by a script is no event: watch the property.
+---The player has changed it. A change by a script is not an event: watch the property.
 ---@class TextField.changed
 ---@field value string The new value.
 ---@field instance TextField The instance with the event.
@@ -3089,7 +3089,7 @@ function bookmark(name, step) end
 ---@return table
 function bookmarks() end
 
----Pauses the game after the step in which the condition becomes true, and prints its old and new value and who wrote it. A value that is no boolean breaks when it changes. Without a condition all breaks end.
+---Pauses the game after the step in which the condition becomes true, and prints its old and new value and who wrote it. A value that is not a boolean breaks when it changes. Without a condition all breaks end.
 ---@param condition? string|fun(): any
 function break_when(condition) end
 

@@ -46,7 +46,7 @@ function throwStones(game) {
   addStone(game, { x: 16 * side, y: 6 }, { x: -14 * side, y: 3 + (game.step % 7) });
 }
 
-/** Impacts take health. Forces between crates that rest on each other are no impacts. */
+/** Impacts take health. Forces between crates that rest on each other are not impacts. */
 function damage({ entities, physics }) {
   for (const { bodyA, bodyB, impulse } of physics.events().contactHit)
     for (const body of [bodyA, bodyB]) {

@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 constexpr std::string_view greeting_word = "fettle 1 ";
 
-/// Text of a script may have any bytes; those that are no UTF-8 become U+FFFD.
+/// Text of a script may have any bytes; those that are not UTF-8 become U+FFFD.
 std::string line_of(const Json& message) {
     return message.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -30,7 +30,7 @@ struct Request {
 };
 
 std::string text_of(const Request& request);
-/// None if the line is no request.
+/// None if the line is not a request.
 std::optional<Request> read_request(std::string_view line);
 
 /// Messages of the game. All have a line end.
@@ -52,7 +52,7 @@ struct Message {
     std::vector<script::Completion> found{};
 };
 
-/// None if the line is no message of a game.
+/// None if the line is not a message of a game.
 std::optional<Message> read_message(std::string_view line);
 
 }  // namespace fettle::program

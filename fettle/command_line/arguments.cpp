@@ -49,7 +49,7 @@ std::string command_problem(const CLI::App& app, std::string_view first) {
     }
     std::string all;
     for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-    return quoted_start(first) + " is no command; there are " + all +
+    return quoted_start(first) + " is not a command; there are " + all +
            property::suggestion(first, names);
 }
 
@@ -63,7 +63,7 @@ std::string left_over_problem(const CLI::App& command) {
     std::vector<std::string> names;
     for (const CLI::Option* option : command.get_options())
         for (const std::string& each : option->get_lnames()) names.push_back("--" + each);
-    return quoted_start(name) + " is no option of " + command.get_name() +
+    return quoted_start(name) + " is not an option of " + command.get_name() +
            property::suggestion(name, names);
 }
 

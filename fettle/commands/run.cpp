@@ -371,7 +371,7 @@ int run(const RunOptions& given) {
         if (!options.record.empty()) require_recording_or_nothing(options.record);
         if (!options.replay.empty()) return run_replay(options);
         if (!options.record.empty() && is_archive(options.game))
-            return complain(bad_usage, "--record needs a game that is no archive");
+            return complain(bad_usage, "--record needs a game that is not an archive");
         options.follow = options.reload.value_or(!options.headless);
         const bool in_gallery = options.game.empty();
         if (in_gallery && !options.record.empty())

@@ -78,7 +78,7 @@ fs::path archive_of(const fs::path& game) {
 
 ArchiveFiles read_archive(const fs::path& file, const std::string& only) {
     const std::unique_ptr<void, CloseUnzip> archive(unzOpen64(file.c_str()));
-    if (archive == nullptr) refuse(file, "is no archive of a game, or it is damaged");
+    if (archive == nullptr) refuse(file, "is not an archive of a game, or it is damaged");
     ArchiveFiles files;
     std::set<std::string> seen;
     std::size_t sum = 0;

@@ -91,7 +91,8 @@ fs::path found_game(const fs::path& named) {
         require_file(named, script);
         if (is_archive(named)) {
             if (read_archive(named, "main.lua").empty())
-                throw FileError(named.string() + ": this archive is no game, it has no main.lua");
+                throw FileError(named.string() +
+                                ": this archive is not a game, it has no main.lua");
             return fs::canonical(named) / "main.lua";
         }
         return fs::is_symlink(named, error) ? fs::canonical(named) : named;
@@ -100,7 +101,7 @@ fs::path found_game(const fs::path& named) {
     if (!fs::exists(main, error)) {
         const bool link = fs::is_symlink(main, error);
         throw FileError(link ? main.string() + ": this link leads nowhere"
-                             : named.string() + ": this folder is no game, it has no main.lua");
+                             : named.string() + ": this folder is not a game, it has no main.lua");
     }
     require_file(main, script);
     return named;

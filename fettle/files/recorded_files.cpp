@@ -90,7 +90,7 @@ void require_recording_or_nothing(const fs::path& file) {
     in.read(found.data(), static_cast<std::streamsize>(found.size()));
     if (in.gcount() > 0 && found != beginning)
         throw FileError(file.string() +
-                        ": this file is no recording, and is not overwritten by one");
+                        ": this file is not a recording, and is not overwritten by one");
 }
 
 void use_recorded_content(const app::Recording& recording, const fs::path& game,

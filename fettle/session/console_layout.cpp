@@ -81,7 +81,7 @@ std::string autoexec(std::string& problem) {
     std::error_code error;
     if (file.empty() || !fs::exists(file, error)) return {};
     if (is_small_file(file)) return content_of(file);
-    problem = file.string() + ": is no file of at most 1 MB; its commands are not run";
+    problem = file.string() + ": is not a file of at most 1 MB; its commands are not run";
     return {};
 }
 

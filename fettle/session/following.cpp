@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Files of these kinds are no code: nothing that a script has computed depends on their content.
+/// Files of these kinds are not code: nothing that a script has computed depends on their content.
 bool is_media(const fs::path& file) {
     constexpr std::array<std::string_view, 20> endings = {
         ".png",  ".jpg", ".jpeg", ".bmp", ".tga", ".ttf", ".otf", ".ttc", ".wav",  ".ogg",

@@ -49,7 +49,7 @@ void GameWindow::show_icon(Session& session) {
     if (name.empty()) return;
     try {
         if (!window_->set_icon(session.icon()))
-            session.note("view.window.icon: \"" + name + "\" is no image that can be shown");
+            session.note("view.window.icon: \"" + name + "\" is not an image that can be shown");
     } catch (const property::Error& error) {
         session.note(error.what());
     }

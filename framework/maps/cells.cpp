@@ -31,7 +31,7 @@ Bytes from_base64(const Place& place, std::string_view text) {
         if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
         if (c == '=') break;
         const int value = values[static_cast<unsigned char>(c)];
-        if (value < 0) place.fail("the data are no base64");
+        if (value < 0) place.fail("the data are not base64");
         bits = bits << 6 | static_cast<std::uint32_t>(value);
         if ((count += 6) < 8) continue;
         count -= 8;
@@ -100,7 +100,7 @@ std::vector<Cell> from_csv(const Place& place, const std::string& text) {
         }
         std::uint32_t number = 0;
         const auto [rest, error] = std::from_chars(at, end, number);
-        if (error != std::errc()) place.fail("the cells are no list of numbers");
+        if (error != std::errc()) place.fail("the cells are not a list of numbers");
         cells.push_back(cell_of(number));
         at = rest;
     }
@@ -113,7 +113,7 @@ std::vector<Cell> from_list(const Place& place) {
     cells.reserve(list.size());
     for (const Json& number : list) {
         if (!number.is_number_unsigned() || number.get<std::uint64_t>() > UINT32_MAX)
-            place.fail("a cell is no number of a tile: " + number.dump().substr(0, 60));
+            place.fail("a cell is not a number of a tile: " + number.dump().substr(0, 60));
         cells.push_back(cell_of(number.get<std::uint32_t>()));
     }
     return cells;

@@ -51,10 +51,10 @@ void add_value(const Place& place, const std::string& name, const std::string& t
 
 void add_properties(const Place& place, const Json& list, const std::string& prefix, int depth,
                     Properties& all) {
-    if (!list.is_array()) place.fail("\"properties\" is no list");
+    if (!list.is_array()) place.fail("\"properties\" is not a list");
     for (const Json& one : list) {
         const Place property = place.at(one);
-        if (!one.is_object()) place.fail("a property is no object");
+        if (!one.is_object()) place.fail("a property is not an object");
         const std::string name = property.text("name");
         const auto value = one.find("value");
         if (value == one.end()) place.fail("property \"" + name + "\" has no value");
@@ -125,7 +125,7 @@ Color Place::color(const char* key, Color otherwise) const {
 const Json& Place::list(const char* key) const {
     const auto found = json.find(key);
     if (found == json.end()) return no_list;
-    if (!found->is_array()) fail("\"" + std::string(key) + "\" is no list");
+    if (!found->is_array()) fail("\"" + std::string(key) + "\" is not a list");
     return *found;
 }
 

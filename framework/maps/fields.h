@@ -29,7 +29,7 @@ struct Place {
     bool boolean(const char* key, bool otherwise) const;
     std::string text(const char* key, const std::string& otherwise = {}) const;
     property::Color color(const char* key, property::Color otherwise) const;
-    /// An empty list if there is none. Throws if the member is no list.
+    /// An empty list if there is none. Throws if the member is not a list.
     const Json& list(const char* key) const;
     Properties properties() const;
 };

@@ -32,7 +32,7 @@ std::string Reader::beside(const std::string& from, const std::string& name) {
 
 Map Reader::map() {
     const Json document = parse_document(file_, read_(file_));
-    if (!document.is_object()) fail(file_, "this is no map");
+    if (!document.is_object()) fail(file_, "this is not a map");
     const Place place{file_, document, {}};
     map_.class_name = place.text("class");
     map_.width = static_cast<int>(place.integer("width", 0, 0, max_side));
@@ -40,7 +40,7 @@ Map Reader::map() {
     map_.tile_width = static_cast<int>(place.integer("tilewidth", 0, 1, max_side));
     map_.tile_height = static_cast<int>(place.integer("tileheight", 0, 1, max_side));
     if (map_.tile_width == 0 || map_.tile_height == 0)
-        place.fail("this is no map: it has no \"tilewidth\" and \"tileheight\"");
+        place.fail("this is not a map: it has no \"tilewidth\" and \"tileheight\"");
     const std::string orientation = place.text("orientation", "orthogonal");
     constexpr const char* orientations[] = {"orthogonal", "isometric", "staggered", "hexagonal"};
     int number = 0;
@@ -61,7 +61,7 @@ Map Reader::map() {
 }
 
 Layer Reader::layer(const Place& outer, int depth) {
-    if (!outer.json.is_object()) outer.fail("a layer is no object");
+    if (!outer.json.is_object()) outer.fail("a layer is not an object");
     if (depth > max_groups) outer.fail("groups are nested too deep");
     Layer layer;
     layer.name = outer.text("name");

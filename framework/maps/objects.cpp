@@ -13,7 +13,7 @@ std::vector<Vec2> points_of(const Place& place, const char* key) {
     std::vector<Vec2> points;
     for (const Json& one : place.list(key)) {
         const Place point = place.at(one);
-        if (!one.is_object()) place.fail("a point is no object");
+        if (!one.is_object()) place.fail("a point is not an object");
         points.emplace_back(point.number("x", 0), point.number("y", 0));
     }
     return points;
@@ -43,7 +43,7 @@ void read_kind(const Place& place, Object& object) {
 
 /// An object takes all fields that it does not have itself from its template.
 Object Reader::object(const Place& outer) {
-    if (!outer.json.is_object()) outer.fail("an object is no object of JSON");
+    if (!outer.json.is_object()) outer.fail("an object is not an object of JSON");
     Json json = outer.json;
     Properties inherited;
     if (const std::string file = outer.text("template"); !file.empty()) {
@@ -75,7 +75,7 @@ const Json& Reader::object_template(const Place& place, const std::string& file)
     if (known != templates_.end()) return known->second;
     const Json document = parse_document(file, read_(file));
     if (!document.is_object() || !document.contains("object") || !document["object"].is_object())
-        fail(file, "this is no template of an object");
+        fail(file, "this is not a template of an object");
     Json object = document["object"];
     if (object.contains("template")) fail(file, "a template may not use another one");
     if (object.contains("gid") && document.contains("tileset")) {
@@ -86,7 +86,7 @@ const Json& Reader::object_template(const Place& place, const std::string& file)
         const std::int64_t first = tileset.integer("firstgid", 1, 1, 0x0fffffff);
         const std::uint32_t in_map = first_gid_of(place, tileset.json, file);
         const std::int64_t gid = (flips_and_gid & 0x0fffffffu) - first + in_map;
-        if (gid < 0 || gid > 0x0fffffff) fail(file, "\"gid\" is no tile of the tileset");
+        if (gid < 0 || gid > 0x0fffffff) fail(file, "\"gid\" is not a tile of the tileset");
         object["gid"] = (flips_and_gid & 0xf0000000u) | static_cast<std::uint32_t>(gid);
     }
     return templates_[file] = std::move(object);

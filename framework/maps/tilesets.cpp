@@ -28,7 +28,7 @@ void Reader::end_of_tilesets() {
 
 /// `in`: the file that names the tileset.
 Tileset Reader::tileset(const Place& outer, const std::string& in) {
-    if (!outer.json.is_object()) outer.fail("a tileset is no object");
+    if (!outer.json.is_object()) outer.fail("a tileset is not an object");
     Tileset set;
     const std::int64_t first_gid = outer.integer("firstgid", 1, 1, 0x0fffffff);
     std::string file = in;
@@ -36,7 +36,7 @@ Tileset Reader::tileset(const Place& outer, const std::string& in) {
     if (const std::string source = outer.text("source"); !source.empty()) {
         file = beside(in, source);
         external = parse_document(file, read_(file));
-        if (!external.is_object()) fail(file, "this is no tileset");
+        if (!external.is_object()) fail(file, "this is not a tileset");
         first_gids_[file] = static_cast<std::uint32_t>(first_gid);
     }
     const Json& json = external.is_object() ? external : outer.json;
@@ -62,7 +62,7 @@ Tileset Reader::tileset(const Place& outer, const std::string& in) {
     complete(set);
     for (const Json& one : place.list("tiles")) {
         const Place of_tile = place.at(one);
-        if (!one.is_object()) place.fail("a tile is no object");
+        if (!one.is_object()) place.fail("a tile is not an object");
         const std::int64_t id = of_tile.integer("id", 0, 0, max_tiles - 1);
         Tile tile = this->tile(of_tile);
         if (!tile.image.empty()) tile.image = beside(file, tile.image);
@@ -81,7 +81,7 @@ Tile Reader::tile(const Place& place) {
     tile.properties = place.properties();
     for (const Json& one : place.list("animation")) {
         const Place frame = place.at(one);
-        if (!one.is_object()) place.fail("a frame of an animation is no object");
+        if (!one.is_object()) place.fail("a frame of an animation is not an object");
         tile.animation.push_back(
             {static_cast<std::uint32_t>(frame.integer("tileid", 0, 0, max_tiles - 1)),
              frame.number("duration", 0) / 1000});

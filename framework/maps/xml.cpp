@@ -79,7 +79,7 @@ class Converter {
         Json layer = element(child, depth);
         layer["type"] = name == "layer" ? "tilelayer" : std::string(name);
         if (name == "objectgroup" && !layer.contains("objects")) layer["objects"] = Json::array();
-        // The collision shapes of a tile are no layer.
+        // The collision shapes of a tile are not a layer.
         if (std::string_view(child.parent().name()) == "tile")
             all["objectgroup"] = std::move(layer);
         else

@@ -28,7 +28,7 @@ void write_all(int to, std::string_view text) {
     }
 }
 
-/// The copy writes this last on success. Status 0 alone is no proof, since a module may call
+/// The copy writes this last on success. Status 0 alone is not a proof, since a module may call
 /// `exit(0)`.
 constexpr std::string_view success_line = "=\n";
 

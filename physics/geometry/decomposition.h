@@ -12,7 +12,7 @@ namespace fettle::physics::detail {
 /// m², positive for counter-clockwise outlines.
 double signed_area(std::span<const Vec2> outline);
 
-/// The reason why these points are no simple polygon: which edges cross or touch, and where;
+/// The reason why these points are not a simple polygon: which edges cross or touch, and where;
 /// nullopt if they are one. Vertices are numbered from 1; an edge is named by its two vertices.
 std::optional<std::string> outline_problem(std::span<const Vec2> outline);
 

@@ -185,7 +185,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
 
     Vec2 left = moving.clipped(wanted);
     auto found = state_.climbing || lifts ? std::nullopt : moving.ground();
-    // A body that falls freely is no ground: nothing has weight on it, and it carries no mover.
+    // A body that falls freely is not ground: nothing has weight on it, and it carries no mover.
     const uint32_t own = world.is_valid(def_.body) ? def_.body.index : 0;
     if (found && obstacles[found->obstacle].dynamic &&
         !is_held(data, obstacles[found->obstacle].body, own))

@@ -30,7 +30,7 @@ class SolverEnd {
     uint32_t bits_ = 0;
 };
 
-/// The node of a contact or joint between two bodies that are no hubs. A body that takes no
+/// The node of a contact or joint between two bodies that are not hubs. A body that takes no
 /// impulses may be in any strip.
 inline StripNode node_of(SolverEnd a, SolverEnd b) {
     if (a.moves() && b.moves()) return above_both(a.strip(), b.strip());

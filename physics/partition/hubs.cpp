@@ -17,7 +17,7 @@ void Hubs::add(uint32_t body, float inverse_mass_at_rim, std::vector<SolverBody>
     bodies.insert(bodies.end(), strips_ * (copies + 1), copy);
 }
 
-/// Number of the hub, from 1 on; 0: the body is no hub.
+/// Number of the hub, from 1 on; 0: the body is not a hub.
 uint8_t Hubs::hub_of(SolverEnd end) const {
     if (!end.is_hub()) return 0;
     const auto hub = std::find_if(hubs_.begin(), hubs_.end(),

@@ -135,7 +135,7 @@ class MovingImpacts {
     /// Finds what the body meets from `now` on. `first`: all bodies are looked at in turn.
     void look_around(size_t i, float now, bool first) {
         const Mover mover = movers_[i];
-        // At first, a fast body that is no bullet is found by the fast bullets, and finds those
+        // At first, a fast body that is not a bullet is found by the fast bullets, and finds those
         // that are slow. When its motion has changed, all are compared with it again.
         const bool seeks = mover.driven || record(mover.body).flags.bullet || mover.carrier != none;
         if (!seeks && in_.objects.kinematic_bodies == 0 && in_.objects.bullets == 0) return;

@@ -51,7 +51,7 @@ class StageClock {
 /// short steps would need for the same time.
 int substeps_of(const WorldDef& settings, float dt, float last_length) {
     if (settings.solver != Solver::soft_step || !(last_length > 0.0f)) return settings.substeps;
-    // Lengths of steps are compared, so that an edit of the number of sub-steps is no growth.
+    // Lengths of steps are compared, so that an edit of the number of sub-steps is not growth.
     const float growth = dt / last_length;
     const float needed = std::ceil(float(settings.substeps) * growth / greatest_growth);
     const int most = most_times * settings.substeps;

@@ -169,7 +169,7 @@ TEST_CASE_METHOD(Pictures, "a camera follows with a delay and within limits as t
     set("camera.limits", property::List{Vec2(-30, -10), Vec2(10, 50)});
     loop.frame(tick);
     CHECK(near(get("camera.center").vec2(), {6, 3}));
-    // The corners may come in any order, and a list that is no box is no limit.
+    // The corners may come in any order, and a list that is not a box is no limit.
     set("camera.limits", property::List{Vec2(10, 50), Vec2(-30, -10)});
     loop.frame(tick);
     CHECK(near(get("camera.center").vec2(), {6, 3}));

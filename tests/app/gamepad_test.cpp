@@ -161,7 +161,7 @@ TEST_CASE("a mapping that is malformed is refused and changes nothing") {
                         "\"leftshoulder\"?)"));
     for (const char* bad : {"a:b16", "a:c1", "a:", "a:h0.3", "a:b-1", "a:~", "a:+b1", "leftx:a8",
                             "a:b99999999999", "x:h1.1"})
-        CHECK_THAT(refusal(game, bad), contains("is no entry of a mapping"));
+        CHECK_THAT(refusal(game, bad), contains("is not an entry of a mapping"));
     CHECK_THAT(refusal(game, "playstatoin"), contains("did you mean \"playstation\"?"));
     CHECK_THAT(refusal(game, ""), contains("one entry at least"));
     CHECK_THAT(refusal(game, "0300,Name,"), contains("neither a known controller"));

@@ -286,7 +286,7 @@ TEST_CASE("a sound is heard from where it is") {
 
 TEST_CASE("errors name the value and the nearest name") {
     SoundGame game;
-    game.write("noise.ogg", "this is no sound");
+    game.write("noise.ogg", "this is not a sound");
     game.write("empty.wav", "");
     std::string cut = tone_file(440, 1);
     cut.resize(cut.size() / 4);
@@ -299,7 +299,7 @@ TEST_CASE("errors name the value and the nearest name") {
     fails("Sound { file = 'noise.ogg' }", "Sound.file: \"noise.ogg\" cannot be played: it is");
     fails("Sound { file = 'empty.wav' }", "\"empty.wav\" cannot be played");
     fails("Sound { file = 'cut.wav' }", "\"cut.wav\" cannot be played: it is damaged");
-    fails("Sound { file = '../hit.wav' }", "is no file below the game's folder");
+    fails("Sound { file = '../hit.wav' }", "is not a file below the game's folder");
     fails("Sound { bus = 'efects' }", "audio.buses has no \"efects\" (did you mean \"effects\"?)");
     fails("Sound {}:play()", "it has no file to play: set `file`");
     fails("Synth { sustain = 0, decay = 0 }:play()", "it has no length");

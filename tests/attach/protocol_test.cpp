@@ -44,7 +44,7 @@ TEST_CASE("requests come back as they were") {
     CHECK(complete->cursor == 2);
 }
 
-TEST_CASE("a line that is no request is refused") {
+TEST_CASE("a line that is not a request is refused") {
     for (const char* const line :
          {"", "{", "{}", "[]", "3", "null", R"({"run": 3})", R"({"run": ["x"]})",
           R"({"run": {"run": "x"}})", R"({"walk": "x"})", "\xff\xfe", R"({"run": "x"} y)"}) {
@@ -82,7 +82,7 @@ TEST_CASE("messages come back as they were") {
     CHECK(found->found[0].replace_from == 6);
 }
 
-TEST_CASE("long answers are cut and say so and bytes that are no text are replaced") {
+TEST_CASE("long answers are cut and say so and bytes that are not text are replaced") {
     const script::Evaluation said{
         .lines = std::vector<std::string>(5000, std::string(100, 'x')), .error = {}, .result = {}};
     const std::string text = answer_text(said);

@@ -336,7 +336,7 @@ PROJECT
     local end=${output##*the table past}
     [[ $end == *'exceeded tree "get ball.mass" 2.00 of the barest (bound 1.75)'* ]] ||
         wrong "the summary should name the bound"
-    [[ $end != *"FAILED   tree"* ]] || wrong "a bound is no test"
+    [[ $end != *"FAILED   tree"* ]] || wrong "a bound is not a test"
 }
 
 case_a_broken_build_fails_the_check() {

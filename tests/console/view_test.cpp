@@ -251,7 +251,7 @@ TEST_CASE("a color in the log has a swatch") {
     const auto& pixels = rig.surface.pixels();
     CHECK(std::ranges::count(pixels, console::test::Pixel{0x12, 0xfe, 0x34}) > 30);
     rig.state().log.clear();
-    rig.state().log.output("\"#12fe34\" is no color here");
+    rig.state().log.output("\"#12fe34\" is not a color here");
     rig.draw(3);
     CHECK(std::ranges::count(rig.surface.pixels(), console::test::Pixel{0x12, 0xfe, 0x34}) == 0);
 }

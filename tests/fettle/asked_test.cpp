@@ -269,7 +269,7 @@ world:at(vec(0, -2), nil, nil, function(s)
     coroutine.resume(later)
 end)
 print(coroutine.resume(later), world.stage:has("floor"))
--- Without end is no search that searches by itself.
+-- A search whose `accept` searches again is stopped by its depth.
 local function deeper() return world:at(vec(0, 0.6), nil, nil, deeper) end
 print(select(2, pcall(deeper)):match("stack overflow"))
 print(world:at(vec(0, 0.6)).name)

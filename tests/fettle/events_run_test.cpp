@@ -195,7 +195,7 @@ TEST_CASE(
     CHECK(contains(done.err, "other_shape is read-only"));
 }
 
-TEST_CASE("a misspelt answer is reported with its place and an own field is no answer") {
+TEST_CASE("a misspelt answer is reported with its place and an own field is not an answer") {
     const Outcome done = run(R"lua(
         world.bounds = { vec(-25, 0), vec(25, 40) }
         world.ball = Body { position = vec(0, 0.4), Circle {} }

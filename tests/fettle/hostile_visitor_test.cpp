@@ -56,16 +56,16 @@ TEST_CASE("an invalid argument is reported in one line with the expected form") 
     const std::string number = "expected a whole number from ";
     const std::vector<Wrong> all = {
         {{"brew", "x"},
-         "\"brew\" is no command; there are run, test, new, where, package, repl, docs"},
+         "\"brew\" is not a command; there are run, test, new, where, package, repl, docs"},
         {{"rnu", game},
-         "\"rnu\" is no command; there are run, test, new, where, package, repl, docs (did you "
+         "\"rnu\" is not a command; there are run, test, new, where, package, repl, docs (did you "
          "mean \"run\"?)"},
-        {{""}, "\"\" is no command"},
-        {{"\x1b[31m"}, "\"\\x1b[31m\" is no command"},
+        {{""}, "\"\" is not a command"},
+        {{"\x1b[31m"}, "\"\\x1b[31m\" is not a command"},
         {{}, "expected a command"},
-        {{"--steps", "3"}, "\"--steps\" is no option of fettle"},
+        {{"--steps", "3"}, "\"--steps\" is not an option of fettle"},
         {{"run", game, "--stesp", "3"},
-         "\"--stesp\" is no option of run (did you mean \"--steps\"?)"},
+         "\"--stesp\" is not an option of run (did you mean \"--steps\"?)"},
         {{"run", game, "more"}, "\"more\" is one argument too many"},
         {{"run", ""}, "path: expected a folder with main.lua, or a .lua file, got an empty text"},
         {{"run", game, "--steps"}, "--steps: it takes one value, once"},
@@ -303,8 +303,8 @@ TEST_CASE("saving a scene replaces only regular files") {
     CHECK(folder.text("game/notes.json") == "[1, 2]");
     const Outcome record = play(folder, "game", {"--record", (folder / "game/main.lua").string()});
     CHECK(record.status == 3);
-    CHECK(
-        contains(record.err, "main.lua: this file is no recording, and is not overwritten by one"));
+    CHECK(contains(record.err,
+                   "main.lua: this file is not a recording, and is not overwritten by one"));
     CHECK(folder.text("game/main.lua") == script);
 }
 

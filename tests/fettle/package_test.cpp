@@ -158,10 +158,10 @@ TEST_CASE("comments and files that the game makes do not stop a package") {
 
 TEST_CASE("a damaged archive and one with strange names are refused") {
     const Folder folder;
-    folder.write("no.fettle", "this is no archive");
+    folder.write("no.fettle", "this is not an archive");
     const Outcome none = hash(folder, (folder / "no.fettle").string());
     CHECK(none.status == 3);
-    CHECK(contains(none.err, "is no archive of a game, or it is damaged"));
+    CHECK(contains(none.err, "is not an archive of a game, or it is damaged"));
     write_game(folder);
     folder.write("game/more.lua", "print(2)");
     const std::string archive = (folder / "cave.fettle").string();

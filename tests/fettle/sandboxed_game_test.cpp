@@ -185,7 +185,7 @@ TEST_CASE("a hostile file is a message and the game goes on") {
     const auto [name, content, code,
                 reason] = GENERATE(table<std::string, std::string, std::string, std::string>({
         {"a.ttf", "\0\1\0\0",
-         "game.t = Text { text = 'x', font = 'a.ttf' } print(game.t.text_width)", "is no font"},
+         "game.t = Text { text = 'x', font = 'a.ttf' } print(game.t.text_width)", "is not a font"},
         {"a.png", "\x89PNG\r\n", "game.s = Sprite { image = 'a.png' } print(game.s.image_width)",
          "cannot be read as PNG"},
         {"a.json", R"({"frames": [], "meta": {"image": "a.json"}})",

@@ -67,7 +67,7 @@ TEST_CASE("saved games are listed and deleted by their slots") {
     CHECK(run.status == 0);
     CHECK(contains(run.out, "a\t1\tnil\tnil\nb\t1\tnil\tnil\n1\tb\n"));
     CHECK(contains(run.out, "there is no saved game \"bb\" (did you mean \"b\"?)"));
-    CHECK(contains(run.out, "no name of a slot"));
+    CHECK(contains(run.out, "is not a name of a slot"));
 }
 
 TEST_CASE("a loaded game tells which handlers its file could not hold") {

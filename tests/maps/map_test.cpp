@@ -267,17 +267,17 @@ TEST_CASE("a damaged map is an error with file and place") {
         return std::string("no error");
     };
     CHECK(reason("") == "m.tmj: the file is empty");
-    CHECK(reason("[1]") == "m.tmj: this is no map");
+    CHECK(reason("[1]") == "m.tmj: this is not a map");
     CHECK(reason(std::string(5'000'000, '[')) == "m.tmj: nested deeper than 256 levels");
-    CHECK(reason("{}") == "m.tmj: this is no map: it has no \"tilewidth\" and \"tileheight\"");
+    CHECK(reason("{}") == "m.tmj: this is not a map: it has no \"tilewidth\" and \"tileheight\"");
     CHECK_THAT(reason("{\n\"width\":\n]"), contains("m.tmj: line 3: "));
     CHECK_THAT(reason("<map>\n<layer>\n</map>"), contains("m.tmj: line "));
     CHECK(reason("<html/>") == "m.tmj: expected a map, a tileset or a template, got <html>");
     CHECK(reason(map_of(R"("data":[1,2,3])")) == "m.tmj: layer \"g\": expected 4 cells, got 3");
     CHECK(reason(map_of(R"("data":[1,2,3,-4])")) ==
-          "m.tmj: layer \"g\": a cell is no number of a tile: -4");
+          "m.tmj: layer \"g\": a cell is not a number of a tile: -4");
     CHECK(reason(map_of(R"("encoding":"base64","data":"!!")")) ==
-          "m.tmj: layer \"g\": the data are no base64");
+          "m.tmj: layer \"g\": the data are not base64");
     CHECK(reason(map_of(R"("encoding":"base64","compression":"lzma","data":"AQAA")")) ==
           "m.tmj: layer \"g\": unknown compression \"lzma\": expected zlib, gzip or zstd");
     CHECK(reason(map_of(R"("encoding":"base64","compression":"zlib","data":"eJxjZA==")")) ==

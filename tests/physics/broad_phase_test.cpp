@@ -255,7 +255,7 @@ TEST_CASE("our own sine and cosine and arc tangent agree with the library's") {
     REQUIRE(rotation_of(INFINITY).c == 1.0f);
 }
 
-TEST_CASE("bytes of a tree whose flag is no bool are refused") {
+TEST_CASE("bytes of a tree whose flag is not a bool are refused") {
     Tree tree;
     tree.insert({{0, 0}, {1, 1}}, 0);
     std::vector<std::byte> bytes;

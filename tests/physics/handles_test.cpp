@@ -238,7 +238,7 @@ TEST_CASE("shapes that are gone are refused by what asks for shapes") {
     }
 }
 
-TEST_CASE("numbers that are no enumerators are refused") {
+TEST_CASE("numbers that are not enumerators are refused") {
     World world;
     Body body = world.create_body();
     REQUIRE_THROWS_WITH(body.set_type(BodyType(7)), contains("type = 7"));

@@ -278,7 +278,7 @@ TEST_CASE("a mover passes through a body that a joint keeps apart from its own")
     CHECK(hero.x() > 3.8f);
 }
 
-TEST_CASE("stairs are no wall for a mover") {
+TEST_CASE("stairs are not a wall for a mover") {
     for (const float walk : {1.0f, 2.0f, 3.0f, 4.0f, 5.0f}) {
         World world;
         add_floor(world);

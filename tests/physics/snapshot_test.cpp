@@ -250,7 +250,7 @@ TEST_CASE("assigning an older world does not give its generations twice") {
     REQUIRE_FALSE(first.is_valid());
 }
 
-TEST_CASE("bytes that end early or are no saved world change nothing") {
+TEST_CASE("bytes that end early or are not a saved world change nothing") {
     World world;
     build_tumbler(world);
     run(world, 1.0f);
@@ -356,7 +356,7 @@ TEST_CASE("a saved world whose awake shape has no proxy in the broad phase is re
     REQUIRE_FALSE(target.validate());
 }
 
-TEST_CASE("a saved world is refused where the flag of an optional is no bool") {
+TEST_CASE("a saved world is refused where the flag of an optional is not a bool") {
     World world({.bounds = Aabb{{-20, 0}, {20, 60}}});
     Body ball = world.create_body({.position = {0, 3}, .mass = 5.0f});
     ball.add(Circle{});
@@ -412,7 +412,7 @@ TEST_CASE("a saved world with a number that no setter takes is refused") {
     }
 }
 
-TEST_CASE("a saved field whose flags are no bools is refused") {
+TEST_CASE("a saved field whose flags are not bools is refused") {
     constexpr uint64_t mark = 0xfe77'1e00'f1e1'd000;
     World world;
     world.create_field({.force = WindField{}, .region = Aabb{{-2, 0}, {2, 6}}, .user_data = mark});

@@ -90,7 +90,7 @@ TEST_CASE("twenty boxes that are not quite above each other stand") {
 }
 
 TEST_CASE("a house of cards of five floors stands") {
-    // Where it is built must not matter: one start is no proof.
+    // Where it is built must not matter: one start is not a proof.
     const float start = GENERATE(0.0f, 0.37f, 1.48f, -3.3f, 12.345f);
     World world({.sleeping = false});
     const ShapeDef surface = {.friction = 0.7f};

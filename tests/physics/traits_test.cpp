@@ -104,7 +104,7 @@ TEST_CASE("locked axes and a maximum speed hold for kinematic bodies") {
     }
 }
 
-TEST_CASE("a speed that is no limit is refused") {
+TEST_CASE("a speed that is not a limit is refused") {
     World world;
     Body body = world.create_body();
     REQUIRE(body.max_speed() == infinity);

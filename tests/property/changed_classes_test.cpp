@@ -57,7 +57,7 @@ TEST_CASE("a saved value is converted if the type of its property has changed") 
     CHECK(now.tree.get(a, "whole") == Value(7.0));
     CHECK(now.tree.get(b, "whole") == Value(1.0));
     CHECK(now.tree.get(a, "real") == Value(4));
-    CHECK(now.tree.get(b, "real") == Value(2));  // 1.5 is no integer
+    CHECK(now.tree.get(b, "real") == Value(2));  // 1.5 is not an integer
     CHECK(now.tree.get(a, "broken") == Value(2));
     CHECK(now.tree.get(b, "broken") == Value(8));
     CHECK(now.tree.get(a, "word") == Value(List{Value(1)}));

@@ -101,7 +101,7 @@ TEST_CASE("conditions compare properties and their parts") {
     }
 }
 
-TEST_CASE("a text that is no condition is refused with its place") {
+TEST_CASE("a text that is not a condition is refused with its place") {
     CHECK(Field::refusal("mass = 5") ==
           "condition \"mass = 5\", character 6: two values are compared by ==");
     CHECK(Field::refusal("mass >").ends_with(

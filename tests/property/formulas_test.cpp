@@ -115,7 +115,7 @@ TEST_CASE_METHOD(Fixture, "an unchanged result does not update its dependents") 
     CHECK(ends == 2);
 }
 
-TEST_CASE_METHOD(Fixture, "a source that is not read is no dependency") {
+TEST_CASE_METHOD(Fixture, "a source that is not read is not a dependency") {
     tree.set_formula(world, "pick", count([&](const Tree& t) {
                          return t.get(ball, "mass").number() > 5 ? t.get(shadow, "mass")
                                                                  : Value(0.0);

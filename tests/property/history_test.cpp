@@ -49,7 +49,8 @@ TEST_CASE_METHOD(Fixture, "an edit by a person is undone and redone") {
     CHECK_FALSE(tree.redo().done);
 }
 
-TEST_CASE_METHOD(Fixture, "a setting that no snapshot has is no edit, and leaves redo as it is") {
+TEST_CASE_METHOD(Fixture,
+                 "a setting that no snapshot has is not an edit, and leaves redo as it is") {
     const auto flag = [](const char* name, bool transient) {
         Property property{.name = name, .type = Type::boolean, .default_value = false};
         property.transient = transient;
@@ -93,7 +94,7 @@ TEST_CASE_METHOD(Fixture, "the cause of a step of undo is that of its first writ
     CHECK(tree.history().front().cause.text() == "inspector, step 7");
 }
 
-TEST_CASE_METHOD(Fixture, "writes by callbacks belong to the game and are no edits") {
+TEST_CASE_METHOD(Fixture, "writes by callbacks belong to the game and are not edits") {
     as(Writer::script, [&] { tree.set(ball, "mass", 5); });
     tree.set(ball, "mass", 6);
     CHECK(tree.history().empty());

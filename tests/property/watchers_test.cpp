@@ -42,7 +42,7 @@ TEST_CASE_METHOD(Fixture,
     CHECK(log.size() == 4);
 }
 
-TEST_CASE_METHOD(Fixture, "a value that returns to its old value is no change") {
+TEST_CASE_METHOD(Fixture, "a value that returns to its old value is not a change") {
     tree.watch(ball, "mass", note("a"));
     tree.set(ball, "mass", 2);
     tree.set(ball, "mass", 1);

@@ -265,10 +265,11 @@ TEST_CASE("the error for a class that cannot be defined gives the real reason") 
 
 TEST_CASE("a class without braces is reported with the missing part") {
     Stage s;
-    CHECK_THAT(s.fails("local A = class('A', Body)\nreturn A.name"),
-               contains("main.lua:2: A: is no class yet; braces with its properties are missing"));
+    CHECK_THAT(
+        s.fails("local A = class('A', Body)\nreturn A.name"),
+        contains("main.lua:2: A: is not a class yet; braces with its properties are missing"));
     CHECK_THAT(s.fails("local A = class('A', Body)\nfunction A:step() end"),
-               contains("main.lua:2: A: is no class yet"));
+               contains("main.lua:2: A: is not a class yet"));
     s.run("A = class('A', Body) {} assert(A.name == 'A')");
 }
 
@@ -417,7 +418,7 @@ TEST_CASE("a random number between very large bounds is finite") {
 
 TEST_CASE("a formula cannot be a default of a class") {
     Stage s;
-    const std::string reason = "a formula is no default";
+    const std::string reason = "a formula is not a default";
     CHECK_THAT(s.fails("class('F1', Body) { n = formula(function() return 1 end) }"),
                contains("F1.n: " + reason) && contains("function F1:ready()"));
     CHECK_THAT(s.fails("class('F2', Body) { mass = formula(function() return 1 end) }"),
@@ -453,9 +454,9 @@ TEST_CASE("nouns have the right article") {
 TEST_CASE("values that no property holds are named by what they are") {
     Stage s;
     CHECK_THAT(s.fails("game.x = { formula(function() return 1 end) }"),
-               contains("game.x: a formula is no value of a property"));
-    CHECK_THAT(s.fails("game.x = snapshot()"), contains("a snapshot is no value"));
-    CHECK_THAT(s.fails("game.x = watch('game.z', print)"), contains("a connection is no value"));
+               contains("game.x: a formula is not a value of a property"));
+    CHECK_THAT(s.fails("game.x = snapshot()"), contains("a snapshot is not a value"));
+    CHECK_THAT(s.fails("game.x = watch('game.z', print)"), contains("a connection is not a value"));
 }
 
 TEST_CASE("an error in a library is reported at the line of the script that called it") {

@@ -221,7 +221,7 @@ TEST_CASE("wrong arguments of the console's functions are named") {
     CHECK_THAT(s.console("pin()"), contains("pin: needs a path"));
     CHECK_THAT(s.console("pin('world.ball.mass >')"), contains("does not compile"));
     CHECK_THAT(s.console("bind(3, 'x')"), contains("bind: needs the name of a key"));
-    CHECK_THAT(s.console("alias('a b', 'x')"), contains("alias: \"a b\" is no word"));
+    CHECK_THAT(s.console("alias('a b', 'x')"), contains("alias: \"a b\" is not a word"));
     CHECK_THAT(s.console("unpin world.other.mass"), contains("nothing like that is pinned"));
     CHECK(s.console("unpin it.mass").empty());
     CHECK(s.texts.back() == "unpin world.ball.mass");

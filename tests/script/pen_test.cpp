@@ -77,19 +77,19 @@ TEST_CASE("a pen reports arguments that it cannot draw") {
     Recorder recorder;
     const auto [call, reported] = GENERATE(table<std::string, std::string>({
         {"pen.circle(vec(0, 0), 1, 'golden')",
-         "pen.circle: \"golden\" is no color (did you mean \"gold\"?)"},
+         "pen.circle: \"golden\" is not a color (did you mean \"gold\"?)"},
         {"pen.circle(0, 0, 5)", "pen.circle: needs a vec"},
         {"pen.line(0, 0, 5, 5)", "pen.line: needs a vec"},
         {"pen.point(0, 5)", "pen.point: needs a vec"},
         {"pen.rect(vec(0, 0), 1, 1)", "pen has no rect (did you mean \"box\"?)"},
-        {"pen.circle(vec(0, 0), -1)", "pen.circle: -1 is no radius, which is 0 or more"},
-        {"pen.box(vec(0, 0), 1, -2)", "pen.box: -2 is no height, which is 0 or more"},
-        {"pen.box(vec(0, 0), -1, 2)", "pen.box: -1 is no width, which is 0 or more"},
-        {"pen.text(vec(0, 0), 'x', -2)", "pen.text: -2 is no height, which is 0 or more"},
+        {"pen.circle(vec(0, 0), -1)", "pen.circle: -1 is not a radius, which is 0 or more"},
+        {"pen.box(vec(0, 0), 1, -2)", "pen.box: -2 is not a height, which is 0 or more"},
+        {"pen.box(vec(0, 0), -1, 2)", "pen.box: -1 is not a width, which is 0 or more"},
+        {"pen.text(vec(0, 0), 'x', -2)", "pen.text: -2 is not a height, which is 0 or more"},
         {"pen.line(vec(0, 0), vec(1, 0), 'red', -1)",
-         "pen.line: -1 is no width in pixels, which is 0 or more"},
+         "pen.line: -1 is not a width in pixels, which is 0 or more"},
         {"pen.circle(vec(0, 0), 1, nil, 'red', -1)",
-         "pen.circle: -1 is no width in pixels, which is 0 or more"},
+         "pen.circle: -1 is not a width in pixels, which is 0 or more"},
     }));
     s.run("function draw(pen) " + call + " end");
     CHECK_FALSE(s.runtime->draw(recorder));

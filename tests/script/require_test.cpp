@@ -31,7 +31,7 @@ TEST_CASE("an error in a module is reported unchanged and the module can be load
         {"local t, u = {}, {}; error('broken')", "broken"},
         {"undefined_name()", "undefined_name: no such name"},
         {"local t = {}; t[nil] = 1", "index is nil"},
-        {"world.mass = Body", "a class is no value"},
+        {"world.mass = Body", "a class is not a value"},
         {"(function() local t, u = {}, {}; (function() error('deep') end)() end)()", "deep"},
         {"coroutine.wrap(function() error('inside') end)()", "inside"},
         {"x = = 1", "unexpected symbol"},

@@ -263,7 +263,7 @@ TEST_CASE("errors of any type are reported") {
     CHECK_THAT(s.fails("local function f() return f() + 1 end f()"), contains("stack overflow"));
     CHECK_THAT(s.fails("string.rep()"), contains("main.lua:1"));
     CHECK_THAT(s.fails("return #nil"), contains("main.lua:1"));
-    CHECK_THAT(s.fails("this is no Lua"), contains("main.lua:1: syntax error"));
+    CHECK_THAT(s.fails("this is not Lua"), contains("main.lua:1: syntax error"));
 }
 
 TEST_CASE("protected calls in scripts work as in Lua") {

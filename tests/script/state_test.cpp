@@ -253,10 +253,10 @@ TEST_CASE("names that a variable in the tree cannot have are refused") {
     CHECK_THAT(s.fails("state('world', 0)"), contains("is a child of game"));
     CHECK_THAT(s.fails("state('Body', 0)"), contains("is a class"));
     CHECK_THAT(s.fails("state('step', 0)"), contains("is the name of a callback"));
-    CHECK_THAT(s.fails("state('a b', 0)"), contains("is no name for a variable"));
+    CHECK_THAT(s.fails("state('a b', 0)"), contains("is not a name for a variable"));
     CHECK_THAT(s.fails("state('name', 0)"), contains("is part of every game"));
     CHECK_THAT(s.fails("state('delete', 0)"), contains("is part of every game"));
-    CHECK_THAT(s.fails("state('_ENV', 0)"), contains("is no name for a variable"));
+    CHECK_THAT(s.fails("state('_ENV', 0)"), contains("is not a name for a variable"));
     CHECK_THAT(s.fails("state('it', 0)"), contains("has a meaning of its own in the console"));
     CHECK_THAT(s.fails("state('nothing')"), contains("needs a value to begin with"));
     CHECK_THAT(s.fails("state('fn', print)"), contains("state: fn"));

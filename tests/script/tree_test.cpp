@@ -125,7 +125,7 @@ TEST_CASE("a new name becomes an ad-hoc property unless it is similar to a decla
     CHECK_THAT(s.fails("world.ball.delete = 1"), contains("is a method"));
     s.run("world.ball.lives = nil; assert(not world.ball:has('lives'))");
     CHECK_THAT(s.fails("print(world.ball.lives)"), contains("no such name"));
-    CHECK_THAT(s.fails("world.ball.f = print"), contains("a function is no value"));
+    CHECK_THAT(s.fails("world.ball.f = print"), contains("a function is not a value"));
     CHECK_THAT(s.fails("world.ball.f = {x = 1}"), contains("named keys (x)"));
 }
 

@@ -336,7 +336,7 @@ TEST_CASE("tweens run together and groups within groups") {
     CHECK(s.tweens() == 0);
 }
 
-TEST_CASE("a group refuses what is no tween and groups too deep") {
+TEST_CASE("a group refuses what is not a tween and groups too deep") {
     Game s;
     CHECK_THAT(s.fails("tween.sequence { ball }"), contains("element 1 is a Body"));
     CHECK_THAT(s.fails("tween.parallel { 1 }"), contains("element 1 is an integer"));

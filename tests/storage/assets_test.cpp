@@ -53,7 +53,7 @@ TEST_CASE("a name that leads out of the folder of the game is refused") {
           std::string("a/../../b"), std::string("a\0b", 3)})
         CHECK_THROWS_AS(assets.path_of("scene.load", name), Error);
     CHECK_THROWS_WITH(assets.path_of("scene.load", "../x"),
-                      "scene.load: \"../x\" is no file below the game's folder");
+                      "scene.load: \"../x\" is not a file below the game's folder");
     CHECK(assets.path_of("scene.save", "new/file.json") == game / "new/file.json");
 }
 

@@ -187,7 +187,7 @@ TEST_CASE("an invalid row is reported and ignored and the others are unchanged")
     REQUIRE(run.reported.size() == 1);
     INFO(run.reported[0]);
     CHECK(has(run.reported[0],
-              "1 row that an earlier run has left is no tweak, and is left aside: "));
+              "1 row that an earlier run has left is not a tweak, and is left aside: "));
     CHECK(run.tweaks->open_earlier() == 0);
     const Handle b = run.add("Thing", "b");
     run.person([&] { run.tree.set(b, "number", 4.0); });
@@ -211,7 +211,7 @@ TEST_CASE("several invalid rows are reported in one sentence") {
     Run run(folder);
     REQUIRE(run.reported.size() == 1);
     CHECK(has(run.reported[0],
-              "2 rows that earlier runs have left are no tweaks, and are left aside"));
+              "2 rows that earlier runs have left are not tweaks, and are left aside"));
     CHECK(has(run.reported[0], "drop_tweaks(\"**\") removes them"));
     CHECK(run.tweaks->drop("world.other.*").count == 0);
     CHECK(run.tweaks->drop("world.a.density").count == 1);

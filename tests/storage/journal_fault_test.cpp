@@ -85,7 +85,7 @@ TEST_CASE("a damaged journal is reported and left unchanged and another one is w
     one_tweak(folder);
     std::string damaged = bytes(folder / name);
     const int how = GENERATE(0, 1, 2);
-    if (how == 0) damaged = "this is no database";
+    if (how == 0) damaged = "this is not a database";
     if (how == 1) damaged.resize(damaged.size() / 2);
     if (how == 2)
         for (std::size_t i = 4096; i < damaged.size(); ++i) damaged[i] = '\xff';

@@ -98,12 +98,12 @@ TEST_CASE_METHOD(Fixture, "the name of a slot is a safe file name") {
         CHECK_THROWS_AS(saves.remove(bad), Error);
     }
     CHECK_FALSE(fs::exists(place));
-    // A file whose name is no slot is listed with the reason, because it cannot be loaded.
+    // A file whose name is not a slot is listed with the reason, because it cannot be loaded.
     saves.save("good", 1, state_of(1, 1));
     fs::copy_file(place / "good.sqlite", place / "bad name!.sqlite");
     const auto all = saves.list();
     REQUIRE(all.size() == 2);
-    CHECK(has(all.front().problem, "\"bad name!\" is no name of a slot"));
+    CHECK(has(all.front().problem, "\"bad name!\" is not a name of a slot"));
     CHECK(all.back().problem.empty());
 }
 

@@ -181,7 +181,7 @@ TEST_CASE("files that are not recordings are refused with a reason") {
         REQUIRE_THROWS_WITH(Recording(file.path), contains(reason));
     };
     refused("", "ends before the run begins");
-    refused("hello\nworld\n", "is no recording");
+    refused("hello\nworld\n", "is not a recording");
     refused("fettle-recording 2\n", "of format 2");
     refused(text.substr(0, 30), "ends before the run begins");
     refused(text + "nonsense 1 2 3\n", "is unknown");

@@ -1,4 +1,4 @@
-// Going back in time and on: what is no value of the tree goes on as it did.
+// Going back in time and on: what is not a value of the tree goes on as it did.
 
 #include "catch.h"
 

@@ -135,7 +135,7 @@ TEST_CASE_METHOD(Gallery, "a missing image is a checkerboard and one error") {
                                          "\"hero.tga\"?)"});
     CHECK(tree.get(s, "image_width") == Value(32));
     CHECK(draw().size() == 2);
-    write("broken.png", "this is no image");
+    write("broken.png", "this is not an image");
     tree.set(s, "image", Value("broken.png"));
     step(1);
     REQUIRE(problems.size() == 2);
@@ -144,7 +144,7 @@ TEST_CASE_METHOD(Gallery, "a missing image is a checkerboard and one error") {
     tree.set(s, "image", Value("../hero.tga"));
     step(1);
     REQUIRE(problems.size() == 3);
-    CHECK_THAT(problems[2], contains("is no file below the game's folder"));
+    CHECK_THAT(problems[2], contains("is not a file below the game's folder"));
     tree.set(s, "image", Value("hero.tga"));
     CHECK(tree.get(s, "image_width") == Value(8));
     CHECK(tree.get(s, "image_height") == Value(4));
@@ -306,7 +306,7 @@ TEST_CASE_METHOD(Gallery, "an error in a file of Aseprite names the place and wh
         step(1);
         CHECK(problems ==
               std::vector<std::string>{tree.path(s) + ".image: \"" + name +
-                                       "\": is no JSON export of Aseprite: " + problem});
+                                       "\": is not a JSON export of Aseprite: " + problem});
     };
     const std::string frame = R"({"frame":{"x":0,"y":0,"w":1,"h":1}})";
     const auto with_tag = [&](const std::string& tag) {

@@ -203,7 +203,7 @@ TEST_CASE_METHOD(Written, "a damaged font gives a message and never a crash") {
         tree.set(text, "text", Value("hello"));
         CHECK(width() > 0);
         REQUIRE(problems.size() == 1);
-        CHECK(problems.front().find("is no font") != std::string::npos);
+        CHECK(problems.front().find("is not a font") != std::string::npos);
     }
     // Some bytes are changed at random. A font that can still be read is measured and drawn.
     const std::string good = file_of(sans_file);

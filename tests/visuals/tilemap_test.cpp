@@ -129,7 +129,7 @@ TEST_CASE_METHOD(Land, "an unsuitable map is refused with the reason") {
     write("hexagons.tmj", hexagons);
     map("hexagons.tmj");
     REQUIRE(problems.size() == 1);
-    CHECK_THAT(problems.front(), contains("no orthogonal map"));
+    CHECK_THAT(problems.front(), contains("is not an orthogonal map"));
 }
 
 TEST_CASE_METHOD(Land, "another file takes the place of the first") {

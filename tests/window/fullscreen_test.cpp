@@ -136,7 +136,7 @@ TEST_CASE("the icon of the window is that which the game names last") {
            "    if time.step == 4 then view.window.icon = 'icom.tga' end\n"
            "    if time.step == 6 then view.window.icon = 'text.png' end\n"
            "end\n";
-    // One red pixel, uncompressed, and a file that is no image.
+    // One red pixel, uncompressed, and a file that is not an image.
     const char pixel[] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 24, 32, 0, 0, -1};
     std::ofstream(folder.path / "icon.tga").write(pixel, sizeof pixel);
     std::ofstream(folder.path / "text.png") << "no image";
@@ -149,11 +149,11 @@ TEST_CASE("the icon of the window is that which the game names last") {
     std::ifstream in(out);
     const std::string told{std::istreambuf_iterator<char>(in), {}};
     INFO(told);
-    CHECK(told.find("\"icon.tga\" is no image") == std::string::npos);
+    CHECK(told.find("\"icon.tga\" is not an image") == std::string::npos);
     CHECK(
         told.find("view.window.icon: there is no file \"icom.tga\" (did you mean \"icon.tga\"?)") !=
         std::string::npos);
-    CHECK(told.find("view.window.icon: \"text.png\" is no image that can be shown") !=
+    CHECK(told.find("view.window.icon: \"text.png\" is not an image that can be shown") !=
           std::string::npos);
 }
 

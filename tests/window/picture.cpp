@@ -38,7 +38,7 @@ Picture read_xwd(const std::filesystem::path& file) {
                           bits_per_pixel = 11, bytes_per_line = 12, colors = 19;
     if (bytes.size() < 100 || field(version) != 7 || field(bits_per_pixel) != 32 ||
         field(byte_order) != 0)
-        throw std::runtime_error(file.string() + " is no X window dump of 32 bits a pixel");
+        throw std::runtime_error(file.string() + " is not an X window dump of 32 bits a pixel");
     Picture picture;
     picture.width = static_cast<unsigned>(field(width));
     picture.height = static_cast<unsigned>(field(height));

@@ -62,8 +62,8 @@ class Joints : public Check {
             const float speed =
                 (velocity(moment, joint.b, at.b) - velocity(moment, joint.a, at.a)).length();
             const float spin = std::abs(rate(moment, joint.b) - rate(moment, joint.a));
-            // While a contact pushes the two bodies apart, the gap is no failure, since the force
-            // of a kinematic body has no bound.
+            // While a contact pushes the two bodies apart, the gap is not a failure, since the
+            // force of a kinematic body has no bound.
             const bool pushed = is_pushed(moment, joint.a) || is_pushed(moment, joint.b) ||
                                 is_squeezed(joint.a) || is_squeezed(joint.b);
             const float arc = beside_arc(moment, joint.a, at.a) + beside_arc(moment, joint.b, at.b);

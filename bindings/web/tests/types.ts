@@ -36,5 +36,5 @@ hero.height = 2;
 
 // @ts-expect-error a body has no such property
 ball.colour = 1;
-// @ts-expect-error a vector is no number
+// @ts-expect-error a vector is not a number
 ball.position = 3;

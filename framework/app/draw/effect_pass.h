@@ -23,7 +23,7 @@ class EffectPass {
     std::string compile(const Effect& effect);
 
     std::string code_;     // of `shader_`
-    std::string problem_;  // why `code_` is no shader
+    std::string problem_;  // why `code_` is not a shader
     std::unique_ptr<sf::Shader> shader_;
     sf::Texture picture_{};
 };

@@ -109,7 +109,7 @@ void read_entry(GamepadMapping& mapping, std::string_view entry) {
     if (!source)
         throw std::invalid_argument(
             "\"" + std::string(entry) +
-            "\" is no entry of a mapping: expected a name and b0 to b15, a0 "
+            "\" is not an entry of a mapping: expected a name and b0 to b15, a0 "
             "to a7 or h0.1, h0.2, h0.4, h0.8, as in a:b0 or leftx:a0");
     if (const auto button = place_of(button_entries, name))
         mapping.buttons[*button] = *source;

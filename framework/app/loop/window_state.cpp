@@ -38,7 +38,7 @@ Property window_switch(View& view, const char* name, bool usual, const char* doc
 void define_window(property::Tree& tree, property::Handle view_instance, View& view) {
     const property::Class& window_class = tree.define(
         {.name = "GameWindow",
-         .doc = "The window of the game. It is no part of saved games, and going back in time "
+         .doc = "The window of the game. It is not part of saved games, and going back in time "
                 "leaves it as it is.",
          .creatable = false,
          .snapshots = property::Snapshots::never,

@@ -30,7 +30,7 @@ std::string short_path(const std::string& path) {
     return before == std::string::npos ? path : path.substr(before + 1);
 }
 
-/// No wire is drawn from a deleted instance, or from a cell that is no property.
+/// No wire is drawn from a deleted instance, or from a cell that is not a property.
 std::optional<Handle> instance_at(const Tree& tree, const std::string& path) {
     try {
         return property::resolve(tree, path).instance;

@@ -54,7 +54,7 @@ struct Audio::State {
 
     bool is_source(property::Handle instance) const;
     bool is_music(property::Handle instance) const;
-    /// The source of a voice; null if its parent is no source.
+    /// The source of a voice; null if its parent is not a source.
     property::Handle source_of(property::Handle voice) const;
     double duration(property::Handle source) const;  // s
     SynthParameters synth_parameters(property::Handle synth) const;

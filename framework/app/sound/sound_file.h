@@ -33,7 +33,7 @@ struct Samples {
 
 class SoundFile {
   public:
-    /// Throws std::invalid_argument with the reason if it is no sound that can be played.
+    /// Throws std::invalid_argument with the reason if it is not a sound that can be played.
     explicit SoundFile(std::string bytes);
 
     double duration() const { return static_cast<double>(frames_) / rate_; }  // s

@@ -37,7 +37,7 @@ std::size_t Timeline::Other::memory() const {
     return sum;
 }
 
-/// The smallest number that is no name yet.
+/// The smallest number that is not a name yet.
 std::string Timeline::new_branch_name() const {
     for (std::size_t n = 1;; ++n) {
         std::string name = std::to_string(n);

@@ -34,7 +34,7 @@ class Timeline::Jumps : public property::Observer {
     std::weak_ptr<const property::Tree*> tree_life_;
 };
 
-/// While it lives, restoring a snapshot is no jump of other code.
+/// While it lives, restoring a snapshot is not a jump of other code.
 class Timeline::Travelling {
   public:
     explicit Travelling(Jumps& jumps) : jumps_(jumps) {

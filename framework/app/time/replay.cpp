@@ -130,7 +130,7 @@ Recording::Recording(const std::filesystem::path& file) : file_(file) {
         const std::string word = words.word().value_or("");
         if (number == 1) {
             const auto version = words.integer();
-            if (word != "fettle-recording" || !version) fail(0, "is no recording of Fettle");
+            if (word != "fettle-recording" || !version) fail(0, "is not a recording of Fettle");
             if (*version != recording_format)
                 fail(0, "is a recording of format " + std::to_string(*version) +
                             ", and this Fettle reads " + std::to_string(recording_format));

@@ -359,7 +359,7 @@ Pixels read_picture(const std::filesystem::path& file) {
     const sfml::NoMessages quiet;
     sf::Image image;
     if (!image.loadFromFile(file.string()))
-        throw std::runtime_error(file.string() + ": this file is no image that can be read");
+        throw std::runtime_error(file.string() + ": this file is not an image that can be read");
     Pixels pixels{image.getSize().x, image.getSize().y, {}};
     const std::size_t bytes = std::size_t{pixels.width} * pixels.height * 4;
     pixels.rgba.assign(image.getPixelsPtr(), image.getPixelsPtr() + bytes);

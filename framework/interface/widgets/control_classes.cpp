@@ -13,7 +13,8 @@ property::Event changed(Type type) {
     return {
         .name = "changed",
         .fields = {{.name = "value", .type = type, .doc = "The new value."}},
-        .doc = "The player has changed it. A change by a script is no event: watch the property."};
+        .doc =
+            "The player has changed it. A change by a script is not an event: watch the property."};
 }
 
 Property focusable(Widgets& widgets) {

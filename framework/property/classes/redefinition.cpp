@@ -68,7 +68,7 @@ void ClassRegistry::redefine(Class& of, std::vector<Property> wanted) {
     }
 }
 
-/// The property is no member any more. Its column stays, without a use.
+/// The property is not a member any more. Its column stays, without a use.
 void ClassRegistry::retire(Class& of, Property& property) {
     for (Class* each : with_derived(of)) {
         // A derived class may have declared it again with another default.

@@ -8,7 +8,7 @@
 //
 // So a formula with two paths to one source runs once, with current values, and an unchanged result
 // marks nothing further. The dependencies of a formula are the cells that its last run read: a
-// branch that was not taken is no dependency. A name that did not exist is one, so the formula
+// branch that was not taken is not a dependency. A name that did not exist is one, so the formula
 // recovers when the name appears. Cells without announced changes (simulated and derived ones) are
 // compared with the values that were read.
 

@@ -174,7 +174,7 @@ class History {
     bool may_resolve(const Unresolved& cell) const;
     CellState capture(Handle instance, Symbol name) const;
     /// Whether neither saved games nor going back in time change the property, such as
-    /// `view.show.names` and `console.height`: writing it is no edit of the game.
+    /// `view.show.names` and `console.height`: writing it is not an edit of the game.
     bool is_of_present(Handle instance, const Property& property) const {
         return property.transient && tree_.class_of(instance).snapshots() == Snapshots::never;
     }

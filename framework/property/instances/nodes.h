@@ -70,7 +70,7 @@ struct Position {
     bool named = false;
 };
 
-/// The table of nodes and their links. Index 0 is no instance.
+/// The table of nodes and their links. Index 0 is not an instance.
 class Nodes {
   public:
     Nodes() : nodes_(1), index_(64, 0) {}

@@ -21,7 +21,7 @@ struct SnapshotState {
     std::vector<SnapshotPart*> parts;
     std::vector<std::uint64_t> numbers;  // of the parts, counted in the order of `add_part`
     std::uint64_t last_number = 0;
-    /// 0 if it is no part.
+    /// 0 if it is not a part.
     std::uint64_t number_of(const SnapshotPart& part) const {
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (parts[i] == &part) return numbers[i];

@@ -51,8 +51,8 @@ std::size_t ByteWriter::begin_block() {
 
 void ByteWriter::end_block(std::size_t begin) {
     if (begin < sizeof(std::uint64_t) || begin > size())
-        throw Error(ErrorKind::bad_structure,
-                    "end_block: " + std::to_string(begin) + " is no place that begin_block gave");
+        throw Error(ErrorKind::bad_structure, "end_block: " + std::to_string(begin) +
+                                                  " is not a place that begin_block gave");
     const std::uint64_t length = size() - begin;
     std::memcpy(out_->data() + begin - sizeof length, &length, sizeof length);
 }

@@ -89,7 +89,7 @@ bool less(const Value& a, const Value& b, bool or_equal) {
     return false;
 }
 
-/// nil if one of them is no number.
+/// nil if one of them is not a number.
 Value computed(Do action, const Value& a, const Value& b) {
     if (!a.is_numeric() || !b.is_numeric()) return {};
     const double x = a.as_double(), y = b.as_double();

@@ -139,7 +139,7 @@ void add_functions(Machine& machine, const Class& of, Candidates& out) {
                 Group::function);
 }
 
-/// `separator`: where the dot is, which a name that is no identifier replaces.
+/// `separator`: where the dot is, which a name that is not an identifier replaces.
 void add_named(const std::string& name, std::size_t separator, Describe describe, Group group,
                Candidates& out) {
     if (property::is_identifier(name))

@@ -102,7 +102,8 @@ std::uint64_t Timers::add(lua_State* L, double due, double interval, Handle owne
 void Timers::wait(lua_State* L, double seconds) {
     lua_pushthread(L);
     const std::uint64_t id = next_id_++;
-    // A coroutine that is no timer's and no instance's is the scene's whose `enter` made it wait.
+    // A coroutine that belongs to neither a timer nor an instance is the scene's whose `enter` made
+    // it wait.
     const Lifetime lifetime =
         lifetimes_.try_emplace(L, Lifetime{{}, machine_.globals.entering, id, false}).first->second;
     Timer timer{.interval = -1,

@@ -184,7 +184,7 @@ int alias(lua_State* L) {
     const std::string word = check_text(L, 1, "alias: needs a word");
     if (!property::is_identifier(word))
         throw Error(ErrorKind::bad_name,
-                    "alias: \"" + word + "\" is no word of letters, digits and underscores");
+                    "alias: \"" + word + "\" is not a word of letters, digits and underscores");
     const std::string command = command_at(L, "alias");
     if (const auto* function = served(machine_of(L), &ConsoleFunctions::alias, "alias"))
         (*function)(word, command);

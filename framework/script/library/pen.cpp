@@ -87,7 +87,7 @@ void check_finite(double value, const char* what) {
 void check_not_below_0(double value, const char* what, const char* of) {
     if (value < 0)
         throw Error(ErrorKind::out_of_range, std::string(what) + ": " +
-                                                 property::number_text(value) + " is no " + of +
+                                                 property::number_text(value) + " is not a " + of +
                                                  ", which is 0 or more");
 }
 

@@ -24,7 +24,7 @@ void check_variable(lua_State* L, Machine& machine, const std::string& name) {
     const auto refuse = [&](const std::string& why) {
         throw Error(ErrorKind::bad_name, "state: \"" + name + "\" " + why);
     };
-    if (!property::is_identifier(name) || name == "_ENV") refuse("is no name for a variable");
+    if (!property::is_identifier(name) || name == "_ENV") refuse("is not a name for a variable");
     if (name == "it" || name == "_") refuse("has a meaning of its own in the console");
     if (among(callback_names(), name)) refuse("is the name of a callback");
     const property::Tree& tree = machine.tree;

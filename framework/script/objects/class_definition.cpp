@@ -23,11 +23,12 @@ namespace {
 // The default from `name = value` in a class; the value is at the top of the stack.
 Value default_of(lua_State* L, const std::string& class_name, const std::string& name) {
     if (is_formula(L, -1))
-        throw Error(ErrorKind::wrong_type,
-                    class_name + "." + name +
-                        ": a formula is no default, since each instance has formulas of its own; "
-                        "give a plain value here and the formula to the instance, in function " +
-                        class_name + ":ready() or in the constructor");
+        throw Error(
+            ErrorKind::wrong_type,
+            class_name + "." + name +
+                ": a formula is not a default, since each instance has formulas of its own; "
+                "give a plain value here and the formula to the instance, in function " +
+                class_name + ":ready() or in the constructor");
     return to_value(L, -1, [&] { return class_name + "." + name; });
 }
 
@@ -175,7 +176,7 @@ void check_first_state(const ScriptClasses& classes, const Class& of, const std:
 int not_defined_yet(lua_State* L) {
     const std::string name = string_at(L, lua_upvalueindex(1));
     throw Error(ErrorKind::bad_structure, name +
-                                              ": is no class yet; braces with its properties "
+                                              ": is not a class yet; braces with its properties "
                                               "are missing, as in " +
                                               name + " = class(\"" + name + "\", Body) { }");
 }
@@ -243,7 +244,7 @@ int class_function(lua_State* L) {
     const std::string name =
         check_text(L, 1, "class: needs a name, as in class(\"Ball\", Body) { }");
     if (!property::is_identifier(name))
-        throw Error(ErrorKind::bad_name, "class: \"" + name + "\" is no name for a class");
+        throw Error(ErrorKind::bad_name, "class: \"" + name + "\" is not a name for a class");
     if (lua_isnil(L, 2)) {
         machine.classes.push(L, machine.tree.object_class());
         lua_replace(L, 2);

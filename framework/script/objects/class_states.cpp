@@ -118,7 +118,8 @@ void ScriptClasses::set_states(lua_State* L, const Class& of) {
     const int table = lua_gettop(L);
     for (const std::string& name : sorted_keys(L, table, where)) {
         if (!property::is_identifier(name))
-            throw Error(ErrorKind::bad_name, where + ": \"" + name + "\" is no name for a state");
+            throw Error(ErrorKind::bad_name,
+                        where + ": \"" + name + "\" is not a name for a state");
         push_text(L, name);
         lua_rawget(L, table);
         check_state(L, property::path_suffix(name).insert(0, where));

@@ -305,7 +305,7 @@ void Hints::check_keys() {
             each_place(text, callback, [&, &file = chunk, &code = text](std::size_t at) {
                 const std::string parameter(code.substr(at, end_of_word(code, at) - at));
                 if (parameter.empty()) return;
-                // The function may call others; a variable of that name elsewhere is no key.
+                // The function may call others; a variable of that name elsewhere is not a key.
                 const std::size_t end = std::min(code.find("\nend", at), code.size());
                 const std::string_view body = code.substr(0, end);
                 each_place(body.substr(at), parameter + " == ", [&](std::size_t behind) {

@@ -310,7 +310,7 @@ void ScriptClasses::explain_integer(const Property& property, const Value& value
     const std::string declared = property::value_text(property.default_value);
     throw Error(ErrorKind::wrong_type, property.owner->name() + "." + property.name + ": " +
                                            property::number_text(number) +
-                                           " is no integer, and the class declares " +
+                                           " is not an integer, and the class declares " +
                                            property.name + " = " + declared + "; declare " +
                                            declared + ".0 for a property that takes any number");
 }

@@ -31,7 +31,7 @@ const std::vector<GlobalDoc>& global_docs() {
          "The steps of the bookmarks by their names: time:go_to(bookmarks().start) goes to one."},
         {"break_when", "break_when(condition?: string|fun(): any)",
          "Pauses the game after the step in which the condition becomes true, and prints its old "
-         "and new value and who wrote it. A value that is no boolean breaks when it changes. "
+         "and new value and who wrote it. A value that is not a boolean breaks when it changes. "
          "Without a condition all breaks end."},
         {"class", "class(name: string, base?: Class|string): fun(members: table): Class",
          "Defines a class whose instances are in the tree: Ball = class(\"Ball\", Body) { lives "

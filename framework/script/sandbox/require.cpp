@@ -27,14 +27,15 @@ std::string module_file(const std::string& name) {
     for (const char c : name) {
         const bool word = std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
         if (!word && c != '.' && c != '/')
-            throw Error(ErrorKind::bad_name, "require: \"" + name + "\" is no name of a module");
+            throw Error(ErrorKind::bad_name, "require: \"" + name + "\" is not a name of a module");
         file += c == '.' ? '/' : c;
     }
     if (file.empty() || file.front() == '/' || file.back() == '/' ||
         file.find("//") != std::string::npos)
-        throw Error(ErrorKind::bad_name, "require: \"" + name +
-                                             "\" is no name of a module; files outside the game's "
-                                             "folder cannot be loaded");
+        throw Error(ErrorKind::bad_name,
+                    "require: \"" + name +
+                        "\" is not a name of a module; files outside the game's "
+                        "folder cannot be loaded");
     return file + ".lua";
 }
 
@@ -56,8 +57,9 @@ fs::path existing(Machine& machine, const std::string& file, const std::string& 
                                              property::suggestion(name, modules_of(machine)));
 }
 
-// Counts a module as being loaded while its file runs. The list is no table of Lua: an error of the
-// file leaves the stack of Lua as it was in the innermost function, so its end may not use that.
+// Counts a module as being loaded while its file runs. The list is not a table of Lua: an error of
+// the file leaves the stack of Lua as it was in the innermost function, so its end may not use
+// that.
 class BeingLoaded {
   public:
     BeingLoaded(std::vector<std::string>& names, const std::string& name) : names_(names) {

@@ -302,9 +302,9 @@ Value to_value_nested(lua_State* L, int index, int depth) {
     const std::string what = describe_type(L, index);
     if (lua_type(L, index) == LUA_TFUNCTION)
         throw Error(ErrorKind::wrong_type,
-                    "a function is no value of a property; functions belong to classes "
+                    "a function is not a value of a property; functions belong to classes "
                     "(function Ball:name()) and handlers (ball:on, ball:watch)");
-    throw Error(ErrorKind::wrong_type, what + " is no value of a property");
+    throw Error(ErrorKind::wrong_type, what + " is not a value of a property");
 }
 
 Value table_to_list(lua_State* L, int index, int depth) {
@@ -324,7 +324,7 @@ Value table_to_list(lua_State* L, int index, int depth) {
     if (name)
         throw Error(ErrorKind::wrong_type,
                     "a table with named keys (" + *name +
-                        ") is no value; a list has elements 1, 2, 3 ..., and Object { } "
+                        ") is not a value; a list has elements 1, 2, 3 ..., and Object { } "
                         "takes names");
     if (keys != length)
         throw Error(ErrorKind::wrong_type, "the table has gaps; a list has elements 1, 2, 3 ...");
@@ -392,7 +392,7 @@ property::Color check_color(lua_State* L, int index, const char* what) {
         property::Color color;
         if (property::parse_color(string_at(L, index), color)) return color;
         throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": \"" + string_at(L, index) + "\" is no color" +
+                    std::string(what) + ": \"" + string_at(L, index) + "\" is not a color" +
                         property::suggestion(string_at(L, index), property::color_names()));
     }
     refuse_type(L, index, std::string(what) + ": needs a color");

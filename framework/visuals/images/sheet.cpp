@@ -22,7 +22,7 @@ struct Part {
 
     [[noreturn]] void fail(const std::string& expected) const {
         throw std::runtime_error(
-            "is no JSON export of Aseprite: " + (path.empty() ? "" : path + ": ") + "expected " +
+            "is not a JSON export of Aseprite: " + (path.empty() ? "" : path + ": ") + "expected " +
             expected + ", got " + shown());
     }
     /// The beginning of its text.
@@ -136,7 +136,8 @@ Export read_export(std::string_view text) {
     // A value inside thousands of others takes the library much memory.
     const auto limit_depth = [](int depth, json::parse_event_t, const json&) {
         if (depth > 64)
-            throw std::runtime_error("is no JSON export of Aseprite: nested deeper than 64 levels");
+            throw std::runtime_error(
+                "is not a JSON export of Aseprite: nested deeper than 64 levels");
         return true;
     };
     try {
@@ -146,7 +147,7 @@ Export read_export(std::string_view text) {
         std::string why = error.what();
         if (const std::size_t end = why.find("] "); why.starts_with('[') && end != why.npos)
             why.erase(0, end + 2);
-        throw std::runtime_error("is no JSON export of Aseprite: " + why);
+        throw std::runtime_error("is not a JSON export of Aseprite: " + why);
     }
 }
 

@@ -137,7 +137,7 @@ Font::Font(std::string file, int index) : file_(std::move(file)), data_(std::mak
     const auto* bytes = reinterpret_cast<const FT_Byte*>(file_.data());
     if (FT_New_Memory_Face(data_->library, bytes, static_cast<FT_Long>(file_.size()), index,
                            &data_->face) != 0)
-        throw std::runtime_error("is no font (TTF or OTF)");
+        throw std::runtime_error("is not a font (TTF or OTF)");
     const FT_Face face = data_->face;
     // As in other programs, the size is that of the em square.
     if (FT_IS_SCALABLE(face) && face->units_per_EM > 0) {
@@ -150,7 +150,7 @@ Font::Font(std::string file, int index) : file_(std::move(file)), data_(std::mak
     // Emoji are pictures of a few sizes.
     if (FT_IS_SCALABLE(face) || face->num_fixed_sizes < 1 || FT_Select_Size(face, 0) != 0 ||
         face->size->metrics.y_ppem == 0)
-        throw std::runtime_error("is no font (TTF or OTF)");
+        throw std::runtime_error("is not a font (TTF or OTF)");
     const FT_Size_Metrics& metrics = face->size->metrics;
     ascent_ = static_cast<double>(metrics.ascender) / 64 / metrics.y_ppem;
     descent_ = -static_cast<double>(metrics.descender) / 64 / metrics.y_ppem;

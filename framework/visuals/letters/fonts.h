@@ -38,7 +38,7 @@ class Fonts {
     /// "sans", "bold", "mono", or a file of the game. If a file is missing, "sans" and a message.
     const Family& get(const property::FileUser& user, const std::string& name);
 
-    /// Reads the file again. False if it is no font in use. If it cannot be read, the old font
+    /// Reads the file again. False if it is not a font in use. If it cannot be read, the old font
     /// stays. Layouts made before may still be drawn.
     bool renew(const std::string& name);
 

@@ -117,7 +117,7 @@ Value Grid::change(const Value& list, int x, int y, PackedCell cell) {
     cells_[index(x, y)] = cell;
     const bool is_new_row = !changes_.contains(y);
     Row& row = changes_[y];
-    // A cell that is as in the file again is no change.
+    // A cell that is as in the file again is not a change.
     if (cell == in_file) {
         row.erase(x);
         file_.erase(index(x, y));

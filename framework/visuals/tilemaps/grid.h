@@ -54,7 +54,7 @@ class Grid {
     /// Cells of a row that `contains` it, from `left`.
     const PackedCell* row(int y) const { return &cells_[index(left_, y)]; }
 
-    /// Puts all changes in place of those that were there. A text that is no change is skipped.
+    /// Puts all changes in place of those that were there. A text that is not a change is skipped.
     void set_changes(const property::Value& list);
     /// Changes one cell of the grid and returns `list`, which must have been given to
     /// `set_changes`, with the change.

@@ -81,7 +81,7 @@ std::shared_ptr<const LoadedMap> Tilemaps::read(Handle instance) {
         maps::Map map = maps::read_map(
             file, [&](const std::string& name) { return assets->read(what, name, map_endings); });
         if (map.orientation != maps::Orientation::orthogonal)
-            throw std::runtime_error(file + " is no orthogonal map; others cannot be shown");
+            throw std::runtime_error(file + " is not an orthogonal map; others cannot be shown");
         return std::make_shared<const LoadedMap>(std::move(map), what, images_);
     } catch (const std::exception& error) {
         const std::string why = error.what();

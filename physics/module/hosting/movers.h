@@ -51,7 +51,7 @@ static_assert(sizeof(MoverRecord) == 2 * 8 + 32 * 4 + 4 * sizeof(physics::ShapeI
 /// The movers of one world, in the order of their slots.
 class Movers {
   public:
-    /// The defaults, with slot 0, if the body is no mover.
+    /// The defaults, with slot 0, if the body is not a mover.
     MoverRecord get(std::uint32_t slot) const;
     void set(std::uint32_t slot, MoverRecord record);
     void forget(std::uint32_t slot);

@@ -1,5 +1,5 @@
 // Joints that are made, or whose bodies get another velocity, while the bodies move against each
-// other: sticky shapes, grabbed crates. What joints do not allow is no approach that a contact
+// other: sticky shapes, grabbed crates. What joints do not allow is not an approach that a contact
 // could stop.
 
 #include <fettle/physics/physics.h>

@@ -67,7 +67,7 @@ class Window : public Screen {
     /// vertical synchronization, frames wait for the screen; if the system does not support that,
     /// the window waits itself.
     virtual void follow(const WindowState& state) = 0;
-    /// Shows an image, the content of a file, in the task bar. False if it is no image.
+    /// Shows an image, the content of a file, in the task bar. False if it is not an image.
     virtual bool set_icon(const std::string& image) = 0;
     /// Lets `poll` report the gamepads that are plugged in, for a game that starts now. A window
     /// that was just opened does so by itself.

@@ -20,7 +20,7 @@ class Tree;
 /// A condition for instances, as it is typed into the search of the inspector: `mass > 5`.
 class Condition {
   public:
-    /// Throws Error(rejected), which names the place, for a text that is no condition, has more
+    /// Throws Error(rejected), which names the place, for a text that is not a condition, has more
     /// than 2000 bytes, or is nested more than 50 deep.
     explicit Condition(std::string_view text);
     ~Condition();

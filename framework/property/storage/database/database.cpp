@@ -306,7 +306,7 @@ void check_header(std::string_view file, const FileFormat& format) {
     constexpr std::string_view magic{"SQLite format 3", 16};  // with its zero byte
     constexpr std::size_t size = 100, version_at = 60, application_at = 68;
     if (file.size() < size || !file.starts_with(magic))
-        throw std::runtime_error("it is no database");
+        throw std::runtime_error("it is not a database");
     const auto number = [file](std::size_t at) {
         std::uint32_t value = 0;
         for (const char c : file.substr(at, sizeof value))
@@ -335,7 +335,7 @@ bool check_format(Database& database, const FileFormat& format) {
                                                  each.text(2)) == format.tables.end())
             throw std::runtime_error("it holds the " + each.text(0) + " \"" + each.text(1) +
                                      "\", which such a file does not have");
-    if (tables != format.tables.size()) throw std::runtime_error("a table is missing in it");
+    if (tables != format.tables.size()) throw std::runtime_error("it has fewer tables than such a file");
     if (const std::string found = database.text("PRAGMA quick_check(1)"); found != "ok")
         throw std::runtime_error("it is damaged (" + found + ")");
     return true;

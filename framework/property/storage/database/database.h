@@ -22,7 +22,7 @@ class DatabaseError : public std::runtime_error {
     DatabaseError(int code, const std::string& what) : std::runtime_error(what), code_(code) {}
     /// Another connection is writing; the same call may succeed a moment later.
     bool busy() const;
-    /// The file is no database, or is damaged.
+    /// The file is not a database, or is damaged.
     bool damaged() const;
     /// The same error with the path `where` in front of the message.
     DatabaseError at(const std::filesystem::path& where) const {
@@ -69,7 +69,7 @@ enum class Access : std::uint8_t { create, existing, reading };
 class Database {
   public:
     /// Throws DatabaseError. Throws std::runtime_error with the reason in words if the file, or one
-    /// that SQLite keeps beside it, is no regular file or larger than `size_limit`.
+    /// that SQLite keeps beside it, is not a regular file or larger than `size_limit`.
     Database(const std::filesystem::path& file, Access access);
     static Database in_memory();
     static constexpr std::uintmax_t size_limit = std::uintmax_t{1} << 30;  // bytes

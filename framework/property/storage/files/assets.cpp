@@ -41,7 +41,7 @@ fs::path Assets::path_of(std::string_view what, const std::string& name) const {
     for (const fs::path& part : path) leaves = leaves || part == "..";
     if (leaves)
         throw Error(ErrorKind::rejected, std::string(what) + ": \"" + name.substr(0, 80) +
-                                             "\" is no file below the game's folder");
+                                             "\" is not a file below the game's folder");
     return game_ / path;
 }
 

@@ -161,7 +161,8 @@ std::string why_no_name_of_a_scene(const fs::path& name) {
     std::transform(last.begin(), last.end(), last.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     for (const char* const ending : {".lua", ".so", ".sqlite", ".tweaks.json"})
-        if (last.ends_with(ending)) return std::string("what ends in ") + ending + " is no scene";
+        if (last.ends_with(ending))
+            return std::string("what ends in ") + ending + " is not a scene";
     const bool taken = last == "modules.json" || last == "game.json";
     return taken ? "the name means something to Fettle itself" : "";
 }
@@ -171,12 +172,12 @@ std::string why_no_scene(std::string text, const std::string& name) {
     try {
         const Document document(std::move(text), name);
         const Document::Node* version = document.member(document.root(), version_key);
-        if (version == nullptr) return "there is a file already, and it is no scene";
+        if (version == nullptr) return "there is a file already, and it is not a scene";
         if (version->kind == Document::Kind::integer && version->integer > scene_format_version)
             return "there is a scene of a newer Fettle";
         return {};
     } catch (const Error&) {
-        return "there is a file already, and it is no scene";
+        return "there is a file already, and it is not a scene";
     }
 }
 

@@ -35,8 +35,8 @@ class UnknownKeys {
     std::array<std::string, 3> keys_;
 };
 
-/// The content of `unknown_keys` of an instance. nullopt if it has none, or if the text is no JSON
-/// object: then it is an ordinary property of the user.
+/// The content of `unknown_keys` of an instance. nullopt if it has none, or if the text is not a
+/// JSON object: then it is an ordinary property of the user.
 std::optional<Document> unknown_keys(const Tree& tree, Handle instance);
 
 }  // namespace fettle::property

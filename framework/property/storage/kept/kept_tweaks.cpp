@@ -93,7 +93,7 @@ KeptTweaks::Contents KeptTweaks::contents_of(const Document& document) {
             if (!segments.empty() && all_names(segments)) return segments;
         } catch (const Error&) {
         }
-        document.fail(ErrorKind::bad_path, offset, "\"" + path + "\" is no path of names");
+        document.fail(ErrorKind::bad_path, offset, "\"" + path + "\" is not a path of names");
     };
     if (const Node* values = section("values", Document::Kind::object))
         for (const Node* node = document.first(*values); node; node = document.next(*node)) {

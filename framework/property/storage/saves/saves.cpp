@@ -124,9 +124,10 @@ void Saves::check_slot(std::string_view slot) {
     if (!slot.empty() && slot.size() <= 64 && slot.front() != ' ' && slot.back() != ' ' &&
         std::all_of(slot.begin(), slot.end(), fits))
         return;
-    throw Error(ErrorKind::bad_name, value_text(Value(slot.substr(0, 80))) +
-                                         " is no name of a slot: it takes 1 to 64 letters, digits, "
-                                         "spaces, - and _");
+    throw Error(ErrorKind::bad_name,
+                value_text(Value(slot.substr(0, 80))) +
+                    " is not a name of a slot: it takes 1 to 64 letters, digits, "
+                    "spaces, - and _");
 }
 
 fs::path Saves::file(const std::string& slot) const {

@@ -15,7 +15,7 @@ namespace fettle::property {
 
 class SceneEdit {
   public:
-    /// Throws SceneError for a text that is no scene.
+    /// Throws SceneError for a text that is not a scene.
     SceneEdit(const Tree& tree, std::string text, std::string file_name);
     const std::string& text() const { return json_.text(); }
     const Document& document() const { return json_.document(); }

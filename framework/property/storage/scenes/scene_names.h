@@ -10,7 +10,7 @@
 
 namespace fettle::property {
 
-/// Replaces paths in every reference of a scene. Throws SceneError for a text that is no scene.
+/// Replaces paths in every reference of a scene. Throws SceneError for a text that is not a scene.
 std::string scene_with_paths(const Tree& tree, const std::string& scene, const NewPath& path);
 
 /// Replaces paths in every reference of a value of that type. Type::nil: the value contains its own

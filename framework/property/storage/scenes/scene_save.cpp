@@ -72,7 +72,7 @@ class SceneWriter {
         tree_.require(top_);
         if (top_ == tree_.root()) {
             throw Error(ErrorKind::bad_structure,
-                        "game, the root of the tree, is no scene: save what is below it");
+                        "game, the root of the tree, is not a scene: save what is below it");
         }
         if (!tree_.class_of(top_).creatable()) {
             throw Error(ErrorKind::bad_structure,

@@ -95,7 +95,7 @@ class SettingsReader {
     std::string path_;
 };
 
-/// The numbers of a version like "1.2.3"; empty if the text is no version.
+/// The numbers of a version like "1.2.3"; empty if the text is not a version.
 std::vector<unsigned> version_numbers(std::string_view text) {
     std::vector<unsigned> numbers;
     while (true) {

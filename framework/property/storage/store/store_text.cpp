@@ -116,7 +116,7 @@ Store::Entry read_pairs(const StoreJson& json, int depth) {
     Store::Entry table = new_table();
     if (!json.is_array()) damaged_store("a table without entries");
     for (const StoreJson& pair : json) {
-        if (!pair.is_array() || pair.size() != 2) damaged_store("an entry that is no pair");
+        if (!pair.is_array() || pair.size() != 2) damaged_store("an entry that is not a pair");
         Store::Key key;
         if (pair[0].is_number_integer())
             key = pair[0].get<std::int64_t>();
@@ -144,7 +144,7 @@ Store::Entry read_object(const StoreJson& json, int depth) {
             return {.value = Color{static_cast<float>(c[0]), static_cast<float>(c[1]),
                                    static_cast<float>(c[2]), static_cast<float>(c[3])}};
         }
-        damaged_store("\"" + tag + "\" is no kind of value");
+        damaged_store("\"" + tag + "\" is not a kind of value");
     }
     Store::Entry table = new_table();
     for (const auto& [key, value] : json.items())
@@ -159,7 +159,7 @@ Store::Entry read_entry(const StoreJson& json, int depth) {
     if (json.is_number()) return {.value = json.get<double>()};
     if (json.is_string()) return {.value = json.get<std::string>()};
     if (json.is_object()) return read_object(json, depth);
-    if (!json.is_array()) damaged_store("null is no value");
+    if (!json.is_array()) damaged_store("null is not a value");
     Store::Entry list = new_table();
     std::int64_t place = 0;
     for (const StoreJson& each : json) list.content->entries[++place] = read_entry(each, depth + 1);

@@ -12,7 +12,7 @@ namespace fettle::property {
 /// The text with all entries of the table.
 std::string store_text(const Store::Content& content);
 
-/// The content in a text. Throws Error(damaged) with the reason if it is no text of a store.
+/// The content in a text. Throws Error(damaged) with the reason if it is not a text of a store.
 Store::Content store_content(const std::string& text);
 
 /// About how many bytes the entry takes, with everything in it.

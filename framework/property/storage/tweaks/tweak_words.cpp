@@ -70,7 +70,7 @@ void require_names(const std::string& path, bool root_too) {
     const bool names = std::none_of(segments.begin(), segments.end(),
                                     [](const Segment& each) { return each.is_index(); });
     if (!names || (segments.empty() && !root_too))
-        throw Error(ErrorKind::bad_path, value_text(Value(path)) + " is no path of an instance");
+        throw Error(ErrorKind::bad_path, value_text(Value(path)) + " is not a path of an instance");
 }
 
 }  // namespace

@@ -98,11 +98,11 @@ void Tweaks::State::take_earlier(std::vector<JournalRow> rows) {
     }
     const std::size_t odd = earlier.left_aside.size();
     if (odd == 1)
-        warn("1 row that an earlier run has left is no tweak, and is left aside: " + first +
+        warn("1 row that an earlier run has left is not a tweak, and is left aside: " + first +
              "; drop_tweaks(\"**\") removes it");
     else if (odd > 1)
         warn(std::to_string(odd) +
-             " rows that earlier runs have left are no tweaks, and are left aside, the first: " +
+             " rows that earlier runs have left are not tweaks, and are left aside, the first: " +
              first + "; drop_tweaks(\"**\") removes them");
 }
 

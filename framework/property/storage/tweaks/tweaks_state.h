@@ -192,10 +192,10 @@ class TweakPattern {
 /// The words of a row for a recording, and a row made of words, which belongs to another run and
 /// cannot be written.
 TweakWords words_of(const JournalRow& row);
-/// Throws Error for words that are no row.
+/// Throws Error for words that are not a row.
 JournalRow row_of(const TweakWords& words);
 
-/// Why a row is no valid tweak, for example an invalid path or value; "" if it is valid.
+/// Why a row is not a valid tweak, for example an invalid path or value; "" if it is valid.
 std::string problem_of(const JournalRow& row);
 
 /// The text, or its first bytes followed by "..."; characters are not split.

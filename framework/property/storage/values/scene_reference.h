@@ -19,7 +19,7 @@ struct SceneBeingLoaded {
     std::string name;
 };
 
-/// Throws SceneError at `node` if the text is no path or leads nowhere.
+/// Throws SceneError at `node` if the text is not a path or leads nowhere.
 Handle find_reference(const SceneBeingLoaded& scene, const std::string& path,
                       const Document::Node& node);
 

@@ -77,7 +77,7 @@ void require_settable_in_scene(const Property& property);
 
 /// Reads a value of type `type`; if that is a list, `element` is the type of its elements. If the
 /// text has another type, the value of that type is returned, and the property converts or refuses
-/// it. Throws SceneError if the text is no value.
+/// it. Throws SceneError if the text is not a value.
 Value read_value(const Document& document, const Document::Node& node, Type type, Type element,
                  const ReferenceResolver& resolve);
 

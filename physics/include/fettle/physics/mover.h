@@ -28,7 +28,7 @@ struct MoverDef {
     /// Categories of ledges: shapes that are solid only from above, and through which `drop` lets
     /// it fall. Chains are solid on one side without this.
     uint64_t ledges = 0;
-    BodyId body = {};  ///< a body whose shapes are no obstacles: the mover's own
+    BodyId body = {};  ///< a body whose shapes are not obstacles: the mover's own
 };
 
 /// A plane that bounds the motion of a mover, from the surface of a shape near it.
@@ -69,9 +69,9 @@ struct Moved {
 };
 
 /// Moves a character through a world: it slides along walls, climbs slopes and steps, rides on
-/// moving platforms, passes through ledges from below and pushes crates. It is no body: bodies do
-/// not see it. A host may give it a kinematic body, `MoverDef::body`, and set the velocity of this
-/// body to `Moved::motion` divided by dt before the step.
+/// moving platforms, passes through ledges from below and pushes crates. It is not a body: bodies
+/// do not see it. A host may give it a kinematic body, `MoverDef::body`, and set the velocity of
+/// this body to `Moved::motion` divided by dt before the step.
 ///
 /// A mover is a plain value: a copy is a snapshot. Functions throw std::invalid_argument for values
 /// out of range.

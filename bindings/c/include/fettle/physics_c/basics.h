@@ -8,7 +8,7 @@
  * pointer must not be null unless the function says that it may be. NaN is refused everywhere.
  * Nothing that a caller passes as an id, a number or a size makes a function crash.
  *
- * Memory. After FETTLE_NO_MEMORY, creating a body, or a shape that is no outline, has changed
+ * Memory. After FETTLE_NO_MEMORY, creating a body, or a shape that is not an outline, has changed
  * nothing, nor has a function that changes no world. Any other edit, or a step, may have been made
  * in part: then the functions of this world return FETTLE_NO_MEMORY until it gets another state
  * (fettle_world_assign, fettle_world_restore, fettle_world_take) or is destroyed.

@@ -1,7 +1,8 @@
 /* A character mover: it moves a capsule through a world, along walls, up slopes and steps, on
- * moving platforms. It is no object of the world but two structures of the caller: the definition,
- * and the state, which is all that it keeps from move to move. Errors are those of basics.h; a
- * definition with a value out of its range is refused by every function that takes it. */
+ * moving platforms. It is not an object of the world but two structures of the caller: the
+ * definition, and the state, which is all that it keeps from move to move. Errors are those of
+ * basics.h; a definition with a value out of its range is refused by every function that takes it.
+ */
 
 #pragma once
 
@@ -16,7 +17,7 @@ typedef struct fettle_mover_def {
     uint64_t category; /* 1; categories of the mover */
     uint64_t mask;     /* all bits; categories of the shapes that are obstacles */
     uint64_t ledges;   /* 0; categories of shapes that are solid only from above */
-    fettle_id body;    /* 0; a body whose shapes are no obstacles */
+    fettle_id body;    /* 0; a body whose shapes are not obstacles */
     fettle_vec2 up;    /* (0, 1); from its feet to its head, of any length but 0 */
     float radius;      /* 0.4 m, 0.01 to 1000 */
     float height;      /* 1.8 m, at least twice the radius, at most 1000 */

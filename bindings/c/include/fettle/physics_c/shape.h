@@ -122,7 +122,7 @@ fettle_code fettle_shape_set_vertices(fettle_world* world, fettle_id shape,
                                       const fettle_vec2* points, uint32_t count);
 
 /** As fettle_shape_set_vertices, for polygons only; points without a hull give one of
-    fettle_hull_status and are no error. */
+    fettle_hull_status and are not errors. */
 fettle_code fettle_shape_try_set_vertices(fettle_world* world, fettle_id shape,
                                           const fettle_vec2* points, uint32_t count,
                                           int32_t* status);

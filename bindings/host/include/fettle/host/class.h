@@ -68,7 +68,7 @@ typedef struct fettle_class_def {
     structure. */
 fettle_code fettle_class_def_init(fettle_class_def* def, size_t size);
 
-/** FETTLE_INVALID, and nothing changes, for a name that is taken, that is no name, or that is
+/** FETTLE_INVALID, and nothing changes, for a name that is taken, that is not a name, or that is
    nearly one of the base class, and for a default that the property would refuse. Not in a
    callback. */
 fettle_code fettle_hosted_define(fettle_hosted* game, const fettle_class_def* def);

@@ -89,7 +89,7 @@ class Tweaks {
 
     // After the end of the tree the functions below throw Error(deleted).
     // `pattern` as for watching; a pattern without stars that names an instance means all tweaks of
-    // it. Throw Error for a text that is no pattern.
+    // it. Throw Error for a text that is not a pattern.
 
     /// Writes tweaks where their values came from: into the scene file, or, for instances made by a
     /// script, into NAME.tweaks.json beside the game.
