@@ -72,6 +72,12 @@ fs::path fresh_name(const fs::path& file, const fs::path& folder) {
             std::to_string(getpid()) + "-" + std::to_string(++count) + file.extension().string());
 }
 
+/// Whether the name of an open file is gone.
+bool removed(int file) {
+    struct stat status {};
+    return ::fstat(file, &status) == 0 && status.st_nlink == 0;
+}
+
 /// Removes copies that killed processes have left in a folder.
 void remove_leftovers(const fs::path& folder) {
     std::error_code error;
@@ -108,16 +114,21 @@ ModuleCopy::~ModuleCopy() {
 }
 
 bool ModuleCopy::copy_into(const fs::path& folder) {
-    const fs::path path = fresh_name(file_, folder);
-    // Create and lock an empty file first: another process may remove any unlocked copy.
-    lock_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
-    if (lock_ < 0) return false;
-    (void)::flock(lock_, LOCK_EX | LOCK_NB);
-    copy_ = path;
+    // Create and lock an empty file first: another process may remove any unlocked copy. It may
+    // also do that between the creation and the lock; then another file is created.
+    do {
+        if (lock_ >= 0) ::close(lock_);
+        copy_ = fresh_name(file_, folder);
+        lock_ = ::open(copy_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
+        if (lock_ >= 0) (void)::flock(lock_, LOCK_EX);
+    } while (lock_ >= 0 && removed(lock_));
     std::error_code error;
-    if (fs::copy_file(file_, path, fs::copy_options::overwrite_existing, error)) return true;
-    ::unlink(path.c_str());
-    ::close(std::exchange(lock_, -1));
+    if (lock_ >= 0 && fs::copy_file(file_, copy_, fs::copy_options::overwrite_existing, error))
+        return true;
+    if (lock_ >= 0) {
+        ::unlink(copy_.c_str());
+        ::close(std::exchange(lock_, -1));
+    }
     copy_.clear();
     return false;
 }

@@ -2,11 +2,15 @@
 
 #include <catch.h>
 #include <fcntl.h>
+#include <shared_object.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <fstream>
+#include <thread>
+#include <vector>
 
 #include "weather.h"
 
@@ -246,6 +250,22 @@ TEST_CASE("no copy of a module file is left") {
         CHECK_FALSE(fs::exists(folder / ".weather.fettle-1-1.so"));
         ::close(held);
     }
+}
+
+// Each making of a copy removes those of killed processes, which are the ones without a lock.
+TEST_CASE("copies of a module that are made at the same time leave each other alone") {
+    const ModuleFile module("weather");
+    std::atomic<int> missing = 0;
+    const auto make_copies = [&] {
+        for (int i = 0; i < 300; ++i) {
+            const module::ModuleCopy copy(module.path());
+            missing += copy.path() == module.path() || !fs::exists(copy.path());
+        }
+    };
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i) threads.emplace_back(make_copies);
+    for (std::thread& thread : threads) thread.join();
+    CHECK(missing == 0);
 }
 
 TEST_CASE("a module is not loaded twice") {
