@@ -105,7 +105,7 @@ void Body::set_position(const Position& position) {
 void Body::set_angle(float angle) {
     FETTLE_EDIT_BODY
     data.change<teleport>(id_.index, state.position,
-                check_range("angle", angle, -greatest_coordinate, greatest_coordinate));
+                          check_range("angle", angle, -greatest_coordinate, greatest_coordinate));
 }
 
 void Body::set_pose(const Pose& pose) {

@@ -234,14 +234,14 @@ namespace {
 struct PointResponse {
     float of_first = 0.0f, of_second = 0.0f, between = 0.0f;
     JointResponse::Answer answers[2];
-    bool jointed = false;
+    JointResponse* joints = nullptr;  ///< null: no joint acts on the two bodies
 
-    PointResponse(const ContactConstraint& c, JointResponse* joints)
+    PointResponse(const ContactConstraint& c, JointResponse* all_joints)
         : of_first(inverse_or_zero(c.points[0].normal_mass)),
           of_second(inverse_or_zero(c.points[1].normal_mass)),
           between(c.coupling_normal) {
-        jointed = joints != nullptr && joints->acts_on(c.a, c.b);
-        if (!jointed) return;
+        if (all_joints == nullptr || !all_joints->acts_on(c.a, c.b)) return;
+        joints = all_joints;
         for (int k = 0; k < c.count; ++k) {
             const ConstraintPoint& p = c.points[k];
             answers[k] = joints->answer(
@@ -352,8 +352,8 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, std::span<uint8_t> change
         }
         if (!meets[0] && !meets[1]) continue;
         const PointResponse response(c, joints);
-        for (int k = 0; response.jointed && k < c.count; ++k) {
-            const float forbidden = float(joints->forbidden(response.answers[k], bodies));
+        for (int k = 0; response.joints != nullptr && k < c.count; ++k) {
+            const float forbidden = float(response.joints->forbidden(response.answers[k], bodies));
             v[k] -= forbidden;
             meets[k] = meets[k] && extra.approach[k] - forbidden < -restitution_threshold;
         }
@@ -375,10 +375,11 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, std::span<uint8_t> change
         };
         note(c.a);
         note(c.b);
-        if (!response.jointed) continue;
+        if (response.joints == nullptr) continue;
         for (int k = 0; k < c.count; ++k)
             if (bounce.impulses[k] != 0.0f)
-                joints->apply(response.answers[k], double(bounce.impulses[k]), bodies, note);
+                response.joints->apply(response.answers[k], double(bounce.impulses[k]), bodies,
+                                       note);
     }
     return any;
 }

@@ -335,7 +335,8 @@ bool check_format(Database& database, const FileFormat& format) {
                                                  each.text(2)) == format.tables.end())
             throw std::runtime_error("it holds the " + each.text(0) + " \"" + each.text(1) +
                                      "\", which such a file does not have");
-    if (tables != format.tables.size()) throw std::runtime_error("it has fewer tables than such a file");
+    if (tables != format.tables.size())
+        throw std::runtime_error("it has fewer tables than such a file");
     if (const std::string found = database.text("PRAGMA quick_check(1)"); found != "ok")
         throw std::runtime_error("it is damaged (" + found + ")");
     return true;
