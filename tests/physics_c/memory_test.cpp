@@ -16,23 +16,24 @@ std::atomic<int64_t> allocations_left = -1;  ///< until memory ends; negative: i
 
 }  // namespace
 
-// Of the whole program, and so of the library that it uses.
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+// These replace the operators of the whole program, and so of the library that it uses. Inlined,
+// they make GCC take `free` for the wrong partner of `new` (-Wmismatched-new-delete).
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
     if (allocations_left.load() >= 0 && allocations_left.fetch_sub(1) == 0) return nullptr;
     return std::malloc(size > 0 ? size : 1);
 }
-void* operator new(std::size_t size) {
+[[gnu::noinline]] void* operator new(std::size_t size) {
     void* const memory = operator new(size, std::nothrow);
     if (memory == nullptr) throw std::bad_alloc();
     return memory;
 }
-void operator delete(void* memory, const std::nothrow_t&) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, const std::nothrow_t&) noexcept {
     std::free(memory);
 }
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
     std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
 
