@@ -2,6 +2,7 @@
 
 #include <histedit.h>
 #include <poll.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -23,6 +24,17 @@ constexpr std::size_t most_listed = 24;
 std::size_t characters_in(std::string_view text) {
     return static_cast<std::size_t>(std::ranges::count_if(
         text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// From now on a read of the terminal returns 0 if there is no character. Ctrl+C empties the queue
+/// of the terminal, so a character that `poll` has reported may be gone. A read that waits for one
+/// would then delay the effect of Ctrl+C until the next key.
+void do_not_wait_for_characters() {
+    termios settings{};
+    if (::tcgetattr(STDIN_FILENO, &settings) != 0 || settings.c_cc[VMIN] == 0) return;
+    settings.c_cc[VMIN] = 0;
+    settings.c_cc[VTIME] = 0;
+    ::tcsetattr(STDIN_FILENO, TCSANOW, &settings);
 }
 
 /// What all candidates begin with that begin as typed; those that only resemble it do not count. ""
@@ -61,6 +73,7 @@ struct LineEditor::State {
     static int read_character(EditLine* editor, wchar_t* character) {
         State& state = of(editor);
         std::mbstate_t part{};
+        do_not_wait_for_characters();
         for (;;) {
             pollfd input = {.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
             const int ready = ::poll(&input, 1, frame_milliseconds);
@@ -72,7 +85,8 @@ struct LineEditor::State {
             char byte = 0;
             const ssize_t count = ::read(STDIN_FILENO, &byte, 1);
             if (count < 0 && errno == EINTR) continue;
-            if (count <= 0) return 0;
+            if (count < 0 || (count == 0 && (input.revents & POLLHUP) != 0)) return 0;
+            if (count == 0) continue;
             const std::size_t used = std::mbrtowc(character, &byte, 1, &part);
             if (used == static_cast<std::size_t>(-1))
                 part = {};  // no UTF-8: the byte is dropped

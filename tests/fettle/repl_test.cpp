@@ -193,6 +193,25 @@ TEST_CASE("in a terminal words are completed and the game goes on") {
     }
 }
 
+TEST_CASE("in a terminal ctrl-c drops a line at every moment of a slow frame") {
+    const Folder folder;
+    const std::string game =
+        folder.write("game/main.lua", "function step() for i = 1, 2e6 do end end\n");
+    Terminal terminal(folder, game);
+    REQUIRE(terminal.shows("Ctrl+C stops"));
+    REQUIRE(terminal.shows("› "));
+    // Ctrl+C empties the queue of the terminal: the letter before it may be gone when it is read.
+    for (int milliseconds = 0; milliseconds < 20; ++milliseconds) {
+        terminal.type("x");
+        poll(nullptr, 0, milliseconds);
+        terminal.type("\x03");
+        INFO("ctrl-c " << milliseconds << " ms after a letter");
+        REQUIRE(terminal.shows("^C"));
+        REQUIRE(terminal.shows("› "));
+    }
+    CHECK(terminal.ended_by("\x04") == 0);
+}
+
 TEST_CASE("in a terminal ctrl-c stops a command or a line and the game goes on") {
     const Folder folder;
     const std::string game =
