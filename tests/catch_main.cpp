@@ -1,4 +1,4 @@
-// The main program of all tests, compiled once. Catch2 2 is header only; Catch2 3 brings its own.
+// The main program of all tests, where Catch2 2 is there as headers only.
 #if !__has_include(<catch2/catch_all.hpp>)
 #define CATCH_CONFIG_MAIN
 #define CATCH_CONFIG_CONSOLE_WIDTH 160
