@@ -13,6 +13,7 @@ _convert = {
     "struct fettle_aabb": aabb,
     "struct fettle_pose": lambda pose: Pose(vec2(pose.position), pose.angle),
 }
+_of_c = {"size", "body", "body_a", "body_b"}  # members of definitions that are no numbers of the caller
 _whole = {"int32_t": (-(1 << 31), (1 << 31) - 1), "uint32_t": (0, (1 << 32) - 1), "uint64_t": (0, (1 << 64) - 1)}
 
 
@@ -29,6 +30,22 @@ def to_number(ctype, value, name):
     except (TypeError, ValueError, OverflowError):
         pass
     raise Invalid(f"{name} = {value!r}: expected a number that fits {ctype.strip('_')}")
+
+
+def set_members(made, values):
+    """Takes out of `values` what a definition in C has members for. None is for what is to be measured."""
+    members = dict(ffi.typeof(made).item.fields)
+    for name in [name for name in values if name in members and name not in _of_c and not name.startswith("has_")]:
+        value, has, ctype = values.pop(name), "has_" + name, members[name].type.cname
+        if has in members:
+            setattr(made, has, value is not None)
+            if value is None:
+                continue
+        if ctype == "struct fettle_vec2":
+            vector = getattr(made, name)
+            vector.x, vector.y = pair(value, name)
+        else:
+            setattr(made, name, to_number(ctype, value, name))
 
 
 def to_text(value, name):

@@ -8,7 +8,7 @@ from ._columns import Columns
 from ._drawing import drawing_of
 from ._events import events_of
 from ._handle import id_of, settable
-from ._properties import bind, to_number
+from ._properties import bind, set_members, to_number
 from ._queries import Queries
 from ._values import aabb, joint_types, mix_rules, number_of, pair, solvers, to_aabb
 from .body import Body
@@ -141,20 +141,19 @@ class World(Queries):
 
     def joint(self, type, a=None, b=None, anchor_a=(0, 0), anchor_b=(0, 0), **properties):
         """A new joint of one of the types of `fettle.joints.classes`: `world.joint("revolute", None, wheel, (0, 2))`. None stands
-        for the world, whose anchors are in world coordinates; the other anchors are in body coordinates."""
+        for the world, whose anchors are in world coordinates; the other anchors are in body coordinates. What its definition in C
+        leaves open is measured: `world.joint("pulley", a, b, ground_a=(0, 5), ground_b=(2, 5))` is taut."""
         number_of(joint_types, type, "type")
         made = ffi.new("fettle_id*")
         if type == "mouse":
             joint_def = definition("fettle_mouse_joint_def")
             joint_def.body = id_of(b, Body)
-            joint_def.target = pair(properties.pop("target", anchor_a), "target")
-            if "anchor" in properties:
-                joint_def.has_anchor = True
-                joint_def.anchor = pair(properties.pop("anchor"), "anchor")
+            joint_def.target = pair(anchor_a, "target")
         else:
-            joint_def = definition("fettle_joint_def")
+            joint_def = definition(f"fettle_{type}_joint_def")
             joint_def.body_a, joint_def.body_b = id_of(a, Body), id_of(b, Body)
             joint_def.anchor_a, joint_def.anchor_b = pair(anchor_a, "anchor_a"), pair(anchor_b, "anchor_b")
+        set_members(joint_def, properties)
         check(getattr(lib, f"fettle_world_create_{type}_joint")(self._pointer, joint_def, made))
         joint = joints.classes[type](self, made[0])
         try:

@@ -100,6 +100,22 @@ class Bodies(unittest.TestCase):
             other.destroy()
         self.assertFalse(other.is_valid)
 
+    def test_what_a_joint_does_not_set_is_measured_with_what_it_sets(self):
+        world = fettle.World(gravity=(0, 0))
+        a, b = world.body(), world.body(position=(3, 0))
+        rope = world.joint("pulley", a, b, ground_a=(0, 4), ground_b=(3, 5), ratio=2)
+        self.assertEqual(rope.length, 14)
+        self.assertEqual(world.joint("pulley", a, b, ground_a=(0, 4), length=20).length, 20)
+        gear = world.joint("gear", a, b, ratio=3, phase=None)
+        self.assertEqual((gear.ratio, gear.phase), (3, 0))
+        drag = world.joint("mouse", None, b, target=(5, 0), hertz=3, anchor=(1, 0))
+        self.assertEqual((drag.target, drag.hertz, drag.anchor), ((5, 0), 3, (1, 0)))
+        with self.assertRaisesRegex(fettle.Invalid, "axis: expected two numbers"):
+            world.joint("wheel", a, b, axis=1)
+        with self.assertRaisesRegex(fettle.Invalid, 'has_length'):
+            world.joint("distance", a, b, has_length=True)
+        self.assertEqual(len(world.joints), 4)
+
     def test_fields_act(self):
         world = fettle.World(gravity=(0, 0))
         leaf = world.body()
