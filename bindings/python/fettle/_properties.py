@@ -19,17 +19,19 @@ _whole = {"int32_t": (-(1 << 31), (1 << 31) - 1), "uint32_t": (0, (1 << 32) - 1)
 
 def to_number(ctype, value, name):
     """A value for an argument in C, or an error that names it."""
+    expected = {"_Bool": "True or False", "float": "a number"}.get(ctype, f"a whole number that fits {ctype}")
     try:
         if ctype == "_Bool":
-            return bool(value)
-        if ctype == "float":
-            return float(value)
-        low, high = _whole[ctype]
-        if low <= int(value) <= high:
+            if value in (False, True):
+                return bool(value)
+        elif ctype == "float":
+            if not isinstance(value, (str, bytes, bytearray)):
+                return float(value)
+        elif int(value) == value and _whole[ctype][0] <= value <= _whole[ctype][1]:
             return int(value)
     except (TypeError, ValueError, OverflowError):
         pass
-    raise Invalid(f"{name} = {value!r}: expected a number that fits {ctype.strip('_')}")
+    raise Invalid(f"{name} = {value!r}: expected {expected}")
 
 
 def set_members(made, values):
@@ -46,6 +48,21 @@ def set_members(made, values):
             vector.x, vector.y = pair(value, name)
         else:
             setattr(made, name, to_number(ctype, value, name))
+
+
+def to_function(value, name):
+    """A function of the program that the library calls later, or None."""
+    if value is not None and not callable(value):
+        raise Invalid(f"{name}: expected a function, got {value!r}")
+    return value
+
+
+def to_bytes(value, name):
+    """A view of bytes for C."""
+    try:
+        return ffi.from_buffer(value)
+    except TypeError:
+        raise Invalid(f"{name}: expected bytes, got {type(value).__name__}") from None
 
 
 def to_text(value, name):

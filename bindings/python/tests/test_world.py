@@ -84,6 +84,28 @@ class Bodies(unittest.TestCase):
         with self.assertRaises(fettle.Stale):
             world.step(1)
 
+    def test_a_value_is_not_made_into_another_one(self):
+        world = fettle.World()
+        body = world.body()
+        for owner, name, value in ((world, "substeps", 2.5), (body, "user_data", "7"), (body, "bullet", "no"),
+                                   (body, "bullet", None), (body, "angle", "1"), (world, "substeps", None)):
+            before = getattr(owner, name)
+            with self.assertRaisesRegex(fettle.Invalid, f"{name} = .*: expected (a|True)"):
+                setattr(owner, name, value)
+            self.assertEqual(getattr(owner, name), before)
+        world.substeps, body.bullet, body.angle = numpy.int64(2), numpy.bool_(True), numpy.float64(1)
+        self.assertEqual((world.substeps, body.bullet, body.angle), (2, True, 1))
+        for restore in (lambda: world.restore("text"), lambda: fettle.Replay(None)):
+            with self.assertRaisesRegex(fettle.Invalid, "expected bytes, got"):
+                restore()
+
+    def test_a_world_may_be_closed_twice(self):
+        world = fettle.World()
+        world.close()
+        world.close()
+        with self.assertRaises(fettle.Stale):
+            world.body()
+
     def test_joints_have_types(self):
         world = fettle.World(gravity=(0, 0))
         wheel = world.body(position=(1, 0))
