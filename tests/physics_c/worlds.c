@@ -301,6 +301,9 @@ static const char* many_worlds_are_stepped_and_read_at_once(void) {
     DONE_C(fettle_worlds_read_states((const fettle_world* const*)worlds, 3, balls, 1, states));
     CHECK_C(states[0].velocity.x == 0 && fabsf(states[1].velocity.x - 1) < 1e-4f);
     CHECK_C(fabsf(states[2].velocity.x - 2) < 1e-4f && states[2].position.x > 2);
+    forces[1].y = NAN;
+    CHECK_C(fettle_worlds_apply_forces(worlds, 3, balls, 1, forces) == FETTLE_INVALID);
+    CHECK_C(message_has("forces[1].y = nan"));
     balls[2] = balls[1];
     CHECK_C(fettle_worlds_apply_forces(worlds, 3, balls, 1, forces) == FETTLE_STALE);
     for (int i = 0; i < 3; ++i) DONE_C(fettle_world_destroy(worlds[i]));
