@@ -253,11 +253,26 @@ class Arguments {
         def.position = {number(), number()};
     }
     void begin(fettle_shape_def& def) { fettle_shape_def_init(&def, sizeof def); }
-    void begin(fettle_joint_def& def) {
-        fettle_joint_def_init(&def, sizeof def);
-        def.body_a = id();
-        def.body_b = id();
+#define FETTLE_BEGIN(type)                                \
+    void begin(fettle_##type##_joint_def& def) {          \
+        fettle_##type##_joint_def_init(&def, sizeof def); \
+        def.body_a = id();                                \
+        def.body_b = id();                                \
     }
+    FETTLE_BEGIN(distance)
+    FETTLE_BEGIN(revolute)
+    FETTLE_BEGIN(prismatic)
+    FETTLE_BEGIN(wheel)
+    FETTLE_BEGIN(weld)
+    FETTLE_BEGIN(motor)
+    FETTLE_BEGIN(pulley)
+    FETTLE_BEGIN(gear)
+    FETTLE_BEGIN(groove)
+    FETTLE_BEGIN(pin_slot)
+    FETTLE_BEGIN(ratchet)
+    FETTLE_BEGIN(filter)
+    FETTLE_BEGIN(rotary_limit)
+#undef FETTLE_BEGIN
     void begin(fettle_mouse_joint_def& def) {
         fettle_mouse_joint_def_init(&def, sizeof def);
         def.body = id();
@@ -268,7 +283,9 @@ class Arguments {
     void begin(fettle_geometry& geometry) {
         fettle_geometry_init(&geometry, sizeof geometry, int32_t(below(7)));
     }
-    void begin(fettle_join_options& options) { fettle_join_options_init(&options, sizeof options); }
+    void begin(fettle_join_options& options) {
+        fettle_join_options_init(&options, sizeof options);
+    }
     void begin(fettle_grid_layout& layout) {
         fettle_grid_layout_init(&layout, sizeof layout);
         layout.columns = below(4);
@@ -279,7 +296,9 @@ class Arguments {
         def.point = {number(), number()};
         def.falloff = std::abs(number());
     }
-    void begin(fettle_mover_def& def) { fettle_mover_def_init(&def, sizeof def); }
+    void begin(fettle_mover_def& def) {
+        fettle_mover_def_init(&def, sizeof def);
+    }
     void begin(fettle_mover_state& state) {
         fettle_mover_state_init(&state, sizeof state);
         state.position = {number(), number()};
@@ -287,17 +306,25 @@ class Arguments {
         state.ground = id();
         state.dropped = id();
     }
-    void begin(fettle_query_filter& filter) { fettle_query_filter_init(&filter, sizeof filter); }
-    void begin(fettle_debug_draw& draw) { fettle_debug_draw_init(&draw, sizeof draw); }
+    void begin(fettle_query_filter& filter) {
+        fettle_query_filter_init(&filter, sizeof filter);
+    }
+    void begin(fettle_debug_draw& draw) {
+        fettle_debug_draw_init(&draw, sizeof draw);
+    }
     // Pointers in a definition must lead somewhere.
     template <class Def>
     void mend(Def&) {}
-    void mend(fettle_body_def& def) { def.name = below(2) == 0 ? "crate" : nullptr; }
+    void mend(fettle_body_def& def) {
+        def.name = below(2) == 0 ? "crate" : nullptr;
+    }
     void mend(fettle_geometry& geometry) {
         geometry.points = pointer(static_cast<const fettle_vec2*>(nullptr));
         geometry.point_count = below(9);
     }
-    void mend(fettle_query_filter& filter) { filter.accept = below(2) == 0 ? accept : nullptr; }
+    void mend(fettle_query_filter& filter) {
+        filter.accept = below(2) == 0 ? accept : nullptr;
+    }
     void mend(fettle_debug_draw& draw) {
         draw.polygon = nullptr;
         draw.circle = [](void*, fettle_position, float, float, uint32_t) {};
@@ -306,17 +333,27 @@ class Arguments {
     }
 
     // Pointers to results.
-    fettle_world** pointer(fettle_world**) { return &new_world_; }
-    fettle_owner** pointer(fettle_owner**) { return &new_owner_; }
-    fettle_replay** pointer(fettle_replay**) { return &new_replay_; }
+    fettle_world** pointer(fettle_world**) {
+        return &new_world_;
+    }
+    fettle_owner** pointer(fettle_owner**) {
+        return &new_owner_;
+    }
+    fettle_replay** pointer(fettle_replay**) {
+        return &new_replay_;
+    }
     template <class Out>
     requires(!std::is_const_v<Out> && !std::is_void_v<Out>) Out* pointer(Out*) {
         if constexpr (requires(Out out) { out.size; }) begin(*reinterpret_cast<Out*>(scratch()));
         return reinterpret_cast<Out*>(scratch());
     }
     /// Memory for one input; a call has at most four.
-    std::byte* room() { return inputs_[next_++ % std::size(inputs_)]; }
-    std::byte* scratch() { return scratch_.data(); }
+    std::byte* room() {
+        return inputs_[next_++ % std::size(inputs_)];
+    }
+    std::byte* scratch() {
+        return scratch_.data();
+    }
 
     template <class Value>
     const Value* store(const Value& value) {

@@ -104,7 +104,7 @@ constexpr Call every_call[] = {
     CALL(fettle_ratchet_joint_set_tooth), CALL(fettle_ratchet_joint_backwards),
     CALL(fettle_ratchet_joint_set_backwards), CALL(fettle_ratchet_joint_caught_angle),
     CALL(fettle_world_def_init), CALL(fettle_body_def_init), CALL(fettle_shape_def_init),
-    CALL(fettle_joint_def_init), CALL(fettle_mouse_joint_def_init), CALL(fettle_geometry_init),
+    CALL(fettle_distance_joint_def_init), CALL(fettle_revolute_joint_def_init), CALL(fettle_prismatic_joint_def_init), CALL(fettle_wheel_joint_def_init), CALL(fettle_weld_joint_def_init), CALL(fettle_motor_joint_def_init), CALL(fettle_pulley_joint_def_init), CALL(fettle_gear_joint_def_init), CALL(fettle_groove_joint_def_init), CALL(fettle_pin_slot_joint_def_init), CALL(fettle_ratchet_joint_def_init), CALL(fettle_filter_joint_def_init), CALL(fettle_rotary_limit_joint_def_init), CALL(fettle_mouse_joint_def_init), CALL(fettle_geometry_init),
     CALL(fettle_field_def_init), CALL(fettle_debug_draw_init), CALL(fettle_world_draw),
     CALL(fettle_world_events), CALL(fettle_field_is_valid), CALL(fettle_field_destroy),
     CALL(fettle_field_definition), CALL(fettle_field_set), CALL(fettle_mouse_joint_body),

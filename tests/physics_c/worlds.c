@@ -116,9 +116,9 @@ static const char* ids_of_another_kind_or_world_are_refused(void) {
     CHECK_C(fettle_body_angle(world, UINT64_MAX, &value) == FETTLE_INVALID);
     CHECK_C(fettle_body_angle(NULL, ball, &value) == FETTLE_INVALID && message_has("world"));
     CHECK_C(fettle_body_angle(world, ball, NULL) == FETTLE_INVALID && message_has("null"));
-    fettle_joint_def def;
+    fettle_weld_joint_def def;
     fettle_id joint = 0;
-    DONE_C(fettle_joint_def_init(&def, sizeof def));
+    DONE_C(fettle_weld_joint_def_init(&def, sizeof def));
     def.body_a = ball;
     def.body_b = shape;
     CHECK_C(fettle_world_create_weld_joint(world, &def, &joint) == FETTLE_INVALID && joint == 0);
@@ -237,18 +237,18 @@ static const char* a_list_says_how_many_there_are(void) {
 
 static const char* joints_are_told_apart_by_their_type(void) {
     fettle_world* world = new_world();
-    fettle_joint_def def;
+    fettle_revolute_joint_def def;
     fettle_id joint, other;
     fettle_position position;
     float angle;
     const fettle_id ball = new_body(world, FETTLE_BODY_DYNAMIC, 1, 0);
     add(world, ball, FETTLE_SHAPE_CIRCLE);
-    DONE_C(fettle_joint_def_init(&def, sizeof def));
+    DONE_C(fettle_revolute_joint_def_init(&def, sizeof def));
     def.body_b = ball;
     def.anchor_b = (fettle_position){-1, 0};
+    def.motor_speed = 2;
+    def.max_motor_torque = INFINITY;
     DONE_C(fettle_world_create_revolute_joint(world, &def, &joint));
-    DONE_C(fettle_revolute_joint_set_motor_speed(world, joint, 2));
-    DONE_C(fettle_revolute_joint_set_max_motor_torque(world, joint, INFINITY));
     CHECK_C(fettle_gear_joint_set_ratio(world, joint, 2) == FETTLE_INVALID);
     CHECK_C(message_has("expected a gear joint, got a revolute joint"));
     CHECK_C(fettle_mouse_joint_target(world, joint, &position) == FETTLE_INVALID);
@@ -301,6 +301,9 @@ static const char* many_worlds_are_stepped_and_read_at_once(void) {
     DONE_C(fettle_worlds_read_states((const fettle_world* const*)worlds, 3, balls, 1, states));
     CHECK_C(states[0].velocity.x == 0 && fabsf(states[1].velocity.x - 1) < 1e-4f);
     CHECK_C(fabsf(states[2].velocity.x - 2) < 1e-4f && states[2].position.x > 2);
+    forces[1].y = NAN;
+    CHECK_C(fettle_worlds_apply_forces(worlds, 3, balls, 1, forces) == FETTLE_INVALID);
+    CHECK_C(message_has("forces[1].y = nan"));
     balls[2] = balls[1];
     CHECK_C(fettle_worlds_apply_forces(worlds, 3, balls, 1, forces) == FETTLE_STALE);
     for (int i = 0; i < 3; ++i) DONE_C(fettle_world_destroy(worlds[i]));

@@ -177,7 +177,6 @@ physics::Geometry geometry_of(const fettle_geometry* geometry);
 physics::WorldDef definition_of(const fettle_world_def* def);
 physics::BodyDef definition_of(const fettle_body_def* def);
 physics::ShapeDef definition_of(const fettle_shape_def* def);
-physics::JointDef definition_of(const fettle_world* world, const fettle_joint_def* def);
 physics::MouseJointDef definition_of(const fettle_world* world, const fettle_mouse_joint_def* def);
 physics::FieldDef definition_of(const fettle_field_def* def);
 physics::QueryFilter filter_of(const fettle_world* world, const fettle_query_filter* filter);

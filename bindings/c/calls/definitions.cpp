@@ -154,26 +154,6 @@ ShapeDef definition_of(const fettle_shape_def* def) {
     return taken;
 }
 
-JointDef definition_of(const fettle_world* world, const fettle_joint_def* def) {
-    const fettle_joint_def& given = needed("def", def);
-    check_size(given.size, sizeof given);
-    JointDef taken;
-    taken.body_a = body_or_world("body_a", world, given.body_a).id();
-    taken.body_b = body_or_world("body_b", world, given.body_b).id();
-    taken.anchor_a = position_of(given.anchor_a);
-    taken.anchor_b = position_of(given.anchor_b);
-    taken.collide = flag(given.collide);
-    taken.enabled = flag(given.enabled);
-    taken.user_data = given.user_data;
-    taken.break_force = given.break_force;
-    taken.break_torque = given.break_torque;
-    taken.report_force = given.report_force;
-    taken.report_torque = given.report_torque;
-    taken.constraint_hertz = given.constraint_hertz;
-    taken.constraint_damping_ratio = given.constraint_damping_ratio;
-    return taken;
-}
-
 MouseJointDef definition_of(const fettle_world* world, const fettle_mouse_joint_def* def) {
     const fettle_mouse_joint_def& given = needed("def", def);
     check_size(given.size, sizeof given);
@@ -203,19 +183,6 @@ fettle_code fettle_body_def_init(fettle_body_def* def, size_t size) {
 
 fettle_code fettle_shape_def_init(fettle_shape_def* def, size_t size) {
     return init(__func__, def, size, defaults(fettle::physics::ShapeDef()));
-}
-
-fettle_code fettle_joint_def_init(fettle_joint_def* def, size_t size) {
-    fettle_joint_def defaults{};
-    const fettle::physics::JointDef none;
-    defaults.enabled = none.enabled;
-    defaults.break_force = none.break_force;
-    defaults.break_torque = none.break_torque;
-    defaults.report_force = none.report_force;
-    defaults.report_torque = none.report_torque;
-    defaults.constraint_hertz = none.constraint_hertz;
-    defaults.constraint_damping_ratio = none.constraint_damping_ratio;
-    return init(__func__, def, size, defaults);
 }
 
 fettle_code fettle_mouse_joint_def_init(fettle_mouse_joint_def* def, size_t size) {

@@ -19,6 +19,7 @@
 #include <fettle/physics_c/position.h>
 #include <fettle/physics_c/basics.h>
 #include <fettle/physics_c/definitions.h>
+#include <fettle/physics_c/joint_definitions.h>
 #include <fettle/physics_c/contact.h>
 #include <fettle/physics_c/world.h>
 #include <fettle/physics_c/world_settings.h>

@@ -257,7 +257,12 @@ fettle_code fettle_worlds_apply_forces(fettle_world* const* worlds, uint32_t wor
         auto found = checked_bodies(worlds, world_count, bodies, body_count);
         if (!found.empty()) needed("forces", forces);
         for (uint32_t i = 0; i < world_count; ++i) editable(worlds[i]);
-        for (size_t i = 0; i < found.size(); ++i) checked(FiniteVector{forces[i].x, forces[i].y});
+        for (size_t i = 0; i < found.size(); ++i) {
+            if (std::isfinite(forces[i].x) && std::isfinite(forces[i].y)) continue;
+            const std::string name = "forces[" + std::to_string(i) + "].";
+            checked(Finite{(name + "x").c_str(), forces[i].x});
+            checked(Finite{(name + "y").c_str(), forces[i].y});
+        }
         for (size_t i = 0; i < found.size(); ++i) found[i].apply_force(vector_of(forces[i]));
     });
 }

@@ -89,6 +89,23 @@ local function one(value)
     return to_c(value, ffi.new("fettle_hosted_value"), kept), kept
 end
 
+-- --- Functions of LÖVE --------------------------------------------------------------------------
+
+-- One function of C for all: LuaJIT has room for some hundred, and never frees what they refer to.
+local functions, last_function = {}, 0  -- those of all games, by number
+local kept = {}  -- what the last result refers to
+local call_function = ffi.cast("fettle_function_callback", function(user, arguments, count, result)
+    kept = {}
+    local all = {}
+    for i = 1, count do all[i] = from_c(arguments[i - 1]) end
+    -- An error must not pass through C.
+    local ok, value = pcall(functions[tonumber(ffi.cast("intptr_t", user))], unpack(all, 1, count))
+    local given = pcall(to_c, ok and value or nil, result, kept)
+    if ok and given then return lib.FETTLE_DONE end
+    to_c(ok and "the function gives a value that a game cannot have" or tostring(value), result, kept)
+    return lib.FETTLE_FAILED
+end)
+
 -- --- Games ----------------------------------------------------------------------------------------
 
 --- A new game. `settings`: members of fettle_hosted_def, `{ seed = 3, console = false }`.
@@ -97,7 +114,7 @@ function host.new(settings)
     for name, value in pairs(settings or {}) do def[name] = value end
     local out = ffi.new("fettle_hosted*[1]")
     check(lib.fettle_hosted_create(def, out), 2)
-    local game = setmetatable({ pointer = out[0], callbacks = {} }, Game)
+    local game = setmetatable({ pointer = out[0], functions = {} }, Game)
     game.collected = newproxy(true)
     getmetatable(game.collected).__gc = function() pcall(game.close, game) end
     return game
@@ -106,8 +123,8 @@ end
 --- Ends the game. That happens anyway when nothing refers to the game any more, and at the end of the program.
 function Game:close()
     check(lib.fettle_hosted_destroy(self.pointer), 2)
-    for _, callback in ipairs(self.callbacks) do callback:free() end
-    self.callbacks = {}
+    for _, number in pairs(self.functions) do functions[number] = nil end
+    self.functions = {}
 end
 
 --- Runs Lua 5.4 of Fettle; `name` is in its errors.
@@ -131,21 +148,16 @@ end
 
 --- Gives the scripts of the game a function of LÖVE.
 function Game:add_function(name, f)
-    local kept = {}
-    local function called(_, arguments, count, result)
-        kept = {}
-        local all = {}
-        for i = 1, count do all[i] = from_c(arguments[i - 1]) end
-        -- An error must not pass through C.
-        local ok, value = pcall(f, unpack(all, 1, count))
-        local given = pcall(to_c, ok and value or nil, result, kept)
-        if ok and given then return lib.FETTLE_DONE end
-        to_c(ok and "the function gives a value that a game cannot have" or tostring(value), result, kept)
-        return lib.FETTLE_FAILED
+    if type(f) ~= "function" then error("add_function: expected a function, got " .. type(f), 2) end
+    local number = last_function + 1
+    functions[number], last_function = f, number
+    local code = lib.fettle_hosted_add_function(self.pointer, name, call_function, ffi.cast("void*", number))
+    local unused = number
+    if code == lib.FETTLE_DONE then  -- the game calls the last one of a name
+        unused, self.functions[name] = self.functions[name], number
     end
-    local callback = ffi.cast("fettle_function_callback", called)
-    self.callbacks[#self.callbacks + 1] = callback
-    check(lib.fettle_hosted_add_function(self.pointer, name, callback, nil), 2)
+    if unused then functions[unused] = nil end
+    check(code, 2)
 end
 
 --- One frame, `dt` seconds after the last one. Returns the number of fixed steps that were made.

@@ -139,7 +139,7 @@ end
 
 --- Makes a joint of Fettle's type `kind` between points of the world.
 function joint.make(class, kind, a, b, ax, ay, bx, by, collide)
-    local def = fettle.define("fettle_joint_def")
+    local def = fettle.define("fettle_" .. kind .. "_joint_def")
     def.body_a, def.body_b, def.collide = a.id, b.id, collide or false
     local x, y = a:getLocalPoint(ax, ay)
     def.anchor_a.x, def.anchor_a.y = x / units.meter, y / units.meter

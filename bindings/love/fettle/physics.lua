@@ -29,6 +29,9 @@ function physics.getMeter() return units.meter end
 
 local World = object.class "World"
 
+local worlds = setmetatable({}, { __mode = "v" })  -- by their addresses in C
+local function address_of(pointer) return tonumber(ffi.cast("intptr_t", pointer)) end
+
 function physics.newWorld(x, y, sleep)
     local def = fettle.define("fettle_world_def")
     def.gravity.x, def.gravity.y = (x or 0) / units.meter, (y or 0) / units.meter
@@ -37,7 +40,9 @@ function physics.newWorld(x, y, sleep)
     check(lib.fettle_world_create(def, out), 2)
     local pointer = ffi.gc(out[0], lib.fettle_world_destroy)
     -- Objects by slot: a number is a key, an id of 64 bits is not.
-    return setmetatable({ pointer = pointer, bodies = {}, fixtures = {}, joints = {}, callbacks = {}, dt = 1 / 60 }, World)
+    local world = setmetatable({ pointer = pointer, bodies = {}, fixtures = {}, joints = {}, callbacks = {}, dt = 1 / 60 }, World)
+    worlds[address_of(pointer)] = world
+    return world
 end
 
 function World:isDestroyed() return self.destroyed or false end
@@ -136,37 +141,36 @@ local function raise(world)
     if failed then error(failed[1], 0) end
 end
 
+-- One function of C for all worlds: LuaJIT has room for some hundred, and never frees what they refer to.
+local pre_solve = ffi.cast("fettle_contact_callback", function(_, pointer, edit)
+    local world = worlds[address_of(pointer)]
+    local a, b = world:fixture_of(edit.shape_a), world:fixture_of(edit.shape_b)
+    if not a or not b then return end
+    local contact = Contact.new(a, b, edit, edit)
+    guarded(world, world.callbacks.pre, a, b, contact)
+    contact.edit = nil  -- it is valid inside this call
+end)
+local filter = ffi.cast("fettle_pair_filter", function(_, pointer, shape_a, shape_b)
+    local world = worlds[address_of(pointer)]
+    local a, b = world:fixture_of(shape_a), world:fixture_of(shape_b)
+    if not a or not b or a.group ~= 0 and a.group == b.group then return true end
+    return guarded(world, world.filter, a, b) and true or false
+end)
+
 function World:setCallbacks(begin, ended, pre, post)
-    self.callbacks = { begin = begin, ended = ended, pre = pre, post = post }
-    if self.pre_callback then
-        check(lib.fettle_world_set_before_solve(self.pointer, nil, nil), 2)
-        self.pre_callback:free()
-        self.pre_callback = nil
-    end
-    if pre then
-        self.pre_callback = ffi.cast("fettle_contact_callback", function(_, _, edit)
-            local a, b = self:fixture_of(edit.shape_a), self:fixture_of(edit.shape_b)
-            if not a or not b then return end
-            local contact = Contact.new(a, b, edit, edit)
-            guarded(self, pre, a, b, contact)
-            contact.edit = nil  -- it is valid inside this call
-        end)
-        check(lib.fettle_world_set_before_solve(self.pointer, self.pre_callback, nil), 2)
-    end
+    check(lib.fettle_world_set_before_solve(self.pointer, pre and pre_solve or nil, nil), 2)
     check(lib.fettle_world_set_persist_events(self.pointer, post ~= nil), 2)
+    self.callbacks = { begin = begin, ended = ended, pre = pre, post = post }
 end
 
 --- `f(fixture, fixture)` says whether two fixtures may collide whose categories, masks and groups allow it.
 World.setContactFilter = uncompiled(function(self, f)
-    local before = self.filter_callback
-    self.filter = f
-    self.filter_callback = f and ffi.cast("fettle_pair_filter", function(_, _, shape_a, shape_b)
-        local a, b = self:fixture_of(shape_a), self:fixture_of(shape_b)
-        if not a or not b or a.group ~= 0 and a.group == b.group then return true end
-        return guarded(self, f, a, b) and true or false
-    end)
-    check(lib.fettle_world_set_filter(self.pointer, self.filter_callback, nil), 2)
-    if before then before:free() end
+    local before = self.filter
+    self.filter = f  -- it is called at once for the pairs that there are
+    local code = lib.fettle_world_set_filter(self.pointer, f and filter or nil, nil)
+    if code ~= lib.FETTLE_DONE then self.filter = before end
+    check(code, 2)
+    raise(self)
 end)
 function World:getContactFilter() return self.filter end
 function World:getCallbacks()

@@ -75,6 +75,9 @@ function tests.scripts_call_functions_of_love()
     game:call("hear", "x", "y")
     assert(game:get "heard" == "xy")
     for _ = 1, 1000 do game:evaluate "twice(2)" end
+    for i = 1, 1200 do game:add_function("twice", function(n) return i * n end) end
+    assert(game:evaluate "twice(2)" == 2400)
+    assert(not pcall(game.add_function, game, "nothing", nil))
 end
 
 function tests.a_closed_game_is_an_error()

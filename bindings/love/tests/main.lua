@@ -100,6 +100,30 @@ function tests.an_error_in_a_callback_comes_out_of_update()
     end
 end
 
+function tests.a_game_may_make_many_worlds_with_callbacks()
+    local calls, forgotten = 0, setmetatable({}, { __mode = "k" })
+    for i = 1, 600 do
+        local world = love.physics.newWorld(0, 300)
+        box(world, 0, 0, "dynamic")
+        box(world, 5, 0, "dynamic")
+        world:setCallbacks(nil, nil, function(_, _, contact) contact:setEnabled(world ~= nil) end)
+        world:setContactFilter(function()
+            calls = calls + (world and 1)
+            return true
+        end)
+        run(world, 2)
+        if i % 2 == 0 then world:destroy() else forgotten[world] = true end
+    end
+    assert(calls >= 600)
+    if not own then
+        collectgarbage()
+        collectgarbage()
+        local left = 0
+        for _ in pairs(forgotten) do left = left + 1 end
+        assert(left < 10, left .. " worlds that nothing refers to are left")
+    end
+end
+
 function tests.rays_and_boxes_find_fixtures()
     local world = love.physics.newWorld(0, 0)
     local _, near_one = box(world, 100, 0, "static")

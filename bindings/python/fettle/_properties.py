@@ -13,22 +13,56 @@ _convert = {
     "struct fettle_aabb": aabb,
     "struct fettle_pose": lambda pose: Pose(vec2(pose.position), pose.angle),
 }
+_of_c = {"size", "body", "body_a", "body_b"}  # members of definitions that are no numbers of the caller
 _whole = {"int32_t": (-(1 << 31), (1 << 31) - 1), "uint32_t": (0, (1 << 32) - 1), "uint64_t": (0, (1 << 64) - 1)}
 
 
 def to_number(ctype, value, name):
     """A value for an argument in C, or an error that names it."""
+    expected = {"_Bool": "True or False", "float": "a number"}.get(ctype, f"a whole number that fits {ctype}")
     try:
         if ctype == "_Bool":
-            return bool(value)
-        if ctype == "float":
-            return float(value)
-        low, high = _whole[ctype]
-        if low <= int(value) <= high:
+            if value in (False, True):
+                return bool(value)
+        elif ctype == "float":
+            if not isinstance(value, (str, bytes, bytearray)):
+                return float(value)
+        elif int(value) == value and _whole[ctype][0] <= value <= _whole[ctype][1]:
             return int(value)
     except (TypeError, ValueError, OverflowError):
         pass
-    raise Invalid(f"{name} = {value!r}: expected a number that fits {ctype.strip('_')}")
+    raise Invalid(f"{name} = {value!r}: expected {expected}")
+
+
+def set_members(made, values):
+    """Takes out of `values` what a definition in C has members for. None is for what is to be measured."""
+    members = dict(ffi.typeof(made).item.fields)
+    for name in [name for name in values if name in members and name not in _of_c and not name.startswith("has_")]:
+        value, has, ctype = values.pop(name), "has_" + name, members[name].type.cname
+        if has in members:
+            setattr(made, has, value is not None)
+            if value is None:
+                continue
+        if ctype == "struct fettle_vec2":
+            vector = getattr(made, name)
+            vector.x, vector.y = pair(value, name)
+        else:
+            setattr(made, name, to_number(ctype, value, name))
+
+
+def to_function(value, name):
+    """A function of the program that the library calls later, or None."""
+    if value is not None and not callable(value):
+        raise Invalid(f"{name}: expected a function, got {value!r}")
+    return value
+
+
+def to_bytes(value, name):
+    """A view of bytes for C."""
+    try:
+        return ffi.from_buffer(value)
+    except TypeError:
+        raise Invalid(f"{name}: expected bytes, got {type(value).__name__}") from None
 
 
 def to_text(value, name):

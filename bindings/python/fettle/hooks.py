@@ -1,6 +1,7 @@
 """Functions of the program that the library calls for all worlds."""
 
 from ._call import check, ffi, keep_exception, lib
+from ._properties import to_function
 from ._values import log_levels
 
 _kept = {}  # as long as C may call them
@@ -9,7 +10,7 @@ _kept = {}  # as long as C may call them
 def set_log(function):
     """`function(level, text)` gets what the library notices and no exception tells; `level`: "note", "warning" or "error".
     None: none, as at first."""
-    callback = ffi.NULL if function is None else ffi.callback(
+    callback = ffi.NULL if to_function(function, "set_log") is None else ffi.callback(
         "fettle_log_function", lambda user, level, text: function(log_levels[level], ffi.string(text).decode()) and None,
         onerror=keep_exception)
     check(lib.fettle_set_log(callback, ffi.NULL))
@@ -19,7 +20,7 @@ def set_log(function):
 def set_failure_function(function):
     """While there is `function(what)`, each world is checked after each step, which is slow, and the function gets the first
     fault. None: none, as at first."""
-    callback = ffi.NULL if function is None else ffi.callback(
+    callback = ffi.NULL if to_function(function, "set_failure_function") is None else ffi.callback(
         "fettle_failure_function", lambda user, what: function(ffi.string(what).decode()) and None, onerror=keep_exception)
     check(lib.fettle_set_failure_function(callback, ffi.NULL))
     _kept["failure"] = callback

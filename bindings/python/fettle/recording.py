@@ -3,6 +3,7 @@
 from typing import NamedTuple, Optional
 
 from ._call import check, ffi, lib
+from ._properties import to_bytes
 from .world import World
 
 
@@ -27,7 +28,7 @@ class Replay:
 
     def __init__(self, recording):
         self._pointer = ffi.NULL
-        made, data = ffi.new("fettle_replay**"), ffi.from_buffer(recording)
+        made, data = ffi.new("fettle_replay**"), to_bytes(recording, "Replay")
         check(lib.fettle_replay_create(data, len(data), made))
         self._pointer = made[0]
 

@@ -8,7 +8,7 @@ from ._columns import Columns
 from ._drawing import drawing_of
 from ._events import events_of
 from ._handle import id_of, settable
-from ._properties import bind, to_number
+from ._properties import bind, set_members, to_bytes, to_function, to_number
 from ._queries import Queries
 from ._values import aabb, joint_types, mix_rules, number_of, pair, solvers, to_aabb
 from .body import Body
@@ -42,7 +42,7 @@ class World(Queries):
     it stay valid while they are created. A world belongs to one thread at a time. Copies by `copy` and `pickle` are as those by
     `clone`; of a world and its handles together, both are copied."""
 
-    __slots__ = ("_pointer", "_columns", "_callbacks", "_waiting", "__weakref__")
+    __slots__ = ("_pointer", "_columns", "_callbacks", "_waiting", "_closed", "__weakref__")
 
     def __init__(self, room=0, **settings):
         self._pointer = ffi.NULL
@@ -61,6 +61,7 @@ class World(Queries):
         self._pointer = pointer
         self._columns = Columns(self)
         self._callbacks = {}
+        self._closed = False
         self._waiting = deque()  # functions for the end of the step
 
     @classmethod
@@ -75,9 +76,12 @@ class World(Queries):
             lib.fettle_world_destroy(self._pointer)
 
     def close(self):
-        """Destroys the world now; its objects raise `Stale` from then on."""
+        """Destroys the world now; it and its objects raise `Stale` from then on. A second time it does nothing."""
+        if self._closed:
+            return
         self._columns.may_move("close")
         check(lib.fettle_world_destroy(self._pointer))
+        self._closed = True
 
     friction_mix = _named("friction_mix", mix_rules)
     restitution_mix = _named("restitution_mix", mix_rules)
@@ -141,20 +145,19 @@ class World(Queries):
 
     def joint(self, type, a=None, b=None, anchor_a=(0, 0), anchor_b=(0, 0), **properties):
         """A new joint of one of the types of `fettle.joints.classes`: `world.joint("revolute", None, wheel, (0, 2))`. None stands
-        for the world, whose anchors are in world coordinates; the other anchors are in body coordinates."""
+        for the world, whose anchors are in world coordinates; the other anchors are in body coordinates. What its definition in C
+        leaves open is measured: `world.joint("pulley", a, b, ground_a=(0, 5), ground_b=(2, 5))` is taut."""
         number_of(joint_types, type, "type")
         made = ffi.new("fettle_id*")
         if type == "mouse":
             joint_def = definition("fettle_mouse_joint_def")
             joint_def.body = id_of(b, Body)
-            joint_def.target = pair(properties.pop("target", anchor_a), "target")
-            if "anchor" in properties:
-                joint_def.has_anchor = True
-                joint_def.anchor = pair(properties.pop("anchor"), "anchor")
+            joint_def.target = pair(anchor_a, "target")
         else:
-            joint_def = definition("fettle_joint_def")
+            joint_def = definition(f"fettle_{type}_joint_def")
             joint_def.body_a, joint_def.body_b = id_of(a, Body), id_of(b, Body)
             joint_def.anchor_a, joint_def.anchor_b = pair(anchor_a, "anchor_a"), pair(anchor_b, "anchor_b")
+        set_members(joint_def, properties)
         check(getattr(lib, f"fettle_world_create_{type}_joint")(self._pointer, joint_def, made))
         joint = joints.classes[type](self, made[0])
         try:
@@ -308,7 +311,7 @@ class World(Queries):
         if isinstance(state, World):
             check(lib.fettle_world_assign(self._pointer, state._pointer))
         else:
-            data = ffi.from_buffer(state)
+            data = to_bytes(state, "restore")
             check(lib.fettle_world_restore(self._pointer, data, len(data)))
 
     def clone(self):
@@ -331,11 +334,18 @@ class World(Queries):
     # --- Functions that the world calls ------------------------------------------------------------
 
     def _call_with(self, name, make, function):
-        callback = ffi.NULL if function is None else make(self, function)
+        callback = ffi.NULL if to_function(function, name) is None else make(self, function)
         if self.locked:
             raise Locked(f"{name}: the world is calling a function")
-        check(getattr(lib, "fettle_world_" + name)(self._pointer, callback, ffi.NULL))
-        self._callbacks[name] = callback  # as long as C may call it
+        self._give(name, getattr(lib, "fettle_world_" + name), callback)
+
+    def _give(self, kind, set_function, callback, *of):
+        """Gives C a function that the world is to call from now on, and keeps it as long as C may call it. `set_function` may
+        call it already: what it raises then does not take it back."""
+        code = set_function(self._pointer, *of, callback, ffi.NULL)
+        if code == lib.FETTLE_DONE:
+            self._callbacks[kind] = callback
+        check(code)
 
     def set_filter(self, function):
         """`function(shape_a, shape_b)` says whether two shapes may collide. None: all may."""
@@ -352,12 +362,13 @@ class World(Queries):
 
     def _keep_function(self, set_function, kind, body, function):
         make = {"velocity": _callbacks.velocity_function, "position": _callbacks.position_function}[kind]
-        callback = ffi.NULL if function is None else make(self, function)
-        check(set_function(self._pointer, body.id, callback, ffi.NULL))
-        self._callbacks[kind, body.slot] = callback
+        callback = ffi.NULL if to_function(function, kind + " function") is None else make(self, function)
+        self._give((kind, body.slot), set_function, callback, body.id)
 
     def after_step(self, function):
         """Calls `function()` once when the running step has ended, or after the next one. It may edit the world."""
+        if to_function(function, "after_step") is None:
+            raise Invalid("after_step: expected a function, got None")
         callback = self._callbacks.setdefault("after_step", _callbacks.after_step(self._waiting))
         check(lib.fettle_world_after_step(self._pointer, callback, ffi.NULL))
         self._waiting.append(function)
@@ -373,11 +384,8 @@ class World(Queries):
 
     def start_recording(self, write):
         """Records the world: `write(bytes)` gets its state now and the changes in every step, as `file.write` does."""
-        callback = _callbacks.recording_sink(self, write)
-        # A world that is recorded already goes on with the function that it has.
-        if not self.is_recorded:
-            self._callbacks["recording"] = callback
-        check(lib.fettle_world_start_recording(self._pointer, callback, ffi.NULL))
+        callback = _callbacks.recording_sink(self, to_function(write, "start_recording"))
+        self._give("recording", lib.fettle_world_start_recording, callback)
 
     def stop_recording(self):
         """Ends the recording, if there is one."""

@@ -50,6 +50,38 @@ class Functions(unittest.TestCase):
         self.assertAlmostEqual(ball.position.x, 1, delta=1e-4)
         self.assertAlmostEqual(ball.angle, 0.25, delta=1e-4)
 
+    def test_a_function_that_raises_while_it_is_set_is_kept(self):
+        # It was freed although C had it, and the next function took its place in memory.
+        world, others = fettle.World(gravity=(0, 0)), []
+        for _ in range(2):
+            world.body().add(fettle.Circle(1))
+        world.step(1 / 60)
+
+        def refuse():
+            raise KeyError("no")
+
+        with self.assertRaises(KeyError):
+            world.set_filter(lambda shape_a, shape_b: refuse())
+        gc.collect()
+        called = []
+        for _ in range(50):
+            other = fettle.World()
+            other.body().set_velocity_function(called.append)
+            others.append(other)
+        world.body().add(fettle.Circle(1))
+        with self.assertRaises(KeyError):
+            world.step(1 / 60)
+        self.assertEqual(called, [])
+
+    def test_what_is_no_function_is_refused_when_it_is_given(self):
+        world, _, ball = a_world()
+        for give in (world.set_filter, world.set_mixing, world.set_before_solve, ball.set_velocity_function,
+                     ball.set_position_function, world.after_step, world.start_recording, fettle.set_log,
+                     fettle.set_failure_function):
+            with self.assertRaisesRegex(fettle.Invalid, "expected a function, got 5"):
+                give(5)
+        world.step(1 / 60)
+
     def test_an_edit_is_valid_during_its_call_and_refuses_other_members(self):
         world, _, ball = a_world()
         kept, errors = [], []

@@ -84,6 +84,28 @@ class Bodies(unittest.TestCase):
         with self.assertRaises(fettle.Stale):
             world.step(1)
 
+    def test_a_value_is_not_made_into_another_one(self):
+        world = fettle.World()
+        body = world.body()
+        for owner, name, value in ((world, "substeps", 2.5), (body, "user_data", "7"), (body, "bullet", "no"),
+                                   (body, "bullet", None), (body, "angle", "1"), (world, "substeps", None)):
+            before = getattr(owner, name)
+            with self.assertRaisesRegex(fettle.Invalid, f"{name} = .*: expected (a|True)"):
+                setattr(owner, name, value)
+            self.assertEqual(getattr(owner, name), before)
+        world.substeps, body.bullet, body.angle = numpy.int64(2), numpy.bool_(True), numpy.float64(1)
+        self.assertEqual((world.substeps, body.bullet, body.angle), (2, True, 1))
+        for restore in (lambda: world.restore("text"), lambda: fettle.Replay(None)):
+            with self.assertRaisesRegex(fettle.Invalid, "expected bytes, got"):
+                restore()
+
+    def test_a_world_may_be_closed_twice(self):
+        world = fettle.World()
+        world.close()
+        world.close()
+        with self.assertRaises(fettle.Stale):
+            world.body()
+
     def test_joints_have_types(self):
         world = fettle.World(gravity=(0, 0))
         wheel = world.body(position=(1, 0))
@@ -99,6 +121,22 @@ class Bodies(unittest.TestCase):
             self.assertEqual(other.type, name)
             other.destroy()
         self.assertFalse(other.is_valid)
+
+    def test_what_a_joint_does_not_set_is_measured_with_what_it_sets(self):
+        world = fettle.World(gravity=(0, 0))
+        a, b = world.body(), world.body(position=(3, 0))
+        rope = world.joint("pulley", a, b, ground_a=(0, 4), ground_b=(3, 5), ratio=2)
+        self.assertEqual(rope.length, 14)
+        self.assertEqual(world.joint("pulley", a, b, ground_a=(0, 4), length=20).length, 20)
+        gear = world.joint("gear", a, b, ratio=3, phase=None)
+        self.assertEqual((gear.ratio, gear.phase), (3, 0))
+        drag = world.joint("mouse", None, b, target=(5, 0), hertz=3, anchor=(1, 0))
+        self.assertEqual((drag.target, drag.hertz, drag.anchor), ((5, 0), 3, (1, 0)))
+        with self.assertRaisesRegex(fettle.Invalid, "axis: expected two numbers"):
+            world.joint("wheel", a, b, axis=1)
+        with self.assertRaisesRegex(fettle.Invalid, 'has_length'):
+            world.joint("distance", a, b, has_length=True)
+        self.assertEqual(len(world.joints), 4)
 
     def test_fields_act(self):
         world = fettle.World(gravity=(0, 0))

@@ -158,6 +158,17 @@ test("memory grows while views are in use", () => {
   assert.equal(new Set(worlds.map((world) => world.hash)).size, 1);
 });
 
+test("the definition of a joint has all that its type has", () => {
+  const world = new World({ gravity: { x: 0, y: 0 } });
+  const bodyA = world.createBody(), bodyB = world.createBody({ position: { x: 3, y: 0 } });
+  const wheel = world.createWheelJoint({ bodyA, bodyB, axis: { x: 1, y: 0 }, hertz: 2, motorSpeed: 5, maxMotorTorque: 7 });
+  assert.deepEqual([wheel.axis.x, wheel.hertz, wheel.motorSpeed, wheel.maxMotorTorque], [1, 2, 5, 7]);
+  const rope = { bodyA, bodyB, groundA: { x: 0, y: 4 }, groundB: { x: 3, y: 5 }, ratio: 2 };
+  assert.equal(world.createPulleyJoint(rope).length, 14);  // taut
+  assert.equal(world.createPulleyJoint({ ...rope, length: 20 }).length, 20);
+  assert.throws(() => world.createWheelJoint({ bodyA, bodyB, ratio: 2 }), TypeError);
+});
+
 test("joints of every type have a class", () => {
   const world = new World({ gravity: { x: 0, y: 0 } });
   const bodyA = world.createBody(), bodyB = world.createBody({ position: { x: 1, y: 0 } });

@@ -1,6 +1,7 @@
-/* Definitions of the objects that a world creates. Call the function `..._init` of a definition,
- * with its size, for the defaults that the comments state; then change what is to be different. The
- * size tells a later version of the library which members there are, and a wrong one is refused. */
+/* Definitions of the objects that a world creates; those of joints are in joint_definitions.h. Call
+ * the function `..._init` of a definition, with its size, for the defaults that the comments state;
+ * then change what is to be different. The size tells a later version of the library which members
+ * there are, and a wrong one is refused. */
 
 #pragma once
 
@@ -105,24 +106,6 @@ typedef struct fettle_geometry {
     bool closed;               /* chain: false; true: a segment from the last point to the first */
 } fettle_geometry;
 
-/** A joint of any type but mouse. Id 0 is the world, whose anchor is in world coordinates. */
-typedef struct fettle_joint_def {
-    uint32_t size;
-    bool collide;                   /* false; whether the two bodies collide with each other */
-    bool enabled;                   /* true */
-    fettle_id body_a;               /* 0 */
-    fettle_id body_b;               /* 0 */
-    fettle_position anchor_a;       /* (0, 0) m, body coordinates */
-    fettle_position anchor_b;       /* (0, 0) m, body coordinates */
-    uint64_t user_data;             /* 0 */
-    float break_force;              /* infinity, N; joint.h describes these six */
-    float break_torque;             /* infinity, N m */
-    float report_force;             /* infinity, N */
-    float report_torque;            /* infinity, N m */
-    float constraint_hertz;         /* 0 Hz: as the load needs */
-    float constraint_damping_ratio; /* 2 */
-} fettle_joint_def;
-
 /** A mouse joint. */
 typedef struct fettle_mouse_joint_def {
     uint32_t size;
@@ -173,7 +156,6 @@ typedef struct fettle_field_def {
 fettle_code fettle_world_def_init(fettle_world_def* def, size_t size);
 fettle_code fettle_body_def_init(fettle_body_def* def, size_t size);
 fettle_code fettle_shape_def_init(fettle_shape_def* def, size_t size);
-fettle_code fettle_joint_def_init(fettle_joint_def* def, size_t size);
 fettle_code fettle_mouse_joint_def_init(fettle_mouse_joint_def* def, size_t size);
 
 /** As above, for a type: one of fettle_shape_type but the border. */

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fettle/physics_c/definitions.h>
+#include <fettle/physics_c/joint_definitions.h>
 
 FETTLE_PHYSICS_C_BEGIN
 
@@ -58,55 +59,61 @@ fettle_code fettle_world_create_mouse_joint(fettle_world* world, const fettle_mo
                                             fettle_id* joint);
 
 /** A rod of the current length. */
-fettle_code fettle_world_create_distance_joint(fettle_world* world, const fettle_joint_def* def,
+fettle_code fettle_world_create_distance_joint(fettle_world* world,
+                                               const fettle_distance_joint_def* def,
                                                fettle_id* joint);
 
 /** A pin; the current angle counts as 0. */
-fettle_code fettle_world_create_revolute_joint(fettle_world* world, const fettle_joint_def* def,
+fettle_code fettle_world_create_revolute_joint(fettle_world* world,
+                                               const fettle_revolute_joint_def* def,
                                                fettle_id* joint);
 
 /** A slider; holds the current angle. */
-fettle_code fettle_world_create_prismatic_joint(fettle_world* world, const fettle_joint_def* def,
+fettle_code fettle_world_create_prismatic_joint(fettle_world* world,
+                                                const fettle_prismatic_joint_def* def,
                                                 fettle_id* joint);
 
 /** A sprung wheel (b) of a vehicle (a). */
-fettle_code fettle_world_create_wheel_joint(fettle_world* world, const fettle_joint_def* def,
+fettle_code fettle_world_create_wheel_joint(fettle_world* world, const fettle_wheel_joint_def* def,
                                             fettle_id* joint);
 
 /** Holds point and current angle. */
-fettle_code fettle_world_create_weld_joint(fettle_world* world, const fettle_joint_def* def,
+fettle_code fettle_world_create_weld_joint(fettle_world* world, const fettle_weld_joint_def* def,
                                            fettle_id* joint);
 
 /** A drive or friction; the current angle is its offset. */
-fettle_code fettle_world_create_motor_joint(fettle_world* world, const fettle_joint_def* def,
+fettle_code fettle_world_create_motor_joint(fettle_world* world, const fettle_motor_joint_def* def,
                                             fettle_id* joint);
 
-/** A rope over two wheels of the world: set its wheels, then its length. */
-fettle_code fettle_world_create_pulley_joint(fettle_world* world, const fettle_joint_def* def,
-                                             fettle_id* joint);
+/** A rope over two wheels of the world. */
+fettle_code fettle_world_create_pulley_joint(fettle_world* world,
+                                             const fettle_pulley_joint_def* def, fettle_id* joint);
 
-/** Rotates b with a: set its ratio, then its phase. */
-fettle_code fettle_world_create_gear_joint(fettle_world* world, const fettle_joint_def* def,
+/** Rotates b with a. */
+fettle_code fettle_world_create_gear_joint(fettle_world* world, const fettle_gear_joint_def* def,
                                            fettle_id* joint);
 
 /** A pin of b in a groove of a. */
-fettle_code fettle_world_create_groove_joint(fettle_world* world, const fettle_joint_def* def,
-                                             fettle_id* joint);
+fettle_code fettle_world_create_groove_joint(fettle_world* world,
+                                             const fettle_groove_joint_def* def, fettle_id* joint);
 
 /** A pin of b in a straight slot of a. */
-fettle_code fettle_world_create_pin_slot_joint(fettle_world* world, const fettle_joint_def* def,
+fettle_code fettle_world_create_pin_slot_joint(fettle_world* world,
+                                               const fettle_pin_slot_joint_def* def,
                                                fettle_id* joint);
 
 /** Lets b rotate in one direction only; the current angle counts as 0. */
-fettle_code fettle_world_create_ratchet_joint(fettle_world* world, const fettle_joint_def* def,
+fettle_code fettle_world_create_ratchet_joint(fettle_world* world,
+                                              const fettle_ratchet_joint_def* def,
                                               fettle_id* joint);
 
 /** The two bodies do not collide with each other; it does nothing else. */
-fettle_code fettle_world_create_filter_joint(fettle_world* world, const fettle_joint_def* def,
-                                             fettle_id* joint);
+fettle_code fettle_world_create_filter_joint(fettle_world* world,
+                                             const fettle_filter_joint_def* def, fettle_id* joint);
 
 /** Keeps the angle of b relative to a between two angles; the current angle counts as 0. */
-fettle_code fettle_world_create_rotary_limit_joint(fettle_world* world, const fettle_joint_def* def,
+fettle_code fettle_world_create_rotary_limit_joint(fettle_world* world,
+                                                   const fettle_rotary_limit_joint_def* def,
                                                    fettle_id* joint);
 
 /** Ids of all live objects in slot order, without the border of the world. Lists: see basics.h. */
