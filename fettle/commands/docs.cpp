@@ -1,7 +1,4 @@
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -30,12 +27,8 @@ void write(const fs::path& file, const std::string& text) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
     require_file(file, "a file to write");
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    out.close();
-    if (error || !out)
-        throw FileError(file.string() +
-                        ": cannot be written: " + (error ? error.message() : std::strerror(errno)));
+    if (error) throw FileError(file.string() + ": cannot be written: " + error.message());
+    write_file(file, text);
 }
 
 int docs(const DocsOptions& options) {

@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -98,13 +96,6 @@ void replace_all(std::string& text, std::string_view what, const std::string& wi
         text.replace(at, what.size(), with);
 }
 
-void write_new(const fs::path& file, const std::string& text) {
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) throw FileError(file.string() + ": cannot be written: " + std::strerror(errno));
-}
-
 void fill_in_settings(const fs::path& folder, const std::string& name) {
     const fs::path file = folder / "game.json";
     std::ifstream in(file, std::ios::binary);
@@ -114,7 +105,7 @@ void fill_in_settings(const fs::path& folder, const std::string& name) {
     replace_all(text, "\"GAME_NAME\"", quoted);
     replace_all(text, "GAME_ID", id_of(name));
     replace_all(text, "FETTLE_VERSION", FETTLE_VERSION);
-    write_new(file, text);
+    write_file(file, text);
 }
 
 /// Writes the classes and functions of this version for editors, which complete and check them.
@@ -123,7 +114,7 @@ void write_annotations(const fs::path& folder) {
     RunOptions run;
     run.headless = true;
     Session session(run, nullptr, {});
-    write_new(folder / ".editor" / "fettle.lua", script::annotations(session.tree()));
+    write_file(folder / ".editor" / "fettle.lua", script::annotations(session.tree()));
 }
 
 /// The text in the form in which it must be typed as an argument.
