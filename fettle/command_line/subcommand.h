@@ -14,7 +14,7 @@
 
 namespace fettle::program {
 
-/// A subcommand that is declared.
+/// A subcommand of the program.
 struct Command {
     const CLI::App* app;
     /// Runs the command and returns the exit status.
