@@ -1,4 +1,4 @@
-#include <commands/program.h>
+#include <commands/commands.h>
 
 int main(int argc, char** argv) {
     return fettle::program::run_program(argc, argv);

@@ -91,7 +91,7 @@ Rect ContextMenu::entry(std::string_view label) const {
 }
 
 void ContextMenu::draw() {
-    // The press that asks for the menu would close it again at the end of its frame.
+    // A menu that is opened in the frame of the click is closed at the end of that frame.
     if (opens_ && !ImGui::IsMouseClicked(1)) {
         opens_ = false;
         ImGui::OpenPopup(menu_name);

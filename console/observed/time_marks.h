@@ -28,8 +28,8 @@ class TimeMarks {
     void stop(const std::string& line) { add(TimeMark::Kind::stop, line); }
     /// Sets a bookmark, or removes the one that is there.
     void toggle_bookmark(std::int64_t step);
-    /// Sets a bookmark at a step, the present one if there is none; "" gets a name, and a name that
-    /// there is already moves. Throws Error(rejected) if there are too many, Error(bad_name) for a
+    /// Sets a bookmark at a step; without one, at the present step. "" gets a new name; a bookmark
+    /// with that name is moved. Throws Error(rejected) if there are too many, Error(bad_name) for a
     /// name of several lines or of more than 80 bytes, and Error(out_of_range) for a step before 0.
     void bookmark(const std::string& name, std::optional<std::int64_t> step);
     /// Returns how many were removed; "" is all of them.
@@ -38,8 +38,8 @@ class TimeMarks {
     /// Call once a frame: finds new edits in the history of the tree, four times a second.
     void look();
     /// Call once a frame with the name of the present branch, and the names of the others with the
-    /// last steps that they have in common with it. Where the present branch is another one than
-    /// before, the marks become those of that branch.
+    /// last steps that they have in common with it. If another branch has become the present one,
+    /// the marks become those of that branch.
     void follow(const std::string& branch, const std::map<std::string, std::int64_t>& others);
     /// In the order in which they are drawn: edits first, bookmarks last.
     const std::vector<TimeMark>& edits() const { return edits_; }

@@ -95,7 +95,7 @@ void TimeBar::draw_entries(const std::string& name) {
 }
 
 void TimeBar::draw_branch_menu() {
-    // The press that asks for the menu would close it again at the end of its frame.
+    // As in ContextMenu::draw: not in the frame of the click.
     if (opens_menu_ && !ImGui::IsMouseClicked(1)) {
         opens_menu_ = false;
         ImGui::OpenPopup(branch_menu);

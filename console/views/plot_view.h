@@ -17,8 +17,8 @@
 
 namespace fettle::console {
 
-/// The distance of the labels below curves of so many seconds: there are two of them at least,
-/// since one says nothing of the scale.
+/// The time between two labels below curves that are `seconds` long. There are at least two labels,
+/// because a single one does not show the scale.
 double seconds_between_labels(double seconds);
 
 class PlotView {

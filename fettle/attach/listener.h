@@ -32,7 +32,7 @@ struct ListenLimits {
     double busy_seconds = 0.0005;
     std::size_t received = 16384;  // bytes of a frame and connection
     std::size_t kept = 65536;      // bytes of answers before requests have to wait
-    // Of what the game prints, a frame: lines, and bytes after which no more lines are sent.
+    // What a frame sends of the game's output: lines, and bytes after which no more lines are sent.
     std::size_t lines_a_frame = 200, printed = 65536;
 };
 

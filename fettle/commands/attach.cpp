@@ -1,5 +1,3 @@
-#include <commands/attach.h>
-
 #include <optional>
 #include <utility>
 
@@ -8,6 +6,7 @@
 #include <command_line/end_request.h>
 #include <command_line/exit_status.h>
 #include <command_line/terminal.h>
+#include <commands/commands.h>
 #include <files/game_path.h>
 
 namespace fettle::program {

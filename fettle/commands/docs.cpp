@@ -1,17 +1,13 @@
-#include <commands/docs.h>
-
-#include <CLI/CLI.hpp>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <memory>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include <fettle/script/reference.h>
 
-#include <command_line/arguments.h>
 #include <command_line/exit_status.h>
+#include <command_line/subcommand.h>
 #include <command_line/terminal.h>
-#include <files/file_errors.h>
+#include <commands/commands.h>
 #include <files/game_path.h>
 #include <session/session.h>
 
@@ -21,19 +17,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
+struct DocsOptions {
+    fs::path folder{};
+    fs::path game{};                     // its classes are described too; empty: only Fettle's own
+    std::vector<std::string> modules{};  // modules to plug in: files, or names of installed modules
+};
+
 void write(const fs::path& file, const std::string& text) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
     require_file(file, "a file to write");
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    out.close();
-    if (error || !out)
-        throw FileError(file.string() +
-                        ": cannot be written: " + (error ? error.message() : std::strerror(errno)));
+    if (error) throw FileError(file.string() + ": cannot be written: " + error.message());
+    write_file(file, text);
 }
-
-}  // namespace
 
 int docs(const DocsOptions& options) {
     RunOptions run;
@@ -54,35 +50,19 @@ int docs(const DocsOptions& options) {
     return success;
 }
 
+}  // namespace
+
 Command add_docs(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand(
-        "docs", "Write annotations for editors (LuaCATS) and reference pages (Markdown).");
-    const auto options = std::make_shared<DocsOptions>();
-    command.allow_extras();
-    command
-        .add_option_function<std::string>(
-            "folder",
-            [options](const std::string& folder) {
-                options->folder = checked_text("folder", folder, "a folder");
-            },
-            "Where to; made when it is missing")
+    Subcommand<DocsOptions> command(
+        app, "docs", "Write annotations for editors (LuaCATS) and reference pages (Markdown).");
+    command.text("folder", &DocsOptions::folder, "a folder", "Where to; made when it is missing")
         ->required();
-    command.add_option_function<std::string>(
-        "game",
-        [options](const std::string& game) {
-            options->game = checked_text("game", game, "a folder with main.lua, or a .lua file");
-        },
-        "A game whose own classes are to be described as well");
-    command
-        .add_option_function<std::string>(
-            "--module",
-            [options](const std::string& name) {
-                options->modules.push_back(checked_text("--module", name, "a file or a name"));
-            },
-            "A module whose classes are, too: a shared object, or the name of an installed one "
-            "(repeatable)")
-        ->trigger_on_parse();
-    return {&command, [options] { return with_file_errors([&] { return docs(*options); }); }};
+    command.text("game", &DocsOptions::game, path_of_game,
+                 "A game whose own classes are to be described as well");
+    command.text("--module", &DocsOptions::modules, "a file or a name",
+                 "A module whose classes are, too: a shared object, or the name of an installed "
+                 "one (repeatable)");
+    return command.runs(docs);
 }
 
 }  // namespace fettle::program

@@ -1,16 +1,12 @@
-#include <commands/new_game.h>
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <memory>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -20,10 +16,10 @@
 #include <fettle/property/spelling.h>
 #include <fettle/script/reference.h>
 
-#include <command_line/arguments.h>
 #include <command_line/exit_status.h>
+#include <command_line/subcommand.h>
 #include <command_line/terminal.h>
-#include <files/file_errors.h>
+#include <commands/commands.h>
 #include <files/game_path.h>
 #include <session/session.h>
 
@@ -32,6 +28,11 @@ namespace fettle::program {
 namespace fs = std::filesystem;
 
 namespace {
+
+struct NewGameOptions {
+    fs::path folder{};
+    std::string pattern = "empty";  // the name of a folder in assets/templates
+};
 
 constexpr const char* common_files = "common";  // the folder with files that every new game gets
 
@@ -95,13 +96,6 @@ void replace_all(std::string& text, std::string_view what, const std::string& wi
         text.replace(at, what.size(), with);
 }
 
-void write_new(const fs::path& file, const std::string& text) {
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) throw FileError(file.string() + ": cannot be written: " + std::strerror(errno));
-}
-
 void fill_in_settings(const fs::path& folder, const std::string& name) {
     const fs::path file = folder / "game.json";
     std::ifstream in(file, std::ios::binary);
@@ -111,7 +105,7 @@ void fill_in_settings(const fs::path& folder, const std::string& name) {
     replace_all(text, "\"GAME_NAME\"", quoted);
     replace_all(text, "GAME_ID", id_of(name));
     replace_all(text, "FETTLE_VERSION", FETTLE_VERSION);
-    write_new(file, text);
+    write_file(file, text);
 }
 
 /// Writes the classes and functions of this version for editors, which complete and check them.
@@ -120,7 +114,7 @@ void write_annotations(const fs::path& folder) {
     RunOptions run;
     run.headless = true;
     Session session(run, nullptr, {});
-    write_new(folder / ".editor" / "fettle.lua", script::annotations(session.tree()));
+    write_file(folder / ".editor" / "fettle.lua", script::annotations(session.tree()));
 }
 
 /// The text in the form in which it must be typed as an argument.
@@ -163,8 +157,9 @@ void fill(const fs::path& folder, const fs::path& draft) {
     fs::remove(draft);
 }
 
-}  // namespace
-
+/// Makes the folder with the files of the template and annotations for editors. Throws FileError:
+/// for a folder that is there and not empty, or a file that cannot be written; then nothing is
+/// made.
 int new_game(const NewGameOptions& options) {
     if (const std::string problem = template_problem(options.pattern); !problem.empty()) {
         tell(problem);
@@ -202,26 +197,18 @@ int new_game(const NewGameOptions& options) {
     return success;
 }
 
+}  // namespace
+
 Command add_new_game(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand(
-        "new", "Make a small game to begin with, with a test and settings for editors.");
-    command.allow_extras();
-    const auto options = std::make_shared<NewGameOptions>();
+    Subcommand<NewGameOptions> command(
+        app, "new", "Make a small game to begin with, with a test and settings for editors.");
     command
-        .add_option_function<std::string>(
-            "name",
-            [options](const std::string& text) {
-                options->folder = checked_text("name", text, "a folder that is not there yet");
-            },
-            "The folder of the game, which is made")
+        .text("name", &NewGameOptions::folder, "a folder that is not there yet",
+              "The folder of the game, which is made")
         ->required();
-    command.add_option_function<std::string>(
-        "--template",
-        [options](const std::string& text) {
-            options->pattern = checked_text("--template", text, "the name of a template");
-        },
-        "empty, physics, platformer or topdown; empty unless given");
-    return {&command, [options] { return with_file_errors([&] { return new_game(*options); }); }};
+    command.text("--template", &NewGameOptions::pattern, "the name of a template",
+                 "empty, physics, platformer or topdown; empty unless given");
+    return command.runs(new_game);
 }
 
 }  // namespace fettle::program

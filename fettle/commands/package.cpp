@@ -1,14 +1,15 @@
-#include <commands/package.h>
-
 #include <CLI/CLI.hpp>
-#include <memory>
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include <fettle/property/storage/game_settings.h>
 
-#include <command_line/arguments.h>
 #include <command_line/exit_status.h>
+#include <command_line/subcommand.h>
 #include <command_line/terminal.h>
-#include <files/file_errors.h>
+#include <commands/commands.h>
 #include <files/game_path.h>
 #include <files/packed_game.h>
 #include <files/settings.h>
@@ -20,6 +21,15 @@ namespace fettle::program {
 namespace fs = std::filesystem;
 
 namespace {
+
+struct PackageOptions {
+    fs::path game{};
+    // The files to make; empty: this one is not made.
+    fs::path file{};                  // NAME.fettle
+    fs::path linux_run{};             // a folder, or NAME.tar.gz
+    fs::path deb{};                   // NAME.deb
+    std::vector<std::string> made{};  // names of files that the game itself makes
+};
 
 /// A name for files: small letters, digits and dashes.
 std::string file_name_of(const std::string& name) {
@@ -69,8 +79,6 @@ void tell_left_out(const PackedGame& packed) {
     if (!names.empty()) print_line("left out: " + names);
 }
 
-}  // namespace
-
 int package(const PackageOptions& options) {
     if (options.file.empty() && options.linux_run.empty() && options.deb.empty()) {
         tell("package: name what to make: --file NAME.fettle, --linux FOLDER or --deb NAME.deb");
@@ -108,43 +116,32 @@ int package(const PackageOptions& options) {
     return success;
 }
 
+}  // namespace
+
 Command add_package(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand(
-        "package", "Make a package of a game for players: one file, a folder, a Debian package.");
-    command.allow_extras();
-    const auto options = std::make_shared<PackageOptions>();
-    const auto option = [&](const char* name, const char* help, auto take) {
-        return command.add_option_function<std::string>(
-            name, [options, take](const std::string& text) { take(*options, text); }, help);
-    };
-    option("path", "A folder with main.lua, or one .lua file",
-           [](PackageOptions& to, const std::string& text) {
-               to.game = checked_text("path", text, "a folder with main.lua, or a .lua file");
-           })
+    Subcommand<PackageOptions> command(
+        app, "package",
+        "Make a package of a game for players: one file, a folder, a Debian package.");
+    command
+        .text("path", &PackageOptions::game, path_of_game,
+              "A folder with main.lua, or one .lua file")
         ->required();
-    option("--file", "One file, which fettle run plays: NAME.fettle",
-           [](PackageOptions& to, const std::string& text) {
-               to.file = checked_text("--file", text, "a file");
-               if (to.file.extension() != archive_ending)
-                   throw CLI::ValidationError("--file", "expected a name that ends in .fettle");
-           });
-    option("--linux",
-           "A folder that runs without Fettle, or a file NAME.tar.gz with it: it needs a Linux as "
-           "new as this one, X11 and OpenGL",
-           [](PackageOptions& to, const std::string& text) {
-               to.linux_run = checked_text("--linux", text, "a folder that is not there yet");
-           });
-    option("--deb", "A Debian package of that folder: NAME.deb",
-           [](PackageOptions& to, const std::string& text) {
-               to.deb = checked_text("--deb", text, "a file");
-           });
-    option("--made",
-           "The name of a file that the game makes itself, so that it may be missing (repeatable)",
-           [](PackageOptions& to, const std::string& text) {
-               to.made.push_back(checked_text("--made", text, "a name"));
-           })
-        ->trigger_on_parse();
-    return {&command, [options] { return with_file_errors([&] { return package(*options); }); }};
+    command.option("--file", "One file, which fettle run plays: NAME.fettle",
+                   [](PackageOptions& to, const std::string& text) {
+                       to.file = checked_text("--file", text, "a file");
+                       if (to.file.extension() != archive_ending)
+                           throw CLI::ValidationError("--file",
+                                                      "expected a name that ends in .fettle");
+                   });
+    command.text("--linux", &PackageOptions::linux_run, "a folder that is not there yet",
+                 "A folder that runs without Fettle, or a file NAME.tar.gz with it: it needs a "
+                 "Linux as new as this one, X11 and OpenGL");
+    command.text("--deb", &PackageOptions::deb, "a file",
+                 "A Debian package of that folder: NAME.deb");
+    command.text("--made", &PackageOptions::made, "a name",
+                 "The name of a file that the game makes itself, so that it may be missing "
+                 "(repeatable)");
+    return command.runs(package);
 }
 
 }  // namespace fettle::program

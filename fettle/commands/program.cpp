@@ -1,5 +1,3 @@
-#include <commands/program.h>
-
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>
@@ -9,15 +7,11 @@
 
 #include <command_line/arguments.h>
 #include <command_line/exit_status.h>
+#include <command_line/subcommand.h>
 #include <command_line/terminal.h>
 #include <command_line/version.h>
-#include <commands/docs.h>
-#include <commands/new_game.h>
-#include <commands/package.h>
-#include <commands/repl.h>
-#include <commands/run.h>
-#include <commands/test.h>
-#include <commands/where.h>
+#include <commands/commands.h>
+#include <files/file_errors.h>
 #include <files/game_path.h>
 
 namespace fettle::program {
@@ -62,7 +56,7 @@ int run_command(int argc, char** argv) {
         if (!command.app->parsed()) continue;
         if (const std::string wrong = left_over_problem(*command.app); !wrong.empty())
             return refuse(wrong);
-        const int status = command.run();
+        const int status = with_file_errors(command.run);
         return all_printed() || status != success ? status : file_error;
     }
     return refuse("expected a command, as in fettle run");

@@ -1,12 +1,9 @@
-#include <commands/repl.h>
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <memory>
+#include <filesystem>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -15,13 +12,12 @@
 #include <fettle/app/error_screen.h>
 
 #include <command_line/answer.h>
-#include <command_line/arguments.h>
 #include <command_line/command_lines.h>
 #include <command_line/end_request.h>
 #include <command_line/exit_status.h>
+#include <command_line/subcommand.h>
 #include <command_line/terminal.h>
-#include <commands/attach.h>
-#include <files/file_errors.h>
+#include <commands/commands.h>
 #include <files/game_path.h>
 #include <session/session.h>
 
@@ -128,7 +124,14 @@ class Repl : private CommandRunner {
     std::int64_t turns_ = 0;  // still to be made
 };
 
-int repl(const fs::path& named) {
+struct ReplOptions {
+    fs::path game{};  // empty: none
+    bool attaches = false;
+};
+
+int repl(const ReplOptions& given) {
+    const fs::path& named = given.game;
+    if (given.attaches) return attach(named.string());
     const EndRequest end_request;
     RunOptions options{.headless = true};
     options.game = named.empty() ? assets() / "templates" / "empty" : found_game(named);
@@ -141,26 +144,16 @@ int repl(const fs::path& named) {
 }  // namespace
 
 Command add_repl(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand(
-        "repl",
+    Subcommand<ReplOptions> command(
+        app, "repl",
         "Type commands of the console in the terminal, to a game without a window or to a game "
         "that runs already.");
-    command.allow_extras();
-    const auto game = std::make_shared<fs::path>();
-    const auto attaches = std::make_shared<bool>(false);
-    command.add_flag("--attach", *attaches,
-                     "To the running game with that name, path or process; it must listen (fettle "
-                     "run --listen, or console.listen = true)");
-    command.add_option_function<std::string>(
-        "path",
-        [game](const std::string& text) {
-            *game = checked_text("path", text, "a folder with main.lua, or a .lua file");
-        },
-        "A folder with main.lua, or one .lua file; without it, a game with nothing in it");
-    return {&command, [game, attaches] {
-                return with_file_errors(
-                    [&] { return *attaches ? attach(game->string()) : repl(*game); });
-            }};
+    command.flag("--attach", &ReplOptions::attaches,
+                 "To the running game with that name, path or process; it must listen (fettle run "
+                 "--listen, or console.listen = true)");
+    command.text("path", &ReplOptions::game, path_of_game,
+                 "A folder with main.lua, or one .lua file; without it, a game with nothing in it");
+    return command.runs(repl);
 }
 
 }  // namespace fettle::program

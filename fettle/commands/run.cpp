@@ -1,6 +1,3 @@
-#include <commands/run.h>
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cinttypes>
@@ -13,15 +10,15 @@
 #include <fettle/property/exception_text.h>
 #include <fettle/property/path.h>
 
-#include <command_line/arguments.h>
 #include <command_line/end_request.h>
 #include <command_line/exit_status.h>
+#include <command_line/subcommand.h>
 #include <command_line/turn_limit.h>
+#include <commands/commands.h>
 #include <commands/gallery.h>
 #include <commands/run_arguments.h>
 #include <commands/run_steps.h>
 #include <files/archive.h>
-#include <files/file_errors.h>
 #include <files/game_path.h>
 #include <files/recorded_files.h>
 #include <files/settings.h>
@@ -360,136 +357,106 @@ int run_replay(RunOptions options) {
 constexpr std::uint64_t max_milliseconds = 1'000'000'000;
 constexpr std::uint64_t max_megabytes = 1'000'000;
 
-}  // namespace
-
 int run(const RunOptions& given) {
-    return with_file_errors([&] {
-        RunOptions options = given;
-        const EndRequest end_request;
-        for (const std::filesystem::path& file : {options.screenshot, options.record})
-            if (!file.empty()) require_file(file, "a file to write");
-        if (!options.record.empty()) require_recording_or_nothing(options.record);
-        if (!options.replay.empty()) return run_replay(options);
-        if (!options.record.empty() && is_archive(options.game))
-            return complain(bad_usage, "--record needs a game that is not an archive");
-        options.follow = options.reload.value_or(!options.headless);
-        const bool in_gallery = options.game.empty();
-        if (in_gallery && !options.record.empty())
-            return complain(bad_usage, "--record needs the path of a game");
-        options.game = in_gallery ? gallery() : found_game(options.game);
-        std::vector<std::string> chunks = options.evals;
-        for (const auto& [step, chunk] : options.at) chunks.push_back(chunk);
-        for (const auto& [step, command] : options.console) chunks.push_back(command);
-        if (options.headless && !options.steps && !mentions_quit(options.game, chunks))
-            return complain(bad_usage,
-                            "a headless run needs --steps N, since this game never calls quit()");
-        const bool draws = !options.headless || !options.screenshot.empty();
-        if (draws && !app::display_available())
-            return complain(bad_usage,
-                            options.headless
-                                ? "--screenshot needs a display to draw on: set DISPLAY, or use "
-                                  "xvfb-run"
-                                : "there is no display for a window: set DISPLAY, use xvfb-run, or "
-                                  "run with --headless");
-        std::optional<Gallery> games;
-        if (in_gallery) games.emplace(options.game);
-        Gallery* const shown = games ? &*games : nullptr;
-        return options.headless ? run_headless(options, shown) : WindowRun(options, shown).play();
-    });
+    RunOptions options = given;
+    const EndRequest end_request;
+    for (const std::filesystem::path& file : {options.screenshot, options.record})
+        if (!file.empty()) require_file(file, "a file to write");
+    if (!options.record.empty()) require_recording_or_nothing(options.record);
+    if (!options.replay.empty()) return run_replay(options);
+    if (!options.record.empty() && is_archive(options.game))
+        return complain(bad_usage, "--record needs a game that is not an archive");
+    options.follow = options.reload.value_or(!options.headless);
+    const bool in_gallery = options.game.empty();
+    if (in_gallery && !options.record.empty())
+        return complain(bad_usage, "--record needs the path of a game");
+    options.game = in_gallery ? gallery() : found_game(options.game);
+    std::vector<std::string> chunks = options.evals;
+    for (const auto& [step, chunk] : options.at) chunks.push_back(chunk);
+    for (const auto& [step, command] : options.console) chunks.push_back(command);
+    if (options.headless && !options.steps && !mentions_quit(options.game, chunks))
+        return complain(bad_usage,
+                        "a headless run needs --steps N, since this game never calls quit()");
+    const bool draws = !options.headless || !options.screenshot.empty();
+    if (draws && !app::display_available())
+        return complain(bad_usage,
+                        options.headless
+                            ? "--screenshot needs a display to draw on: set DISPLAY, or use "
+                              "xvfb-run"
+                            : "there is no display for a window: set DISPLAY, use xvfb-run, or "
+                              "run with --headless");
+    std::optional<Gallery> games;
+    if (in_gallery) games.emplace(options.game);
+    Gallery* const shown = games ? &*games : nullptr;
+    return options.headless ? run_headless(options, shown) : WindowRun(options, shown).play();
 }
 
+}  // namespace
+
 Command add_run(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("run", "Play a game.");
-    const auto options = std::make_shared<RunOptions>();
-    command.allow_extras();  // the error message names the nearest option
-    // Each option is parsed separately and at once, because a chunk of Lua may contain commas and
-    // brackets.
-    const auto option = [&](const char* name, const char* help, auto take) {
-        return command.add_option_function<std::string>(
-            name, [options, take](const std::string& text) { take(*options, text); }, help);
-    };
-    option("path", "A folder with main.lua, or one .lua file; without it, the gallery of all games",
-           [](RunOptions& to, const std::string& text) {
-               to.game = checked_text("path", text, "a folder with main.lua, or a .lua file");
-           });
-    command.add_flag_callback(
-        "--reload", [options] { options->reload = true; },
-        "Read files again that change while the game runs, also without a window");
-    command.add_flag_callback(
-        "--no-reload", [options] { options->reload = false; },
-        "Go on with the files as they were when the game began");
-    command.add_flag("--headless", options->headless,
-                     "No window; fixed steps as fast as they go; print() goes to stdout");
-    option("--steps",
-           "Stop after so many fixed steps, those made again after going back in time included; "
-           "headless, a turn in which the game is paused counts too "
-           "(needed with --headless unless the game calls quit())",
-           [](RunOptions& to, const std::string& text) {
-               to.steps = static_cast<std::int64_t>(whole_number("--steps", text, 0, max_steps));
-           });
-    option("--eval", "Run this after main.lua is loaded (repeatable)",
-           [](RunOptions& to, const std::string& text) {
-               to.evals.push_back(checked_text("--eval", text, "a chunk of Lua"));
-           })
+    Subcommand<RunOptions> command(app, "run", "Play a game.");
+    command.text("path", &RunOptions::game, path_of_game,
+                 "A folder with main.lua, or one .lua file; without it, the gallery of all games");
+    command.flag("--reload",
+                 "Read files again that change while the game runs, also without a window",
+                 [](RunOptions& to) { to.reload = true; });
+    command.flag("--no-reload", "Go on with the files as they were when the game began",
+                 [](RunOptions& to) { to.reload = false; });
+    command.flag("--headless", &RunOptions::headless,
+                 "No window; fixed steps as fast as they go; print() goes to stdout");
+    command.number("--steps", &RunOptions::steps, 0, max_steps,
+                   "Stop after so many fixed steps, those made again after going back in time "
+                   "included; headless, a turn in which the game is paused counts too (needed with "
+                   "--headless unless the game calls quit())");
+    command.text("--eval", &RunOptions::evals, "a chunk of Lua",
+                 "Run this after main.lua is loaded (repeatable)");
+    command
+        .option("--at",
+                "Run it before step N (repeatable): N:LUA. Steps are counted as the run goes on: "
+                "going back in time does not turn the count back",
+                [](RunOptions& to, const std::string& text) {
+                    to.at.push_back(parse_at("--at", text));
+                })
         ->trigger_on_parse();
-    option("--at",
-           "Run it before step N (repeatable): N:LUA. Steps are counted as the run goes on: going "
-           "back in time does not turn the count back",
-           [](RunOptions& to, const std::string& text) { to.at.push_back(parse_at("--at", text)); })
+    command
+        .option("--console",
+                "Type it into the console before step N, and print it and what it says "
+                "(repeatable): N:COMMAND",
+                [](RunOptions& to, const std::string& text) {
+                    to.console.push_back(parse_at("--console", text));
+                })
         ->trigger_on_parse();
-    option("--console",
-           "Type it into the console before step N, and print it and what it says (repeatable): "
-           "N:COMMAND",
-           [](RunOptions& to, const std::string& text) {
-               to.console.push_back(parse_at("--console", text));
-           })
-        ->trigger_on_parse();
-    option("--module",
-           "Plug in a module: a shared object, or the name of an installed one (repeatable)",
-           [](RunOptions& to, const std::string& text) {
-               to.modules.push_back(checked_text("--module", text, "a file or a name"));
-           })
-        ->trigger_on_parse();
-    option("--budget",
-           "Stop a call into the game's scripts that takes longer than so many milliseconds; "
-           "without it a window asks after two seconds, and a headless run waits",
-           [](RunOptions& to, const std::string& text) {
-               to.budget = whole_number("--budget", text, 1, max_milliseconds);
-           });
-    command.add_flag("--sandbox", options->sandbox,
-                     "Do not trust the game: limits for memory, time, instances, handlers, timers, "
-                     "output and files; no native modules");
-    option(
-        "--memory",
-        "Stop scripts that use more than so many MB, for themselves and for what they add to the "
-        "game (with --sandbox 512 unless given)",
-        [](RunOptions& to, const std::string& text) {
-            to.memory = whole_number("--memory", text, 1, max_megabytes);
-        });
-    option("--seed", "Of random(); without it that of game.json, or 0",
-           [](RunOptions& to, const std::string& text) {
-               to.seed = whole_number("--seed", text, 0, UINT64_MAX);
-           });
-    command.add_flag("--developer", options->developer,
-                     "Have the console in a game that has it for developers only");
-    command.add_flag("--listen", options->listen,
-                     "Let \"fettle repl --attach\" of this user attach to the game's console");
-    option("--screenshot", "Write the last frame there (png, jpg, bmp or tga)",
-           [](RunOptions& to, const std::string& text) { to.screenshot = parse_picture(text); });
-    option("--record",
-           "Write there what comes into the run, to be replayed: not the computer's clock, no "
-           "saved games",
-           [](RunOptions& to, const std::string& text) {
-               to.record = checked_text("--record", text, "a file");
-           });
-    option("--replay", "Make a recorded run again; exit status 1 when it is not the same",
-           [](RunOptions& to, const std::string& text) {
-               to.replay = checked_text("--replay", text, "a file");
-           })
+    command.text("--module", &RunOptions::modules, "a file or a name",
+                 "Plug in a module: a shared object, or the name of an installed one (repeatable)");
+    command.number("--budget", &RunOptions::budget, 1, max_milliseconds,
+                   "Stop a call into the game's scripts that takes longer than so many "
+                   "milliseconds; without it a window asks after two seconds, and a headless run "
+                   "waits");
+    command.flag("--sandbox", &RunOptions::sandbox,
+                 "Do not trust the game: limits for memory, time, instances, handlers, timers, "
+                 "output and files; no native modules");
+    command.number("--memory", &RunOptions::memory, 1, max_megabytes,
+                   "Stop scripts that use more than so many MB, for themselves and for what they "
+                   "add to the game (with --sandbox 512 unless given)");
+    command.number("--seed", &RunOptions::seed, 0, UINT64_MAX,
+                   "Of random(); without it that of game.json, or 0");
+    command.flag("--developer", &RunOptions::developer,
+                 "Have the console in a game that has it for developers only");
+    command.flag("--listen", &RunOptions::listen,
+                 "Let \"fettle repl --attach\" of this user attach to the game's console");
+    command.option(
+        "--screenshot", "Write the last frame there (png, jpg, bmp or tga)",
+        [](RunOptions& to, const std::string& text) { to.screenshot = parse_picture(text); });
+    command.text("--record", &RunOptions::record, "a file",
+                 "Write there what comes into the run, to be replayed: not the computer's clock, "
+                 "no saved games");
+    command
+        .text("--replay", &RunOptions::replay, "a file",
+              "Make a recorded run again; exit status 1 when it is not the same")
         ->excludes("--record")
         ->excludes("--console");
-    command.add_flag("--hash", options->hash, "Print the state hash at the end");
-    return {&command, [options] { return run(*options); }};
+    command.flag("--hash", &RunOptions::hash, "Print the state hash at the end");
+    return command.runs(run);
 }
 
 }  // namespace fettle::program

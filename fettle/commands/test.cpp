@@ -1,17 +1,16 @@
-#include <commands/test.h>
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <memory>
+#include <filesystem>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include <fettle/property/storage/scene.h>
 
-#include <command_line/arguments.h>
 #include <command_line/end_request.h>
 #include <command_line/exit_status.h>
+#include <command_line/subcommand.h>
 #include <command_line/terminal.h>
-#include <files/file_errors.h>
+#include <commands/commands.h>
 #include <files/game_path.h>
 #include <testing/junit.h>
 #include <testing/test_run.h>
@@ -112,8 +111,6 @@ class Suite {
 
 constexpr std::uint64_t longest_test = 86'400;  // s
 
-}  // namespace
-
 int test(const TestOptions& given) {
     const EndRequest end_request;
     TestOptions options = given;
@@ -121,46 +118,24 @@ int test(const TestOptions& given) {
     return Suite(options).run();
 }
 
+}  // namespace
+
 Command add_test(CLI::App& app) {
-    CLI::App& command =
-        *app.add_subcommand("test", "Run the tests of a game: tests/*.lua beside main.lua.");
-    command.allow_extras();
-    const auto options = std::make_shared<TestOptions>();
-    command.add_option_function<std::string>(
-        "path",
-        [options](const std::string& text) {
-            options->game = checked_text("path", text, "a folder with main.lua, or a .lua file");
-        },
-        "A folder with main.lua, or one .lua file; without it, this folder");
-    command.add_option_function<std::string>(
-        "--filter",
-        [options](const std::string& text) {
-            options->filter = checked_text("--filter", text, "a part of a name");
-        },
-        "Only tests with this text in the name of their file or in their own");
-    command.add_option_function<std::string>(
-        "--junit",
-        [options](const std::string& text) {
-            options->junit = checked_text("--junit", text, "a file");
-        },
-        "Write a report in the format JUnit XML there");
-    command.add_flag("--update", options->update,
-                     "Write the pictures of t:screenshot instead of comparing them");
-    command.add_option_function<std::string>(
-        "--timeout",
-        [options](const std::string& text) {
-            options->timeout = whole_number("--timeout", text, 1, longest_test);
-        },
-        "Stop a test that takes longer than this number of seconds; 60 by default");
-    command
-        .add_option_function<std::string>(
-            "--module",
-            [options](const std::string& name) {
-                options->modules.push_back(checked_text("--module", name, "a file or a name"));
-            },
-            "Plug in a module: a shared object, or the name of an installed one (repeatable)")
-        ->trigger_on_parse();
-    return {&command, [options] { return with_file_errors([&] { return test(*options); }); }};
+    Subcommand<TestOptions> command(app, "test",
+                                    "Run the tests of a game: tests/*.lua beside main.lua.");
+    command.text("path", &TestOptions::game, path_of_game,
+                 "A folder with main.lua, or one .lua file; without it, this folder");
+    command.text("--filter", &TestOptions::filter, "a part of a name",
+                 "Only tests with this text in the name of their file or in their own");
+    command.text("--junit", &TestOptions::junit, "a file",
+                 "Write a report in the format JUnit XML there");
+    command.flag("--update", &TestOptions::update,
+                 "Write the pictures of t:screenshot instead of comparing them");
+    command.number("--timeout", &TestOptions::timeout, 1, longest_test,
+                   "Stop a test that takes longer than this number of seconds; 60 by default");
+    command.text("--module", &TestOptions::modules, "a file or a name",
+                 "Plug in a module: a shared object, or the name of an installed one (repeatable)");
+    return command.runs(test);
 }
 
 }  // namespace fettle::program

@@ -1,15 +1,12 @@
-#include <commands/where.h>
-
-#include <CLI/CLI.hpp>
-#include <memory>
+#include <filesystem>
 #include <string>
 
 #include <fettle/property/storage/tweaks.h>
 
-#include <command_line/arguments.h>
 #include <command_line/exit_status.h>
+#include <command_line/subcommand.h>
 #include <command_line/terminal.h>
-#include <files/file_errors.h>
+#include <commands/commands.h>
 #include <files/game_path.h>
 #include <files/settings.h>
 
@@ -17,8 +14,14 @@ namespace fettle::program {
 
 namespace fs = std::filesystem;
 
-int where(const fs::path& named) {
-    const fs::path game = found_game(named);
+namespace {
+
+struct WhereOptions {
+    fs::path game{};
+};
+
+int where(const WhereOptions& options) {
+    const fs::path game = found_game(options.game);
     const fs::path player = property::player_folder(game, read_settings(game).id);
     const auto tell_place = [](const std::string& what, const fs::path& place) {
         std::error_code error;
@@ -38,20 +41,16 @@ int where(const fs::path& named) {
     return success;
 }
 
+}  // namespace
+
 Command add_where(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand(
-        "where", "Print where the store, the saves, the settings and the tweaks of a game are.");
-    command.allow_extras();
-    const auto game = std::make_shared<fs::path>();
+    Subcommand<WhereOptions> command(
+        app, "where",
+        "Print where the store, the saves, the settings and the tweaks of a game are.");
     command
-        .add_option_function<std::string>(
-            "path",
-            [game](const std::string& text) {
-                *game = checked_text("path", text, "a folder with main.lua, or a .lua file");
-            },
-            "A folder with main.lua, or one .lua file")
+        .text("path", &WhereOptions::game, path_of_game, "A folder with main.lua, or one .lua file")
         ->required();
-    return {&command, [game] { return with_file_errors([&] { return where(*game); }); }};
+    return command.runs(where);
 }
 
 }  // namespace fettle::program

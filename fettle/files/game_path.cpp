@@ -1,6 +1,9 @@
 #include <files/game_path.h>
 
 #include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <string_view>
 
 #include <fettle/property/storage/game_files.h>
@@ -77,6 +80,13 @@ const char* kind_unless_regular(const fs::path& path) {
 void require_file(const fs::path& file, const char* expected) {
     if (const char* const kind = kind_unless_regular(file))
         throw FileError(file.string() + ": expected " + expected + ", found " + kind);
+}
+
+void write_file(const fs::path& file, const std::string& content) {
+    std::ofstream out(file, std::ios::binary);
+    out << content;
+    out.close();
+    if (!out) throw FileError(file.string() + ": cannot be written: " + std::strerror(errno));
 }
 
 fs::path found_game(const fs::path& named) {

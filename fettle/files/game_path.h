@@ -34,6 +34,9 @@ std::filesystem::path found_game(const std::filesystem::path& named);
 /// another process opens its other end. `expected` is for the message: "a recording".
 void require_file(const std::filesystem::path& file, const char* expected);
 
+/// Writes a file whose folder exists. Throws FileError.
+void write_file(const std::filesystem::path& file, const std::string& content);
+
 /// The folder of a game: the path itself, or the folder of its file; never empty.
 std::filesystem::path folder_of(const std::filesystem::path& game);
 

@@ -24,7 +24,7 @@ struct RunOptions {
     std::optional<std::uint64_t> memory{};  // MB; limit of what the scripts may use
     std::optional<std::uint64_t> seed{};    // of random(); none: that of game.json, else 0
     bool listen = false;                    // for terminals that attach, from the beginning
-    bool developer = false;                 // for the console, where game.json asks for it
+    bool developer = false;                 // has the console of a game for developers only
     std::vector<std::string> modules{};     // files or names, in addition to the game's manifest
     std::filesystem::path screenshot{};
     bool hash = false;

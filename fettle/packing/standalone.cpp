@@ -9,7 +9,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <string_view>
 #include <vector>
 
@@ -61,12 +60,9 @@ std::vector<fs::path> fonts() {
     return all;
 }
 
-void write_file(const fs::path& file, const std::string& content) {
+void write_with_folder(const fs::path& file, const std::string& content) {
     fs::create_directories(file.parent_path());
-    std::ofstream out(file, std::ios::binary);
-    out << content;
-    out.close();
-    if (!out) throw FileError(file.string() + ": cannot be written: " + std::strerror(errno));
+    write_file(file, content);
 }
 
 /// Everything but the game's start: the program, its libraries, assets and fonts, and the game.
@@ -84,16 +80,16 @@ void fill(const fs::path& folder, const ArchiveFiles& files) {
         fs::copy_file(font, folder / "share/fettle/fonts" / font.filename());
     if (const fs::path own = assets(); !own.empty())
         fs::copy(own, folder / "share/fettle/assets", fs::copy_options::recursive);
-    for (const auto& [name, content] : files) write_file(folder / "game" / name, content);
+    for (const auto& [name, content] : files) write_with_folder(folder / "game" / name, content);
 }
 
 /// A shell script that starts the game; `here` is an expression of the shell for the folder.
 void write_start(const fs::path& file, const std::string& here) {
-    write_file(file,
-               "#!/bin/sh\nhere=" + here +
-                   "\nexport LD_LIBRARY_PATH=\"$here/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}\""
-                   "\nexport FETTLE_FONTS=\"$here/share/fettle/fonts\""
-                   "\nexec \"$here/bin/fettle\" run \"$here/game\" --no-reload \"$@\"\n");
+    write_with_folder(
+        file, "#!/bin/sh\nhere=" + here +
+                  "\nexport LD_LIBRARY_PATH=\"$here/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}\""
+                  "\nexport FETTLE_FONTS=\"$here/share/fettle/fonts\""
+                  "\nexec \"$here/bin/fettle\" run \"$here/game\" --no-reload \"$@\"\n");
     fs::permissions(file, executable);
 }
 
@@ -154,20 +150,20 @@ void make_debian_package(const fs::path& to, const PackageFacts& facts, const Ar
     const std::string place = "/usr/lib/" + facts.id;
     fill(root / place.substr(1), files);
     write_start(root / "usr/games" / facts.id, place);
-    write_file(root / "usr/share/applications" / (facts.id + ".desktop"),
-               "[Desktop Entry]\nType=Application\nName=" + facts.name + "\nExec=/usr/games/" +
-                   facts.id + "\nCategories=Game;\nTerminal=false\n");
+    write_with_folder(root / "usr/share/applications" / (facts.id + ".desktop"),
+                      "[Desktop Entry]\nType=Application\nName=" + facts.name +
+                          "\nExec=/usr/games/" + facts.id + "\nCategories=Game;\nTerminal=false\n");
     std::string architecture = "amd64";
 #ifdef __aarch64__
     architecture = "arm64";
 #endif
-    write_file(root / "DEBIAN/control",
-               "Package: " + facts.id + "\nVersion: " + facts.version +
-                   "\nArchitecture: " + architecture +
-                   "\nMaintainer: " + (facts.author.empty() ? "unknown" : facts.author) +
-                   " <unknown@localhost>\nSection: games\nPriority: optional\n"
-                   "Depends: libc6, libstdc++6, libgl1, libx11-6, libgl1-mesa-dri\nDescription: " +
-                   facts.name + "\n A game made with Fettle.\n");
+    write_with_folder(
+        root / "DEBIAN/control",
+        "Package: " + facts.id + "\nVersion: " + facts.version + "\nArchitecture: " + architecture +
+            "\nMaintainer: " + (facts.author.empty() ? "unknown" : facts.author) +
+            " <unknown@localhost>\nSection: games\nPriority: optional\n"
+            "Depends: libc6, libstdc++6, libgl1, libx11-6, libgl1-mesa-dri\nDescription: " +
+            facts.name + "\n A game made with Fettle.\n");
     run_tool({"dpkg-deb", "--build", "--root-owner-group", "-Zgzip", root.string(), to.string()});
 }
 

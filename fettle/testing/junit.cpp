@@ -1,10 +1,7 @@
 #include <testing/junit.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <map>
 #include <string>
 #include <string_view>
@@ -71,10 +68,7 @@ void write_junit(const std::filesystem::path& file, const std::vector<TestOutcom
         text += "  </testsuite>\n";
     }
     text += "</testsuites>\n";
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) throw FileError(file.string() + ": cannot be written: " + std::strerror(errno));
+    write_file(file, text);
 }
 
 }  // namespace fettle::program

@@ -81,8 +81,7 @@ property::Method prefer_method(Preferences& preferences) {
             .context = &preferences,
             .call = [](void* context, property::Tree&, property::Handle, property::Row,
                        std::span<const Value> arguments) -> property::Result {
-                static_cast<Preferences*>(context)->prefer(
-                    arguments[0].text(), arguments.size() > 1 ? arguments[1] : Value());
+                static_cast<Preferences*>(context)->prefer(arguments[0].text(), arguments[1]);
                 return Value();
             },
             .effect = property::Effect::tree};

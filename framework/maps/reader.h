@@ -15,7 +15,7 @@ namespace fettle::maps {
 inline constexpr std::int64_t max_side = 1 << 16;   // cells of a map or px of a tile along x or y
 inline constexpr std::int64_t max_cells = 1 << 24;  // of a layer
 inline constexpr std::int64_t max_tiles = 1 << 24;  // of a tileset
-inline constexpr int max_groups = 32;               // one in another
+inline constexpr int max_groups = 32;               // nested in each other
 
 class Reader {
   public:

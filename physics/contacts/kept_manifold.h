@@ -39,8 +39,8 @@ inline bool has_both_anchors(const ObjectState& objects, const ContactRecord& c)
     return !double_positions || objects.forms[c.shape_a].kind != FormKind::border;
 }
 
-/// Called after the manifold was computed. Only two points are all that two edges can have, so only
-/// then no other point can come into contact meanwhile.
+/// Called after the manifold was computed. Only a manifold with two points is kept: two edges have
+/// no third point that could come into contact meanwhile.
 inline void note_pose(ObjectState& objects, uint32_t slot) {
     ContactRecord& c = objects.contacts[slot];
     c.kept = c.manifold.count == 2 && !c.sensor && has_both_anchors(objects, c);

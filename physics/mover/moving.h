@@ -32,8 +32,8 @@ class Moving {
 
     /// A short way, at most half of the radius long.
     void advance(Vec2 way);
-    /// Notes the dynamic bodies within the skin into which `way` leads: it pushes them without a
-    /// gap, also in a step in which they were as fast as it was.
+    /// Lists the dynamic bodies within the skin towards which `way` leads. The mover pushes them
+    /// also in a step in which they were as fast as the mover, so no gap opens between them.
     void touch(Vec2 way);
     /// Moves it down by at most `reach` onto ground; false and not moved if there is none.
     bool settle(float reach);

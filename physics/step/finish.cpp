@@ -47,8 +47,8 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     }
     const Rotation q = {state.cosine, state.sine};
     state.position = bounded(record.center - rotate(q, record.local_center), greatest_coordinate);
-    // A platform may stand still for long and have many shapes. In the first step, they must get to
-    // know that they stand.
+    // A platform may stand still for long and have many shapes. They are updated in the first step
+    // of rest, so that their turn becomes 0.
     const bool stands =
         record.mobility != Mobility::dynamic && shift.x == 0.0f && shift.y == 0.0f && turn == 0.0f;
     if (!stands || turned_before(in.objects, record)) finish_shapes(in, slot, q, piece);

@@ -13,9 +13,10 @@ namespace {
 
 /// Multiples of 2³² divided by the golden ratio are far apart, for any number of them.
 constexpr uint32_t apart = 2654435769u;
-/// Much more generations than a world creates between two restored states, and much fewer than the
+/// `skip` takes a generation that is at most this far ahead for one of this link. It is far more
+/// than the generations that a world creates between two restored states, and far less than the
 /// distance between the first generations of two links.
-constexpr uint32_t soon = 1u << 24;
+constexpr uint32_t farthest_ahead = 1u << 24;
 
 struct Links {
     std::mutex mutex;
@@ -50,7 +51,8 @@ void WorldLink::skip(std::span<const uint32_t> given) {
     uint32_t ahead = 0;
     for (const uint32_t generation : given) {
         const uint32_t distance = generation - generations.next;
-        if (generation != 0 && distance < soon && distance + 1 > ahead) ahead = distance + 1;
+        if (generation != 0 && distance < farthest_ahead && distance + 1 > ahead)
+            ahead = distance + 1;
     }
     generations.next += ahead;
     if (generations.next == 0) generations.next = 1;

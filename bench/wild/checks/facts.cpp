@@ -140,7 +140,7 @@ float plausible_speed(const WorldPlan& plan, float seconds) {
         if (const auto* attractor = std::get_if<AttractorField>(&field.force))
             pull += 4 * std::abs(attractor->strength);
         else
-            return infinity;  // wind on a thin plate has no bound that is of use here
+            return infinity;  // wind may give a thin plate any speed
     }
     return speed + springs + pull * seconds;
 }

@@ -1,4 +1,4 @@
-#include <calls/calls.h>
+#include <calls/properties.h>
 
 #include <fettle/physics_c/body.h>
 
@@ -13,76 +13,31 @@ fettle_code fettle_body_destroy(fettle_world* world, fettle_id body) {
     return edit<&Body::destroy>(__func__, world, body);
 }
 
-fettle_code fettle_body_type(const fettle_world* world, fettle_id body, int32_t* type) {
-    return read<&Body::type>(__func__, world, body, type);
-}
+FETTLE_READING(body, Body, type, int32_t)
 
 fettle_code fettle_body_set_type(fettle_world* world, fettle_id body, int32_t type) {
     return edit<&Body::set_type>(__func__, world, body,
                                  Enumerated<BodyType::dynamic_body>{"type", type});
 }
 
-fettle_code fettle_body_position(const fettle_world* world, fettle_id body,
-                                 fettle_position* position) {
-    return read<&Body::position>(__func__, world, body, position);
-}
-
-fettle_code fettle_body_set_position(fettle_world* world, fettle_id body, fettle_coordinate x,
-                                     fettle_coordinate y) {
-    return edit<&Body::set_position>(__func__, world, body, Position(x, y));
-}
-
-fettle_code fettle_body_angle(const fettle_world* world, fettle_id body, float* angle) {
-    return read<&Body::angle>(__func__, world, body, angle);
-}
-
-fettle_code fettle_body_set_angle(fettle_world* world, fettle_id body, float angle) {
-    return edit<&Body::set_angle>(__func__, world, body, angle);
-}
+FETTLE_POSITION(body, Body, position)
+FETTLE_PROPERTY(body, Body, angle, float)
 
 fettle_code fettle_body_set_pose(fettle_world* world, fettle_id body, fettle_coordinate x,
                                  fettle_coordinate y, float angle) {
     return edit<&Body::set_pose>(__func__, world, body, Pose{{x, y}, angle});
 }
 
-fettle_code fettle_body_velocity(const fettle_world* world, fettle_id body, fettle_vec2* velocity) {
-    return read<&Body::velocity>(__func__, world, body, velocity);
-}
-
-fettle_code fettle_body_set_velocity(fettle_world* world, fettle_id body, float x, float y) {
-    return edit<&Body::set_velocity>(__func__, world, body, Vec2(x, y));
-}
-
-fettle_code fettle_body_angular_velocity(const fettle_world* world, fettle_id body,
-                                         float* angular_velocity) {
-    return read<&Body::angular_velocity>(__func__, world, body, angular_velocity);
-}
-
-fettle_code fettle_body_set_angular_velocity(fettle_world* world, fettle_id body,
-                                             float angular_velocity) {
-    return edit<&Body::set_angular_velocity>(__func__, world, body, angular_velocity);
-}
+FETTLE_VECTOR(body, Body, velocity)
+FETTLE_PROPERTY(body, Body, angular_velocity, float)
 
 fettle_code fettle_body_set_target(fettle_world* world, fettle_id body, fettle_coordinate x,
                                    fettle_coordinate y, float angle, float dt) {
     return edit<&Body::set_target>(__func__, world, body, Pose{{x, y}, angle}, dt);
 }
 
-fettle_code fettle_body_force(const fettle_world* world, fettle_id body, fettle_vec2* force) {
-    return read<&Body::force>(__func__, world, body, force);
-}
-
-fettle_code fettle_body_set_force(fettle_world* world, fettle_id body, float x, float y) {
-    return edit<&Body::set_force>(__func__, world, body, Vec2(x, y));
-}
-
-fettle_code fettle_body_torque(const fettle_world* world, fettle_id body, float* torque) {
-    return read<&Body::torque>(__func__, world, body, torque);
-}
-
-fettle_code fettle_body_set_torque(fettle_world* world, fettle_id body, float torque) {
-    return edit<&Body::set_torque>(__func__, world, body, torque);
-}
+FETTLE_VECTOR(body, Body, force)
+FETTLE_PROPERTY(body, Body, torque, float)
 
 fettle_code fettle_body_apply_force(fettle_world* world, fettle_id body, float x, float y) {
     return on<Body>(__func__, world, body, [&](Body it) { it.apply_force(Vec2(x, y)); });
@@ -112,53 +67,12 @@ fettle_code fettle_body_apply_angular_impulse(fettle_world* world, fettle_id bod
     return edit<&Body::apply_angular_impulse>(__func__, world, body, impulse);
 }
 
-fettle_code fettle_body_applied_force(const fettle_world* world, fettle_id body,
-                                      fettle_vec2* applied_force) {
-    return read<&Body::applied_force>(__func__, world, body, applied_force);
-}
-
-fettle_code fettle_body_applied_torque(const fettle_world* world, fettle_id body,
-                                       float* applied_torque) {
-    return read<&Body::applied_torque>(__func__, world, body, applied_torque);
-}
-
-fettle_code fettle_body_gravity_scale(const fettle_world* world, fettle_id body,
-                                      float* gravity_scale) {
-    return read<&Body::gravity_scale>(__func__, world, body, gravity_scale);
-}
-
-fettle_code fettle_body_set_gravity_scale(fettle_world* world, fettle_id body,
-                                          float gravity_scale) {
-    return edit<&Body::set_gravity_scale>(__func__, world, body, gravity_scale);
-}
-
-fettle_code fettle_body_linear_damping(const fettle_world* world, fettle_id body,
-                                       float* linear_damping) {
-    return read<&Body::linear_damping>(__func__, world, body, linear_damping);
-}
-
-fettle_code fettle_body_set_linear_damping(fettle_world* world, fettle_id body,
-                                           float linear_damping) {
-    return edit<&Body::set_linear_damping>(__func__, world, body, linear_damping);
-}
-
-fettle_code fettle_body_angular_damping(const fettle_world* world, fettle_id body,
-                                        float* angular_damping) {
-    return read<&Body::angular_damping>(__func__, world, body, angular_damping);
-}
-
-fettle_code fettle_body_set_angular_damping(fettle_world* world, fettle_id body,
-                                            float angular_damping) {
-    return edit<&Body::set_angular_damping>(__func__, world, body, angular_damping);
-}
-
-fettle_code fettle_body_enabled(const fettle_world* world, fettle_id body, bool* enabled) {
-    return read<&Body::enabled>(__func__, world, body, enabled);
-}
-
-fettle_code fettle_body_set_enabled(fettle_world* world, fettle_id body, bool enabled) {
-    return edit<&Body::set_enabled>(__func__, world, body, enabled);
-}
+FETTLE_READING(body, Body, applied_force, fettle_vec2)
+FETTLE_READING(body, Body, applied_torque, float)
+FETTLE_PROPERTY(body, Body, gravity_scale, float)
+FETTLE_PROPERTY(body, Body, linear_damping, float)
+FETTLE_PROPERTY(body, Body, angular_damping, float)
+FETTLE_PROPERTY(body, Body, enabled, bool)
 
 fettle_code fettle_body_name(fettle_world* world, fettle_id body, const char** name) {
     return guarded(__func__, [&] {
@@ -172,17 +86,8 @@ fettle_code fettle_body_set_name(fettle_world* world, fettle_id body, const char
     return on<Body>(__func__, world, body, [&](Body it) { it.set_name(&needed("name", name)); });
 }
 
-fettle_code fettle_body_max_speed(const fettle_world* world, fettle_id body, float* max_speed) {
-    return read<&Body::max_speed>(__func__, world, body, max_speed);
-}
-
-fettle_code fettle_body_set_max_speed(fettle_world* world, fettle_id body, float max_speed) {
-    return edit<&Body::set_max_speed>(__func__, world, body, max_speed);
-}
-
-fettle_code fettle_body_sleep_speed(const fettle_world* world, fettle_id body, float* sleep_speed) {
-    return read<&Body::sleep_speed>(__func__, world, body, sleep_speed);
-}
+FETTLE_PROPERTY(body, Body, max_speed, float)
+FETTLE_READING(body, Body, sleep_speed, float)
 
 fettle_code fettle_body_set_sleep_speed(fettle_world* world, fettle_id body,
                                         const float* sleep_speed) {
@@ -195,59 +100,13 @@ fettle_code fettle_body_sleep_speed_override(const fettle_world* world, fettle_i
     return read_optional<&Body::sleep_speed_override>(__func__, world, body, is_set, sleep_speed);
 }
 
-fettle_code fettle_body_awake(const fettle_world* world, fettle_id body, bool* awake) {
-    return read<&Body::awake>(__func__, world, body, awake);
-}
-
-fettle_code fettle_body_set_awake(fettle_world* world, fettle_id body, bool awake) {
-    return edit<&Body::set_awake>(__func__, world, body, awake);
-}
-
-fettle_code fettle_body_can_sleep(const fettle_world* world, fettle_id body, bool* can_sleep) {
-    return read<&Body::can_sleep>(__func__, world, body, can_sleep);
-}
-
-fettle_code fettle_body_set_can_sleep(fettle_world* world, fettle_id body, bool can_sleep) {
-    return edit<&Body::set_can_sleep>(__func__, world, body, can_sleep);
-}
-
-fettle_code fettle_body_bullet(const fettle_world* world, fettle_id body, bool* bullet) {
-    return read<&Body::bullet>(__func__, world, body, bullet);
-}
-
-fettle_code fettle_body_set_bullet(fettle_world* world, fettle_id body, bool bullet) {
-    return edit<&Body::set_bullet>(__func__, world, body, bullet);
-}
-
-fettle_code fettle_body_locked_x(const fettle_world* world, fettle_id body, bool* locked_x) {
-    return read<&Body::locked_x>(__func__, world, body, locked_x);
-}
-
-fettle_code fettle_body_set_locked_x(fettle_world* world, fettle_id body, bool locked_x) {
-    return edit<&Body::set_locked_x>(__func__, world, body, locked_x);
-}
-
-fettle_code fettle_body_locked_y(const fettle_world* world, fettle_id body, bool* locked_y) {
-    return read<&Body::locked_y>(__func__, world, body, locked_y);
-}
-
-fettle_code fettle_body_set_locked_y(fettle_world* world, fettle_id body, bool locked_y) {
-    return edit<&Body::set_locked_y>(__func__, world, body, locked_y);
-}
-
-fettle_code fettle_body_locked_rotation(const fettle_world* world, fettle_id body,
-                                        bool* locked_rotation) {
-    return read<&Body::locked_rotation>(__func__, world, body, locked_rotation);
-}
-
-fettle_code fettle_body_set_locked_rotation(fettle_world* world, fettle_id body,
-                                            bool locked_rotation) {
-    return edit<&Body::set_locked_rotation>(__func__, world, body, locked_rotation);
-}
-
-fettle_code fettle_body_mass(const fettle_world* world, fettle_id body, float* mass) {
-    return read<&Body::mass>(__func__, world, body, mass);
-}
+FETTLE_PROPERTY(body, Body, awake, bool)
+FETTLE_PROPERTY(body, Body, can_sleep, bool)
+FETTLE_PROPERTY(body, Body, bullet, bool)
+FETTLE_PROPERTY(body, Body, locked_x, bool)
+FETTLE_PROPERTY(body, Body, locked_y, bool)
+FETTLE_PROPERTY(body, Body, locked_rotation, bool)
+FETTLE_READING(body, Body, mass, float)
 
 fettle_code fettle_body_set_mass(fettle_world* world, fettle_id body, const float* mass) {
     return edit<&Body::set_mass>(__func__, world, body, mass ? std::optional(*mass) : std::nullopt);
@@ -258,9 +117,7 @@ fettle_code fettle_body_mass_override(const fettle_world* world, fettle_id body,
     return read_optional<&Body::mass_override>(__func__, world, body, is_set, mass);
 }
 
-fettle_code fettle_body_inertia(const fettle_world* world, fettle_id body, float* inertia) {
-    return read<&Body::inertia>(__func__, world, body, inertia);
-}
+FETTLE_READING(body, Body, inertia, float)
 
 fettle_code fettle_body_set_inertia(fettle_world* world, fettle_id body, const float* inertia) {
     return edit<&Body::set_inertia>(__func__, world, body,
@@ -272,9 +129,7 @@ fettle_code fettle_body_inertia_override(const fettle_world* world, fettle_id bo
     return read_optional<&Body::inertia_override>(__func__, world, body, is_set, inertia);
 }
 
-fettle_code fettle_body_center(const fettle_world* world, fettle_id body, fettle_vec2* center) {
-    return read<&Body::center>(__func__, world, body, center);
-}
+FETTLE_READING(body, Body, center, fettle_vec2)
 
 fettle_code fettle_body_set_center(fettle_world* world, fettle_id body, const fettle_vec2* center) {
     return edit<&Body::set_center>(
@@ -286,27 +141,11 @@ fettle_code fettle_body_center_override(const fettle_world* world, fettle_id bod
     return read_optional<&Body::center_override>(__func__, world, body, is_set, center);
 }
 
-fettle_code fettle_body_world_center(const fettle_world* world, fettle_id body,
-                                     fettle_position* world_center) {
-    return read<&Body::world_center>(__func__, world, body, world_center);
-}
-
-fettle_code fettle_body_area(const fettle_world* world, fettle_id body, float* area) {
-    return read<&Body::area>(__func__, world, body, area);
-}
-
-fettle_code fettle_body_aabb(const fettle_world* world, fettle_id body, fettle_aabb* aabb) {
-    return read<&Body::aabb>(__func__, world, body, aabb);
-}
-
-fettle_code fettle_body_rebuilds(const fettle_world* world, fettle_id body, uint32_t* rebuilds) {
-    return read<&Body::rebuilds>(__func__, world, body, rebuilds);
-}
-
-fettle_code fettle_body_previous_pose(const fettle_world* world, fettle_id body,
-                                      fettle_pose* previous_pose) {
-    return read<&Body::previous_pose>(__func__, world, body, previous_pose);
-}
+FETTLE_READING(body, Body, world_center, fettle_position)
+FETTLE_READING(body, Body, area, float)
+FETTLE_READING(body, Body, aabb, fettle_aabb)
+FETTLE_READING(body, Body, rebuilds, uint32_t)
+FETTLE_READING(body, Body, previous_pose, fettle_pose)
 
 fettle_code fettle_body_interpolated(const fettle_world* world, fettle_id body, float fraction,
                                      fettle_pose* pose) {
@@ -338,10 +177,7 @@ fettle_code fettle_body_velocity_at(const fettle_world* world, fettle_id body, f
     return read<&Body::velocity_at>(__func__, world, body, out, FinitePoint{x, y});
 }
 
-fettle_code fettle_body_kinetic_energy(const fettle_world* world, fettle_id body,
-                                       float* kinetic_energy) {
-    return read<&Body::kinetic_energy>(__func__, world, body, kinetic_energy);
-}
+FETTLE_READING(body, Body, kinetic_energy, float)
 
 fettle_code fettle_body_add(fettle_world* world, fettle_id body, const fettle_geometry* geometry,
                             const fettle_shape_def* def, fettle_id* shape) {
@@ -350,10 +186,7 @@ fettle_code fettle_body_add(fettle_world* world, fettle_id body, const fettle_ge
     });
 }
 
-fettle_code fettle_body_shape_count(const fettle_world* world, fettle_id body,
-                                    uint32_t* shape_count) {
-    return read<&Body::shape_count>(__func__, world, body, shape_count);
-}
+FETTLE_READING(body, Body, shape_count, uint32_t)
 
 fettle_code fettle_body_shapes(const fettle_world* world, fettle_id body, fettle_id* out,
                                uint32_t room, uint32_t* count) {
@@ -365,19 +198,11 @@ fettle_code fettle_body_joints(const fettle_world* world, fettle_id body, fettle
     return list<&Body::joints>(__func__, world, body, out, room, count);
 }
 
-fettle_code fettle_body_is_touching(const fettle_world* world, fettle_id body, bool* is_touching) {
-    return read<&Body::is_touching>(__func__, world, body, is_touching);
-}
+FETTLE_READING(body, Body, is_touching, bool)
 
 fettle_code fettle_body_contacts(const fettle_world* world, fettle_id body, fettle_contact* out,
                                  uint32_t room, uint32_t* count) {
     return list<&Body::contacts>(__func__, world, body, out, room, count);
 }
 
-fettle_code fettle_body_user_data(const fettle_world* world, fettle_id body, uint64_t* user_data) {
-    return read<&Body::user_data>(__func__, world, body, user_data);
-}
-
-fettle_code fettle_body_set_user_data(fettle_world* world, fettle_id body, uint64_t user_data) {
-    return edit<&Body::set_user_data>(__func__, world, body, user_data);
-}
+FETTLE_PROPERTY(body, Body, user_data, uint64_t)

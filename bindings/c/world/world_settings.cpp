@@ -30,25 +30,25 @@ class HostTasks : public physics::TaskScheduler {
 using namespace fettle::physics;
 using namespace fettle::physics_c;
 
-fettle_code fettle_world_gravity(const fettle_world* world, fettle_vec2* gravity) {
-    return read<&World::gravity>(__func__, world, gravity);
-}
+// As in calls/properties.h, of the world itself. `Type`: the setting's type in C.
+#define FETTLE_WORLD_READING(setting, Type)                                        \
+    fettle_code fettle_world_##setting(const fettle_world* world, Type* setting) { \
+        return read<&World::setting>(__func__, world, setting);                    \
+    }
+#define FETTLE_WORLD_PROPERTY(setting, Type)                                    \
+    FETTLE_WORLD_READING(setting, Type)                                         \
+    fettle_code fettle_world_set_##setting(fettle_world* world, Type setting) { \
+        return edit<&World::set_##setting>(__func__, world, setting);           \
+    }
+
+FETTLE_WORLD_READING(gravity, fettle_vec2)
 
 fettle_code fettle_world_set_gravity(fettle_world* world, float x, float y) {
     return edit<&World::set_gravity>(__func__, world, Vec2(x, y));
 }
 
-fettle_code fettle_world_substeps(const fettle_world* world, int32_t* substeps) {
-    return read<&World::substeps>(__func__, world, substeps);
-}
-
-fettle_code fettle_world_last_substeps(const fettle_world* world, int32_t* substeps) {
-    return read<&World::last_substeps>(__func__, world, substeps);
-}
-
-fettle_code fettle_world_set_substeps(fettle_world* world, int32_t substeps) {
-    return edit<&World::set_substeps>(__func__, world, substeps);
-}
+FETTLE_WORLD_PROPERTY(substeps, int32_t)
+FETTLE_WORLD_READING(last_substeps, int32_t)
 
 fettle_code fettle_world_bounds(const fettle_world* world, bool* is_set, fettle_aabb* bounds) {
     return read_optional<&World::bounds>(__func__, world, is_set, bounds);
@@ -59,137 +59,39 @@ fettle_code fettle_world_set_bounds(fettle_world* world, const fettle_aabb* boun
                                     bounds ? std::optional(box_of(*bounds)) : std::nullopt);
 }
 
-fettle_code fettle_world_bounds_friction(const fettle_world* world, float* bounds_friction) {
-    return read<&World::bounds_friction>(__func__, world, bounds_friction);
-}
-
-fettle_code fettle_world_set_bounds_friction(fettle_world* world, float bounds_friction) {
-    return edit<&World::set_bounds_friction>(__func__, world, bounds_friction);
-}
-
-fettle_code fettle_world_bounds_restitution(const fettle_world* world, float* bounds_restitution) {
-    return read<&World::bounds_restitution>(__func__, world, bounds_restitution);
-}
-
-fettle_code fettle_world_set_bounds_restitution(fettle_world* world, float bounds_restitution) {
-    return edit<&World::set_bounds_restitution>(__func__, world, bounds_restitution);
-}
-
-fettle_code fettle_world_sleeping(const fettle_world* world, bool* sleeping) {
-    return read<&World::sleeping>(__func__, world, sleeping);
-}
-
-fettle_code fettle_world_set_sleeping(fettle_world* world, bool sleeping) {
-    return edit<&World::set_sleeping>(__func__, world, sleeping);
-}
-
-fettle_code fettle_world_continuous(const fettle_world* world, bool* continuous) {
-    return read<&World::continuous>(__func__, world, continuous);
-}
-
-fettle_code fettle_world_set_continuous(fettle_world* world, bool continuous) {
-    return edit<&World::set_continuous>(__func__, world, continuous);
-}
-
-fettle_code fettle_world_restitution_threshold(const fettle_world* world,
-                                               float* restitution_threshold) {
-    return read<&World::restitution_threshold>(__func__, world, restitution_threshold);
-}
-
-fettle_code fettle_world_set_restitution_threshold(fettle_world* world,
-                                                   float restitution_threshold) {
-    return edit<&World::set_restitution_threshold>(__func__, world, restitution_threshold);
-}
-
-fettle_code fettle_world_hit_threshold(const fettle_world* world, float* hit_threshold) {
-    return read<&World::hit_threshold>(__func__, world, hit_threshold);
-}
-
-fettle_code fettle_world_set_hit_threshold(fettle_world* world, float hit_threshold) {
-    return edit<&World::set_hit_threshold>(__func__, world, hit_threshold);
-}
-
-fettle_code fettle_world_sleep_speed(const fettle_world* world, float* sleep_speed) {
-    return read<&World::sleep_speed>(__func__, world, sleep_speed);
-}
-
-fettle_code fettle_world_set_sleep_speed(fettle_world* world, float sleep_speed) {
-    return edit<&World::set_sleep_speed>(__func__, world, sleep_speed);
-}
-
-fettle_code fettle_world_sleep_delay(const fettle_world* world, float* sleep_delay) {
-    return read<&World::sleep_delay>(__func__, world, sleep_delay);
-}
-
-fettle_code fettle_world_set_sleep_delay(fettle_world* world, float sleep_delay) {
-    return edit<&World::set_sleep_delay>(__func__, world, sleep_delay);
-}
-
-fettle_code fettle_world_contact_hertz(const fettle_world* world, float* contact_hertz) {
-    return read<&World::contact_hertz>(__func__, world, contact_hertz);
-}
-
-fettle_code fettle_world_set_contact_hertz(fettle_world* world, float contact_hertz) {
-    return edit<&World::set_contact_hertz>(__func__, world, contact_hertz);
-}
-
-fettle_code fettle_world_contact_damping(const fettle_world* world, float* contact_damping) {
-    return read<&World::contact_damping>(__func__, world, contact_damping);
-}
-
-fettle_code fettle_world_set_contact_damping(fettle_world* world, float contact_damping) {
-    return edit<&World::set_contact_damping>(__func__, world, contact_damping);
-}
-
-fettle_code fettle_world_push_speed(const fettle_world* world, float* push_speed) {
-    return read<&World::push_speed>(__func__, world, push_speed);
-}
-
-fettle_code fettle_world_set_push_speed(fettle_world* world, float push_speed) {
-    return edit<&World::set_push_speed>(__func__, world, push_speed);
-}
-
-fettle_code fettle_world_solver(const fettle_world* world, int32_t* solver) {
-    return read<&World::solver>(__func__, world, solver);
-}
+FETTLE_WORLD_PROPERTY(bounds_friction, float)
+FETTLE_WORLD_PROPERTY(bounds_restitution, float)
+FETTLE_WORLD_PROPERTY(sleeping, bool)
+FETTLE_WORLD_PROPERTY(continuous, bool)
+FETTLE_WORLD_PROPERTY(restitution_threshold, float)
+FETTLE_WORLD_PROPERTY(hit_threshold, float)
+FETTLE_WORLD_PROPERTY(sleep_speed, float)
+FETTLE_WORLD_PROPERTY(sleep_delay, float)
+FETTLE_WORLD_PROPERTY(contact_hertz, float)
+FETTLE_WORLD_PROPERTY(contact_damping, float)
+FETTLE_WORLD_PROPERTY(push_speed, float)
+FETTLE_WORLD_READING(solver, int32_t)
 
 fettle_code fettle_world_set_solver(fettle_world* world, int32_t solver) {
     return edit<&World::set_solver>(__func__, world, Enumerated<Solver::direct>{"solver", solver});
 }
 
-fettle_code fettle_world_friction_mix(const fettle_world* world, int32_t* friction_mix) {
-    return read<&World::friction_mix>(__func__, world, friction_mix);
-}
+FETTLE_WORLD_READING(friction_mix, int32_t)
 
 fettle_code fettle_world_set_friction_mix(fettle_world* world, int32_t friction_mix) {
     return edit<&World::set_friction_mix>(
         __func__, world, Enumerated<MixRule::geometric>{"friction_mix", friction_mix});
 }
 
-fettle_code fettle_world_restitution_mix(const fettle_world* world, int32_t* restitution_mix) {
-    return read<&World::restitution_mix>(__func__, world, restitution_mix);
-}
+FETTLE_WORLD_READING(restitution_mix, int32_t)
 
 fettle_code fettle_world_set_restitution_mix(fettle_world* world, int32_t restitution_mix) {
     return edit<&World::set_restitution_mix>(
         __func__, world, Enumerated<MixRule::geometric>{"restitution_mix", restitution_mix});
 }
 
-fettle_code fettle_world_persist_events(const fettle_world* world, bool* persist_events) {
-    return read<&World::persist_events>(__func__, world, persist_events);
-}
-
-fettle_code fettle_world_set_persist_events(fettle_world* world, bool persist_events) {
-    return edit<&World::set_persist_events>(__func__, world, persist_events);
-}
-
-fettle_code fettle_world_threads(const fettle_world* world, int32_t* threads) {
-    return read<&World::threads>(__func__, world, threads);
-}
-
-fettle_code fettle_world_set_threads(fettle_world* world, int32_t threads) {
-    return edit<&World::set_threads>(__func__, world, threads);
-}
+FETTLE_WORLD_PROPERTY(persist_events, bool)
+FETTLE_WORLD_PROPERTY(threads, int32_t)
 
 fettle_code fettle_world_set_scheduler(fettle_world* world, fettle_start_tasks start,
                                        fettle_finish_tasks finish, void* user, int32_t threads) {

@@ -171,7 +171,7 @@ void Input::State::move_stick(Gamepad& gamepad, std::size_t stick, const Vec2& t
             .gamepad = number_of(gamepad),
             .value = to};
     bool& taken = gamepad.taken_sticks[stick];
-    // A stick that the foreground has returns to the game when it has been released.
+    // A stick that the foreground uses moves the game again once it has been released.
     taken = takes(act) || (taken && from.length() > dead_zone);
     for (const int axis : {0, 1})
         if (to[axis] != from[axis])

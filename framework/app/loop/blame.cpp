@@ -28,7 +28,7 @@ constexpr std::array<Color, 8> colors{{{0.95f, 0.45f, 0.35f, 1},
                                        {0.85f, 0.65f, 0.45f, 1}}};
 constexpr std::string_view physics = "physics", unknown = "unknown", others = "others";
 
-/// The latest write among the properties of an instance; keeps `latest` if that is later.
+/// Sets `latest` to the last write of the properties of an instance, unless `latest` is later.
 void look_at(const Tree& tree, Handle instance, property::Provenance& latest) {
     const auto look = [&](const property::Property& each) {
         if (each.read_only || each.transient) return;

@@ -87,7 +87,8 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
     runtime_.add_library("sounds", Audio::library());
     services_.audio.random = [this] { return runtime_life_.expired() ? 0.5 : runtime_.random(); };
     runtime_.on_rewind([this](double seconds) { timeline_.rewind(seconds); });
-    // `ordered` ends with this function, which the destructor removes: then the orders are void.
+    // The destructor removes this function, and `ordered` with it. Then a jump that waits for the
+    // barrier is dropped.
     services_.clock.travel.go_to = [this, ordered = std::make_shared<char>()](std::int64_t step) {
         // The caller can catch this error. At the barrier, fewer steps may be kept, so the loop
         // goes to the nearest.

@@ -80,28 +80,20 @@ inline constexpr auto button_extra_2 = sf::Mouse::Button::Extra2;
 inline sf::FloatRect rectangle(float left, float top, float width, float height) {
     return {{left, top}, {width, height}};
 }
-inline float left(const sf::FloatRect& r) {
+template <class Number>
+Number left(const sf::Rect<Number>& r) {
     return r.position.x;
 }
-inline float top(const sf::FloatRect& r) {
+template <class Number>
+Number top(const sf::Rect<Number>& r) {
     return r.position.y;
 }
-inline float width(const sf::FloatRect& r) {
+template <class Number>
+Number width(const sf::Rect<Number>& r) {
     return r.size.x;
 }
-inline float height(const sf::FloatRect& r) {
-    return r.size.y;
-}
-inline int left(const sf::IntRect& r) {
-    return r.position.x;
-}
-inline int top(const sf::IntRect& r) {
-    return r.position.y;
-}
-inline int width(const sf::IntRect& r) {
-    return r.size.x;
-}
-inline int height(const sf::IntRect& r) {
+template <class Number>
+Number height(const sf::Rect<Number>& r) {
     return r.size.y;
 }
 
@@ -248,28 +240,20 @@ inline constexpr auto button_extra_2 = sf::Mouse::Button::XButton2;
 inline sf::FloatRect rectangle(float left, float top, float width, float height) {
     return {left, top, width, height};
 }
-inline float left(const sf::FloatRect& r) {
+template <class Number>
+Number left(const sf::Rect<Number>& r) {
     return r.left;
 }
-inline float top(const sf::FloatRect& r) {
+template <class Number>
+Number top(const sf::Rect<Number>& r) {
     return r.top;
 }
-inline float width(const sf::FloatRect& r) {
+template <class Number>
+Number width(const sf::Rect<Number>& r) {
     return r.width;
 }
-inline float height(const sf::FloatRect& r) {
-    return r.height;
-}
-inline int left(const sf::IntRect& r) {
-    return r.left;
-}
-inline int top(const sf::IntRect& r) {
-    return r.top;
-}
-inline int width(const sf::IntRect& r) {
-    return r.width;
-}
-inline int height(const sf::IntRect& r) {
+template <class Number>
+Number height(const sf::Rect<Number>& r) {
     return r.height;
 }
 

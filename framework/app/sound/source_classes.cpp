@@ -32,7 +32,7 @@ const property::Field fade_parameter{.name = "fade",
                                      .doc = "How long it takes to fade, 0 to 1000. 0: none."};
 
 double fade_of(Arguments arguments) {
-    return arguments.empty() || arguments[0].is_nil() ? 0 : arguments[0].number();
+    return arguments[0].is_nil() ? 0 : arguments[0].number();
 }
 
 // --- audio
@@ -206,12 +206,8 @@ Method play_method(State& state) {
                 "Begins a voice. Music that sounds already goes on, and other music of its bus "
                 "fades out.",
             .context = &state,
-            .call = [](void* context, Tree&, Handle self, Row, Arguments arguments) -> Result {
-                const auto given = [&](std::size_t i) {
-                    return i < arguments.size() ? arguments[i] : Value();
-                };
-                return Value(state_of(context).play(
-                    self, {given(0), given(1), given(2), given(3), given(4)}));
+            .call = [](void* context, Tree&, Handle self, Row, Arguments a) -> Result {
+                return Value(state_of(context).play(self, {a[0], a[1], a[2], a[3], a[4]}));
             },
             .effect = property::Effect::tree};
 }

@@ -172,8 +172,7 @@ std::vector<property::Method> methods_of_synths(Audio::State& state) {
          .context = &state,
          .call = [](void* context, Tree&, Handle self, Row,
                     std::span<const Value> arguments) -> property::Result {
-             const double amount =
-                 arguments.empty() || arguments[0].is_nil() ? 0.1 : arguments[0].number();
+             const double amount = arguments[0].is_nil() ? 0.1 : arguments[0].number();
              if (!(amount >= 0 && amount <= 1))
                  throw std::invalid_argument("amount = " + property::number_text(amount) +
                                              ": expected a number from 0 to 1");

@@ -109,9 +109,8 @@ void define_voice(Audio::State& state) {
                       .context = &state,
                       .call = [](void* context, Tree&, Handle self, Row,
                                  std::span<const Value> arguments) -> property::Result {
-                          const bool given = !arguments.empty() && !arguments[0].is_nil();
                           static_cast<Audio::State*>(context)->stop(
-                              self, given ? arguments[0].number() : 0);
+                              self, arguments[0].is_nil() ? 0 : arguments[0].number());
                           return Value();
                       },
                       .effect = property::Effect::tree}},

@@ -11,28 +11,8 @@
 
 namespace fettle::interface {
 
-inline property::Value held(bool v) {
-    return {v};
-}
-inline property::Value held(double v) {
-    return {v};
-}
-inline property::Value held(std::int64_t v) {
-    return {v};
-}
-inline property::Value held(const property::Vec2& v) {
-    return {v};
-}
-inline property::Value held(const std::string& v) {
-    return {v};
-}
-inline property::Value held(property::Color v) {
-    return {v};
-}
-inline property::Value held(property::Handle v) {
-    return {v};
-}
-inline property::Value held(const property::List& v) {
+template <class T>
+property::Value held(const T& v) {
     return {v};
 }
 template <class T>

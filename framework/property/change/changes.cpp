@@ -38,8 +38,8 @@ void Changes::report_unreported() {
 }
 
 /// Remembers the author of an edit, in case the barrier finds derived values that it changed.
-/// Looking up the place in a script costs more than a callback of a game may pay. So it is looked
-/// up only while a watched value depends on other cells.
+/// The author's place in a script is looked up only while a watched value depends on other cells,
+/// because looking it up takes too long for a callback of a game.
 void Changes::note_edit() {
     edited = true;
     ++invalidations;

@@ -11,6 +11,7 @@
 
 #include <calls/errors.h>
 #include <calls/protected.h>
+#include <classes/script_classes.h>
 #include <console/complete.h>
 #include <console/expression.h>
 #include <library/globals.h>
@@ -18,7 +19,6 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/instance_set.h>
-#include <objects/script_classes.h>
 #include <reference/language.h>
 #include <reference/reference_facts.h>
 #include <reference/signature.h>

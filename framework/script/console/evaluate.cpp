@@ -11,6 +11,7 @@
 
 #include <calls/errors.h>
 #include <calls/protected.h>
+#include <classes/script_classes.h>
 #include <console/evaluate.h>
 #include <console/help.h>
 #include <console/long_text.h>
@@ -25,7 +26,6 @@
 #include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/hints.h>
-#include <objects/script_classes.h>
 #include <text/columns.h>
 #include <text/words.h>
 #include <values/recording.h>

@@ -2,12 +2,12 @@
 #include <charconv>
 #include <string>
 
+#include <classes/reflection.h>
 #include <console/expression.h>
 #include <library/globals.h>
 #include <lua/environment.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <objects/reflection.h>
 #include <text/words.h>
 #include <values/description.h>
 #include <values/values.h>

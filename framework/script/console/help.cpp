@@ -4,6 +4,7 @@
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
+#include <classes/script_classes.h>
 #include <console/help.h>
 #include <lua/environment.h>
 #include <lua/guard.h>
@@ -11,7 +12,6 @@
 #include <lua/stack.h>
 #include <objects/generic_methods.h>
 #include <objects/instance_set.h>
-#include <objects/script_classes.h>
 #include <reference/language.h>
 #include <reference/reference_facts.h>
 #include <reference/signature.h>

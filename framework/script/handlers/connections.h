@@ -87,7 +87,7 @@ class Connections {
     /// Estimated bytes, without the functions; these are counted where they were added.
     static std::size_t bytes_of(const Image& image);
     static std::size_t bytes_of(const Changes& changes);
-    /// Those that have handlers of their own that belong to a moment, by `before`, each once.
+    /// The instances with handlers that are part of a moment, in the order of `before`, each once.
     std::vector<property::Handle> instances() const;
     /// Whether no note about the name of a watched property was given before.
     bool notes(const std::string& name) { return noted_names_.insert(name).second; }
@@ -101,7 +101,7 @@ class Connections {
         property::Connection connection{};
         property::Handle instance{}, scene{};
         std::weak_ptr<FunctionRef> function{};
-        std::shared_ptr<const Subscription::Connect> connect{};  // null: of no moment
+        std::shared_ptr<const Subscription::Connect> connect{};  // null: no part of a moment
         bool always = false;  // of the top level: there from the beginning of the game
     };
     std::uint64_t insert(Entry entry);

@@ -65,7 +65,7 @@ class Timers {
     void take_place(const Noted& old, const Noted& by);
     /// No moment brings back a timer of code that is no longer there.
     void retire(const Noted& noted) { retired_.insert(noted.id); }
-    /// Timers of the first instance belong to the other one.
+    /// Makes the timers of `from` those of `to`.
     void give_owner(property::Handle from, property::Handle to);
 
     // Snapshots. Functions are restored. A waiting coroutine keeps its current state and its

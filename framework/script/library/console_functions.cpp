@@ -5,6 +5,8 @@
 //   bookmark(name, step)  unbookmark(name)  bookmarks()  play_back(seconds)
 
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include <fettle/property/path.h>
 #include <fettle/property/storage/assets.h>
@@ -36,22 +38,28 @@ const Function* served(const Machine& machine, Function ConsoleFunctions::*membe
     throw Error(ErrorKind::rejected, std::string(what) + ": this run has no console");
 }
 
+/// Calls that function, if there is one.
+template <auto member, class... Arguments>
+void call_console(lua_State* L, const char* what, Arguments&&... arguments) {
+    if (const auto* function = served(machine_of(L), member, what))
+        (*function)(std::forward<Arguments>(arguments)...);
+}
+
+/// The text at `index`, which may be left out; `needs` is the error for another value.
+std::string text_or_nothing(lua_State* L, int index, std::string_view needs) {
+    return lua_isnoneornil(L, index) ? std::string() : check_text(L, index, needs);
+}
+
 int pin(lua_State* L) {
-    Machine& machine = machine_of(L);
     if (lua_gettop(L) == 0) refuse_type(L, 1, "pin: needs a path or an expression as text");
-    for (int i = 1; i <= lua_gettop(L); ++i) {
-        Observed what = observe(L, i, "pin");
-        if (const auto* function = served(machine, &ConsoleFunctions::pin, "pin"))
-            (*function)(std::move(what));
-    }
+    for (int i = 1; i <= lua_gettop(L); ++i)
+        call_console<&ConsoleFunctions::pin>(L, "pin", observe(L, i, "pin"));
     return 0;
 }
 
 int unpin(lua_State* L) {
     Machine& machine = machine_of(L);
-    const std::string text = lua_isnoneornil(L, 1)
-                                 ? std::string()
-                                 : check_text(L, 1, "unpin: needs the text that was pinned");
+    const std::string text = text_or_nothing(L, 1, "unpin: needs the text that was pinned");
     const auto* function = served(machine, &ConsoleFunctions::unpin, "unpin");
     if (function == nullptr) return 0;
     if ((*function)(text.empty() ? text : with_selected(machine, text)) == 0)
@@ -60,28 +68,21 @@ int unpin(lua_State* L) {
 }
 
 int plot(lua_State* L) {
-    Machine& machine = machine_of(L);
     std::vector<Observed> all;
     for (int i = 1; i <= lua_gettop(L); ++i) all.push_back(observe(L, i, "plot"));
-    if (const auto* function = served(machine, &ConsoleFunctions::plot, "plot"))
-        (*function)(std::move(all));
+    call_console<&ConsoleFunctions::plot>(L, "plot", std::move(all));
     return 0;
 }
 
 int break_when(lua_State* L) {
-    Machine& machine = machine_of(L);
     Observed condition;
     if (!lua_isnoneornil(L, 1)) condition = observe(L, 1, "break_when");
-    if (const auto* function = served(machine, &ConsoleFunctions::break_when, "break_when"))
-        (*function)(std::move(condition));
+    call_console<&ConsoleFunctions::break_when>(L, "break_when", std::move(condition));
     return 0;
 }
 
 int last_time(lua_State* L) {
-    Machine& machine = machine_of(L);
-    Observed condition = observe(L, 1, "last_time");
-    if (const auto* function = served(machine, &ConsoleFunctions::last_time, "last_time"))
-        (*function)(std::move(condition));
+    call_console<&ConsoleFunctions::last_time>(L, "last_time", observe(L, 1, "last_time"));
     return 0;
 }
 
@@ -102,34 +103,26 @@ int ab(lua_State* L) {
 }
 
 int compare_branch(lua_State* L) {
-    const std::string branch = lua_isnoneornil(L, 1)
-                                   ? std::string()
-                                   : check_text(L, 1, "compare_branch: needs the name of a branch");
-    const auto* function =
-        served(machine_of(L), &ConsoleFunctions::compare_branch, "compare_branch");
-    if (function != nullptr) (*function)(branch);
+    call_console<&ConsoleFunctions::compare_branch>(
+        L, "compare_branch", text_or_nothing(L, 1, "compare_branch: needs the name of a branch"));
     return 0;
 }
 
 int bookmark(lua_State* L) {
-    const std::string name =
-        lua_isnoneornil(L, 1) ? std::string() : check_text(L, 1, "bookmark: the name is a text");
+    const std::string name = text_or_nothing(L, 1, "bookmark: the name is a text");
     std::optional<std::int64_t> step;
     if (!lua_isnoneornil(L, 2)) {
         int whole = 0;
         step = lua_tointegerx(L, 2, &whole);
         if (whole == 0) refuse_type(L, 2, "bookmark: expected the number of a step");
     }
-    const auto* function = served(machine_of(L), &ConsoleFunctions::bookmark, "bookmark");
-    if (function != nullptr) (*function)(name, step);
+    call_console<&ConsoleFunctions::bookmark>(L, "bookmark", name, step);
     return 0;
 }
 
 int unbookmark(lua_State* L) {
     Machine& machine = machine_of(L);
-    const std::string name = lua_isnoneornil(L, 1)
-                                 ? std::string()
-                                 : check_text(L, 1, "unbookmark: needs the name of a bookmark");
+    const std::string name = text_or_nothing(L, 1, "unbookmark: needs the name of a bookmark");
     const auto* function = served(machine, &ConsoleFunctions::unbookmark, "unbookmark");
     if (function != nullptr && (*function)(name) == 0)
         print_line(machine,
@@ -154,8 +147,7 @@ int play_back(lua_State* L) {
         lua_isnoneornil(L, 1) ? HUGE_VAL : check_number(L, 1, "play_back: seconds");
     if (!(seconds > 0))
         throw Error(ErrorKind::out_of_range, "play_back: expected a time in seconds, more than 0");
-    const auto* function = served(machine_of(L), &ConsoleFunctions::play_back, "play_back");
-    if (function != nullptr) (*function)(seconds);
+    call_console<&ConsoleFunctions::play_back>(L, "play_back", seconds);
     return 0;
 }
 
@@ -167,16 +159,10 @@ int share(lua_State* L) {
     return 0;
 }
 
-std::string command_at(lua_State* L, const std::string& what) {
-    return lua_isnoneornil(L, 2) ? std::string()
-                                 : check_text(L, 2, what + ": the command is a text");
-}
-
 int bind(lua_State* L) {
     const std::string key = check_text(L, 1, "bind: needs the name of a key like \"f5\"");
-    const std::string command = command_at(L, "bind");
-    if (const auto* function = served(machine_of(L), &ConsoleFunctions::bind, "bind"))
-        (*function)(key, command);
+    call_console<&ConsoleFunctions::bind>(L, "bind", key,
+                                          text_or_nothing(L, 2, "bind: the command is a text"));
     return 0;
 }
 
@@ -185,9 +171,8 @@ int alias(lua_State* L) {
     if (!property::is_identifier(word))
         throw Error(ErrorKind::bad_name,
                     "alias: \"" + word + "\" is not a word of letters, digits and underscores");
-    const std::string command = command_at(L, "alias");
-    if (const auto* function = served(machine_of(L), &ConsoleFunctions::alias, "alias"))
-        (*function)(word, command);
+    call_console<&ConsoleFunctions::alias>(L, "alias", word,
+                                           text_or_nothing(L, 2, "alias: the command is a text"));
     return 0;
 }
 
@@ -198,13 +183,12 @@ int exec(lua_State* L) {
     const std::string text = machine.sources.files.read(
         property::Assets(machine.sources.files, machine.sources.folder, machine.options.assets)
             .find("exec", file, endings));
-    if (const auto* function = served(machine, &ConsoleFunctions::exec, "exec")) (*function)(text);
+    call_console<&ConsoleFunctions::exec>(L, "exec", text);
     return 0;
 }
 
 int clear(lua_State* L) {
-    if (const auto* function = served(machine_of(L), &ConsoleFunctions::clear, "clear"))
-        (*function)();
+    call_console<&ConsoleFunctions::clear>(L, "clear");
     return 0;
 }
 
@@ -215,8 +199,7 @@ int export_plot(lua_State* L) {
     if (kind != "csv" && kind != "png")
         throw Error(ErrorKind::rejected,
                     "export_plot: expected \"csv\" or \"png\", got \"" + kind + "\"");
-    if (const auto* function = served(machine_of(L), &ConsoleFunctions::export_plot, "export_plot"))
-        (*function)(kind);
+    call_console<&ConsoleFunctions::export_plot>(L, "export_plot", kind);
     return 0;
 }
 
@@ -245,8 +228,7 @@ int selection(lua_State* L) {
             lua_pop(L, 1);
         }
     }
-    const auto* set = served(machine, &ConsoleFunctions::select, "selection");
-    if (set != nullptr) (*set)(all);
+    call_console<&ConsoleFunctions::select>(L, "selection", all);
     return 0;
 }
 

@@ -5,14 +5,14 @@
 
 #include <fettle/property/spelling.h>
 
+#include <classes/reflection.h>
+#include <classes/script_classes.h>
 #include <library/globals.h>
 #include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <objects/reflection.h>
-#include <objects/script_classes.h>
 #include <reference/language.h>
 #include <text/other_languages.h>
 #include <text/words.h>

@@ -9,6 +9,7 @@
 #include <fettle/property/spelling.h>
 
 #include <calls/protected.h>
+#include <classes/script_classes.h>
 #include <handlers/connections.h>
 #include <handlers/timers.h>
 #include <library/scene_changes.h>
@@ -18,8 +19,6 @@
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <objects/class_object.h>
-#include <objects/script_classes.h>
 #include <text/words.h>
 #include <values/values.h>
 #include <values/writes.h>

@@ -93,7 +93,8 @@ class Budget {
     /// Charges work that C++ does for a script, in instructions. Raises an error if the limit is
     /// exceeded.
     void charge(lua_State* L, std::uint64_t instructions);
-    /// The same for work whose time its size does not tell: also stops when the time is over.
+    /// The same for work whose time does not follow from its size: also stops when the time is
+    /// over.
     void charge_by_the_clock(lua_State* L, std::uint64_t instructions);
     /// The same where no error may be raised; the script is stopped at its next instruction.
     void charge_quietly(std::uint64_t instructions);

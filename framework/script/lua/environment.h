@@ -26,7 +26,8 @@ struct Environment {
     /// While `enter` runs: what it begins ends with this scene.
     property::Handle entering{};
     property::Handle it;  // the selected instance
-    /// Children of game when the game was loaded, such as `world`, with their names of then.
+    /// The children that `game` had when the game was loaded, such as `world`, and their names
+    /// then.
     std::vector<std::pair<std::string, property::Handle>> first_children;
 };
 

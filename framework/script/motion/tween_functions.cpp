@@ -21,8 +21,8 @@ namespace {
 
 double seconds_at(lua_State* L, int index) {
     const double seconds = check_number(L, index, "tween");
-    constexpr double longest = 1e9;
-    if (!(seconds >= 0 && seconds <= longest))
+    constexpr double longest_tween = 1e9;
+    if (!(seconds >= 0 && seconds <= longest_tween))
         throw Error(ErrorKind::out_of_range, "tween: expected a time from 0 to 1e9 s, got " +
                                                  property::number_text(seconds));
     return seconds;

@@ -35,7 +35,7 @@ class Tweens {
     /// Makes a tween without a property, for a sequence.
     Handle add_pause(double seconds);
     /// Makes a group of tweens and groups that are below `game.tweens`, not in a group. Throws
-    /// Error if groups would be too deep in one another.
+    /// Error if groups would be nested too deep.
     Handle add_group(const char* kind, const std::vector<Handle>& members);
     /// Whether the instance is a tween or a group that `add_group` takes.
     bool groupable(Handle each) const;
@@ -45,7 +45,7 @@ class Tweens {
 
     /// One step of `dt` s. Returns false if one raised an error; that one has ended then.
     bool run(double dt) { return run_those(dt, true); }
-    /// The same for those in real time: a picture, `dt` s after the last one.
+    /// The same for tweens in real time, once a frame; `dt`: s since the last frame.
     bool advance_real(double dt) { return run_those(dt, false); }
 
   private:
@@ -68,8 +68,9 @@ class Tweens {
 
     Machine& machine_;
     const TweenClasses classes_;
-    /// The tweens that have begun, by instance and property: noted when the first of a run begins,
-    /// since many may begin in one step, and each ends the others of its property.
+    /// The tweens that have begun, by instance and property. Listed when the first tween of a run
+    /// begins: each tween that begins ends the others of its property, and many may begin in a
+    /// step.
     using Moved = std::pair<std::uint64_t, std::string>;
     std::optional<std::map<Moved, std::vector<Handle>>> begun_{};
     bool ok_ = true;

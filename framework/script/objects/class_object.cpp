@@ -7,6 +7,9 @@
 #include <fettle/property/exception_text.h>
 #include <fettle/property/spelling.h>
 
+#include <classes/class_definition.h>
+#include <classes/reflection.h>
+#include <classes/script_classes.h>
 #include <handlers/connections.h>
 #include <handlers/formulas.h>
 #include <handlers/subscriptions.h>
@@ -16,49 +19,12 @@
 #include <objects/class_object.h>
 #include <objects/hints.h>
 #include <objects/instance.h>
-#include <objects/reflection.h>
-#include <objects/script_classes.h>
 #include <values/declarations.h>
 #include <values/recording.h>
 #include <values/values.h>
 #include <values/writes.h>
 
 namespace fettle::script {
-
-namespace {
-constexpr std::size_t max_kinds = 8;  // number of kinds that a message lists
-}  // namespace
-
-std::vector<std::string> sorted_keys(lua_State* L, int table, const std::string& what) {
-    std::vector<std::string> keys;
-    for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
-        if (lua_type(L, -2) == LUA_TSTRING) {
-            keys.emplace_back(view_at(L, -2));
-        } else if (!lua_isinteger(L, -2)) {
-            const std::string type = describe_type(L, -2);
-            lua_pop(L, 2);
-            throw Error(ErrorKind::bad_name, what + ": a name is a text, not " + type);
-        }
-    }
-    std::sort(keys.begin(), keys.end());
-    return keys;
-}
-
-std::string why_not_creatable(const property::Tree& tree, const Class& of) {
-    std::string made_of;
-    std::size_t kinds = 0;
-    for (const Class* each : tree.classes())
-        if (each != &of && each->is_a(of) && each->creatable() && ++kinds <= max_kinds)
-            made_of += (kinds == 1 ? "" : ", ") + each->name();
-    if (kinds > max_kinds) made_of += " ...";
-    if (kinds > 0) return "it is what these have in common: " + made_of;
-    std::vector<std::string> paths;
-    tree.each_below(tree.root(), [&](Handle handle) {
-        if (&tree.class_of(handle) == &of) paths.push_back(tree.path(handle));
-    });
-    if (paths.size() == 1) return "the framework makes the one there is, " + paths.front();
-    return "only the framework makes them";
-}
 
 namespace {
 

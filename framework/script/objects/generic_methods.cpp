@@ -1,6 +1,9 @@
 #include <unordered_map>
 #include <utility>
 
+#include <classes/class_definition.h>
+#include <classes/reflection.h>
+#include <classes/unplaced.h>
 #include <handlers/formulas.h>
 #include <handlers/subscriptions.h>
 #include <handlers/timers.h>
@@ -8,11 +11,8 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <motion/tweens.h>
-#include <objects/class_object.h>
 #include <objects/generic_methods.h>
 #include <objects/instance_set.h>
-#include <objects/reflection.h>
-#include <objects/unplaced.h>
 #include <values/declarations.h>
 #include <values/members.h>
 #include <values/values.h>

@@ -6,6 +6,8 @@
 #include <fettle/property/added_rules.h>
 #include <fettle/property/spelling.h>
 
+#include <classes/script_classes.h>
+#include <classes/unplaced.h>
 #include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/host.h>
@@ -14,8 +16,6 @@
 #include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/hints.h>
-#include <objects/script_classes.h>
-#include <objects/unplaced.h>
 #include <reference/language.h>
 #include <text/synonyms.h>
 #include <text/words.h>

@@ -7,6 +7,7 @@
 #include <fettle/property/reserved_names.h>
 #include <fettle/property/spelling.h>
 
+#include <classes/script_classes.h>
 #include <handlers/formulas.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
@@ -15,7 +16,6 @@
 #include <objects/hints.h>
 #include <objects/instance.h>
 #include <objects/methods.h>
-#include <objects/script_classes.h>
 #include <reference/language.h>
 #include <text/synonyms.h>
 #include <text/words.h>

@@ -4,12 +4,12 @@
 
 #include <fettle/property/spelling.h>
 
+#include <classes/script_classes.h>
 #include <handlers/formulas.h>
 #include <lua/machine.h>
 #include <objects/generic_methods.h>
 #include <objects/hints.h>
 #include <objects/instance.h>
-#include <objects/script_classes.h>
 #include <text/synonyms.h>
 #include <values/declarations.h>
 #include <values/values.h>

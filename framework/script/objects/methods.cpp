@@ -11,7 +11,6 @@
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <objects/class_object.h>
 #include <objects/methods.h>
 #include <reference/reference_facts.h>
 #include <values/declarations.h>

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include <objects/script_classes.h>
+#include <classes/script_classes.h>
 #include <values/declarations.h>
 
 namespace fettle::script {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <calls/errors.h>
+#include <classes/script_classes.h>
 #include <handlers/function_source.h>
 #include <lua/environment.h>
 #include <lua/interpreter.h>
@@ -10,7 +11,6 @@
 #include <lua/sources.h>
 #include <lua/stack.h>
 #include <motion/tweens.h>
-#include <objects/script_classes.h>
 #include <reload/merge.h>
 #include <reload/top_level.h>
 #include <values/declarations.h>

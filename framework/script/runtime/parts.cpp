@@ -3,6 +3,7 @@
 
 #include <fettle/script/runtime.h>
 
+#include <classes/class_definition.h>
 #include <console/help.h>
 #include <handlers/connections.h>
 #include <handlers/coroutines.h>

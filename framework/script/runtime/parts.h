@@ -5,6 +5,8 @@
 
 #include <calls/errors.h>
 #include <calls/held_memory.h>
+#include <classes/script_classes.h>
+#include <classes/unplaced.h>
 #include <handlers/connections.h>
 #include <handlers/timers.h>
 #include <library/pen.h>
@@ -20,8 +22,6 @@
 #include <lua/watchdog.h>
 #include <motion/tweens.h>
 #include <objects/hints.h>
-#include <objects/script_classes.h>
-#include <objects/unplaced.h>
 #include <runtime/runtime_part.h>
 #include <sandbox/random.h>
 #include <values/declarations.h>

@@ -9,6 +9,8 @@
 
 #include <calls/errors.h>
 #include <calls/protected.h>
+#include <classes/script_classes.h>
+#include <classes/unplaced.h>
 #include <console/complete.h>
 #include <console/evaluate.h>
 #include <handlers/connections.h>
@@ -28,8 +30,6 @@
 #include <lua/stack.h>
 #include <motion/tweens.h>
 #include <objects/hints.h>
-#include <objects/script_classes.h>
-#include <objects/unplaced.h>
 #include <reload/top_level.h>
 #include <runtime/parts.h>
 #include <values/values.h>

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <iterator>
 
+#include <classes/script_classes.h>
+#include <classes/unplaced.h>
 #include <handlers/connections.h>
 #include <handlers/timers.h>
 #include <library/globals.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <objects/script_classes.h>
-#include <objects/unplaced.h>
 #include <runtime/runtime_part.h>
 #include <sandbox/random.h>
 #include <values/values.h>

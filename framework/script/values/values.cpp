@@ -258,6 +258,21 @@ std::string describe_type(lua_State* L, int index) {
     }
 }
 
+std::vector<std::string> sorted_keys(lua_State* L, int table, const std::string& what) {
+    std::vector<std::string> keys;
+    for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+        if (lua_type(L, -2) == LUA_TSTRING) {
+            keys.emplace_back(view_at(L, -2));
+        } else if (!lua_isinteger(L, -2)) {
+            const std::string type = describe_type(L, -2);
+            lua_pop(L, 2);
+            throw Error(ErrorKind::bad_name, what + ": a name is a text, not " + type);
+        }
+    }
+    std::sort(keys.begin(), keys.end());
+    return keys;
+}
+
 namespace {
 
 constexpr int deepest_table = 16;

@@ -172,6 +172,9 @@ property::Value to_value(lua_State* L, int index, Where where) {
 }
 /// The name of a Lua value's type in messages: "a number", "a Body", "a table".
 std::string describe_type(lua_State* L, int index);
+/// The text keys of a table, sorted. Throws for a key that is neither text nor a whole number;
+/// `what` names the table.
+std::vector<std::string> sorted_keys(lua_State* L, int table, const std::string& what);
 
 /// The property of an origin; throws if the instance was deleted or does not have it any more.
 const property::Property& origin_property(const property::Tree& tree, const Origin& origin);

@@ -92,7 +92,7 @@ void Emitters::draw(Row& row, property::Painter& painter, double alpha) {
             painter.picture(picture, area, center - reach, center + reach, colors[part], smooth);
             continue;
         }
-        // Half of the particles turn to either side.
+        // Half of the particles turn to the left, the others to the right.
         const double turn = static_cast<double>(p.angle) +
                             (p.angle < 0 ? -rotation : rotation) * static_cast<double>(age);
         painter.push(Transform::placed(center, turn));

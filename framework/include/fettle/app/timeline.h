@@ -176,7 +176,7 @@ class Timeline {
     struct Failure {
         std::int64_t step = -1;  // -1: none
         std::size_t pieces = 0;  // of `tail_` at its end
-        Step broken;             // the newest step, as far as it was made; `before` only
+        Step broken;             // the newest step if the error ended it early; only `before`
     };
     /// Where the tree is, and whether a step is being made.
     struct Place {

@@ -103,24 +103,23 @@ struct Binding {
     Value (*get)(void* context, Row row) = nullptr;                     ///< of an accessor: reads
     void (*set)(void* context, Row row, const Value& value) = nullptr;  ///< of an accessor: writes
 
-    // node: as accessor, for values that are part of the tree's structure.
-    Value (*node_get)(void* context, const Tree& tree,
-                      Handle self) = nullptr;  ///< of a node: reads
-    void (*node_set)(void* context, Tree& tree, Handle self,
-                     const Value& value) = nullptr;  ///< of a node: writes
+    /// Of a node: as `get` and `set`, for values that are part of the tree's structure.
+    Value (*node_get)(void* context, const Tree& tree, Handle self) = nullptr;
+    /// Of a node: writes.
+    void (*node_set)(void* context, Tree& tree, Handle self, const Value& value) = nullptr;
 
-    // Optional. `reset` removes the override (a mass is computed from density again) instead of
-    // writing the default. `overridden`: whether there is an override.
-    void (*reset)(void* context, Row row) = nullptr;       ///< removes the override
-    bool (*overridden)(void* context, Row row) = nullptr;  ///< whether there is one
+    /// Optional. Removes the override, instead of writing the default: a mass is computed from the
+    /// density again.
+    void (*reset)(void* context, Row row) = nullptr;
+    /// Optional: whether there is an override.
+    bool (*overridden)(void* context, Row row) = nullptr;
 
-    // Optional, called after a write: may only set dirty flags and wake bodies. Derived data are
-    // computed when they are read.
-    void (*invalidate)(void* context, Row row) = nullptr;  ///< is called after a write
+    /// Optional, called after a write: may only set dirty flags and wake bodies. Derived data are
+    /// computed when they are read.
+    void (*invalidate)(void* context, Row row) = nullptr;
 
-    // Optional: typed functions for a number and for a vec2.
-    Typed<double> number{};  ///< for numbers
-    Typed<Vec2> vec2{};      ///< for vectors
+    Typed<double> number{};  ///< optional: typed functions for a number
+    Typed<Vec2> vec2{};      ///< optional: typed functions for a vector
 };
 
 /// Describes one property. An aggregate: set the fields you need.
@@ -282,14 +281,14 @@ struct ClassDescriptor {
     std::vector<Property> properties{};         ///< its own
     std::vector<Method> methods{};              ///< its own
     std::vector<Event> events{};                ///< its own
-    /// None of its functions set: the lifecycle of the base class. A class with a lifecycle of its
-    /// own takes over nothing of that one, and bindings and methods that it inherits get its rows.
-    /// So `Tree::define` refuses one if the rows of the base class are made by a lifecycle and its
-    /// columns, accessors or methods use them: derive without a lifecycle, or set
-    /// `makes_base_rows`.
+    /// Without any function: the class has the lifecycle of the base class. A class with a
+    /// lifecycle of its own does not use that of the base class, so inherited bindings and methods
+    /// get rows of this class. `Tree::define` therefore refuses a lifecycle if columns, accessors
+    /// or methods of the base class use rows that a lifecycle made: derive without a lifecycle, or
+    /// set `makes_base_rows`.
     Lifecycle lifecycle{};
-    /// True if its rows are rows of the base class as well, for modules that define both: the
-    /// module's shape is of the base class `Shape` and of `Circle`.
+    /// True if its rows are rows of the base class as well, for a module that defines both: its
+    /// row of a shape serves the classes `Shape` and `Circle`.
     bool makes_base_rows = false;
     /// Stem of the names of unnamed instances: "body" gives body_1, body_2 ... Default: the class
     /// name in lower case.
@@ -303,37 +302,31 @@ class Class {
     const std::string& name() const { return descriptor_.name; }  ///< as users write it
     const std::string& doc() const { return descriptor_.doc; }    ///< what it is
     const Class* base() const { return base_; }                   ///< null for Object
-    bool creatable() const {
-        return descriptor_.creatable;
-    }  ///< whether users may create instances
+    /// Whether users may create instances.
+    bool creatable() const { return descriptor_.creatable; }
     /// From the nearest native base class: a script's class is saved like its base.
     Snapshots snapshots() const { return snapshots_; }
     bool is_a(const Class& other) const;  ///< whether it is that class or derives from it
-    const std::string& stem() const {
-        return descriptor_.stem;
-    }  ///< of the names of unnamed instances
-    /// From the nearest base class that has one, or its own.
+    /// Stem of the names of unnamed instances.
+    const std::string& stem() const { return descriptor_.stem; }
+    /// Its own, or that of the nearest base class that has one.
     const Lifecycle& lifecycle() const { return *lifecycle_; }
 
-    // These include inherited members, base class first.
-    const std::vector<const Property*>& properties() const {
-        return properties_;
-    }                                                                       ///< inherited ones, too
-    const std::vector<const Method*>& methods() const { return methods_; }  ///< inherited ones, too
-    const std::vector<const Event*>& events() const { return events_; }     ///< inherited ones, too
+    /// All properties, also inherited ones; those of base classes come first.
+    const std::vector<const Property*>& properties() const { return properties_; }
+    /// All methods, in the same order.
+    const std::vector<const Method*>& methods() const { return methods_; }
+    /// All events, in the same order.
+    const std::vector<const Event*>& events() const { return events_; }
 
-    // nullptr if there is none.
-    /// Null if there is none.
+    /// The property of that name, also an inherited one; null if there is none.
     const Property* property(Symbol name) const;
-    /// Null if there is none.
-    const Method* method(Symbol name) const;
-    /// Null if there is none.
-    const Event* event(Symbol name) const;
-    /// Null if there is none.
     const Property* property(std::string_view name) const { return property(Symbol::find(name)); }
-    /// Null if there is none.
+    /// The method of that name, also an inherited one; null if there is none.
+    const Method* method(Symbol name) const;
     const Method* method(std::string_view name) const { return method(Symbol::find(name)); }
-    /// Null if there is none.
+    /// The event of that name, also an inherited one; null if there is none.
+    const Event* event(Symbol name) const;
     const Event* event(std::string_view name) const { return event(Symbol::find(name)); }
 
     /// Index in the order of definition.

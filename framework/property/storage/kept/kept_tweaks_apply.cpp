@@ -172,7 +172,7 @@ void KeptTweaks::create(const std::string& path) {
     const Node* node = member("created", path);
     const std::vector<Segment> segments = parse_path(path);
     const Handle parent =
-        find(*node, path, segments.size() - 1, "what was made below it is not made");
+        find(*node, path, segments.size() - 1, "nothing can be made below it");
     if (!parent) return;
     const std::string& name = std::get<std::string>(segments.back().key);
     if (tree_.child(parent, name)) return;

@@ -56,7 +56,7 @@ class Replay {
     Replay& operator=(Replay&& other) noexcept;  ///< the earlier replay ends
 
     uint64_t steps() const;  ///< in the recording
-    /// Repeats the next step. None at the end, and after a step that was not the same. Throws
+    /// Repeats the next step. Empty at the end, and after a step that was not the same. Throws
     /// std::invalid_argument if the edits before the step do not make a valid world, which damage
     /// that the checksums do not notice may cause; the replay ends then.
     std::optional<ReplayedStep> step();

@@ -5,15 +5,15 @@
 #include <fettle/property/spelling.h>
 
 #include <calls/protected.h>
+#include <classes/reflection.h>
+#include <classes/script_classes.h>
+#include <classes/unplaced.h>
 #include <handlers/connections.h>
 #include <handlers/subscriptions.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <lua/watchdog.h>
-#include <objects/reflection.h>
-#include <objects/script_classes.h>
-#include <objects/unplaced.h>
 #include <reference/language.h>
 #include <text/words.h>
 #include <values/declarations.h>

@@ -1,10 +1,10 @@
 #include <fettle/property/spelling.h>
 
+#include <classes/reflection.h>
+#include <classes/script_classes.h>
 #include <lua/budget.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <objects/reflection.h>
-#include <objects/script_classes.h>
 #include <reference/reference_facts.h>
 #include <values/description.h>
 #include <values/values.h>

@@ -11,13 +11,12 @@
 #include <fettle/property/spelling.h>
 
 #include <calls/protected.h>
+#include <classes/script_classes.h>
 #include <lua/guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <lua/watchdog.h>
-#include <objects/class_object.h>
-#include <objects/script_classes.h>
 #include <text/words.h>
 #include <values/values.h>
 

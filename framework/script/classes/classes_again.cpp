@@ -4,10 +4,10 @@
 
 #include <fettle/property/redefinition.h>
 
+#include <classes/script_classes.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <objects/script_classes.h>
 #include <values/members.h>
 
 namespace fettle::script {

@@ -1,9 +1,9 @@
 // The part of the scripts' classes in a snapshot: the order in which instances are stepped, and the
 // instances that are not ready yet.
 
+#include <classes/script_classes.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <objects/script_classes.h>
 #include <values/values.h>
 
 namespace fettle::script {

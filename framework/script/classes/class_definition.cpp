@@ -5,12 +5,12 @@
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
+#include <classes/class_definition.h>
+#include <classes/script_classes.h>
 #include <handlers/formulas.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <objects/class_object.h>
-#include <objects/script_classes.h>
 #include <reference/language.h>
 #include <text/words.h>
 #include <values/short_text.h>
@@ -19,6 +19,8 @@
 namespace fettle::script {
 
 namespace {
+
+constexpr std::size_t max_kinds = 8;  // number of kinds that a message lists
 
 // The default from `name = value` in a class; the value is at the top of the stack.
 Value default_of(lua_State* L, const std::string& class_name, const std::string& name) {
@@ -277,6 +279,22 @@ int class_function(lua_State* L) {
 }
 
 }  // namespace
+
+std::string why_not_creatable(const property::Tree& tree, const Class& of) {
+    std::string made_of;
+    std::size_t kinds = 0;
+    for (const Class* each : tree.classes())
+        if (each != &of && each->is_a(of) && each->creatable() && ++kinds <= max_kinds)
+            made_of += (kinds == 1 ? "" : ", ") + each->name();
+    if (kinds > max_kinds) made_of += " ...";
+    if (kinds > 0) return "it is what these have in common: " + made_of;
+    std::vector<std::string> paths;
+    tree.each_below(tree.root(), [&](Handle handle) {
+        if (&tree.class_of(handle) == &of) paths.push_back(tree.path(handle));
+    });
+    if (paths.size() == 1) return "the framework makes the one there is, " + paths.front();
+    return "only the framework makes them";
+}
 
 void open_class_function(lua_State* L) {
     add_function<class_function>(L, "class");

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include <classes/unplaced.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <objects/unplaced.h>
 #include <values/values.h>
 
 namespace fettle::script {
