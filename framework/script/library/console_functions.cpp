@@ -15,6 +15,7 @@
 
 #include <handlers/observed.h>
 #include <library/library.h>
+#include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/host.h>
 #include <lua/machine.h>
