@@ -58,12 +58,17 @@ Game& live(const fettle_hosted* hosted) {
 }
 
 property::Value answer_of(fettle_code code, const fettle_hosted_value& result) {
-    const property::Value value = value_of("the result of the function", result);
+    property::Value value;
+    try {
+        value = value_of("the result of the function", result);
+    } catch (const Failure& failure) {  // the game knows std::exception only
+        throw std::invalid_argument(failure.message);
+    }
     if (code == FETTLE_DONE) return value;
-    throw std::invalid_argument(value.is(property::Type::text)
-                                    ? value.text()
-                                    : "the function of the host failed with the code " +
-                                          std::to_string(code));
+    const bool has_reason = value.is(property::Type::text) && !value.text().empty();
+    throw std::invalid_argument(has_reason ? value.text()
+                                           : "the function of the host failed with the code " +
+                                                 std::to_string(code));
 }
 
 property::Handle living(const Game& game, fettle_instance instance) {

@@ -4,15 +4,18 @@
 #include <fettle/physics/query.h>
 #include <world/world_data.h>
 
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace fettle::physics::detail {
 
-/// Locks the world while a query may call `QueryFilter::accept`.
+/// Locks the world while a query may call `QueryFilter::accept` or a visitor.
 class Asking {
   public:
-    Asking(const WorldData& data, const QueryFilter& filter) {
-        if (filter.accept) lock_.emplace(data.self, WorldLock::During::query, in_accept);
+    Asking(const WorldData& data, const QueryFilter& filter, bool visits = false) {
+        if (visits || filter.accept)
+            lock_.emplace(data.self, WorldLock::During::query, visits ? in_visitor : in_accept);
     }
     void finish() {
         if (lock_) lock_->finish();
@@ -24,6 +27,42 @@ class Asking {
 
 /// Whether the filter of a query accepts the shape.
 bool is_accepted(const WorldData& data, const QueryFilter& filter, uint32_t shape);
+
+/// Calls a visitor; whether the query is to go on.
+template <class Found>
+bool goes_on(const WorldData& data, const Visitor<Found>& visitor, const Found& found) {
+    const bool going = visitor(found);
+    if (data.self.orphaned()) data.self.throw_orphaned();
+    return going;
+}
+
+/// Gives finds to a visitor.
+inline auto telling(const WorldData& data, const Visitor<Shape>& visitor) {
+    return [&](const Shape& shape) { return goes_on(data, visitor, shape); };
+}
+
+/// The shapes that a query has found, since parts of one may be found several times. They lie in
+/// memory of the thread, above those of the query whose visitor makes this one.
+class FoundShapes {
+  public:
+    FoundShapes() : begin_(ids().size()) {}
+    ~FoundShapes() { ids().resize(begin_); }
+    FoundShapes(const FoundShapes&) = delete;
+    FoundShapes& operator=(const FoundShapes&) = delete;
+    bool add(ShapeId id) {
+        std::vector<ShapeId>& all = ids();
+        if (std::find(all.begin() + ptrdiff_t(begin_), all.end(), id) != all.end()) return false;
+        all.push_back(id);
+        return true;
+    }
+
+  private:
+    static std::vector<ShapeId>& ids() {
+        thread_local std::vector<ShapeId> all;
+        return all;
+    }
+    size_t begin_;
+};
 
 /// A point as a shape.
 struct PointForm {

@@ -20,11 +20,31 @@ bool shape_contains(const WorldData& data, uint32_t shape, const Position& point
     return signed_distance(data.solid(shape), point - center) <= 0.0f;
 }
 
-/// Adds a shape unless it was found already: a shape with many parts may be found several times.
-void add_once(std::vector<Shape>& found, const Shape& shape) {
-    const bool parts = shape.type() == ShapeType::chain || shape.type() == ShapeType::concave;
-    if (!parts || std::find(found.begin(), found.end(), shape) == found.end())
-        found.push_back(shape);
+/// Calls `tell(shape)` for each shape of which a part is found, once, until it returns false.
+template <class Tell>
+class Finding {
+  public:
+    Finding(WorldData& data, Tell& tell) : data_(data), tell_(tell) {}
+    bool going() const { return going_; }
+    void add(uint32_t solid) {
+        const Shape shape(data_.self.link->world, data_.shape_id(solid));
+        const bool parts = shape.type() == ShapeType::chain || shape.type() == ShapeType::concave;
+        if (!parts || found_.add(shape.id())) going_ = tell_(shape);
+    }
+
+  private:
+    WorldData& data_;
+    Tell& tell_;
+    FoundShapes found_;
+    bool going_ = true;
+};
+
+/// Puts finds into a list.
+auto into(std::vector<Shape>& list) {
+    return [&list](const Shape& found) {
+        list.push_back(found);
+        return true;
+    };
 }
 
 Probe ray_on_shape(const WorldData& data, uint32_t shape, const Position& from, Vec2 d) {
@@ -71,31 +91,30 @@ bool Shape::contains(const Position& world_point) const {
     return inside;
 }
 
-std::vector<Shape> World::query_point(const Position& point, const QueryFilter& filter) const {
+namespace {
+
+void find_at(WorldData& data, const Position& point, const QueryFilter& filter, bool visits,
+             auto&& tell) {
     check_coordinates("point", point);
-    WorldData& data = *data_;
     data.read_all();
-    Asking asking(data, filter);
-    std::vector<Shape> found;
-    const Position p = point;
+    Asking asking(data, filter, visits);
+    Finding finding(data, tell);
     auto visit = [&](uint32_t shape) {
-        if (is_accepted(data, filter, shape) && shape_contains(data, shape, p)) {
-            add_once(found, Shape(self(), data.shape_id(shape)));
-        }
+        if (finding.going() && is_accepted(data, filter, shape) &&
+            shape_contains(data, shape, point))
+            finding.add(shape);
     };
-    data.moving_tree.query(box_of(p, p), visit);
-    data.fixed_tree.query(box_of(p, p), visit);
+    data.moving_tree.query(box_of(point, point), visit);
+    data.fixed_tree.query(box_of(point, point), visit);
     asking.finish();
-    return found;
 }
 
-std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter) const {
+void find_in(WorldData& data, const Aabb& box, const QueryFilter& filter, bool visits,
+             auto&& tell) {
     check_coordinates("box.min", box.min);
     check_coordinates("box.max", box.max);
-    WorldData& data = *data_;
     data.read_all();
-    Asking asking(data, filter);
-    std::vector<Shape> found;
+    Asking asking(data, filter, visits);
     const Position low = box.min.min(box.max), high = box.min.max(box.max);
     const Box4 area = box_of(low, high);
     const Position center = middle(low, high);
@@ -105,16 +124,40 @@ std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter)
     const Vec2 normals[4] = {{0.0f, -1.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}, {-1.0f, 0.0f}};
     const float offsets[4] = {half.y, half.x, half.y, half.x};
     const Convex probe = {corners, normals, offsets, 4, 0.0f};
+    Finding finding(data, tell);
     auto visit = [&](uint32_t shape) {
-        if (!is_accepted(data, filter, shape) || !overlap(data.boxes[shape], area)) return;
+        if (!finding.going() || !is_accepted(data, filter, shape) ||
+            !overlap(data.boxes[shape], area))
+            return;
         const Vec2 offset = data.bodies[data.forms[shape].body].center - center;
-        if (nearest_points({probe}, data.solid(shape), offset).distance <= 0.0f)
-            add_once(found, Shape(self(), data.shape_id(shape)));
+        if (nearest_points({probe}, data.solid(shape), offset).distance <= 0.0f) finding.add(shape);
     };
     data.moving_tree.query(area, visit);
     data.fixed_tree.query(area, visit);
     asking.finish();
+}
+
+}  // namespace
+
+std::vector<Shape> World::query_point(const Position& point, const QueryFilter& filter) const {
+    std::vector<Shape> found;
+    find_at(*data_, point, filter, false, into(found));
     return found;
+}
+
+void World::visit_point(const Position& point, Visitor<Shape> visitor,
+                        const QueryFilter& filter) const {
+    find_at(*data_, point, filter, true, telling(*data_, visitor));
+}
+
+std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter) const {
+    std::vector<Shape> found;
+    find_in(*data_, box, filter, false, into(found));
+    return found;
+}
+
+void World::visit_aabb(const Aabb& box, Visitor<Shape> visitor, const QueryFilter& filter) const {
+    find_in(*data_, box, filter, true, telling(*data_, visitor));
 }
 
 namespace {
@@ -122,11 +165,11 @@ namespace {
 /// Casts a ray and calls `add(hit)` for each shape that it enters; `add` returns the new far end of
 /// the ray.
 void cast(WorldData& data, const Position& from, const Position& to, const QueryFilter& filter,
-          auto&& add) {
+          bool visits, auto&& add) {
     check_coordinates("from", from);
     check_coordinates("to", to);
     data.read_all();
-    Asking asking(data, filter);
+    Asking asking(data, filter, visits);
     cast_all(data, from, to, filter, [&](uint32_t shape, const Probe& probe, float far) {
         return add(RayHit{Shape(data.self.link->world, data.shape_id(shape)),
                           from + probe.fraction * (to - from), probe.normal, probe.fraction},
@@ -140,7 +183,7 @@ void cast(WorldData& data, const Position& from, const Position& to, const Query
 std::optional<RayHit> World::cast_ray(const Position& from, const Position& to,
                                       const QueryFilter& filter) const {
     std::optional<RayHit> nearest;
-    cast(*data_, from, to, filter, [&](const RayHit& hit, float) {
+    cast(*data_, from, to, filter, false, [&](const RayHit& hit, float) {
         nearest = hit;
         return hit.fraction;
     });
@@ -150,13 +193,23 @@ std::optional<RayHit> World::cast_ray(const Position& from, const Position& to,
 std::vector<RayHit> World::cast_ray_all(const Position& from, const Position& to,
                                         const QueryFilter& filter) const {
     std::vector<RayHit> hits;
-    cast(*data_, from, to, filter, [&](const RayHit& hit, float far) {
+    cast(*data_, from, to, filter, false, [&](const RayHit& hit, float far) {
         hits.push_back(hit);
         return far;
     });
     std::stable_sort(hits.begin(), hits.end(),
                      [](const RayHit& a, const RayHit& b) { return a.fraction < b.fraction; });
     return hits;
+}
+
+void World::visit_ray(const Position& from, const Position& to, Visitor<RayHit> visitor,
+                      const QueryFilter& filter) const {
+    const WorldData& data = *data_;
+    bool going = true;
+    cast(*data_, from, to, filter, true, [&](const RayHit& hit, float far) {
+        going = going && goes_on(data, visitor, hit);
+        return going ? far : 0.0f;
+    });
 }
 
 }  // namespace fettle::physics

@@ -59,11 +59,6 @@ std::vector<Placed> probes_for(WorldData& queried, WorldData& from, uint32_t sha
     return probes;
 }
 
-/// Adds a shape unless it was found already: several parts of the query shape may meet it.
-void add_new(std::vector<Shape>& found, const Shape& shape) {
-    if (std::find(found.begin(), found.end(), shape) == found.end()) found.push_back(shape);
-}
-
 /// Makes the query shape in a temporary world.
 Shape make_probe(World& scratch, const Geometry& geometry, const Pose& pose) {
     Body body = scratch.create_body({.position = pose.position, .angle = pose.angle});
@@ -117,33 +112,59 @@ Separation distance(const Shape& a, const Shape& b) {
     return nearest;
 }
 
-std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& filter) const {
-    WorldData& data = *data_;
-    WorldData& from = shape.live();
-    const std::vector<Placed> probes = probes_for(data, from, shape.index());
-    const uint32_t body = &from == &data ? data.forms[shape.index()].body : none;
-    Asking asking(data, filter), asking_for(from, filter);  // the query shape is in its own world
-    std::vector<Shape> found;
+namespace {
+
+/// Calls `tell(shape)` for each shape that overlaps another one, once, until it returns false.
+void find_overlaps(WorldData& data, WorldData& from, uint32_t shape, const QueryFilter& filter,
+                   bool visits, auto&& tell) {
+    const std::vector<Placed> probes = probes_for(data, from, shape);
+    const uint32_t body = &from == &data ? data.forms[shape].body : none;
+    Asking asking(data, filter, visits);
+    Asking asking_for(from, filter, visits);  // the query shape is in its own world
+    FoundShapes found;
+    bool going = true;
     for (const Placed& probe : probes) {
         auto visit = [&](uint32_t other) {
             const uint32_t owner = data.forms[other].body;
-            if (owner == body || !is_accepted(data, filter, other)) return;
+            if (!going || owner == body || !is_accepted(data, filter, other)) return;
             const Vec2 offset = data.bodies[owner].center - probe.center;
-            if (nearest_points(probe.form, data.solid(other), offset).distance <= 0.0f)
-                add_new(found, Shape(self(), data.shape_id(other)));
+            if (nearest_points(probe.form, data.solid(other), offset).distance <= 0.0f &&
+                found.add(data.shape_id(other)))
+                going = tell(Shape(data.self.link->world, data.shape_id(other)));
         };
         data.moving_tree.query(probe.box, visit);
         data.fixed_tree.query(probe.box, visit);
     }
     asking_for.finish();
     asking.finish();
-    return found;
+}
+
+}  // namespace
+
+std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& filter) const {
+    std::vector<Shape> all;
+    find_overlaps(*data_, shape.live(), shape.index(), filter, false, [&](const Shape& found) {
+        all.push_back(found);
+        return true;
+    });
+    return all;
 }
 
 std::vector<Shape> World::query_overlap(const Geometry& geometry, const Pose& pose,
                                         const QueryFilter& filter) const {
     World scratch;
     return query_overlap(make_probe(scratch, geometry, pose), filter);
+}
+
+void World::visit_overlap(const Shape& shape, Visitor<Shape> visitor,
+                          const QueryFilter& filter) const {
+    find_overlaps(*data_, shape.live(), shape.index(), filter, true, telling(*data_, visitor));
+}
+
+void World::visit_overlap(const Geometry& geometry, const Pose& pose, Visitor<Shape> visitor,
+                          const QueryFilter& filter) const {
+    World scratch;
+    visit_overlap(make_probe(scratch, geometry, pose), visitor, filter);
 }
 
 std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,

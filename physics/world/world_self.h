@@ -23,6 +23,7 @@ inline constexpr const char in_mixing[] = "the mixing callback (World::set_mixin
 inline constexpr const char in_before_solve[] =
     "the before-solve callback (World::set_before_solve)";
 inline constexpr const char in_accept[] = "QueryFilter::accept";
+inline constexpr const char in_visitor[] = "the visitor of a query";
 inline constexpr const char in_refresh[] = "the refresh callback (World::on_refresh)";
 inline constexpr const char in_draw[] = "a function of the DebugDraw (World::draw)";
 inline constexpr const char in_velocity[] =

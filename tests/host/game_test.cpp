@@ -68,6 +68,28 @@ TEST_CASE("scripts call functions of the host and the host calls scripts") {
     CHECK(number_at(game.get(), "seen") == 7);
 }
 
+TEST_CASE("a function of the host without a reason or with a result of no type is a clear error") {
+    const Game game = make();
+    require(fettle_hosted_add_function(
+        game.get(), "wrong",
+        [](void*, const fettle_hosted_value*, uint32_t, fettle_hosted_value* result) {
+            result->type = 99;
+            return fettle_code(FETTLE_DONE);
+        },
+        nullptr));
+    require(fettle_hosted_add_function(
+        game.get(), "silent",
+        [](void*, const fettle_hosted_value*, uint32_t, fettle_hosted_value* result) {
+            *result = text("");
+            return fettle_code(FETTLE_STALE);
+        },
+        nullptr));
+    CHECK(fettle_hosted_run(game.get(), "wrong()", "test") == FETTLE_FAILED);
+    CHECK_THAT(fettle_last_error(), contains("the result of the function: got a value of type 99"));
+    CHECK(fettle_hosted_run(game.get(), "silent()", "test") == FETTLE_FAILED);
+    CHECK_THAT(fettle_last_error(), contains("failed with the code 2"));
+}
+
 TEST_CASE("output of scripts and of commands reaches the host") {
     const Game game = make();
     std::string printed;

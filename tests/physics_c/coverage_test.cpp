@@ -29,6 +29,7 @@ const std::map<std::string, std::vector<std::string>> other_names = {
     {"World::restore", {"fettle_world_restore", "fettle_world_assign"}},
     {"World::create_joint", {"fettle_world_create_joint", "fettle_world_create_joint_like"}},
     {"World::query_overlap", {"fettle_world_query_overlap", "fettle_world_query_overlap_geometry"}},
+    {"World::visit_overlap", {"fettle_world_visit_overlap", "fettle_world_visit_overlap_geometry"}},
     {"World::cast_shape", {"fettle_world_cast_shape", "fettle_world_cast_geometry"}},
     {"World::explode", {"fettle_world_explode", "fettle_world_explode_surfaces"}},
     {"World::is_valid",

@@ -55,6 +55,10 @@ export function bits(value, name) {
   if (typeof value === "bigint" ? value >= 0n && value < 1n << 64n : Number.isSafeInteger(value) && value >= 0) return BigInt(value);
   throw new Invalid(`${name} = ${shown(value)}: expected a whole number from 0 to 2^64 - 1`);
 }
+export function flag(value, name) {
+  if (typeof value !== "boolean") throw new Invalid(`${name} = ${shown(value)}: expected true or false`);
+  return value ? 1 : 0;
+}
 export function xOf(value, name) {
   if (typeof value?.x !== "number" || typeof value.y !== "number") throw new Invalid(`${name} = ${shown(value)}: expected { x, y } with two numbers`);
   return value.x;
@@ -257,12 +261,14 @@ export class WorldBase {
     const out = room(4);
     done(c.fettle_world_create(def, out));
     this.own(view.u32[out >> 2]);
+    // A misspelt property is an error, but in a class of the program's own, which adds some.
+    if (new.target === classes.World) Object.preventExtensions(this);
   }
   /** A world that the library has made. */
   static of(pointer) {
     const world = Object.create(this.prototype);
     world.own(pointer);
-    return world;
+    return Object.preventExtensions(world);
   }
   own(pointer) {
     this.pointer = pointer;
@@ -272,8 +278,10 @@ export class WorldBase {
   }
   /** Destroys the world and all in it; it can be called again. */
   destroy() {
+    const code = c.fettle_world_destroy(this.pointer);
+    if (errors[code] === Stale) return;
+    done(code);
     forgotten.unregister(this);
-    c.fettle_world_destroy(this.pointer);
     this.handles = [, [], [], [], []];
   }
   draw(target, options = {}) {

@@ -5,7 +5,7 @@ import { sizeOf, visibleMembers } from "./layout.mjs";
 
 // What runtime.js gives to the code; arguments with these names get another one.
 const helpers = [
-  "Edit", "Handle", "MoverBase", "WorldBase", "begin", "bits", "bytes", "c", "chars", "copyOf", "done", "handle", "idOf", "keep", "lent", "list", "members", "number", "optional",
+  "Edit", "Handle", "MoverBase", "WorldBase", "begin", "bits", "bytes", "c", "chars", "copyOf", "done", "flag", "handle", "idOf", "keep", "lent", "list", "members", "number", "optional",
   "pointerOf", "readAll", "readList", "register", "room", "struct", "text", "typeOf", "view", "whole", "xOf", "yOf",
 ];
 const inCalled = ["Edit", "keep", "lent"];
@@ -22,7 +22,7 @@ const readScalar = {
 };
 const scalarOf = {
   float: (v, name) => `number(${v}, ${name})`,
-  bool: (v) => `(${v} ? 1 : 0)`,
+  bool: (v, name) => `flag(${v}, ${name})`,
   int32_t: (v, name) => `whole(${v}, ${name}, -2147483648, 2147483647)`,
   uint32_t: (v, name) => `whole(${v}, ${name}, 0, 4294967295)`,
   size_t: (v, name) => `whole(${v}, ${name}, 0, 4294967295)`,
@@ -39,7 +39,7 @@ function read(type, p, world) {
 /** A statement that writes v at p. */
 function write(type, p, v, name) {
   const array = { float: "f32", int32_t: "i32", uint32_t: "u32", size_t: "u32", uint64_t: "u64" }[type];
-  if (type === "bool") return `view.u8[${p}] = ${v} ? 1 : 0;`;
+  if (type === "bool") return `view.u8[${p}] = ${scalarOf.bool(v, name)};`;
   if (array) return `view.${array}[(${p}) >> ${array === "u64" ? 3 : 2}] = ${scalarOf[type](v, name)};`;
   if (type === "fettle_id") return `view.u64[(${p}) >> 3] = idOf(${v}, ${name});`;
   // Vectors of any library, which may have more members.

@@ -158,6 +158,30 @@ test("memory grows while views are in use", () => {
   assert.equal(new Set(worlds.map((world) => world.hash)).size, 1);
 });
 
+test("a misspelt setting of a world and a value that is no bool are errors", () => {
+  const world = new World();
+  assert.throws(() => (world.gravty = { x: 0, y: 0 }), TypeError);
+  assert.throws(() => (world.sleeping = "no"), { name: "Error", message: 'sleeping = "no": expected true or false' });
+  assert.throws(() => world.createBody({ bullet: 1 }), fettle.Invalid);
+  assert.equal(world.sleeping, true);
+  class Level extends World { score = 0; }  // a class of the program has what it adds
+  assert.equal(new Level().score, 0);
+  assert.throws(() => (world.clone().gravty = 1), TypeError);
+});
+
+test("a world that a function of it destroys stays", () => {
+  const { world, ball } = standing();
+  world.setFilter(() => world.destroy());
+  world.createBody({ position: { x: 0, y: 5 } }).add(fettle.circle(1));
+  ball.position = { x: 0, y: 5 };
+  assert.throws(() => world.step(1 / 60), fettle.Locked);
+  world.setFilter(null);
+  assert.equal(world.bodies.find((body) => body === ball), ball);
+  world.destroy();
+  world.destroy();
+  assert.throws(() => world.step(1 / 60), fettle.Stale);
+});
+
 test("the definition of a joint has all that its type has", () => {
   const world = new World({ gravity: { x: 0, y: 0 } });
   const bodyA = world.createBody(), bodyB = world.createBody({ position: { x: 3, y: 0 } });
@@ -166,7 +190,7 @@ test("the definition of a joint has all that its type has", () => {
   const rope = { bodyA, bodyB, groundA: { x: 0, y: 4 }, groundB: { x: 3, y: 5 }, ratio: 2 };
   assert.equal(world.createPulleyJoint(rope).length, 14);  // taut
   assert.equal(world.createPulleyJoint({ ...rope, length: 20 }).length, 20);
-  assert.throws(() => world.createWheelJoint({ bodyA, bodyB, ratio: 2 }), TypeError);
+  assert.throws(() => world.createWheelJoint({ bodyA, bodyB, ratio: 2 }), Invalid);
 });
 
 test("joints of every type have a class", () => {

@@ -11,9 +11,10 @@
 // step, between the narrow phase and the solver, in the order of the contacts; a filter is also
 // called inside an edit that requires it. `VelocityFunction` is called after them, and
 // `PositionFunction` at the end of the step, for one body after the other in slot order.
-// `QueryFilter::accept` (query.h) is called inside a query, `RefreshCallback` inside a read. All
-// run on the caller's thread, one after the other, unless `World::set_parallel_callbacks` says
-// otherwise. One of the shapes that they get may belong to the world's border.
+// `QueryFilter::accept` and a `Visitor` (query.h) are called inside a query, `RefreshCallback`
+// inside a read. All run on the caller's thread, one after the other, unless
+// `World::set_parallel_callbacks` says otherwise. One of the shapes that they get may belong to the
+// world's border.
 //
 // **What such a function may do with the world that calls it:** call all `const` methods (read
 // bodies, shapes, joints and contacts, make queries) and write the members of the `ContactEdit`

@@ -4,6 +4,8 @@
 #include <fettle/physics/shape.h>
 
 #include <functional>
+#include <memory>
+#include <type_traits>
 
 FETTLE_PHYSICS_BEGIN
 
@@ -29,6 +31,39 @@ struct RayHit {
     /// the start.
     Vec2 normal = {};
     float fraction = 0.0f;  ///< 0 at the start of the ray, 1 at its end
+};
+
+/// An object that can be called with what a query finds.
+template <class Function, class Found>
+concept Visits = std::is_object_v<std::remove_reference_t<Function>> &&
+    std::is_invocable_v<Function&, const Found&>;
+
+/// Refers to an object that a query calls with each find, without a copy of it: a lambda, in most
+/// cases. It returns nothing, or whether the query is to go on. It may read the world and make
+/// other queries of it, but must not edit it: callbacks.h.
+template <class Found>
+class Visitor {
+  public:
+    /// `function` must live as long as the query runs.
+    template <Visits<Found> Function>
+    Visitor(Function&& function)
+        : function_(const_cast<void*>(static_cast<const void*>(std::addressof(function)))),
+          call_([](void* called, const Found& found) {
+              auto& visit = *static_cast<std::remove_reference_t<Function>*>(called);
+              if constexpr (std::is_void_v<std::invoke_result_t<Function&, const Found&>>) {
+                  visit(found);
+                  return true;
+              } else {
+                  return bool(visit(found));
+              }
+          }) {}
+
+    /// Whether the query is to go on.
+    bool operator()(const Found& found) const { return call_(function_, found); }
+
+  private:
+    void* function_;
+    bool (*call_)(void*, const Found&);
 };
 
 /// An explosion: `World::explode`.

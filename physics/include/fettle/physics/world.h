@@ -16,6 +16,7 @@
 #include <fettle/physics/scheduler.h>
 #include <fettle/physics/shape.h>
 #include <fettle/physics/sliding_joints.h>
+#include <fettle/physics/slots.h>
 #include <fettle/physics/statistics.h>
 
 #include <cstddef>
@@ -36,49 +37,7 @@ struct FETTLE_PHYSICS_PRIVATE WorldLink;
 class FETTLE_PHYSICS_PRIVATE WorldLock;
 struct WorldInside;  ///< defined in the tests of the library
 struct FETTLE_PHYSICS_PRIVATE MoverWorld;
-
-/// Data that are read too often for function calls: arrays with the index `BodyId::index`.
-struct Columns {
-    std::vector<BodyState> states;
-    std::vector<Pose> previous;
-    std::vector<uint32_t> body_generations;   ///< 0 where a slot is free
-    std::vector<uint32_t> shape_generations;  ///< by `ShapeId::index`
-    std::vector<uint32_t> joint_generations;  ///< by `JointId::index`
-
-    /// Whether the object exists in this world.
-    bool is_valid(BodyId id) const { return lives(body_generations, id.index, id.generation); }
-    bool is_valid(ShapeId id) const { return lives(shape_generations, id.index, id.generation); }
-    bool is_valid(JointId id) const { return lives(joint_generations, id.index, id.generation); }
-
-  private:
-    static bool lives(const std::vector<uint32_t>& generations, uint32_t index,
-                      uint32_t generation) {
-        return generation != 0 && index < generations.size() && generations[index] == generation;
-    }
-};
 }  // namespace detail
-
-/// Result of writing a number or a velocity by slot. `same`: the value was there already. `done`:
-/// the value is written. `refused`: nothing is written, and the setter of `Body` must be called
-/// instead. Reasons: the body sleeps, does not move by itself, has a mass or shapes that were
-/// edited since the last step, or the world is locked (callbacks.h). Writing calls no callback and
-/// allocates nothing.
-enum class Written : uint8_t { same, done, refused };
-
-/// Numbers of a body that hosts write by slot, named like the setters of `Body`. These setters
-/// document the ranges; writing by slot does not check them.
-enum class BodyNumber : uint8_t {
-    /// `Body::set_angular_velocity`
-    angular_velocity,
-    /// `Body::set_torque`
-    torque,
-    /// `Body::set_gravity_scale`
-    gravity_scale,
-    /// `Body::set_linear_damping`
-    linear_damping,
-    /// `Body::set_angular_damping`
-    angular_damping
-};
 
 /// Numbers of objects for which `World::reserve` reserves memory.
 struct Capacity {
@@ -431,6 +390,23 @@ class World {
     /// The shape nearest to a point, at most `reach` (m) away. The border is ignored.
     std::optional<PointHit> closest(const Position& point, float reach = infinity,
                                     const QueryFilter& filter = {}) const;
+    // The same for a visitor, which gets each find at once, in no particular order, and ends the
+    // query by false. No memory is allocated for the finds; `visit_overlap` allocates for its
+    // shape.
+    /// As `query_point`.
+    void visit_point(const Position& point, Visitor<Shape> visitor,
+                     const QueryFilter& filter = {}) const;
+    /// As `query_aabb`.
+    void visit_aabb(const Aabb& box, Visitor<Shape> visitor, const QueryFilter& filter = {}) const;
+    /// As `cast_ray_all`.
+    void visit_ray(const Position& from, const Position& to, Visitor<RayHit> visitor,
+                   const QueryFilter& filter = {}) const;
+    /// As `query_overlap`.
+    void visit_overlap(const Shape& shape, Visitor<Shape> visitor,
+                       const QueryFilter& filter = {}) const;
+    /// As `query_overlap`.
+    void visit_overlap(const Geometry& geometry, const Pose& pose, Visitor<Shape> visitor,
+                       const QueryFilter& filter = {}) const;
     /// Pushes dynamic bodies away from a point: with `impulse` (N s) at distance 0, falling
     /// linearly to 0 at `radius` (m), applied at the nearest point of the body.
     void explode(const Position& point, float radius, float impulse,
