@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <inspector/several.h>
@@ -286,12 +287,24 @@ bool Inspector::group(const std::string& title, bool open, ImFont* bold) {
     return unfolded;
 }
 
+std::vector<const Property*> grouped_by_class(std::vector<const Property*> properties) {
+    const auto place = [](const Property* property) {
+        if (property->binding.kind == property::BindingKind::ad_hoc || property->owner == nullptr)
+            return std::numeric_limits<int>::max();
+        int depth = 0;
+        for (const property::Class* at = property->owner; at != nullptr; at = at->base()) ++depth;
+        return depth;
+    };
+    std::ranges::stable_sort(properties, {}, place);
+    return properties;
+}
+
 void Inspector::draw_properties(ImFont* bold) {
     ImGui::PushID(static_cast<int>(selected().index));
     const property::Class* owner = nullptr;
     bool unfolded = true;
     Handle shown = selected();
-    const std::vector<const Property*> properties = tree_.properties(shown);
+    const std::vector<const Property*> properties = grouped_by_class(tree_.properties(shown));
     for (const Property* property : properties) {
         if (property->hidden || !all_have(*property)) continue;
         bool ad_hoc = property->binding.kind == property::BindingKind::ad_hoc;

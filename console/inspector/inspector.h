@@ -15,6 +15,11 @@
 
 namespace fettle::console {
 
+/// The properties of each class together, base classes first: a class may have another default for
+/// a property of its base, and then owns it. What was added to the instance is at the end.
+std::vector<const property::Property*> grouped_by_class(
+    std::vector<const property::Property*> properties);
+
 class Inspector {
   public:
     explicit Inspector(property::Tree& tree);

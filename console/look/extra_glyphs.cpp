@@ -45,9 +45,9 @@ const ImWchar* ExtraGlyphs::always() {
 }
 
 const std::vector<const char*>& ExtraGlyphs::fallbacks() {
-    static const std::vector<const char*> files = {"DejaVuSans.ttf", "DroidSansFallbackFull.ttf",
-                                                   "wqy-zenhei.ttc", "NotoSansCJK-Regular.ttc",
-                                                   "Symbola_hint.ttf"};
+    static const std::vector<const char*> files = {"DejaVuSans.ttf",  "DroidSansFallbackFull.ttf",
+                                                   "wqy-zenhei.ttc",  "NotoSansCJK-Regular.ttc",
+                                                   "NanumGothic.ttf", "Symbola_hint.ttf"};
     return files;
 }
 

@@ -28,6 +28,8 @@ constexpr float least_panel = 26, least_height = 8;  // the panel: its width and
 constexpr float least_log = 5;       // the panel without overlays: title, two lines, prompt
 constexpr float stacked_below = 44;  // the watch list and the plot, in narrower windows
 constexpr float least_plot = 9, least_list = 4, least_frames = 7, least_inspector = 8;
+constexpr float least_beside = 15;      // the inspector: its width beside the panel
+constexpr float useful_inspector = 14;  // its height below the panel, with some properties
 
 }  // namespace
 
@@ -100,16 +102,19 @@ void Console::State::draw_part(const std::function<void()>& part) {
     screen.part_problem = problem;
 }
 
-/// In a narrow window the inspector is below the panel, so that there is room for a command.
-bool Console::State::inspector_is_beside() {
-    return settings.flag("inspector") &&
-           screen.width - inspector_width() - 3 * margin >= least_panel * ImGui::GetFontSize();
+float Console::State::room_beside_panel() const {
+    return screen.width - least_panel * ImGui::GetFontSize() - 3 * margin;
 }
 
-/// In pixels of the screen: it grows with the text.
+/// In a narrow window the inspector is below the panel, so that there is room for a command.
+bool Console::State::inspector_is_beside() {
+    return settings.flag("inspector") && room_beside_panel() >= least_beside * ImGui::GetFontSize();
+}
+
+/// In pixels of the screen: it grows with the text, as long as there is room for a command.
 float Console::State::inspector_width() {
-    return std::min(settings.number("inspector_width") * settings.number("scale"),
-                    screen.width * 0.6f);
+    return std::min({settings.number("inspector_width") * settings.number("scale"),
+                     screen.width * 0.6f, room_beside_panel()});
 }
 
 /// The panel covers nothing that is below it, and nothing covers the prompt, unless the window is
@@ -124,6 +129,8 @@ float Console::State::panel_height() {
     if (!observing.pins().empty() && (!plotted || screen.width < stacked_below * em))
         below += least_list * em + margin;
     if (options.frames != nullptr && shows("timings")) below += least_frames * em + margin;
+    if (settings.flag("inspector") && !inspector_is_beside())
+        below += useful_inspector * em + margin;
     const float overlays = settings.flag("overlays") ? views.overlay_bar.height() : 0;
     const float whole = std::max(1.0f, screen.height - 2 * margin);
     const float least = std::min(whole, least_log * em + overlays);
@@ -200,6 +207,8 @@ void Console::State::draw_observed(float right) {
     float room = low - screen.panel_rect.high.y - margin;
     if (options.frames != nullptr && shows("timings"))
         room -= least_frames * ImGui::GetFontSize() + margin;
+    if (settings.flag("inspector") && !inspector_is_beside())
+        room -= least_inspector * ImGui::GetFontSize() + margin;
     const float wide = screen.width - 2 * margin - right, em = ImGui::GetFontSize();
     const bool pinned = !observing.pins().empty(), plotted = !observing.plots().empty();
     const float opacity = settings.number("opacity");

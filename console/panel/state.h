@@ -155,6 +155,7 @@ struct Console::State {
     void draw_box();
     void draw_part(const std::function<void()>& part);
     float panel_height();
+    float room_beside_panel() const;
     bool inspector_is_beside();
     float inspector_width();
     float free_above() const;

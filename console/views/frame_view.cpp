@@ -106,7 +106,8 @@ float FrameView::height() {
     return 11 * ImGui::GetFontSize();
 }
 
-void FrameView::draw_title(const app::FrameLog& log) {
+/// Draws the buttons, and returns the room for the heading beside them.
+Rect FrameView::draw_buttons(const app::FrameLog& log) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float side = ImGui::GetTextLineHeight() + 2, pad = ImGui::GetStyle().FramePadding.x;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -130,15 +131,18 @@ void FrameView::draw_title(const app::FrameLog& log) {
     worst_ = place;
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("pause, and go to the step of the frame that worked longest");
-    if (shown_) {
-        const Timings& ms = shown_->ms;
-        const std::string text = "frame " + std::to_string(shown_->frame) + "   " +
-                                 in_ms(ms.frame) + ", works " + in_ms(ms.work());
-        draw_text_fit(list, at, palette::text, text, std::max(1.0f, place.low.x - at.x - pad));
-    }
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + side + 4));
     if (pressed && worst) choose(*worst, log);
     if (closed && close) close();
+    return {at, ImVec2(std::max(at.x + 1, place.low.x - pad), at.y + side)};
+}
+
+void FrameView::draw_heading(const Rect& room) const {
+    const Timings& ms = shown_->ms;
+    const std::string text = "frame " + std::to_string(shown_->frame) + "   " + in_ms(ms.frame) +
+                             ", works " + in_ms(ms.work());
+    draw_text_fit(*ImGui::GetWindowDrawList(), room.low, palette::text, text,
+                  room.high.x - room.low.x);
 }
 
 /// Returns the index of the frame under the mouse.
@@ -220,7 +224,7 @@ void FrameView::draw(ImVec2 corner, ImVec2 size, const property::Tree& tree,
     ImGui::SetNextWindowBgAlpha(opacity);
     ImGui::Begin("##frames", nullptr, frame_flags);
     rect_ = window_rect();
-    draw_title(log);
+    const Rect heading = draw_buttons(log);
     const float em = ImGui::GetFontSize(), pad = ImGui::GetStyle().WindowPadding.x;
     const float flame = 2 * (ImGui::GetTextLineHeight() + 3) + 2;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -240,6 +244,7 @@ void FrameView::draw(ImVec2 corner, ImVec2 size, const property::Tree& tree,
         // The newest frame is not complete yet.
         if (!under && !chosen_ && all.size() > 1 && shown_->ms.frame == 0)
             shown_ = all[all.size() - 2];
+        draw_heading(heading);
         draw_flame(
             {ImVec2(bars_.low.x, bars_.high.y + 6), ImVec2(bars_.high.x, rect_.high.y - pad)}, tree,
             !under && !chosen_);

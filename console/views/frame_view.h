@@ -38,7 +38,8 @@ class FrameView {
 
   private:
     void choose(const app::FrameTimes& frame, const app::FrameLog& log);
-    void draw_title(const app::FrameLog& log);
+    Rect draw_buttons(const app::FrameLog& log);
+    void draw_heading(const Rect& room) const;
     std::optional<std::size_t> draw_bars(const app::FrameLog& log, double dt);
     void draw_flame(const Rect& place, const property::Tree& tree, bool newest);
 

@@ -174,7 +174,8 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
         property::Value shown = trace.value();
         if (s != nullptr)
             shown = trace.is_vector() ? property::Value(property::Vec2(s->x, s->y))
-                                      : property::Value(s->x);
+                    : shown.is(property::Type::boolean) ? property::Value(s->x != 0)
+                                                        : property::Value(s->x);
         const bool fails = !trace.problem().empty();
         const std::string value =
             fails ? trace.problem() : short_text(tree, shown, trace.what().unit);
@@ -195,7 +196,7 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
         draw_text_fit(list, ImVec2(x, y), fails ? palette::error : palette::number, value,
                       std::max(1.0f, right - x));
         const Rect line{ImVec2(at.x, y), ImVec2(right, y + legend_line())};
-        legend_.push_back({line, name});
+        legend_.push_back({line, name, value});
         if (ImGui::IsWindowHovered() && line.contains(mouse.x, mouse.y))
             tip = trace.what().text + "\n" + (fails ? trace.problem() : tree.text(shown));
     }

@@ -45,10 +45,11 @@ class PlotView {
     /// The rectangle of an entry of the menu.
     Rect entry(std::string_view label) const;
     const Rect& close_button() const { return close_; }
-    /// The lines of the legend, with the widths of the names in them.
+    /// The lines of the legend, with the widths of the names in them, and the values.
     struct Line {
         Rect rect{};
         float name = 0;
+        std::string value{};
     };
     const std::vector<Line>& legend() const { return legend_; }
 

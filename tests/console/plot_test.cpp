@@ -53,4 +53,53 @@ TEST_CASE("a long error leaves room for the name in the legend, and the tooltip 
     CHECK(rig.surface.faults() == 0);
 }
 
+TEST_CASE("beneath the mouse a condition was true or false") {
+    ObservingRig rig;
+    rig.step(100);
+    rig.run("plot world.ball.position.x > 70");
+    rig.show();
+    const auto& view = rig.lua.state().views.plot_view;
+    CHECK(view.legend().at(0).value == "true");
+    app::InputEvent event;
+    event.kind = app::EventKind::mouse_moved;
+    event.x = view.area().middle().x;
+    event.y = view.area().middle().y;
+    rig.lua.handle(event);
+    rig.show();
+    CHECK(view.legend().at(0).value == "false");
+}
+
+TEST_CASE("beside a plot and a watch list there is room for the inspector") {
+    struct Case {
+        unsigned width, height;
+        double scale;
+    };
+    const auto [width, height, scale] =
+        GENERATE(Case{1280, 800, 2.0}, Case{1280, 800, 1.0}, Case{640, 700, 1.0},
+                 Case{400, 700, 1.0}, Case{400, 900, 1.0}, Case{3840, 2160, 4.0});
+    INFO(width << " x " << height << ", scale " << scale);
+    ObservingRig rig;
+    rig.lua.state().settings.set("scale", property::Value(scale));
+    rig.step(10);
+    rig.run("plot world.ball.position");
+    rig.run("pin world.ball.position");
+    rig.lua.state().choose(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));
+    console::test::RasterSurface window(width, height);
+    for (int i = 0; i < 4; ++i) rig.lua.draw(window, 1.0 / 60);
+    const auto& state = rig.lua.state();
+    const console::Rect inspector = state.screen.inspector_rect;
+    const float em = static_cast<float>(15 * scale);
+    REQUIRE_FALSE(inspector.empty());
+    CHECK(inspector.high.x - inspector.low.x >= 14.9f * em);
+    CHECK(inspector.high.y - inspector.low.y >= 12 * em);
+    CHECK(inspector.high.y <= static_cast<float>(height));
+    for (const console::Rect& other :
+         {state.screen.panel_rect, state.views.plot_view.rect(), state.views.watch_list.rect(),
+          state.views.time_bar.rect()}) {
+        if (other.empty()) continue;
+        CHECK((other.high.x <= inspector.low.x || inspector.high.x <= other.low.x ||
+               other.high.y <= inspector.low.y || inspector.high.y <= other.low.y));
+    }
+}
+
 }  // namespace plot_test

@@ -76,6 +76,29 @@ TEST_CASE_METHOD(Stage, "without z the order of the tree is the order of drawing
     CHECK(drawn() == "abc");
 }
 
+TEST_CASE_METHOD(Stage, "instances and the marks over them can be drawn apart") {
+    using Part = DrawingPart::Part;
+    ClassDescriptor d{.name = "Ground"};
+    d.lifecycle.context = this;
+    d.lifecycle.draw_over = [](void* c, const Tree&, Handle, Row, Painter&, double) {
+        static_cast<Stage*>(c)->log += "!";
+    };
+    const Handle ground = tree.create(tree.define(std::move(d)), tree.root(), "ground");
+    add("a", ground);
+    add("b");
+    CHECK(drawn() == "ab!");
+    {
+        const DrawingPart instances(Part::instances);
+        CHECK(drawn() == "ab");
+        {
+            const DrawingPart marks(Part::marks);
+            CHECK(drawn() == "!");
+        }
+        CHECK(drawn() == "ab");
+    }
+    CHECK(drawn() == "ab!");
+}
+
 TEST_CASE_METHOD(Stage, "a larger z is drawn later and a parent hands its z on") {
     const Handle a = add("a", {}, 2);
     add("b", a, -1);

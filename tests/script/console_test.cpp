@@ -169,6 +169,17 @@ TEST_CASE("errors in the console show line and caret and the nearest name") {
     CHECK(s.runtime->evaluate("print('before') error('x')").lines.size() == 1);
 }
 
+TEST_CASE("a function that is typed without brackets prints its help") {
+    Stage s;
+    CHECK_THAT(s.console("after"), contains("after(") && contains("simulation time"));
+    CHECK_THAT(s.console("world.delete"), contains("Deletes it"));
+    CHECK_THAT(s.console("help"), contains("random"));
+    CHECK(s.console("help") == s.console("help()"));
+    CHECK(s.console("?") == s.console("help()"));
+    s.run("function own_function() end");
+    CHECK_THAT(s.console("own_function"), contains("function"));
+}
+
 TEST_CASE("documentation is printed with a question mark or help") {
     Stage s;
     s.run("world.ball = Body {}");

@@ -146,6 +146,55 @@ TEST_CASE("created and renamed instances are tweaks") {
 }
 
 // With a cost of the square of their number this takes minutes.
+TEST_CASE("thousands of edits inside one new instance are one tweak with the values of all") {
+    constexpr int children = 5'000;
+    const GameFolder folder;
+    Run run(folder);
+    const Class& thing = run.tree.class_named("Thing");
+    const auto name = [](int i) { return "child_" + std::to_string(i); };
+    Handle top;
+    const auto person = [&](const auto& edits) {
+        run.person([&] {
+            run.tree.begin_edit("many");
+            edits();
+            run.tree.end_edit();
+        });
+    };
+    const auto child = [&](int i) { return run.tree.child(top, name(i)); };
+    person([&] {
+        top = run.tree.create(thing, run.world, "top");
+        for (int i = 0; i < children; ++i) run.tree.create(thing, top, name(i));
+    });
+    person([&] {
+        for (int i = 0; i < children; ++i) run.tree.set(child(i), "number", Value(i + 0.5));
+    });
+    person([&] {
+        for (int i = 0; i < children; i += 2)
+            run.tree.rename(child(i), "even_" + std::to_string(i));
+    });
+    person([&] {
+        for (int i = 3; i < children; i += 2) run.tree.destroy(child(i));
+    });
+    run.tree.set(child(1), "number", 7.0);  // a script does that
+    run.barrier();
+    CHECK(run.lines() == Lines{"world.top: nothing → new Thing"});
+
+    Run next(folder);
+    const Tree::CauseScope scope(next.tree, Writer::console);
+    CHECK(next.tweaks->reapply("**").count == 1);
+    const Handle again = next.at("world.top");
+    REQUIRE(again);
+    CHECK(next.tree.get(next.tree.child(again, "even_4998"), "number") == Value(4998.5));
+    CHECK(next.tree.get(next.tree.child(again, "child_1"), "number") == Value(1.5));
+    CHECK_FALSE(next.tree.child(again, "child_3"));
+    CHECK_FALSE(next.tree.child(again, "child_4"));
+
+    for (int steps = 0; steps < 4; ++steps) run.tree.undo();
+    run.barrier();
+    CHECK(run.lines().empty());
+}
+
+// With a cost of the square of their number this takes minutes.
 TEST_CASE("an undone deletion gives an instance and thousands of new children their tweaks again") {
     constexpr int children = 10'000;
     const GameFolder folder;

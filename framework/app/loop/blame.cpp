@@ -98,37 +98,6 @@ std::map<std::string, Color> colors_of(const Legend& legend) {
     return found;
 }
 
-void draw_legend(property::Painter& painter, const Legend& legend,
-                 const std::map<std::string, Color>& color) {
-    constexpr double row = 20, left = 16;
-    constexpr std::size_t most = 10;
-    Legend shown(legend.begin(),
-                 legend.begin() + static_cast<std::ptrdiff_t>(std::min(most, legend.size())));
-    std::size_t rest = 0;
-    for (std::size_t i = most; i < legend.size(); ++i) rest += legend[i].second;
-    if (rest > 0) shown.emplace_back(others, rest);
-    painter.begin_screen();
-    double y = painter.seen().screen.y - 84 - row * static_cast<double>(shown.size());
-    const auto box = [&](const Vec2& from, const Vec2& to, const Color& fill) {
-        const std::array<Vec2, 4> corners{from, Vec2(to.x, from.y), to, Vec2(from.x, to.y)};
-        painter.polygon(corners, 0, {.fill = fill, .border = {0, 0, 0, 0}});
-    };
-    std::size_t longest = 0;
-    for (const auto& [writer, count] : shown) longest = std::max(longest, writer.size());
-    const double wide = 92 + 8.5 * static_cast<double>(longest);
-    box({left - 8, y - 8}, {left + wide, y + row * static_cast<double>(shown.size()) + 4},
-        {0.06f, 0.07f, 0.1f, 0.85f});
-    for (const auto& [writer, count] : shown) {
-        const auto found = color.find(writer);
-        box({left, y + 1}, {left + 14, y + 15},
-            found == color.end() ? unknown_color : found->second);
-        painter.text({left + 24, y + 8}, writer + "   " + std::to_string(count), 15,
-                     {0.92f, 0.93f, 0.95f, 1}, property::TextAlign::left);
-        y += row;
-    }
-    painter.end_screen();
-}
-
 }  // namespace
 
 std::vector<Blamed> blamed(const Tree& tree, double dt) {
@@ -147,17 +116,47 @@ std::vector<Blamed> blamed(const Tree& tree, double dt) {
     return all;
 }
 
-void draw_blame(property::Painter& painter, const Tree& tree, double dt, double alpha) {
-    const std::vector<Blamed> all = blamed(tree, dt);
-    const Legend legend = legend_of(all);
-    const std::map<std::string, Color> color = colors_of(legend);
-    for (const Blamed& each : all) {
-        Color tint = color.at(each.writer);
+Blame::Blame(const Tree& tree, double dt)
+    : tree_(tree), all_(blamed(tree, dt)), legend_(legend_of(all_)), color_(colors_of(legend_)) {}
+
+void Blame::draw(property::Painter& painter, double alpha) const {
+    for (const Blamed& each : all_) {
+        if (!tree_.alive(each.instance)) continue;  // a script has deleted it while it was drawn
+        Color tint = color_.at(each.writer);
         tint.a = 0.75f;
         TintPainter tinted(painter, tint);
-        tree.draw(each.instance, tinted, alpha);
+        tree_.draw(each.instance, tinted, alpha);
     }
-    draw_legend(painter, legend, color);
+}
+
+void Blame::draw_legend(property::Painter& painter) const {
+    constexpr double row = 20, left = 16;
+    constexpr std::size_t most = 10;
+    Legend shown(legend_.begin(),
+                 legend_.begin() + static_cast<std::ptrdiff_t>(std::min(most, legend_.size())));
+    std::size_t rest = 0;
+    for (std::size_t i = most; i < legend_.size(); ++i) rest += legend_[i].second;
+    if (rest > 0) shown.emplace_back(others, rest);
+    painter.begin_screen();
+    double y = painter.seen().screen.y - 84 - row * static_cast<double>(shown.size());
+    const auto box = [&](const Vec2& from, const Vec2& to, const Color& fill) {
+        const std::array<Vec2, 4> corners{from, Vec2(to.x, from.y), to, Vec2(from.x, to.y)};
+        painter.polygon(corners, 0, {.fill = fill, .border = {0, 0, 0, 0}});
+    };
+    std::size_t longest = 0;
+    for (const auto& [writer, count] : shown) longest = std::max(longest, writer.size());
+    const double wide = 92 + 8.5 * static_cast<double>(longest);
+    box({left - 8, y - 8}, {left + wide, y + row * static_cast<double>(shown.size()) + 4},
+        {0.06f, 0.07f, 0.1f, 0.85f});
+    for (const auto& [writer, count] : shown) {
+        const auto found = color_.find(writer);
+        box({left, y + 1}, {left + 14, y + 15},
+            found == color_.end() ? unknown_color : found->second);
+        painter.text({left + 24, y + 8}, writer + "   " + std::to_string(count), 15,
+                     {0.92f, 0.93f, 0.95f, 1}, property::TextAlign::left);
+        y += row;
+    }
+    painter.end_screen();
 }
 
 }  // namespace fettle::app

@@ -1,7 +1,10 @@
 #pragma once
 // `view.show.blame`: draws each instance in the color of its last writer.
 
+#include <cstddef>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fettle/property/painter.h>
@@ -19,7 +22,20 @@ struct Blamed {
 /// instance and no other writer wrote within the last second. `dt`: length of a step, s.
 std::vector<Blamed> blamed(const property::Tree& tree, double dt);
 
-/// Draws these instances again in the colors of their writers, and the legend at the lower left.
-void draw_blame(property::Painter& painter, const property::Tree& tree, double dt, double alpha);
+/// These instances with the colors of their writers.
+class Blame {
+  public:
+    Blame(const property::Tree& tree, double dt);
+    /// Draws the instances again in these colors.
+    void draw(property::Painter& painter, double alpha) const;
+    /// Draws at the lower left how many instances each writer wrote.
+    void draw_legend(property::Painter& painter) const;
+
+  private:
+    const property::Tree& tree_;
+    std::vector<Blamed> all_;
+    std::vector<std::pair<std::string, std::size_t>> legend_;  // writers, by number of instances
+    std::map<std::string, property::Color> color_;
+};
 
 }  // namespace fettle::app

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include <fettle/app/foreground.h>
@@ -151,13 +152,23 @@ void Loop::draw(Screen& screen, double seconds) {
     const View drawn = view.drawn(clock.alpha, clock.now);
     property::Painter& painter = screen.painter(drawn);
     if (view.show.grid) draw_grid(painter, drawn);
-    services_.cameras().draw(painter, drawn, clock.alpha, clock.now, [this](property::Painter& on) {
-        if (halted_ || runtime_life_.expired())
-            tree_.draw(tree_.root(), on, services_.clock.alpha);
-        else
-            runtime_.draw(on);
+    std::optional<Blame> blame;
+    if (view.show.blame) blame.emplace(tree_, clock.dt);
+    services_.cameras().draw(painter, drawn, clock.alpha, clock.now, [&](property::Painter& on) {
+        using Part = property::DrawingPart::Part;
+        {
+            const property::DrawingPart part(blame ? Part::instances : Part::all);
+            if (halted_ || runtime_life_.expired())
+                tree_.draw(tree_.root(), on, clock.alpha);
+            else
+                runtime_.draw(on);
+        }
+        if (!blame) return;
+        blame->draw(on, clock.alpha);
+        const property::DrawingPart part(Part::marks);  // over the colors of the writers
+        tree_.draw(tree_.root(), on, clock.alpha);
     });
-    if (view.show.blame) draw_blame(painter, tree_, clock.dt, clock.alpha);
+    if (blame) blame->draw_legend(painter);
     if (view.show.wires) draw_wires(painter, tree_);
     draw_bars(painter, drawn);
     if (Foreground* const menus = services_.input.foreground()) menus->draw(painter);

@@ -13,6 +13,7 @@ namespace fettle::property {
 namespace {
 
 thread_local double moment = 1;
+thread_local DrawingPart::Part drawn_part = DrawingPart::Part::all;
 
 /// The instances that are drawn, in order. The functions of modules may change the tree, so all
 /// instances are collected before the first one is drawn.
@@ -41,6 +42,11 @@ class Sheet {
     }
 
     void draw() {
+        if (drawn_part != DrawingPart::Part::marks) draw_instances();
+        if (drawn_part != DrawingPart::Part::instances) draw_marks();
+    }
+
+    void draw_instances() {
         draw_all(drawn_, [this](const Item& item) {
             if (const Node* node = instances_.nodes.find(item.self)) {
                 const Lifecycle& lifecycle = instances_.class_of(*node).lifecycle();
@@ -52,6 +58,9 @@ class Sheet {
             if (node != nullptr && kinds_[node->class_id].scripted)
                 also_->draw(item.self, painter_);
         });
+    }
+
+    void draw_marks() {
         draw_all(over_, [this](const Item& item) {
             const Node* const node = instances_.nodes.find(item.self);
             if (node == nullptr) return;
@@ -171,6 +180,12 @@ Drawing::Drawing(double alpha) : before_(std::exchange(moment, std::clamp(alpha,
 
 Drawing::~Drawing() {
     moment = before_;
+}
+
+DrawingPart::DrawingPart(Part part) : before_(std::exchange(drawn_part, part)) {}
+
+DrawingPart::~DrawingPart() {
+    drawn_part = before_;
 }
 
 double Drawing::alpha() {

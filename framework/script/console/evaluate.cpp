@@ -74,6 +74,14 @@ std::string unit_of(const Machine& machine, std::string_view command) {
     return component ? read->unit : std::string();
 }
 
+// `quit` without brackets calls nothing: its help tells more than "function". Empty if the only
+// result is no function that has help.
+std::vector<std::string> help_of_function(lua_State* L, Machine& machine,
+                                          std::string_view command) {
+    if (lua_type(L, 1) != LUA_TFUNCTION) return {};
+    return help_for(machine, std::string(command));
+}
+
 // Adds lines for the results on the stack from index 1.
 void add_results(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
     const int count = lua_gettop(L);
@@ -88,6 +96,9 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
             else
                 text = short_text(L, 1);
             evaluation.lines.push_back(unit.empty() ? text : text + " " + unit);
+        } else if (std::vector<std::string> help = help_of_function(L, machine, command);
+                   !help.empty()) {
+            for (std::string& line : help) evaluation.lines.push_back(std::move(line));
         } else {
             for (std::string& line : long_text(L, 1)) evaluation.lines.push_back(std::move(line));
         }
@@ -212,7 +223,7 @@ bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluati
 /// Functions without arguments that may be typed without parentheses.
 bool is_bare_command(std::string_view command) {
     return command == "undo" || command == "redo" || command == "history" || command == "tweaks" ||
-           command == "clear";
+           command == "clear" || command == "help";
 }
 
 /// The arguments that commas separate, outside of brackets and quotes.
@@ -278,6 +289,7 @@ void take_lines(Machine& machine, Evaluation& evaluation) {
 }
 
 void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
+    if (command == "?") command = "help";
     if (add_help(L, machine, command, evaluation)) return;
     if (is_bare_command(command)) {
         lua_getglobal(L, std::string(command).c_str());

@@ -1,6 +1,8 @@
 #pragma once
 // The moment between two steps that is being drawn.
 
+#include <cstdint>
+
 #include <fettle/property/export.h>
 #include <fettle/property/value.h>
 
@@ -26,6 +28,20 @@ class Drawing {
 
   private:
     double before_;
+};
+
+/// While it lives, this thread draws only a part of each tree: the instances without the marks over
+/// them (the overlays of a world), or the marks alone.
+class DrawingPart {
+  public:
+    enum class Part : std::uint8_t { all, instances, marks };
+    explicit DrawingPart(Part part);
+    ~DrawingPart();
+    DrawingPart(const DrawingPart&) = delete;
+    DrawingPart& operator=(const DrawingPart&) = delete;
+
+  private:
+    Part before_;
 };
 
 /// Draws instances in addition to the draw functions of their classes: the functions `draw` of

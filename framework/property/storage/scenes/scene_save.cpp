@@ -61,12 +61,15 @@ class SceneWriter {
     /// `references_from`: paths of references inside it begin there; null: all paths begin at the
     /// root.
     SceneWriter(const Tree& tree, Handle top, Handle references_from,
-                std::vector<std::string>* warnings, std::function<bool(Handle)> left_out = {})
+                std::vector<std::string>* warnings, std::function<bool(Handle)> left_out = {},
+                SceneValues* noted = nullptr, const SceneValues* given = nullptr)
         : tree_(tree),
           top_(top),
           warnings_(warnings),
           values_(tree, references_from),
-          left_out_(std::move(left_out)) {}
+          left_out_(std::move(left_out)),
+          noted_(noted),
+          given_(given) {}
 
     std::string run() {
         tree_.require(top_);
@@ -91,6 +94,7 @@ class SceneWriter {
                         tree_.path(handle) + ": a scene file holds at most " +
                             std::to_string(deepest_instance) + " instances inside each other");
         }
+        if (noted_ != nullptr) noted_->add(handle);
         Members members(out_, indent);
         if (handle == top_) members.raw(version_key, std::to_string(scene_format_version));
         members.key("class");
@@ -113,7 +117,9 @@ class SceneWriter {
         std::vector<const Property*> written;
         for (const Property* property : tree_.class_of(handle).properties()) {
             if (property->read_only || property->transient) continue;
-            if (tree_.overridden(handle, *property) || tree_.formula(handle, *property) != nullptr)
+            if (given_ != nullptr ? given_->value(handle, property->name) != nullptr
+                                  : tree_.overridden(handle, *property) ||
+                                        tree_.formula(handle, *property) != nullptr)
                 written.push_back(property);
         }
         const auto unknown = kept_in(kept, "properties", [&](const std::string& name) {
@@ -126,6 +132,7 @@ class SceneWriter {
         std::vector<const Property*> written;
         for (const Property* property : tree_.ad_hoc(handle)) {
             if (property->transient) continue;
+            if (given_ != nullptr && given_->value(handle, property->name) == nullptr) continue;
             if (kept != nullptr && property->name == unknown_keys_property) continue;
             written.push_back(property);
         }
@@ -154,10 +161,14 @@ class SceneWriter {
             if (column == std::string::npos) {
                 throw Error(ErrorKind::bad_name, "a file cannot hold a name that is not UTF-8");
             }
-            if (const Formula* formula = tree_.formula(handle, property))
+            const std::size_t begin = out_.size();
+            if (given_ != nullptr)
+                out_ += *given_->value(handle, property.name);
+            else if (const Formula* formula = tree_.formula(handle, property))
                 this->formula(handle, property, *formula, column, indent);
             else
                 values_.append(out_, property, tree_.get(handle, property), column, indent);
+            if (noted_ != nullptr) noted_->set(handle, property, out_.substr(begin));
         } catch (const Error& e) {
             const std::string path = tree_.path(handle, property);
             const std::string reason = e.what();
@@ -228,6 +239,8 @@ class SceneWriter {
     std::vector<std::string>* warnings_;
     ValueWriter values_;
     std::function<bool(Handle)> left_out_;
+    SceneValues* noted_;
+    const SceneValues* given_;  // null: the values that the tree has now are written
     std::string out_;
 };
 
@@ -242,8 +255,14 @@ std::string scene_text(const Tree& tree, Handle node, std::vector<std::string>* 
 
 std::string scene_text_with_full_paths(const Tree& tree, Handle node,
                                        std::vector<std::string>* warnings,
-                                       const std::function<bool(Handle)>& left_out) {
-    return SceneWriter(tree, node, {}, warnings, left_out).run();
+                                       const std::function<bool(Handle)>& left_out,
+                                       SceneValues* noted) {
+    return SceneWriter(tree, node, {}, warnings, left_out, noted).run();
+}
+
+std::string scene_text_with_values(const Tree& tree, Handle node, const SceneValues& values) {
+    const auto left_out = [&](Handle instance) { return !values.has(instance); };
+    return SceneWriter(tree, node, {}, nullptr, left_out, nullptr, &values).run();
 }
 
 void save_scene(const Tree& tree, Handle node, const std::filesystem::path& file,

@@ -1,19 +1,55 @@
 #pragma once
 // Text of scenes that become a part of another scene.
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <fettle/property/tree.h>
 
+#include <values/instance_paths.h>
+
 namespace fettle::property {
+
+/// The texts of the values of some instances, as a scene with full paths has them. They stay as
+/// they are whatever happens to the instances in the tree.
+class SceneValues {
+  public:
+    bool has(Handle instance) const { return values_.contains(key(instance)); }
+    /// Null if the property has no value in the scene.
+    const std::string* value(Handle instance, const std::string& property) const;
+    /// Must be called for an instance before its values are set.
+    void add(Handle instance) { values_[key(instance)]; }
+    void set(Handle instance, const Property& property, std::string text);
+    void remove(Handle instance, const std::string& property);
+    /// Forgets the instance and those that are below it in the tree.
+    void forget(const Tree& tree, Handle instance);
+    void clear();
+    /// Replaces paths in all references. Returns whether there was one that `mention` may name.
+    bool rename(const Tree& tree, const std::string& mention, const NewPath& path);
+
+  private:
+    static std::uint64_t key(Handle handle) {
+        return std::uint64_t{handle.generation} << 32 | handle.index;
+    }
+    std::unordered_map<std::uint64_t, std::map<std::string, std::string>> values_;
+    // The only values that may have references.
+    std::map<std::pair<std::uint64_t, std::string>, Handle> naming_;
+};
 
 /// Like `scene_text`, but all references are paths from the root. So they stay valid wherever the
 /// text is placed in a file. `left_out`: whether an instance below `node` is not written, nor what
-/// is below it.
+/// is below it. `noted`: gets all values that are written.
 std::string scene_text_with_full_paths(const Tree& tree, Handle node,
                                        std::vector<std::string>* warnings,
-                                       const std::function<bool(Handle)>& left_out = {});
+                                       const std::function<bool(Handle)>& left_out = {},
+                                       SceneValues* noted = nullptr);
+
+/// The scene of those instances of `values` that are `node` or below it: their names and places are
+/// the present ones, and the values those of `values`.
+std::string scene_text_with_values(const Tree& tree, Handle node, const SceneValues& values);
 
 }  // namespace fettle::property

@@ -11,7 +11,6 @@
 
 #include <files/places.h>
 #include <files/temporary_file.h>
-#include <scenes/scene_edit.h>
 #include <scenes/scene_names.h>
 #include <tweaks/tweaks_state.h>
 
@@ -280,7 +279,7 @@ void Tweaks::State::note_deletion(Handle instance, Handle parent, const std::str
         made->second->deletion = nullptr;  // it does not come back with another one
         return touch(*made->second);
     }
-    if (taken_out_of_creation(split_path(path).second, parent)) return;
+    if (taken_out_of_creation(instance, parent)) return;
     const auto moved_before = moved_entries.find(key(instance));
     const std::string home = moved_before != moved_entries.end() && !moved_before->second->gone
                                  ? home_of(instance)
@@ -316,20 +315,12 @@ Tweaks::State::Entry& Tweaks::State::add_deletion(Handle instance, const std::st
     return deletion;
 }
 
-/// Removes an instance from the scene of the new instance that it was made with.
-bool Tweaks::State::taken_out_of_creation(const std::string& name, Handle parent) {
+/// Removes an instance from the scene of the new instance that it was made with. False if that does
+/// not have it, because a script made it.
+bool Tweaks::State::taken_out_of_creation(Handle instance, Handle parent) {
     Entry* above = created_above(parent);
-    if (above == nullptr) return false;
-    refresh_created(*above);
-    try {
-        SceneSteps steps = steps_below(parent, above->handle);
-        steps.push_back({name, no_place});
-        SceneEdit edit(tree, above->scene, "journal");
-        (void)edit.remove(steps);
-        above->scene = edit.text();
-    } catch (const Error&) {  // a script made it
-        return false;
-    }
+    if (above == nullptr || !above->values.has(instance)) return false;
+    above->values.forget(tree, instance);
     touch(*above);
     return true;
 }

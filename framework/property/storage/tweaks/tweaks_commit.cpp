@@ -6,7 +6,6 @@
 
 #include <fettle/property/exception_text.h>
 
-#include <scenes/scene_edit.h>
 #include <scenes/scene_names.h>
 #include <scenes/scene_text.h>
 #include <tweaks/tweaks_state.h>
@@ -20,6 +19,8 @@ namespace {
 constexpr int barriers_of_rest = 60;
 // Maximum bytes of the texts for people, such as the text of a formula.
 constexpr std::size_t longest_shown = 5000;
+// Occurs in every JSON text with a reference to a deleted instance.
+constexpr std::string_view mention_of_deleted = "\"game[\\\"\\\\000";
 
 }  // namespace
 
@@ -70,17 +71,19 @@ void Tweaks::State::settle_one(Handle instance) {
     // The deletion or creation was undone. Instances made below it since then have their own tweaks
     // again and are not part of its scene.
     if (known != created.end()) revive(*known->second);
+    Entry fresh_one;
+    fresh_one.handle = instance;
     std::vector<std::string> warnings;
-    std::string text;
     try {
-        text = scene_of_new(instance, &warnings);
+        note_values(fresh_one, &warnings);
     } catch (const Error& error) {
         return warn(path + " is new, but cannot be journaled: " + error.what());
     }
     for (const std::string& warning : warnings) warn(warning);
     Entry& its = known != created.end() ? *known->second : add_entry(Kind::created, path, instance);
     its.row.instance = path;
-    its.scene = text;
+    its.scene = std::move(fresh_one.scene);
+    its.values = std::move(fresh_one.values);
     its.row.was_text = "nothing";
     its.row.now_text = "new " + tree.class_of(instance).name();
     its.gone = false;
@@ -93,22 +96,19 @@ void Tweaks::State::settle_one(Handle instance) {
     touch(its);
 }
 
-/// The scene of a new instance, without instances below it that have their own tweaks.
-std::string Tweaks::State::scene_of_new(Handle top, std::vector<std::string>* warnings) const {
+/// Takes the scene of a new instance from the tree, without instances below it that have their own
+/// tweaks.
+void Tweaks::State::note_values(Entry& made, std::vector<std::string>* warnings) {
     std::unordered_set<std::uint64_t> its_own;
-    if (tree.first_child(top))
+    if (tree.first_child(made.handle))
         for (const auto& each : entries)
-            if ((each->row.kind == Kind::moved || each->row.kind == Kind::created) && !each->gone)
+            if ((each->row.kind == Kind::moved || each->row.kind == Kind::created) && !each->gone &&
+                each->handle != made.handle)
                 its_own.insert(key(each->handle));
-    return scene_text_with_full_paths(
-        tree, top, warnings, [&](Handle instance) { return its_own.contains(key(instance)); });
-}
-
-SceneSteps Tweaks::State::steps_below(Handle instance, Handle top) const {
-    SceneSteps steps;
-    for (Handle at = instance; at && at != top; at = tree.parent(at))
-        steps.insert(steps.begin(), SceneStep{tree.name(at), no_place});
-    return steps;
+    made.values.clear();
+    made.scene = scene_text_with_full_paths(
+        tree, made.handle, warnings,
+        [&](Handle instance) { return its_own.contains(key(instance)); }, &made.values);
 }
 
 /// Whether the deletion of the instance was undone, so that no new entry is needed.
@@ -156,25 +156,32 @@ void Tweaks::State::restored(Handle instance, Entry& deletion) {
     touch(its);
 }
 
-/// Writes values edited since into the scene. A new scene of the instance would also contain
-/// changes by the simulation.
-void Tweaks::State::refresh_created(Entry& entry) {
-    const auto inside = std::move(entry.inside);
-    entry.inside.clear();
-    for (const auto& [instance, property] : inside) {
-        if (!tree.alive(instance) || !tree.alive(entry.handle)) continue;
-        try {
-            SceneEdit edit(tree, entry.scene, "journal");
-            edit.set(steps_below(instance, entry.handle), property.text(),
-                     image_now(tree, instance, property, true));
-            entry.scene = edit.text();
-        } catch (const Error&) {  // the structure has changed
-            try {
-                entry.scene = scene_of_new(entry.handle, nullptr);
-            } catch (const Error& error) {
-                warn(tree.path(entry.handle) + " cannot be journaled: " + error.what());
-            }
+/// Takes values edited since from the tree.
+void Tweaks::State::refresh_values(Entry& entry) {
+    for (const auto& [instance, property] : std::exchange(entry.inside, {})) {
+        if (!tree.alive(instance) || created_above(instance) != &entry) continue;
+        // A script has added the instance: now the scene has all that is there.
+        if (!entry.values.has(instance)) return note_values(entry, nullptr);
+        const Property* its = tree.find(instance, property);
+        const Image image = image_now(tree, instance, property, true);
+        if (its == nullptr || image.kind == Image::Kind::absent ||
+            image.kind == Image::Kind::by_default) {
+            entry.values.remove(instance, property.text());
+            continue;
         }
+        const Property* declared = tree.class_of(instance).property(property.text());
+        entry.values.set(instance, *its, image_in_file(tree, declared, image, {}));
+    }
+}
+
+/// Writes the scene anew: however many edits were made inside it, once.
+void Tweaks::State::refresh_created(Entry& entry) {
+    if (!tree.alive(entry.handle) || !attached(entry.handle)) return;
+    try {
+        refresh_values(entry);
+        entry.scene = scene_text_with_values(tree, entry.handle, entry.values);
+    } catch (const Error& error) {
+        warn(tree.path(entry.handle) + " cannot be journaled: " + error.what());
     }
 }
 
@@ -184,7 +191,7 @@ void Tweaks::State::refresh_created(Entry& entry) {
 /// undo may bring them back.
 template <class WithPaths>
 std::string Tweaks::State::without_deleted(const std::string& text, WithPaths with_paths) const {
-    if (deleted.empty() && created.empty()) return text;
+    if (text.find(mention_of_deleted) == std::string::npos) return text;
     try {
         return with_paths([](const std::string& path) -> std::optional<std::string> {
             if (is_of_deleted(path)) return std::string();
@@ -197,7 +204,7 @@ std::string Tweaks::State::without_deleted(const std::string& text, WithPaths wi
 
 void Tweaks::State::refresh(Entry& entry) {
     if (entry.row.kind == Kind::created || entry.row.kind == Kind::restored) {
-        refresh_created(entry);
+        if (entry.row.kind == Kind::created) refresh_created(entry);
         entry.row.now = without_deleted(entry.scene, [&](const NewPath& path) {
             return scene_with_paths(tree, entry.scene, path);
         });

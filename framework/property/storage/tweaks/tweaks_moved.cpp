@@ -27,7 +27,7 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     if (!was && is) return born(instance);
     if (!was) return;
     if (!is) return note_deletion(instance, old_parent, old_path);
-    if (moved_with_creation(instance, old_parent, old_name, old_path)) return;
+    if (moved_with_creation(instance, old_parent, old_path)) return;
     Entry*& its = moved_entries[key(instance)];
     const bool first = its == nullptr;
     if (first) its = &add_entry(Kind::moved, old_path, instance);
@@ -45,7 +45,7 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     touch(move);
     move.gone = is_home(move);
     if (Entry* above = into_new ? created_above(tree.parent(instance)) : nullptr)
-        above->scene = scene_of_new(above->handle, nullptr);
+        above->values.forget(tree, instance);  // it has a tweak of its own
 }
 
 bool Tweaks::State::is_home(const Entry& move) const {
@@ -71,10 +71,7 @@ void Tweaks::State::find_again(Entry& its) {
         its.gone = is_home(its);
     } else if (its.row.kind == Kind::value || its.row.kind == Kind::created) {
         its.row.instance = path;
-        if (its.row.kind == Kind::value)
-            by_key[key_of(Kind::value, path, its.row.property)] = &its;
-        else
-            (void)rename_scene(its);
+        if (its.row.kind == Kind::value) by_key[key_of(Kind::value, path, its.row.property)] = &its;
     }
 }
 
@@ -103,18 +100,6 @@ bool Tweaks::State::is_home_of_another(const std::string& home, Handle instance)
             return true;
     const Handle there = instance_or_none(tree, home);
     return there && there != instance && !created_above(there) && home_of(there) == home;
-}
-
-/// Updates the name in the scene of a new instance. False if no file can contain the name.
-bool Tweaks::State::rename_scene(Entry& made) const {
-    try {
-        SceneEdit edit(tree, made.scene, "journal");
-        edit.rename({}, tree.name(made.handle));
-        made.scene = edit.text();
-        return true;
-    } catch (const Error&) {  // reported on keeping
-        return false;
-    }
 }
 
 InstanceMoves Tweaks::State::moves() const {
@@ -205,12 +190,14 @@ void Tweaks::State::rekey(Entry& its, const std::string& path) {
 /// A move of a new instance changes its creation, which is one tweak with the current name and
 /// parent. False if there is no open tweak that created the instance.
 bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
-                                        const std::string& old_name, const std::string& old_path) {
+                                        const std::string& old_path) {
     const auto known = created.find(key(instance));
     if (known != created.end()) {
         Entry& made = *known->second;
         if (made.gone || made.row.state != RowState::open) return false;
-        if (!rename_scene(made)) return false;
+        std::string quoted;
+        if (!append_quoted(quoted, tree.name(instance)))
+            return false;  // no file can have that name
         repath(instance, old_path);
         made.row.file.clear();
         made.row.inside.clear();
@@ -221,25 +208,9 @@ bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
     Entry* above = created_above(old_parent);
     if (above == nullptr) return false;
     if (created_above(tree.parent(instance)) != above) {
-        if (!taken_out_of_creation(old_name, old_parent)) return false;
+        if (!taken_out_of_creation(instance, old_parent)) return false;
         born(instance);  // it has its own tweak from now on
         return true;
-    }
-    refresh_created(*above);  // earlier edits contain the old names
-    try {
-        if (tree.parent(instance) != old_parent)
-            throw Error(ErrorKind::bad_structure, "it has another shape now");
-        SceneSteps steps = steps_below(old_parent, above->handle);
-        steps.push_back({old_name, no_place});
-        SceneEdit edit(tree, above->scene, "journal");
-        edit.rename(steps, tree.name(instance));
-        above->scene = edit.text();
-    } catch (const Error&) {
-        try {
-            above->scene = scene_of_new(above->handle, nullptr);
-        } catch (const Error& error) {
-            warn(tree.path(above->handle) + " cannot be journaled: " + error.what());
-        }
     }
     repath(instance, old_path);
     touch(*above);
@@ -274,7 +245,7 @@ void Tweaks::State::repath(Handle instance, const std::string& old_path) {
 void Tweaks::State::rename_mentions(const std::string& from, const std::string& to) {
     const NewPath now_at = moved_path(from, to);
     const std::string quoted = mention_of(from);
-    std::vector<std::pair<const Entry*, std::string>> values_named_again;
+    std::vector<std::pair<Entry*, std::string>> values_named_again;
     for (const auto& each : entries) {
         Entry& its = *each;
         const bool open = its.row.state == RowState::open && !its.gone;
@@ -290,6 +261,8 @@ void Tweaks::State::rename_mentions(const std::string& from, const std::string& 
                     rename_in(image->value, [&](const std::string& value) {
                         return value_with_paths(value, now_at);
                     });
+            else if (its.row.kind == Kind::created)
+                renamed = its.values.rename(tree, quoted, now_at);
             else
                 rename_in(its.scene, [&](const std::string& scene) {
                     return scene_with_paths(tree, scene, now_at);
@@ -312,11 +285,12 @@ void Tweaks::State::rename_mentions(const std::string& from, const std::string& 
 
 /// Adds tweaks for references to a restored instance: new instances were kept with null in their
 /// places.
-void Tweaks::State::name_again(const Entry& made, const std::string& path) {
+void Tweaks::State::name_again(Entry& made, const std::string& path) {
     const NewPath none = [&](const std::string& named) -> std::optional<std::string> {
         if (is_at_or_below(named, path)) return std::string();
         return std::nullopt;
     };
+    refresh_created(made);
     const SceneEdit scene(tree, made.scene, "journal");
     for (const SceneEdit::NamingValue& each : scene.naming_values(none)) {
         Handle instance = made.handle;

@@ -18,6 +18,7 @@
 #include <kept/kept_tweaks.h>
 #include <scenes/image.h>
 #include <scenes/scene_origins.h>
+#include <scenes/scene_text.h>
 #include <tweaks/journal.h>
 
 namespace fettle::property {
@@ -32,6 +33,10 @@ struct Tweaks::State : EditObserver {
         JournalRow row;
         Image was, now;     // for a value
         std::string scene;  // for a new or restored instance
+        // For a new instance: what its scene consists of, as it was made, and as persons have
+        // edited it since. A new scene of the instance would also contain what the simulation
+        // has changed.
+        SceneValues values;
         Handle handle;
         Symbol property;
         bool gone = false;          // its object was deleted, or the edit was undone
@@ -82,7 +87,7 @@ struct Tweaks::State : EditObserver {
     void touch(Entry& entry);
     void name_deleted(Image& image, const Value& value) const;
     void note_deletion(Handle instance, Handle parent, const std::string& path);
-    bool taken_out_of_creation(const std::string& name, Handle parent);
+    bool taken_out_of_creation(Handle instance, Handle parent);
     void edited_again(Handle instance, const Property& property);
     void back_in_time(Handle instance);
     Entry& add_deletion(Handle instance, const std::string& path, const std::string& home);
@@ -90,8 +95,7 @@ struct Tweaks::State : EditObserver {
     void revive(const Entry& deletion);
 
     // tweaks_moved.cpp
-    bool moved_with_creation(Handle instance, Handle old_parent, const std::string& old_name,
-                             const std::string& old_path);
+    bool moved_with_creation(Handle instance, Handle old_parent, const std::string& old_path);
     void rekey(Entry& its, const std::string& path);
     void repath(Handle instance, const std::string& old_path);
     /// Moves of this run that are in no file.
@@ -102,7 +106,6 @@ struct Tweaks::State : EditObserver {
     /// Whether the kept-tweaks file, and no scene, deletes the instance with that home path.
     bool deleted_by_path(const std::string& home) const;
     void find_again(Entry& its);
-    bool rename_scene(Entry& made) const;
     static bool is_removed(const JournalRow& row);
     /// The journal gets the row of an earlier run with its new names.
     void renamed_earlier(JournalRow& row);
@@ -119,11 +122,11 @@ struct Tweaks::State : EditObserver {
     void settle_one(Handle instance);
     bool settle_undeleted(Handle instance);
     bool undelete(Entry& deletion);
-    std::string scene_of_new(Handle top, std::vector<std::string>* warnings) const;
-    SceneSteps steps_below(Handle instance, Handle top) const;
+    void note_values(Entry& made, std::vector<std::string>* warnings);
     void restored(Handle instance, Entry& deletion);
     void refresh(Entry& entry);
     void refresh_created(Entry& entry);
+    void refresh_values(Entry& entry);
     bool visible(const Entry& entry) const;
     template <class WithPaths>
     std::string without_deleted(const std::string& text, WithPaths with_paths) const;
@@ -135,7 +138,7 @@ struct Tweaks::State : EditObserver {
     static bool is_of_deleted(const std::string& path) { return path.starts_with(R"(game["\000)"); }
     /// Replaces a path in all references of tweaks.
     void rename_mentions(const std::string& from, const std::string& to);
-    void name_again(const Entry& made, const std::string& path);
+    void name_again(Entry& made, const std::string& path);
     void commit();
     void tell_lost() const;
 

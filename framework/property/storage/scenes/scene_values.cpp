@@ -1,0 +1,61 @@
+#include <utility>
+
+#include <scenes/scene_names.h>
+#include <scenes/scene_text.h>
+#include <values/scene_value.h>
+
+namespace fettle::property {
+
+const std::string* SceneValues::value(Handle instance, const std::string& property) const {
+    const auto its = values_.find(key(instance));
+    if (its == values_.end()) return nullptr;
+    const auto found = its->second.find(property);
+    return found == its->second.end() ? nullptr : &found->second;
+}
+
+void SceneValues::set(Handle instance, const Property& property, std::string text) {
+    const Type type = declared_type(property);
+    const bool may_name = type == Type::nil || type == Type::reference || type == Type::list;
+    if (may_name && text.find('"') != std::string::npos)
+        naming_[{key(instance), property.name}] = instance;
+    else
+        naming_.erase({key(instance), property.name});
+    values_[key(instance)][property.name] = std::move(text);
+}
+
+void SceneValues::remove(Handle instance, const std::string& property) {
+    if (const auto its = values_.find(key(instance)); its != values_.end())
+        its->second.erase(property);
+    naming_.erase({key(instance), property});
+}
+
+void SceneValues::forget(const Tree& tree, Handle instance) {
+    const auto one = [this](Handle each) {
+        values_.erase(key(each));
+        naming_.erase(naming_.lower_bound({key(each), {}}),
+                      naming_.lower_bound({key(each) + 1, {}}));
+    };
+    one(instance);
+    tree.each_below(instance, one);
+}
+
+void SceneValues::clear() {
+    values_.clear();
+    naming_.clear();
+}
+
+bool SceneValues::rename(const Tree& tree, const std::string& mention, const NewPath& path) {
+    bool renamed = false;
+    for (const auto& [cell, instance] : naming_) {
+        std::string& text = values_.at(cell.first).at(cell.second);
+        if (text.find(mention) == std::string::npos || !tree.alive(instance)) continue;
+        const Property* declared = tree.class_of(instance).property(cell.second);
+        text = declared == nullptr
+                   ? value_with_paths(text, path)
+                   : value_with_paths(text, path, declared_type(*declared), declared->element);
+        renamed = true;
+    }
+    return renamed;
+}
+
+}  // namespace fettle::property
