@@ -1,4 +1,4 @@
-// Rows of the inspector: when there is a mark to reset a value, and texts of several lines.
+// Rows of the inspector: their order, marks that reset a value, texts of several lines.
 
 #include "catch.h"
 #include "rig.h"
@@ -9,6 +9,29 @@ using namespace fettle;
 using console::test::Rig;
 using property::Handle;
 using property::Value;
+
+TEST_CASE("the properties of a class stay together where a derived class has other defaults") {
+    property::Tree tree;
+    property::ClassDescriptor base;
+    base.name = "Base";
+    for (const char* name : {"first", "second", "third"})
+        base.properties.push_back(
+            {.name = name, .type = property::Type::number, .default_value = Value(1.0)});
+    tree.define(std::move(base));
+    property::ClassDescriptor derived;
+    derived.name = "Derived";
+    derived.base = "Base";
+    derived.properties.push_back(
+        {.name = "second", .type = property::Type::number, .default_value = Value(2.0)});
+    const Handle one = tree.create(tree.define(std::move(derived)), tree.root(), "one");
+    std::string titles;
+    const property::Class* owner = nullptr;
+    for (const property::Property* each : console::grouped_by_class(tree.properties(one))) {
+        if (each->owner != owner) titles += each->owner->name() + " ";
+        owner = each->owner;
+    }
+    CHECK(titles == "Object Base Derived ");
+}
 
 TEST_CASE("what a step wrote has no reset mark even if its module takes it for set") {
     Rig rig;
