@@ -198,17 +198,21 @@ void ScriptClasses::observe(const Class& of) {
 
 bool ScriptClasses::adopt(Handle instance) {
     if (!known_.insert(bits_of(instance)).second) return false;
-    if (members_.size() >= prune_at_ && !calling_) {
-        std::erase_if(members_, [this](Handle member) {
-            if (machine_.tree.alive(member)) return false;
-            known_.erase(bits_of(member));
-            return true;
-        });
+    if (members_.size() >= prune_at_) {
+        forget_ended();
         prune_at_ = std::max<std::size_t>(1024, 2 * members_.size());
     }
     members_.push_back(instance);
     if (noting_) changes_.adopted.push_back(instance);
     return true;
+}
+
+void ScriptClasses::forget_ended() {
+    std::erase_if(members_, [this](Handle member) {
+        if (machine_.tree.alive(member)) return false;
+        known_.erase(bits_of(member));
+        return true;
+    });
 }
 
 void ScriptClasses::wait_for(Handle instance, bool announce) {
@@ -361,18 +365,16 @@ bool ScriptClasses::call_all(const char* name, Push push) {
     if (!any_functions_ || members_.empty()) return true;
     const Handle root = machine_.tree.root();
     bool ok = true;
-    calling_ = true;
-    std::size_t kept = 0;
     bool stopped = false;
-    // Instances that are created meanwhile are called next time.
-    const std::size_t count = members_.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Handle instance = members_[i];
+    bool ended = false;
+    // Instances that are created meanwhile are called next time. The functions of a host may step
+    // again or restore a snapshot, and both change `members_`.
+    const std::vector<Handle> called = members_;
+    for (const Handle instance : called) {
         if (!machine_.tree.alive(instance)) {
-            known_.erase(bits_of(instance));
+            ended = true;
             continue;
         }
-        members_[kept++] = instance;
         const Class& of = machine_.tree.class_of(instance);
         if (stopped || !has_function(of, name) || !machine_.tree.is_below(instance, root)) continue;
         ok &= protected_run(machine_, Context(of.name() + ":" + name, instance), [&](lua_State* L) {
@@ -383,9 +385,7 @@ bool ScriptClasses::call_all(const char* name, Push push) {
         });
         stopped = machine_.watchdog.stopped();
     }
-    members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(kept),
-                   members_.begin() + static_cast<std::ptrdiff_t>(count));
-    calling_ = false;
+    if (ended) forget_ended();
     return ok;
 }
 
