@@ -224,16 +224,22 @@ void ScriptClasses::wait_for(Handle instance, bool announce) {
 
 namespace {
 
-bool same_properties(const Class& existing, const std::vector<Property>& wanted) {
-    std::size_t own = 0;
-    for (const Property* property : existing.properties())
-        if (property->owner == &existing) ++own;
-    if (own != wanted.size()) return false;
-    for (const Property& property : wanted) {
-        const Property* found = existing.property(property.name);
-        if (!found || found->owner != &existing || found->type != property.type) return false;
+/// How the properties of the first definition of a class differ from those of the second; "" if
+/// they do not.
+std::string difference(const Class& first, const std::vector<Property>& second) {
+    for (const Property& property : second) {
+        const Property* found = first.property(property.name);
+        if (!found || found->owner != &first) return "the first has no \"" + property.name + "\"";
+        if (found->type != property.type)
+            return "\"" + property.name + "\" is " +
+                   property::with_article(property::type_name(found->type)) + " in the first and " +
+                   property::with_article(property::type_name(property.type)) + " in the second";
     }
-    return true;
+    for (const Property* found : first.properties())
+        if (found->owner == &first &&
+            std::ranges::find(second, found->name, &Property::name) == second.end())
+            return "the second has no \"" + found->name + "\"";
+    return {};
 }
 
 }  // namespace
@@ -249,12 +255,14 @@ const Class& ScriptClasses::define(Definition definition) {
             machine_.members.clear();
             return *existing;
         }
-        if (existing->base() != definition.base ||
-            !same_properties(*existing, definition.properties))
+        if (existing->base() != definition.base)
+            throw Error(ErrorKind::bad_name, definition.name +
+                                                 ": exists already with another base, " +
+                                                 existing->base()->name() +
+                                                 "; a class keeps its base while the game runs");
+        if (const std::string how = difference(*existing, definition.properties); !how.empty())
             throw Error(ErrorKind::bad_name,
-                        definition.name +
-                            ": exists already with another base or other properties; instances of "
-                            "it live on, so that needs a restart of the game");
+                        definition.name + ": exists already with other properties: " + how);
         Info& own = info(*existing);
         own.defaults.clear();
         // In the order in which properties are set together.
