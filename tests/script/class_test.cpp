@@ -384,6 +384,22 @@ TEST_CASE("a class can be loaded again with new functions but not with other pro
     CHECK_THAT(s.errors.back().message, contains("other properties"));
 }
 
+TEST_CASE("two different definitions of a class are told apart") {
+    Stage s;
+    s.run("class('Crate', Object) { worth = 1, label = 'new' }");
+    const auto twice = [&](const char* second) { return s.fails(second); };
+    CHECK_THAT(twice("class('Crate', Object) { worth = 1, label = '', weight = 2 }"),
+               contains("Crate: exists already with other properties: the first has no "
+                        "\"weight\""));
+    CHECK_THAT(twice("class('Crate', Object) { worth = 1 }"),
+               contains("other properties: the second has no \"label\""));
+    CHECK_THAT(twice("class('Crate', Object) { worth = true, label = '' }"),
+               contains("\"worth\" is an integer in the first and a boolean in the second"));
+    s.run("class('Box2', 'Crate') {}");
+    CHECK_THAT(twice("class('Box2', Object) {}"),
+               contains("Box2: exists already with another base, Crate"));
+}
+
 TEST_CASE("random numbers depend only on the seed") {
     const auto sequence = [](std::uint64_t seed) {
         fettle::script::Options options;

@@ -424,7 +424,7 @@ TEST_CASE("a child of game that is gone says what became of it") {
     s.run("game.yard = Object {}");
     REQUIRE(s.runtime->load(folder.path));
     REQUIRE(s.printed.size() == 2);
-    CHECK_THAT(s.printed[0], contains("yard: no such name any more: it is arena now"));
+    CHECK_THAT(s.printed[0], contains("yard: no such name any more: its path is \"arena\" now"));
     CHECK_THAT(s.printed[1], contains("yard: no such name any more: it was deleted; game.yard = "
                                       "Object {} makes another one"));
 }

@@ -96,4 +96,38 @@ TEST_CASE("a function for commands that destroys the tree ends the command") {
                contains("the tree of this runtime was destroyed"));
 }
 
+TEST_CASE(
+    "a function of the host may restore a snapshot or step again while instances are stepped") {
+    Stage stage;
+    int depth = 0;
+    std::function<void()> act;
+    stage.runtime->add_function("disturb", [&](auto) {
+        if (++depth == 1 && act) act();
+        --depth;
+        return fettle::property::Value();
+    });
+    stage.run(
+        "count = 0 Walker = class('Walker', Object) {} "
+        "function Walker:step() count = count + 1 disturb() end game.first = Walker {}");
+    CHECK(stage.runtime->step(0.1, 0.1));
+    const auto one = stage.tree->snapshot();
+    const auto steps = [&] {
+        stage.run("count = 0");
+        CHECK(stage.runtime->step(1, 0.1));
+        return stage.prints("print(count)");
+    };
+    act = [&] { stage.tree->restore(one); };
+    stage.run("for i = 1, 500 do game['more_' .. i] = Walker {} end");
+    CHECK(steps() == "1");  // the snapshot has no others
+    CHECK(steps() == "1");
+
+    act = [&] { stage.runtime->step(2, 0.1); };
+    stage.run(
+        "for i = 1, 500 do game['more_' .. i] = Walker {} end "
+        "for i = 1, 400 do game['more_' .. i]:delete() end");
+    CHECK(steps() == std::to_string(101 * 102));
+    act = {};
+    CHECK(steps() == "101");
+}
+
 }  // namespace wrong_host_calls_test

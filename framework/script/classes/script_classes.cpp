@@ -198,17 +198,21 @@ void ScriptClasses::observe(const Class& of) {
 
 bool ScriptClasses::adopt(Handle instance) {
     if (!known_.insert(bits_of(instance)).second) return false;
-    if (members_.size() >= prune_at_ && !calling_) {
-        std::erase_if(members_, [this](Handle member) {
-            if (machine_.tree.alive(member)) return false;
-            known_.erase(bits_of(member));
-            return true;
-        });
+    if (members_.size() >= prune_at_) {
+        forget_ended();
         prune_at_ = std::max<std::size_t>(1024, 2 * members_.size());
     }
     members_.push_back(instance);
     if (noting_) changes_.adopted.push_back(instance);
     return true;
+}
+
+void ScriptClasses::forget_ended() {
+    std::erase_if(members_, [this](Handle member) {
+        if (machine_.tree.alive(member)) return false;
+        known_.erase(bits_of(member));
+        return true;
+    });
 }
 
 void ScriptClasses::wait_for(Handle instance, bool announce) {
@@ -220,16 +224,22 @@ void ScriptClasses::wait_for(Handle instance, bool announce) {
 
 namespace {
 
-bool same_properties(const Class& existing, const std::vector<Property>& wanted) {
-    std::size_t own = 0;
-    for (const Property* property : existing.properties())
-        if (property->owner == &existing) ++own;
-    if (own != wanted.size()) return false;
-    for (const Property& property : wanted) {
-        const Property* found = existing.property(property.name);
-        if (!found || found->owner != &existing || found->type != property.type) return false;
+/// How the properties of the first definition of a class differ from those of the second; "" if
+/// they do not.
+std::string difference(const Class& first, const std::vector<Property>& second) {
+    for (const Property& property : second) {
+        const Property* found = first.property(property.name);
+        if (!found || found->owner != &first) return "the first has no \"" + property.name + "\"";
+        if (found->type != property.type)
+            return "\"" + property.name + "\" is " +
+                   property::with_article(property::type_name(found->type)) + " in the first and " +
+                   property::with_article(property::type_name(property.type)) + " in the second";
     }
-    return true;
+    for (const Property* found : first.properties())
+        if (found->owner == &first &&
+            std::ranges::find(second, found->name, &Property::name) == second.end())
+            return "the second has no \"" + found->name + "\"";
+    return {};
 }
 
 }  // namespace
@@ -245,12 +255,14 @@ const Class& ScriptClasses::define(Definition definition) {
             machine_.members.clear();
             return *existing;
         }
-        if (existing->base() != definition.base ||
-            !same_properties(*existing, definition.properties))
+        if (existing->base() != definition.base)
+            throw Error(ErrorKind::bad_name, definition.name +
+                                                 ": exists already with another base, " +
+                                                 existing->base()->name() +
+                                                 "; a class keeps its base while the game runs");
+        if (const std::string how = difference(*existing, definition.properties); !how.empty())
             throw Error(ErrorKind::bad_name,
-                        definition.name +
-                            ": exists already with another base or other properties; instances of "
-                            "it live on, so that needs a restart of the game");
+                        definition.name + ": exists already with other properties: " + how);
         Info& own = info(*existing);
         own.defaults.clear();
         // In the order in which properties are set together.
@@ -361,18 +373,16 @@ bool ScriptClasses::call_all(const char* name, Push push) {
     if (!any_functions_ || members_.empty()) return true;
     const Handle root = machine_.tree.root();
     bool ok = true;
-    calling_ = true;
-    std::size_t kept = 0;
     bool stopped = false;
-    // Instances that are created meanwhile are called next time.
-    const std::size_t count = members_.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Handle instance = members_[i];
+    bool ended = false;
+    // Instances that are created meanwhile are called next time. The functions of a host may step
+    // again or restore a snapshot, and both change `members_`.
+    const std::vector<Handle> called = members_;
+    for (const Handle instance : called) {
         if (!machine_.tree.alive(instance)) {
-            known_.erase(bits_of(instance));
+            ended = true;
             continue;
         }
-        members_[kept++] = instance;
         const Class& of = machine_.tree.class_of(instance);
         if (stopped || !has_function(of, name) || !machine_.tree.is_below(instance, root)) continue;
         ok &= protected_run(machine_, Context(of.name() + ":" + name, instance), [&](lua_State* L) {
@@ -383,9 +393,7 @@ bool ScriptClasses::call_all(const char* name, Push push) {
         });
         stopped = machine_.watchdog.stopped();
     }
-    members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(kept),
-                   members_.begin() + static_cast<std::ptrdiff_t>(count));
-    calling_ = false;
+    if (ended) forget_ended();
     return ok;
 }
 

@@ -136,6 +136,7 @@ class ScriptClasses {
     void observe(const property::Class& of);
     /// Whether the instance is new here.
     bool adopt(property::Handle instance);
+    void forget_ended();
     void wait_for(property::Handle instance, bool announce);
     bool push_state_function(lua_State* L, const property::Class& of, std::string_view state,
                              const char* name) const;
@@ -158,7 +159,6 @@ class ScriptClasses {
     std::vector<property::Handle> members_;    // instances of scripts' classes, oldest first
     std::unordered_set<std::uint64_t> known_;  // the same, by handle
     std::size_t prune_at_ = 1024;              // size at which deleted members are removed
-    bool calling_ = false;                     // during an iteration over `members_`
     Changes changes_;                          // for `take_changes`, once it is used
     bool noting_ = false;
     // Structure of the tree and size of `waiting_` at the last check.

@@ -121,7 +121,9 @@ std::string fate_of_child(const Machine& machine, std::string_view name) {
     const property::Tree& tree = machine.tree;
     for (const auto& [was, child] : machine.globals.first_children) {
         if (was != name) continue;
-        if (tree.alive(child)) return "it is " + tree.path(child) + " now";
+        if (tree.alive(child))
+            return tree.parent(child) ? "its path is \"" + tree.path(child) + "\" now"
+                                      : "it was taken out of the tree";
         const auto remains = tree.remains(child);
         return "it was deleted" +
                (remains ? "; game." + was + " = " + remains->of.name() + " {} makes another one"
