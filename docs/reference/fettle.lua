@@ -1682,6 +1682,7 @@ Line = {}
 ---@field parallax vec How fast it moves past when the view moves: 1 as the world, 0.5 half as fast, as if it were far away, 0 not at all. For `space` world. · -1000 to 1000 · default vec(1, 1)
 ---@field repeat_x number Distance after which its content repeats to the left and right; 0: never. Pixels on the screen. · m · 0 to 1e9 · default 0
 ---@field repeat_y number Distance after which its content repeats up and down; 0: never. Pixels on the screen. · m · 0 to 1e9 · default 0
+---@field scale number Enlarges everything below it, positions included, from the anchor on the screen or from the origin of the world. · 0.001 to 1000 · default 1
 ---@field space "world"|"screen" world: in meters, y up. screen: in pixels from `anchor`, y down, whatever the view shows. · "world", "screen" · default "world"
 ---@field visible boolean Whether it is drawn. · true or false · default true
 local fettle_Layer = {}
@@ -2632,7 +2633,7 @@ Column = {}
 ---@field padding number? Distance between its edge and what is in it. nil: that of the theme for panels, 5 for lists, 0 for rows and columns. · px · 0 to 100000 · default nil · may be nil
 ---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
 ---@field scroll number How far down it is scrolled. · px · 0 to 1e9 · default 0
----@field selected integer Number of the chosen line, from 1; 0: none. · 0 to 1e9 · default 0
+---@field selected integer Number of the chosen line, from 1; 0, or more than there are: none. · 0 to 1e9 · default 0
 ---@field spacing number? Distance between its widgets; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
 ---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "left"
 ---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil

@@ -39,8 +39,8 @@ function menus.title()
 end
 -- What is on the screen at this edge, and as large a part of it on every screen.
 function menus.overlay(level, anchor, z, name)
-    local layer = level:add(Layer { space = "screen", anchor = anchor, z = z }, name)
-    return layer:add(Sprite { scale = formula(function() return math.min(view.screen.x / 1000, view.screen.y / 750) end) }, "scaled")
+    return level:add(Layer { space = "screen", anchor = anchor, z = z,
+        scale = formula(function() return math.min(view.screen.x / 1000, view.screen.y / 750) end) }, name)
 end
 -- The title stands over the beginning of the first level.
 class("Title", World) {}
@@ -51,7 +51,7 @@ function Title:enter()
     fx.backdrop(self, 1)
     menus.overlay(self, "top", 50, "logo")
     for i, letter in ipairs { "R", "U", "S", "S", "E", "T" } do
-        self.logo.scaled:add(Text { text = letter, font = "bold", size = 96, outline = dark, outline_width = 0.09,
+        self.logo:add(Text { text = letter, font = "bold", size = 96, outline = dark, outline_width = 0.09,
             color = color(i % 2 == 0 and "#ffcf4a" or "#ee8434"), position = vec((i - 3.5) * 84, 100) }, "letter_" .. i)
     end
     self:add(Sprite { image = "art/fox.png", columns = 11, animation = "3-8", frames_per_second = 13, smooth = false,
@@ -68,7 +68,7 @@ end
 function Title:step()
     view.center = vec(12 + 3 * math.sin(time.now * 0.15), 6.5)
     self.cub.position = vec((time.now * 4) % 17 - 6, 3.95)
-    for i = 1, 6 do self.logo.scaled["letter_" .. i].position = vec((i - 3.5) * 84, 100 + 9 * math.sin(2.2 * time.now - 0.7 * i)) end
+    for i = 1, 6 do self.logo["letter_" .. i].position = vec((i - 3.5) * 84, 100 + 9 * math.sin(2.2 * time.now - 0.7 * i)) end
     self.air.position = view.center
 end
 function Title:leave() close("menu") end
@@ -141,6 +141,6 @@ function menus.hud(level)
     text(left, 350, 34, 28, 0, formula(function() return "x " .. lives end))
     text(right, -24, 34, 28, 1, formula(function() return clock(level) .. string.format("      %06d", points) end))
     text(banner, 0, -120, 54, 0.5, level.number .. "  " .. fx.places[level.number].name)
-    banner.parent:after(1.6, function(layer) layer:tween("opacity", 0, 0.6):on("finished", function() layer:delete() end) end)
+    banner:after(1.6, function(layer) layer:tween("opacity", 0, 0.6):on("finished", function() layer:delete() end) end)
 end
 return menus

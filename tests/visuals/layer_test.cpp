@@ -63,6 +63,27 @@ TEST_CASE_METHOD(Layered, "a layer on the screen counts pixels from its anchor")
     CHECK(near(drawn[0].lower_left, {796, 396}));
 }
 
+TEST_CASE_METHOD(Layered, "the scale of a layer enlarges what is below it from its anchor") {
+    tree.set(layer, "scale", Value(3.0));
+    tree.set(sprite, "position", Value(Vec2(2, 0)));
+    CHECK(near(draw()[0].lower_left, {3, -3}));
+    tree.set(layer, "parallax", Value(Vec2(0, 0)));
+    CHECK(near(draw(moved)[0].lower_left, {103, -3}));
+    tree.set(layer, "space", Value("screen"));
+    tree.set(layer, "anchor", Value("bottom_right"));
+    tree.set(sprite, "position", Value(Vec2(-8, -4)));
+    CHECK(near(draw(moved)[0].upper_left, {800 - 3 * 9, 400 - 3 * 5}));
+    // Copies are as far from each other as their enlarged content needs.
+    tree.set(layer, "space", Value("world"));
+    tree.set(layer, "parallax", Value(Vec2(1, 1)));
+    tree.set(layer, "repeat_x", Value(4.0));
+    tree.set(sprite, "position", Value(Vec2(0, 0)));
+    std::set<long> at;
+    for (const Drawn& d : draw(moved)) at.insert(std::lround(d.lower_left.x + 3));
+    for (long x = 96; x <= 108; x += 12) CHECK(at.contains(x));
+    CHECK_FALSE(at.contains(100));
+}
+
 TEST_CASE_METHOD(Layered, "a repeated layer covers what is seen") {
     tree.set(layer, "repeat_x", Value(4.0));
     std::set<long> at;

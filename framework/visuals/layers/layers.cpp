@@ -57,6 +57,13 @@ std::vector<Property> layer_properties() {
          .default_value = "top_left",
          .doc = "The point of the screen from which positions are counted, if `space` is screen.",
          .enumerators = {anchors.begin(), anchors.end()}},
+        {.name = "scale",
+         .type = Type::number,
+         .default_value = 1.0,
+         .range = {1e-3, 1e3},
+         .doc =
+             "Enlarges everything below it, positions included, from the anchor on the screen or "
+             "from the origin of the world."},
         {.name = "parallax",
          .type = Type::vec2,
          .default_value = Vec2(1, 1),
@@ -105,8 +112,8 @@ void Layers::define(property::Tree& tree) {
     };
     const property::Class& made = tree.define(std::move(described));
     const auto of = [&](const char* name) { return made.property(name); };
-    of_ = {of("space"),    of("anchor"),  of("parallax"), of("repeat_x"),
-           of("repeat_y"), of("opacity"), of("blend"),    of("visible")};
+    of_ = {of("space"),    of("anchor"),  of("scale"), of("parallax"), of("repeat_x"),
+           of("repeat_y"), of("opacity"), of("blend"), of("visible")};
 }
 
 bool Layers::begin(const property::Tree& tree, Handle self, property::Painter& painter, int pass) {
@@ -123,15 +130,16 @@ bool Layers::begin(const property::Tree& tree, Handle self, property::Painter& p
     } else {
         origin = (Vec2(1, 1) - read.vec2(of_.parallax)).times(seen.center);
     }
-    lower -= origin;
-    upper -= origin;
+    const double scale = read.number(of_.scale);
+    lower = (lower - origin) / scale;
+    upper = (upper - origin) / scale;
     const Copies across(read.number(of_.repeat_x), lower.x, upper.x);
     const Copies up(read.number(of_.repeat_y), lower.y, upper.y);
     if (pass >= across.count * up.count) return false;
-    origin.x += across.period * (across.first + pass % across.count);
-    origin.y += up.period * (up.first + pass / across.count);
+    const Vec2 copy(across.period * (across.first + pass % across.count),
+                    up.period * (up.first + pass / across.count));
     if (screen) painter.begin_screen();
-    painter.push(Transform::moved(origin));
+    painter.push(Transform::moved(origin + scale * copy) * Transform::scaled(Vec2(scale, scale)));
     if (opacity < 1) painter.fade(static_cast<float>(opacity));
     const property::Blend blend = blend_of(read.value(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);

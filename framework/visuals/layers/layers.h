@@ -15,8 +15,8 @@ class Layers {
 
   private:
     struct Properties {
-        const property::Property *space, *anchor, *parallax, *repeat_x, *repeat_y, *opacity, *blend,
-            *visible;
+        const property::Property *space, *anchor, *scale, *parallax, *repeat_x, *repeat_y, *opacity,
+            *blend, *visible;
     };
     bool begin(const property::Tree& tree, property::Handle self, property::Painter& painter,
                int pass);
