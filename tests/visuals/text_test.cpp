@@ -188,6 +188,12 @@ TEST_CASE_METHOD(Written, "a missing font is reported once even if nothing is dr
           std::vector<std::string>{tree.path(text) + ".font: there is no file \"onw.ttf\""});
     CHECK(width() >= 0);
     CHECK(problems.size() == 1);
+    tree.set(text, "font", Value("sanss"));
+    step(1);
+    REQUIRE(problems.size() == 2);
+    CHECK(problems[1] == tree.path(text) +
+                             ".font: there is no file \"sanss\"; the fonts without a file are "
+                             "sans, bold and mono");
 }
 
 // A file of a game may be made to break a reader of fonts.

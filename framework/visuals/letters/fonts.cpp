@@ -76,7 +76,9 @@ std::shared_ptr<Font> Fonts::of_game(const std::string& what, const std::string&
         if (assets_ == nullptr) throw std::runtime_error(what + ": this program has no files");
         return std::make_shared<Font>(assets_->read(what, name, font_endings));
     } catch (const std::exception& error) {
-        const std::string why = error.what();
+        std::string why = error.what();
+        if (name.find('.') == name.npos)
+            why += "; the fonts without a file are sans, bold and mono";
         tell_(why.starts_with(what) ? why : what + ": \"" + name + "\" " + why);
         return nullptr;
     }
