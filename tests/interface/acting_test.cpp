@@ -257,6 +257,20 @@ TEST_CASE("a list scrolls and its lines are chosen") {
     CHECK(s.draw().drawn > 0);
 }
 
+TEST_CASE("a list of which fewer lines are left than the chosen one has none chosen") {
+    Screen s(R"(
+        game.l = List { items = { "a", "b", "c" }, selected = 3, size = vec(200, 150),
+            changed = function(e) print("c", e.selected) end, submitted = function(e) print("s", e.selected) end }
+        l:focus()
+        l.items = { "a", "b" })");
+    s.tap("enter");
+    CHECK(s.heard().empty());
+    s.tap("up");
+    CHECK(s.heard() == "c\t2");
+    s.tap("enter");
+    CHECK(s.heard() == "s\t2");
+}
+
 TEST_CASE("a button listens for a key and binds an action") {
     Screen s(R"(
         input.actions.jump = { "space", "gamepad.a" }

@@ -161,7 +161,8 @@ bool Player::key_of(Widget& widget, const std::string& name) {
     }
     if (widget.kind != Kind::list) return false;
     const auto count = static_cast<std::int64_t>(widget.content.items.size());
-    std::int64_t line = widget.content.selected;
+    // A number beyond the lines is below the last one.
+    std::int64_t line = std::min(widget.content.selected, count + 1);
     if (name == "up")
         line -= 1;
     else if (name == "down")
@@ -184,7 +185,8 @@ void Player::activate(Widget& widget) {
     if (widget.kind == Kind::toggle) {
         switch_over(widget);
     } else if (widget.kind == Kind::list) {
-        if (widget.content.selected > 0)
+        const auto lines = static_cast<std::int64_t>(widget.content.items.size());
+        if (widget.content.selected > 0 && widget.content.selected <= lines)
             widgets_.emit(widget, "submitted", {Value(widget.content.selected)});
     } else if (widget.kind == Kind::button) {
         if (!widget.content.bind.empty()) widgets_.set(self, "listening", Value(true));

@@ -40,7 +40,8 @@ property::ClassDescriptor list_descriptor(Widgets& widgets) {
                     field<&Widget::content, &Content::selected>(
                         widgets, {.name = "selected",
                                   .range = {0, 1e9},
-                                  .doc = "Number of the chosen line, from 1; 0: none."}),
+                                  .doc = "Number of the chosen line, from 1; 0, or more than there "
+                                         "are: none."}),
                     field<&Widget::content, &Content::scroll>(
                         widgets, {.name = "scroll",
                                   .unit = "px",
