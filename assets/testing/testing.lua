@@ -37,6 +37,7 @@ local function shown(value, exact, depth)
     depth = depth or 0
     if type(value) == "string" then return "\"" .. value .. "\"" end
     if value ~= value and type(value) == "number" then return "nan" end
+    if type(value) == "function" then return "a function" end
     if exact and math.type(value) == "float" then return string.format("%.17g", value) end
     if type(value) ~= "table" or depth > 4 then return tostring(value) end
     local parts, length = {}, 0
@@ -277,6 +278,9 @@ end
 -- A point of the world, or the middle of a widget.
 local function point_at(target, what, level)
     local ok, middle = is_widget(target), nil
+    if not ok and getmetatable(target) ~= "vec" then
+        error(what .. ": needs a point of the world or a widget, not " .. shown(target), level + 1)
+    end
     if ok then
         middle = target.screen_position + 0.5 * target.screen_size
         local why = out_of_reach(target, middle)
