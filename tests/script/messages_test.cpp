@@ -316,6 +316,19 @@ TEST_CASE("names from other engines are errors in a constructor of a native clas
         "local b = Body { circle = Circle {} } b.hp = 3 assert(b.hp == 3)");
 }
 
+TEST_CASE("an unknown name of a text is an error and not nil") {
+    Stage s;
+    CHECK_THAT(s.fails("return world.class.name"), contains("a text has no name"));
+    CHECK_THAT(s.fails("return ('Ann'):uper()"), contains("(did you mean \"upper\"?)"));
+    CHECK_THAT(s.fails("return string.formt"), contains("(did you mean \"format\"?)"));
+    CHECK_THAT(s.fails("return ('Ann')[1]"), contains("text:sub(1, 1) is its first letter"));
+    CHECK_THAT(s.fails("setmetatable(string, nil)"), contains("protected metatable"));
+    s.run(
+        "assert(rawget(string, 'trim') == nil and getmetatable(string) == 'string') "
+        "function string.trim(text) return text:match('^%s*(.-)%s*$') end "
+        "assert((' Ann '):trim() == 'Ann' and ('Ann'):len() == 3)");
+}
+
 TEST_CASE("names from other engines are explained once and change nothing") {
     Stage s;
     std::vector<std::string> notes;

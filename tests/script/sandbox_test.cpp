@@ -195,7 +195,7 @@ TEST_CASE("an escape is refused with its reason") {
         {"assert(load((function() local n = 0 return function() n = n + 1 "
          "return n == 1 and '\\27Lua' or nil end end)()))",
          "binary chunk"},
-        {"return ('').dump(print)", "field 'dump'"},
+        {"return ('').dump(print)", "a text has no dump"},
         {"getmetatable('').__index = {}", "index a string value"},
         {"getmetatable(vec(1, 1)).__add = print", "index a string value"},
         {"setmetatable('', {})", "needs a table, not a text"},

@@ -1,8 +1,11 @@
 // Makes the environment of games and the console, which contains only allowed names.
 
 #include <calls/errors.h>
+#include <fettle/property/error.h>
+#include <lua/guard.h>
 #include <lua/machine.h>
 #include <sandbox/sandbox.h>
+#include <values/values.h>
 
 namespace fettle::script {
 
@@ -57,6 +60,27 @@ void allow(lua_State* L) {
     }
 }
 
+/// The `__index` of `string`, where texts look up their methods: an unknown name is not nil.
+int unknown_of_text(lua_State* L) {
+    if (lua_type(L, 2) == LUA_TNUMBER)
+        throw property::Error(property::ErrorKind::unknown_name,
+                              "a text has no elements; text:sub(1, 1) is its first letter");
+    return push_method(L, "a text");
+}
+
+void refuse_unknown_of_text(lua_State* L) {
+    lua_getfield(L, -1, "string");
+    lua_createtable(L, 0, 3);
+    lua_pushvalue(L, -2);
+    lua_setfield(L, -2, "methods");
+    lua_pushliteral(L, "string");
+    lua_setfield(L, -2, "__metatable");
+    lua_pushcfunction(L, guarded<unknown_of_text>);
+    lua_setfield(L, -2, "__index");
+    lua_setmetatable(L, -2);
+    lua_pop(L, 1);
+}
+
 // All texts share one metatable, which scripts must not get.
 void protect_texts(lua_State* L) {
     lua_pushliteral(L, "");
@@ -78,6 +102,7 @@ void open_sandbox(lua_State* L) {
     open_strings(L);
     open_patterns(L);
     protect_texts(L);
+    refuse_unknown_of_text(L);
 }
 
 }  // namespace fettle::script
