@@ -29,6 +29,26 @@ TEST_CASE("a folder with main lua is a game") {
     CHECK(run.out == "here\n");
 }
 
+TEST_CASE("names from other engines ask for the properties of pictures sounds and menus") {
+    const auto [wrong, meant] = GENERATE(table<std::string, std::string>({
+        {"Button { enabled = true }", "disabled"},
+        {"Button { position = vec(1, 2) }", "offset"},
+        {"Sprite { img = 'a.png' }", "image"},
+        {"Sprite { color = color('red') }", "tint"},
+        {"Sprite { width = 3 }", "size = vec(width, height)"},
+        {"Sprite { fps = 8 }", "frames_per_second"},
+        {"Layer { alpha = 0.5 }", "opacity"},
+        {"Sound { src = 'a.ogg' }", "file"},
+        {"Text { caption = 'a' }", "text"},
+        {"Emitter { life = 2 }", "lifetime"},
+    }));
+    const Folder folder;
+    const std::string game = folder.write("main.lua", "game.made = " + wrong);
+    const Outcome run = fettle(folder, {"run", game, "--headless", "--steps", "1"});
+    CHECK(run.status == 1);
+    CHECK(contains(run.err, "(did you mean " + meant + "?)"));
+}
+
 TEST_CASE("chunks run in the order they were given") {
     const Folder folder;
     const std::string game =
