@@ -404,7 +404,15 @@ TEST_CASE("no child gets the name of a method of every instance") {
         CHECK_THAT(s.fails(way), contains("which is a method of every instance"));
     s.run("class('Each', Object) {} world.holder = Object { Each {} }");
     CHECK(s.prints("print(world.holder.each_2)") == "world.holder.each_2");
-    s.run("local o = Object { name = 'on' } world:add(o) assert(o.name == 'on_1')");
+    for (const char* way :
+         {"world:add(Object { name = 'on' })", "Object { Object { name = 'on' } }"})
+        CHECK_THAT(s.fails(way), contains("which is a method of every instance"));
+    CHECK_THAT(s.fails("Body { Circle { name = 'mass' } }"),
+               contains("a child cannot be called \"mass\", which is a property of Body"));
+    // A number makes up for the name of another child.
+    s.run(
+        "local o = Object { Object { name = 'a' }, Object { name = 'a' } } assert(o.a_2.name == "
+        "'a_2')");
 }
 
 TEST_CASE("a child of game that is gone says what became of it") {

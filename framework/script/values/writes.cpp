@@ -5,6 +5,7 @@
 #include <fettle/script/runtime.h>
 
 #include <lua/machine.h>
+#include <reference/language.h>
 #include <text/words.h>
 #include <values/declarations.h>
 #include <values/recording.h>
@@ -129,10 +130,25 @@ void note_placed(Machine& machine, Handle instance) {
                                "new " + machine.tree.class_of(instance).name());
 }
 
+/// Whether the instance was given a name that means something else in every place below the parent.
+bool is_named_wrongly(const property::Tree& tree, Handle instance, Handle parent,
+                      const std::string& own) {
+    const property::Class& above = tree.class_of(parent);
+    return tree.parent(instance) != parent && own != tree.class_of(instance).stem() &&
+           (above.property(own) != nullptr || above.method(own) != nullptr ||
+            among(generic_names(), own));
+}
+
 }  // namespace
 
 void place(Machine& machine, Handle instance, Handle parent, std::string_view name,
            bool first_plain) {
+    // The tree would put a number behind a wrong name of its own; as a given name it is an error.
+    std::string own;
+    if (name.empty() && machine.tree.alive(instance) && machine.tree.alive(parent)) {
+        own = machine.tree.name(instance);
+        if (is_named_wrongly(machine.tree, instance, parent, own)) name = own;
+    }
     if (machine.declarations.defers(parent) || machine.declarations.has_place(instance))
         return machine.declarations.place(instance, parent, name);
     machine.tree.move(instance, parent, name, first_plain);
