@@ -141,6 +141,6 @@ function menus.hud(level)
     text(left, 350, 34, 28, 0, formula(function() return "x " .. lives end))
     text(right, -24, 34, 28, 1, formula(function() return clock(level) .. string.format("      %06d", points) end))
     text(banner, 0, -120, 54, 0.5, level.number .. "  " .. fx.places[level.number].name)
-    banner.parent:after(1.6, function(layer) layer:tween("opacity", 0, 0.6):on("finished", function() layer:delete() end) end)
+    banner:after(1.6, function(layer) layer:tween("opacity", 0, 0.6):on("finished", function() layer:delete() end) end)
 end
 return menus
