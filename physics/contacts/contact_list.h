@@ -3,6 +3,7 @@
 #include <fettle/physics/events.h>
 #include <state/world_state.h>
 
+#include <span>
 #include <vector>
 
 // Creation and destruction of contacts. A pair of shapes exists while their fat boxes overlap. It
@@ -12,6 +13,8 @@ namespace fettle::physics::detail {
 
 // Begin and end of touches, and their events. A chain or a concave polygon touches as one shape:
 // when a shape moves from one of its parts to the next, no touch ends or begins.
+
+struct SolverForce;
 
 /// Data that change when a touch begins or ends, and the list for its events.
 struct Touching {
@@ -23,6 +26,10 @@ struct Touching {
     std::vector<ContactRecord>* parted;
     uint32_t step;  ///< the low bits of the step number
     float restitution_threshold;
+    /// What forces change in each sub-step, by the body's index in the solver, and the lengths of a
+    /// sub-step and of the step, s. Of use only after the solver.
+    std::span<const SolverForce> forces = {};
+    float substep = 0.0f, length = 0.0f;
 };
 
 void set_touching(const Touching& touching, uint32_t contact, bool begins);

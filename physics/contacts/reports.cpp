@@ -3,6 +3,7 @@
 #include <state/limits.h>
 
 #include <bit>
+#include <cmath>
 
 // If shapes request hit events, several threads examine every touching contact in every step. The
 // events are then sorted into the order of the contacts.
@@ -29,11 +30,31 @@ Position point_of(const ObjectState& objects, const ContactRecord& c, Vec2 ancho
 /// True if a point of a touching contact touches, or is as near as the nearest one: what is stopped
 /// within a step was apart at its beginning.
 bool meets(const Manifold& m, int k) {
-    float nearest = 0.0f;
-    for (int i = 0; i < m.count; ++i)
-        nearest = i == 0 ? m.points[i].separation : min(nearest, m.points[i].separation);
     return m.points[k].normal_impulse > 0.0f ||
-           m.points[k].separation <= max(nearest, 0.0f) + touch_distance;
+           m.points[k].separation <= max(nearest_separation(m), 0.0f) + touch_distance;
+}
+
+/// A velocity of a body, or a change of it.
+struct Moving {
+    Vec2 velocity;
+    float turn = 0.0f;
+};
+
+/// How fast a approaches b along the normal at a point.
+float closing(const ObjectState& objects, const ContactRecord& c, const Position& point,
+              const Moving& a, const Moving& b) {
+    const auto at_point = [&](uint32_t body, const Moving& moving) {
+        return moving.velocity + cross(moving.turn, point - objects.bodies[body].center);
+    };
+    return dot(c.manifold.normal, at_point(c.body_a, a) - at_point(c.body_b, b));
+}
+
+/// How fast the states say that it approaches: until the poses are finished, those before the step.
+float closing_before(const ObjectState& objects, const Columns& columns, const ContactRecord& c,
+                     const Position& point) {
+    const BodyState &a = columns.states[c.body_a], &b = columns.states[c.body_b];
+    return closing(objects, c, point, {a.velocity, a.angular_velocity},
+                   {b.velocity, b.angular_velocity});
 }
 
 }  // namespace
@@ -53,15 +74,14 @@ std::optional<ContactHitEvent> hit_of(const Touching& touching, float threshold,
         const bool met =
             meets(record.manifold, k) || (extra != nullptr && extra->greatest[k] > 0.0f);
         const Position here = point_of(objects, record, p.anchor_a, p.anchor_b);
-        const float approach = met ? approach_speed(objects, columns, record, here) : 0.0f;
+        const float approach = met ? meeting_speed(touching, record, here, p.separation) : 0.0f;
         if (approach <= speed) continue;
         speed = approach;
         point = here;
     }
     if (!(speed > threshold) || !reports_for_pair(objects, contact)) return {};
     const float impulse =
-        extra != nullptr ? extra->total[0] + extra->total[1]
-                         : impact_impulse(objects, columns, record, touching.restitution_threshold);
+        extra != nullptr ? extra->total[0] + extra->total[1] : impact_impulse(touching, record);
     return ContactHitEvent{shape_id(objects, columns, record.shape_a),
                            shape_id(objects, columns, record.shape_b),
                            body_id(columns, record.body_a),
@@ -164,17 +184,37 @@ Position middle_of(const ObjectState& objects, const ContactRecord& c) {
                     0.5f * (points[0].anchor_b + points[1].anchor_b));
 }
 
-float approach_speed(const ObjectState& objects, const Columns& columns, const ContactRecord& c,
-                     const Position& point) {
-    const auto velocity_of = [&](uint32_t body) {
-        const BodyState& state = columns.states[body];
-        return state.velocity + cross(state.angular_velocity, point - objects.bodies[body].center);
-    };
-    return max(0.0f, dot(c.manifold.normal, velocity_of(c.body_a) - velocity_of(c.body_b)));
+float nearest_separation(const Manifold& m) {
+    return m.count == 2 ? min(m.points[0].separation, m.points[1].separation)
+                        : m.points[0].separation;
 }
 
-float impact_impulse(const ObjectState& objects, const Columns& columns, const ContactRecord& c,
-                     float restitution_threshold) {
+float approach_speed(const ObjectState& objects, const Columns& columns, const ContactRecord& c,
+                     const Position& point) {
+    return max(0.0f, closing_before(objects, columns, c, point));
+}
+
+float meeting_speed(const Touching& touching, const ContactRecord& c, const Position& point,
+                    float separation) {
+    const ObjectState& objects = touching.objects;
+    const float before = closing_before(objects, touching.columns, c, point);
+    if (!(touching.substep > 0.0f)) return max(0.0f, before);
+    const SolverForce &a = touching.forces[objects.bodies[c.body_a].solver_index],
+                      &b = touching.forces[objects.bodies[c.body_b].solver_index];
+    const float acceleration =
+        closing(objects, c, point, {a.change, a.turn_change}, {b.change, b.turn_change}) /
+        touching.substep;
+    // v² grows by twice the work of the acceleration; forces act for one step at most. What came
+    // from farther than contacts are looked for has met within the step before.
+    const float way = separation > -before * touching.length ? separation : 0.0f;
+    const float square = max(before * before + 2.0f * acceleration * way, 0.0f);
+    const float later = max(0.0f, before + acceleration * touching.length);
+    if (acceleration > 0.0f) return min(std::sqrt(square), later);
+    return before > 0.0f ? max(std::sqrt(square), later) : 0.0f;
+}
+
+float impact_impulse(const Touching& touching, const ContactRecord& c) {
+    const ObjectState& objects = touching.objects;
     const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];
     const Manifold& m = c.manifold;
     float lever_a[2] = {}, lever_b[2] = {}, speed[2] = {};
@@ -184,7 +224,7 @@ float impact_impulse(const ObjectState& objects, const Columns& columns, const C
         const Position point = point_of(objects, c, m.points[k].anchor_a, m.points[k].anchor_b);
         lever_a[count] = cross(point - a.center, m.normal);
         lever_b[count] = cross(point - b.center, m.normal);
-        speed[count] = approach_speed(objects, columns, c, point);
+        speed[count] = meeting_speed(touching, c, point, max(m.points[k].separation, 0.0f));
         count += speed[count] > 0.0f;
     }
     if (count == 0) return 0.0f;
@@ -196,7 +236,7 @@ float impact_impulse(const ObjectState& objects, const Columns& columns, const C
         return response(k, k) > 0.0f ? speed[k] / response(k, k) : 0.0f;
     };
     const float bounce =
-        1.0f + (max(speed[0], speed[1]) > restitution_threshold ? c.restitution : 0.0f);
+        1.0f + (max(speed[0], speed[1]) > touching.restitution_threshold ? c.restitution : 0.0f);
     if (count == 1) return bounce * alone(0);
     // Both points stop together, if each of them pushes.
     const float k11 = response(0, 0), k22 = response(1, 1), k12 = response(0, 1);

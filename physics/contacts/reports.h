@@ -36,14 +36,21 @@ Contact view_of(const ObjectState& objects, const Columns& columns, float subste
 /// Middle of the points of the manifold, world axes.
 Position middle_of(const ObjectState& objects, const ContactRecord& contact);
 
+/// Separation of the nearest point of a manifold, m.
+float nearest_separation(const Manifold& manifold);
+
 /// Speed along the normal, m/s. Until the poses are finished, the states contain the velocities
 /// before the step.
 float approach_speed(const ObjectState& objects, const Columns& columns,
                      const ContactRecord& contact, const Position& point);
 
+/// The same when the shapes meet there: until then, forces act on them over this separation, m. To
+/// be called after the solver.
+float meeting_speed(const Touching& touching, const ContactRecord& contact, const Position& point,
+                    float separation);
+
 /// The impulse that ends the approach of the points that meet; with the restitution, if they
 /// approach faster than the threshold.
-float impact_impulse(const ObjectState& objects, const Columns& columns,
-                     const ContactRecord& contact, float restitution_threshold);
+float impact_impulse(const Touching& touching, const ContactRecord& contact);
 
 }  // namespace fettle::physics::detail

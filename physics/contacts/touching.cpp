@@ -71,12 +71,11 @@ void report(const Touching& touching, const ContactRecord& c, bool begins) {
     }
     if (begins) {
         const Position point = middle_of(objects, c);
-        const float speed = approach_speed(objects, columns, c, point);
+        const float speed = meeting_speed(touching, c, point, nearest_separation(c.manifold));
         events.contact_begin.push_back(
-            {a, b, body_a, body_b, point, c.manifold.normal, speed,
-             impact_impulse(objects, columns, c, touching.restitution_threshold), c.friction,
-             c.restitution, objects.part_number(c.shape_a), objects.part_number(c.shape_b),
-             objects.shapes[c.shape_a].surface.material,
+            {a, b, body_a, body_b, point, c.manifold.normal, speed, impact_impulse(touching, c),
+             c.friction, c.restitution, objects.part_number(c.shape_a),
+             objects.part_number(c.shape_b), objects.shapes[c.shape_a].surface.material,
              objects.shapes[c.shape_b].surface.material});
     } else {
         events.contact_end.push_back({a, b, body_a, body_b});

@@ -39,6 +39,19 @@ struct Line {
     }
 };
 
+/// Turns two bodies whose relative angle is far from what a joint holds, without a velocity, as
+/// `JointEnds::draw` moves them.
+inline void draw_angle(JointEnds& ends, SolverBody& a, SolverBody& b, float error,
+                       const JointStep& step) {
+    constexpr float wide = 0.3f;  // rad
+    const float sum = a.inverse_inertia + b.inverse_inertia;
+    if (std::abs(error) <= wide || !(sum > 0.0f)) return;
+    const float way = step.wide_share * (error - std::copysign(wide, error)) / sum;
+    a.turn += a.inverse_inertia * way;
+    b.turn -= b.inverse_inertia * way;
+    ends.follow(a, b);
+}
+
 /// Stiffness of a spring. 0 Hz: no spring; infinity, if a joint allows it: rigid.
 struct Stiffness {
     float hertz = 0.0f, damping_ratio = 0.0f;

@@ -104,7 +104,9 @@ struct WorldData : WorldState, StepScratch {
     Touching touching() {
         return {*this,           *this,
                 event_sink(),    stepping ? &parted : nullptr,
-                uint32_t(steps), settings.restitution_threshold};
+                uint32_t(steps), settings.restitution_threshold,
+                solver_forces,   last_substep,
+                last_length};
     }
     Editing editing() {
         return {*this,    *this,          *this,      *this,

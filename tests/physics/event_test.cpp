@@ -1,3 +1,6 @@
+#include <cmath>
+#include <random>
+
 #include "catch.h"
 #include "scenes.h"
 
@@ -114,6 +117,46 @@ Impact impact_on_floor(const Geometry& geometry, float height, float speed, floa
 }  // namespace
 
 // Nothing presses on the contact after the impact, so it is over before the step is.
+TEST_CASE("an impact under forces is reported with the speed at which the shapes meet") {
+    std::mt19937 engine(1);
+    const auto random = [&](float low, float high) {
+        return low + (high - low) * float(engine()) / 4294967296.0f;
+    };
+    for (int seed = 0; seed < 50; ++seed) {
+        const float height = 0.01f * std::pow(200.0f, random(0, 1)), restitution = random(0, 0.8f);
+        // The floor is above where gravity pulls upwards.
+        const float up = random(0, 1) < 0.3f ? -1.0f : 1.0f, push = random(-5, 5);
+        World world({.gravity = {0, -10 * up}, .hit_threshold = 0.1f});
+        Body floor =
+            world.create_body({.type = BodyType::static_body, .position = {0, -0.5f * up}});
+        floor.add(Box{.width = 20});
+        const float downwards = random(0, 3);
+        Body body = world.create_body({.position = {0, (0.5f + height) * up},
+                                       .velocity = {0, -downwards * up},
+                                       .force = {0, push * up},
+                                       .mass = 1.0f});
+        const ShapeDef surface = {.restitution = restitution, .hit_events = true};
+        if (random(0, 1) < 0.5f)
+            body.add(Circle{}, surface);
+        else
+            body.add(Box{}, surface);
+        const float speed = std::sqrt(downwards * downwards + 2 * (10 - push) * height);
+        const float bounce = speed > world.restitution_threshold() ? restitution : 0.0f;
+        float begin = 0, hit = 0, impulse = 0;
+        for (int i = 0; i < 120 && begin == 0; ++i) {
+            world.step(frame);
+            for (const auto& e : world.events().contact_begin) begin = e.speed, impulse = e.impulse;
+            for (const auto& e : world.events().contact_hit) hit = e.speed;
+        }
+        CAPTURE(seed, height, speed, restitution, push);
+        // Speeds change by up to 0.06 m/s in a sub-step.
+        CHECK(begin == Approx(speed).margin(0.05));
+        CHECK(hit == Approx(begin));
+        if (std::fabs(speed - world.restitution_threshold()) > 0.1f)
+            CHECK(impulse == Approx((1 + bounce) * speed).margin(0.2));
+    }
+}
+
 TEST_CASE("an impact without gravity is reported once as it is at any distance and speed") {
     const Geometry geometry =
         GENERATE(Geometry(Circle{.radius = 0.3f}), Geometry(Box{.width = 0.6f, .height = 0.6f}));

@@ -114,4 +114,39 @@ TEST_CASE("bodies do not fall asleep while a joint draws them together") {
         if (body.type() == BodyType::dynamic_body) CHECK_FALSE(body.awake());
 }
 
+// Edits make gaps of meters. They close within a second, and leave no speed.
+TEST_CASE("a joint between bodies that are meters apart soon holds them together") {
+    const float apart = GENERATE(1.0f, 3.0f, 10.0f);
+    World world({.gravity = {0, 0}});
+    std::vector<Joint> joints;
+    const auto pair = [&](auto join) {
+        const float y = 4.0f * float(joints.size());
+        Body a = add_box(world, {0, y}), b = add_box(world, {1 + apart, y});
+        joints.push_back(join(JointDef{
+            .body_a = a.id(), .body_b = b.id(), .anchor_a = {0.5f, 0}, .anchor_b = {-0.5f, 0}}));
+    };
+    pair([&](const JointDef& ends) { return world.create_revolute_joint(ends); });
+    pair([&](const JointDef& ends) { return world.create_weld_joint(ends); });
+    pair([&](const JointDef& ends) {
+        DistanceJointDef rod = ends;
+        rod.length = 0.1f;
+        return world.create_distance_joint(rod);
+    });
+    const auto rail = [&](auto def) {
+        def.axis = {0, 1};
+        return def;
+    };
+    pair([&](const JointDef& ends) {
+        return world.create_prismatic_joint(rail(PrismaticJointDef(ends)));
+    });
+    pair([&](const JointDef& ends) { return world.create_wheel_joint(rail(WheelJointDef(ends))); });
+    for (int i = 0; i < 30; ++i) world.step(frame);
+    for (const Joint& joint : joints) {
+        CAPTURE(int(joint.type()));
+        CHECK(joint.separation() < 0.01f);
+        CHECK(joint.body_a().velocity().length() < 0.01f);
+        CHECK(joint.body_b().velocity().length() < 0.01f);
+    }
+}
+
 }  // namespace joint_test

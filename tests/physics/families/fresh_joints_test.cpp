@@ -93,6 +93,46 @@ float rain_of_sticky_shapes(unsigned seed) {
     return gain / before;
 }
 
+/// What becomes of a chain of pinned boxes, one of which was put somewhere else.
+struct Drawn {
+    float time = 0;      ///< s, until no joint is wider than 2 cm for good
+    float speed = 0;     ///< m/s, of the fastest body in the end
+    float distance = 0;  ///< m, by which the body was put away
+};
+
+Drawn put_away(unsigned seed) {
+    Random random{std::mt19937(seed)};
+    World world(WorldDef{.gravity = {0, 0}});
+    std::vector<Body> bodies;
+    std::vector<Joint> joints;
+    Position top = {};
+    const bool hangs = random(0, 1) < 0.5f;
+    const auto count = size_t(random(2, 5));
+    for (size_t i = 0; i < count; ++i) {
+        const float length = random(0.4f, 1.2f);
+        Body body = world.create_body({.position = top - Vec2{0, 0.5f * length}});
+        body.add(Box{.width = 0.2f, .height = length}, {.group = -1});
+        JointDef ends = {.body_b = body.id(), .anchor_b = {0, 0.5f * length}};
+        if (i > 0) ends.body_a = bodies.back().id();
+        ends.anchor_a = i > 0 ? Position(bodies.back().local_point(top)) : top;
+        if (i > 0 || hangs) joints.push_back(world.create_revolute_joint(ends));
+        bodies.push_back(body);
+        top -= Vec2{0, length};
+    }
+    Drawn drawn = {.distance = random(0.5f, 12)};
+    Body away = bodies[size_t(random(0, 0.999f) * float(count))];
+    const float direction = random(0, 6.28f);
+    const Vec2 way = {std::cos(direction), std::sin(direction)};
+    away.set_pose({away.position() + drawn.distance * way, random(-3, 3)});
+    for (int step = 1; step <= 180; ++step) {
+        world.step(1.0f / 60);
+        for (const Joint& joint : joints)
+            if (joint.separation() > 0.02f) drawn.time = float(step) / 60;
+    }
+    for (const Body& body : bodies) drawn.speed = std::max(drawn.speed, body.velocity().length());
+    return drawn;
+}
+
 }  // namespace
 
 TEST_CASE("a body that is thrown at what it is welded to gains no energy") {
@@ -116,6 +156,27 @@ TEST_CASE("shapes that are welded as they touch gain no energy") {
         most = std::max(most, rain_of_sticky_shapes(seed));
     std::printf("sticky shapes: gain at most %.3g of their energy in a step\n", double(most));
     CHECK(most < 0.05f);
+}
+
+TEST_CASE("a body that is put away from its joints is soon back and nothing is thrown") {
+    unsigned slow = 0, fast = 0;
+    float time = 0, speed = 0;
+    const unsigned seeds = families::seeds_or(50);
+    for (unsigned seed = 1; seed <= seeds; ++seed) {
+        const Drawn drawn = put_away(seed);
+        if (drawn.time > 1 || drawn.speed > 6)
+            std::printf("seed %u: %.1f m away, back after %.2f s, then %.1f m/s\n", seed,
+                        double(drawn.distance), double(drawn.time), double(drawn.speed));
+        slow += drawn.time > 1;
+        fast += drawn.speed > 6;
+        time += drawn.time / float(seeds);
+        speed += drawn.speed / float(seeds);
+    }
+    std::printf("back after %.2f s as a mean, then %.2f m/s\n", double(time), double(speed));
+    CHECK(slow <= seeds / 25);
+    CHECK(fast <= seeds / 50);
+    CHECK(time < 0.6f);
+    CHECK(speed < 2);
 }
 
 }  // namespace fresh_joints_test

@@ -20,7 +20,7 @@ struct ContactBeginEvent {
     BodyId body_b;             ///< of `shape_b`
     Position point = {};       ///< world, m: middle of the manifold
     Vec2 normal = {};          ///< from a to b
-    float speed = 0.0f;        ///< m/s, approach speed along the normal before the step
+    float speed = 0.0f;        ///< m/s, along the normal, at which the shapes meet
     float impulse = 0.0f;      ///< N s, the impulse that stops the approach and causes the bounce
     float friction = 0.0f;     ///< mixed
     float restitution = 0.0f;  ///< mixed

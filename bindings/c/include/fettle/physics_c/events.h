@@ -13,7 +13,7 @@ typedef struct fettle_contact_event {
     fettle_id body_a, body_b;   /* of these shapes */
     fettle_position point;      /* world, m: middle of the manifold */
     fettle_vec2 normal;         /* from a to b */
-    float speed;                /* m/s, approach speed along the normal (begin: before the step) */
+    float speed;                /* m/s, along the normal (begin, hit: at which the shapes meet) */
     float impulse;              /* N s: that stops the approach (persist: of the last step) */
     float friction;             /* mixed */
     float restitution;          /* mixed */
