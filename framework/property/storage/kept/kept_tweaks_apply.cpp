@@ -171,8 +171,7 @@ void KeptTweaks::create_all() {
 void KeptTweaks::create(const std::string& path) {
     const Node* node = member("created", path);
     const std::vector<Segment> segments = parse_path(path);
-    const Handle parent =
-        find(*node, path, segments.size() - 1, "nothing can be made below it");
+    const Handle parent = find(*node, path, segments.size() - 1, "nothing can be made below it");
     if (!parent) return;
     const std::string& name = std::get<std::string>(segments.back().key);
     if (tree_.child(parent, name)) return;
