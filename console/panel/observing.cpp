@@ -39,14 +39,14 @@ script::ConsoleFunctions Observing::functions() {
     f.alias = [this](const std::string& word, const std::string& command) {
         prompt_.alias(word, command);
     };
-    f.exec = [this](const std::string& text) {
+    f.exec = [this](const std::string& file, const std::string& text) {
         if (executing_ && ++executed_ > most_executed)
             throw property::Error(property::ErrorKind::rejected,
                                   "exec: files of commands have run " +
                                       std::to_string(most_executed) + " others: no more are run");
         constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-        waiting_.push_back(text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size())
-                                                             : text);
+        run_later(
+            {file, text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size()) : text});
     };
     f.export_plot = [this](const std::string& kind) {
         if (exports_.size() < most_exports) exports_.push_back(kind);
@@ -148,19 +148,20 @@ void Observing::run_waiting() {
     executed_ = 0;
     executing_ = true;
     while (!waiting_.empty()) {
-        const std::string text = std::move(waiting_.front());
+        const Commands commands = std::move(waiting_.front());
         waiting_.pop_front();
-        run_commands(text);
+        run_commands(commands);
     }
     executing_ = false;
 }
 
 /// Runs the lines of a file of commands. A command may have several lines.
-void Observing::run_commands(const std::string& text) {
-    std::istringstream lines(text);
+void Observing::run_commands(const Commands& commands) {
+    std::istringstream lines(commands.text);
     std::string command;
     bool more = true;
-    while (more) {
+    int first_line = 1;  // of the command
+    for (int next_line = 2; more; ++next_line) {
         std::string line;  // the last one is empty: it ends a command that is not complete
         more = static_cast<bool>(std::getline(lines, line));
         command += (command.empty() ? "" : "\n") + line;
@@ -170,9 +171,13 @@ void Observing::run_commands(const std::string& text) {
         script::Evaluation said;
         if (!blank && !comment && !prompt_.run(command, !more, &said)) continue;
         command.clear();
-        if (!found) continue;
-        for (const std::string& each : said.lines) found(each);
-        if (said.error) found("✗ " + said.error->message);
+        const std::string place = commands.file + ":" + std::to_string(first_line);
+        first_line = next_line;
+        if (found) {
+            for (const std::string& each : said.lines) found(each);
+            if (said.error) found("✗ " + said.error->message);
+        }
+        if (said.error) tell("this command is in " + place);
     }
 }
 

@@ -35,8 +35,12 @@ class Observing {
 
     /// The functions of the console that this class implements for scripts.
     script::ConsoleFunctions functions();
-    /// Runs the commands of a text before the next frame, as if they were typed.
-    void run_later(const std::string& text) { waiting_.push_back(text); }
+    /// Commands from a file; errors name it.
+    struct Commands {
+        std::string file, text;
+    };
+    /// Runs the commands before the next frame, as if they were typed.
+    void run_later(Commands commands) { waiting_.push_back(std::move(commands)); }
     void after_step();
     /// `review` shows the kept past; may be empty.
     void between_frames(const Review& review);
@@ -60,7 +64,7 @@ class Observing {
     void break_when(script::Observed condition);
     void bind(const std::string& key, const std::string& command);
     void run_waiting();
-    void run_commands(const std::string& text);
+    void run_commands(const Commands& commands);
     void read_past(const Review& review);
     std::int64_t first_to_read(bool plotted) const;
     void search_past(const Review& review);
@@ -75,7 +79,7 @@ class Observing {
     Breaks breaks_;
     std::vector<Trace> pins_, plots_;
     std::optional<script::Observed> searched_;
-    std::deque<std::string> waiting_;  // files of commands
+    std::deque<Commands> waiting_;
     std::vector<std::string> exports_;
     bool executing_ = false;
     int executed_ = 0;  // by such files, since they began

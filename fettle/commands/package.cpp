@@ -103,7 +103,8 @@ int package(const PackageOptions& options) {
         require_no_modules(files);
         write_archive(options.file, files);
         print_line(options.file.string() + ": " + std::to_string(files.size()) +
-                   " files. Play it with fettle run " + options.file.string());
+                   (files.size() == 1 ? " file" : " files") + ". Play it with fettle run " +
+                   options.file.string());
     }
     if (!options.linux_run.empty()) {
         make_folder(options.linux_run, facts, files);

@@ -195,6 +195,7 @@ TEST_CASE("the commands in a file are run as if they were typed") {
     CHECK(rig.value("world.crate.mass") == Value(20.0));
     CHECK(rig.value("world.floor.friction").number() == Approx(0.5));
     CHECK(rig.text().find("world.boll: no such name") != std::string::npos);
+    CHECK(rig.text().find("this command is in setup.lua:8") != std::string::npos);
     rig.run("exec 'setip.lua'");
     CHECK(rig.text().find("did you mean \"setup.lua\"") != std::string::npos);
 }

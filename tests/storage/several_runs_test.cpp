@@ -254,7 +254,7 @@ TEST_CASE("on a full disk the message names the file") {
     CHECK(has(run.reported[0], "tweaks cannot be journaled: " +
                                    (folder / ".fettle/main.tweaks.sqlite").string() + ": "));
     CHECK(has(run.reported[0], "a file may not become that large here"));
-    CHECK(has(run.reported[0], "1 wait for it and are lost if the game ends before"));
+    CHECK(has(run.reported[0], "those that wait (1) are lost if the game ends before"));
 }
 
 }  // namespace several_runs_test

@@ -184,7 +184,7 @@ int exec(lua_State* L) {
     const std::string text = machine.sources.files.read(
         property::Assets(machine.sources.files, machine.sources.folder, machine.options.assets)
             .find("exec", file, endings));
-    call_console<&ConsoleFunctions::exec>(L, "exec", text);
+    call_console<&ConsoleFunctions::exec>(L, "exec", file, text);
     return 0;
 }
 

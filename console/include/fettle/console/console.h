@@ -82,7 +82,8 @@ struct Options {
     Layout layout{};
     /// Receives the layout whenever the console is closed, and at the end.
     std::function<void(const Layout&)> keep_layout{};
-    /// Commands of the player, which are run before the first frame as if they were typed.
+    /// Commands of the player, which are run before the first frame as if they were typed. Errors
+    /// say that they are in `autoexec.lua`.
     std::string first_commands{};
     /// True in a replay. The recording contains the commands that `exec` ran, so `exec` runs none.
     bool replay = false;

@@ -61,8 +61,9 @@ struct ConsoleFunctions {
     std::function<void(const std::string& key, const std::string& command)> bind{};
     /// The word stands for the command; an empty command ends it.
     std::function<void(const std::string& word, const std::string& command)> alias{};
-    /// Runs the commands of a text after the present one, as if they were typed.
-    std::function<void(const std::string& text)> exec{};
+    /// Runs the commands of a text after the present one, as if they were typed. Errors name the
+    /// file.
+    std::function<void(const std::string& file, const std::string& text)> exec{};
     std::function<void()> clear{};
     /// Writes the plot to a file; `kind` is "csv" or "png".
     std::function<void(const std::string& kind)> export_plot{};

@@ -256,9 +256,8 @@ void Tweaks::State::commit() {
         const std::string reason = exception_text(error);
         if (last_failure == reason) return;
         last_failure = reason;
-        return warn("tweaks cannot be journaled: " + last_failure + "; " +
-                    std::to_string(changes.put.size()) +
-                    " wait for it and are lost if the game ends before");
+        return warn("tweaks cannot be journaled: " + last_failure + "; those that wait (" +
+                    std::to_string(changes.put.size()) + ") are lost if the game ends before");
     }
     for (Entry* entry : dirty) {
         entry->dirty = false;
