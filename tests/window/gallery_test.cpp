@@ -28,6 +28,13 @@ std::size_t colors_in_first_card(const Picture& picture) {
     return colors.size();
 }
 
+/// True if the heading of the gallery is shown. The pictures of the games are not compared: on a
+/// slow machine some come later.
+bool has_heading_of(const Picture& picture, const Picture& gallery) {
+    constexpr unsigned height = 100;
+    return picture.difference(gallery, 0, 0, gallery.width, height) < 1000;
+}
+
 }  // namespace
 
 TEST_CASE("a click in the gallery starts a game and holding Escape returns to the gallery") {
@@ -40,12 +47,12 @@ TEST_CASE("a click in the gallery starts a game and holding Escape returns to th
     gallery.move(1270, 790);
     const Picture shown = gallery.settled();
     gallery.click(200, 200);
-    REQUIRE(gallery.eventually([&] { return gallery.picture().difference(shown) > 200'000; }));
+    REQUIRE(gallery.eventually([&] { return !has_heading_of(gallery.picture(), shown); }));
     // A short press goes to the game.
     gallery.key("Escape");
-    CHECK(gallery.picture().difference(shown) > 200'000);
+    CHECK_FALSE(has_heading_of(gallery.picture(), shown));
     gallery.hold("Escape", true);
-    CHECK(gallery.eventually([&] { return gallery.picture().difference(shown) < 20'000; }));
+    CHECK(gallery.eventually([&] { return has_heading_of(gallery.picture(), shown); }));
     gallery.hold("Escape", false);
     CHECK(gallery.running());
     gallery.key("Escape");
