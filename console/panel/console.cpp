@@ -77,7 +77,8 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
     }
     if (std::string problem = history.take_problem(); !problem.empty()) log.note(problem);
     take_settings(options.layout);
-    if (!options.first_commands.empty()) observing.run_later({"autoexec.lua", options.first_commands});
+    if (!options.first_commands.empty())
+        observing.run_later({"autoexec.lua", options.first_commands});
 }
 
 void Console::State::connect() {
