@@ -224,7 +224,7 @@ float impact_impulse(const Touching& touching, const ContactRecord& c) {
         const Position point = point_of(objects, c, m.points[k].anchor_a, m.points[k].anchor_b);
         lever_a[count] = cross(point - a.center, m.normal);
         lever_b[count] = cross(point - b.center, m.normal);
-        speed[count] = meeting_speed(touching, c, point, max(m.points[k].separation, 0.0f));
+        speed[count] = meeting_speed(touching, c, point, m.points[k].separation);
         count += speed[count] > 0.0f;
     }
     if (count == 0) return 0.0f;
