@@ -163,7 +163,7 @@ TEST_CASE("on a full disk tweaks wait and are journaled when there is room again
         run.person([&] { run.tree.set_or_add(b, "text", std::string(100'000, 'x')); });
         REQUIRE(run.reported.size() == 1);
         CHECK(has(run.reported[0], "tweaks cannot be journaled: "));
-        CHECK(has(run.reported[0], "1 wait"));
+        CHECK(has(run.reported[0], "those that wait (1)"));
         run.person([&] { run.tree.set(b, "number", 3.0); });
         run.barrier();
         CHECK(run.reported.size() == 1);
