@@ -128,6 +128,9 @@ bool EndRequest::Interrupts::take() {
 
 EndRequest::Command::Command() {
     command_runs = 1;
+    // The signal may have arrived after the line was complete and before the command began.
+    script::Runtime* const runtime = stopped.load();
+    if (runtime != nullptr && interrupt_arrived != 0) runtime->interrupt();
 }
 
 EndRequest::Command::~Command() {

@@ -79,7 +79,7 @@ TEST_CASE("an endless script is stopped and closing is still called") {
     CHECK(end.status == 143);
     CHECK(end.out == "closing\n");
     CHECK(contains(end.err, "fettle: in " + where + ": main.lua:"));
-    CHECK(contains(end.err, "stopped: the run is to end"));
+    CHECK(contains(end.err, "stopped: it was interrupted"));
 }
 
 TEST_CASE("closing is stopped after some seconds") {
@@ -94,7 +94,7 @@ TEST_CASE("closing is stopped after some seconds") {
     const RunningProgram::End end = program.end();
     CHECK(end.status == 130);
     CHECK(end.out == "closing\n");
-    CHECK(contains(end.err, "fettle: in closing: main.lua:2: stopped: the run is to end"));
+    CHECK(contains(end.err, "fettle: in closing: main.lua:2: stopped: it was interrupted"));
 }
 
 TEST_CASE("a second signal ends a run at once") {

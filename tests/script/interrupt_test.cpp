@@ -23,7 +23,7 @@ TEST_CASE("an interrupted script stops at any place and the next ones do too") {
     CHECK_FALSE(s.runtime->run("print('go') " + loop, "chunk"));
     REQUIRE(s.errors.size() == 1);
     INFO(s.errors[0].message);
-    CHECK(s.errors[0].message.find("chunk:1: stopped: the run is to end") != std::string::npos);
+    CHECK(s.errors[0].message.find("chunk:1: stopped: it was interrupted") != std::string::npos);
     CHECK(s.runtime->interrupted());
 
     s.runtime->go_on();

@@ -183,7 +183,7 @@ TEST_CASE("a game in a window ends in order after a signal") {
     CHECK(game.asked_to_end() == 143);
     INFO(game.printed());
     CHECK(contains(game.printed(), "closing"));
-    CHECK(contains(game.printed(), "stopped: the run is to end") == runaway);
+    CHECK(contains(game.printed(), "stopped: it was interrupted") == runaway);
 }
 
 TEST_CASE("a game saved in a window has a picture") {

@@ -78,7 +78,7 @@ class Budget {
     bool interrupted() const { return interrupted_ != 0; }
     void stop_if_interrupted(lua_State* L) {
         if (interrupted()) [[unlikely]]
-            stop(L, "stopped: the run is to end");
+            stop(L, "stopped: it was interrupted");
     }
 
     bool counting() const { return now_.counting; }
