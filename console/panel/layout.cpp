@@ -28,6 +28,7 @@ constexpr float least_panel = 26, least_height = 8;  // the panel: its width and
 constexpr float least_log = 5;       // the panel without overlays: title, two lines, prompt
 constexpr float stacked_below = 44;  // the watch list and the plot, in narrower windows
 constexpr float least_plot = 9, least_list = 4, least_frames = 7, least_inspector = 8;
+constexpr float low_plot = 5, low_list = 2, low_frames = 5;  // in low windows; below that, none
 constexpr float least_beside = 15;      // the inspector: its width beside the panel
 constexpr float useful_inspector = 14;  // its height below the panel, with some properties
 
@@ -117,8 +118,8 @@ float Console::State::inspector_width() {
                      screen.width * 0.6f, room_beside_panel()});
 }
 
-/// The panel covers nothing that is below it, and nothing covers the prompt, unless the window is
-/// lower than all of them.
+/// The panel covers nothing that is below it, unless the window is lower than all of them: then
+/// views at the lower edge get less room, or are left out.
 float Console::State::panel_height() {
     const float em = ImGui::GetFontSize();
     float below = 2 * margin;
@@ -134,8 +135,8 @@ float Console::State::panel_height() {
     const float overlays = settings.flag("overlays") ? views.overlay_bar.height() : 0;
     const float whole = std::max(1.0f, screen.height - 2 * margin);
     const float least = std::min(whole, least_log * em + overlays);
-    const float most =
-        std::min(whole, std::max(screen.height - below, std::max(least, least_height * em)));
+    const float usual = std::min(least_height * em, 0.3f * screen.height);
+    const float most = std::min(whole, std::max({screen.height - below, least, usual}));
     return std::clamp(settings.number("height") * screen.height, least, most);
 }
 
@@ -191,8 +192,8 @@ void Console::State::draw_frames(float right) {
          {views.time_bar.rect(), views.watch_list.rect(), views.plot_view.rect()})
         if (!rect.empty()) low = std::min(low, rect.low.y - margin);
     const float room = low - screen.panel_rect.high.y - margin;
-    const float tall =
-        std::min(FrameView::height(), std::max(room, least_frames * ImGui::GetFontSize()));
+    if (room < low_frames * ImGui::GetFontSize()) return views.frame_view.hide();
+    const float tall = std::min(FrameView::height(), room);
     const double dt = views.time_bar.available() ? views.time_bar.times().dt : 1.0 / 60;
     views.frame_view.draw(ImVec2(margin, low),
                           ImVec2(std::max(120.0f, screen.width - 2 * margin - right), tall), tree,
@@ -204,31 +205,37 @@ void Console::State::draw_observed(float right) {
     observing.look();
     const float low = views.time_bar.rect().empty() ? screen.height - margin
                                                     : views.time_bar.rect().low.y - margin;
-    float room = low - screen.panel_rect.high.y - margin;
-    if (options.frames != nullptr && shows("timings"))
-        room -= least_frames * ImGui::GetFontSize() + margin;
-    if (settings.flag("inspector") && !inspector_is_beside())
-        room -= least_inspector * ImGui::GetFontSize() + margin;
     const float wide = screen.width - 2 * margin - right, em = ImGui::GetFontSize();
     const bool pinned = !observing.pins().empty(), plotted = !observing.plots().empty();
+    // In a low window, the other views are left out first.
+    const float least = (pinned ? least_list * em : 0) + (plotted ? least_plot * em : 0);
+    float room = low - screen.panel_rect.high.y - margin;
+    const auto leave = [&](float ems) {
+        if (room - ems * em - margin >= least) room -= ems * em + margin;
+    };
+    if (options.frames != nullptr && shows("timings")) leave(least_frames);
+    if (settings.flag("inspector") && !inspector_is_beside()) leave(least_inspector);
     const float opacity = settings.number("opacity");
     // Side by side, unless both would be too narrow for their values.
     const bool stacked = wide < stacked_below * em;
     float list = 0;
     if (pinned)
         list = stacked ? wide : std::min(wide, plotted ? std::min(28 * em, wide * 0.5f) : 34 * em);
-    views.watch_list.draw(ImVec2(margin, low), list, std::max(room, least_list * em), tree,
-                          observing.pins(), opacity);
+    if (room < low_list * em)
+        views.watch_list.hide();
+    else
+        views.watch_list.draw(ImVec2(margin, low), list, room, tree, observing.pins(), opacity);
     const bool under = pinned && stacked && !views.watch_list.rect().empty();
     const float bottom = under ? views.watch_list.rect().low.y - margin : low;
     const float left = margin + (pinned && !stacked ? list + margin : 0);
-    const float plot_room = std::max(room - (low - bottom), least_plot * em);
+    const float plot_room = room - (low - bottom);
+    if (plot_room < low_plot * em) return views.plot_view.hide();
     const TimeBar::Times now = views.time_bar.times();
-    views.plot_view.draw(ImVec2(left, bottom),
-                         ImVec2(std::max(12 * em, wide - (left - margin)),
-                                std::clamp(plot_room * 0.6f, least_plot * em, 16 * em)),
-                         plot_room, tree, observing.plots(),
-                         {now.step, now.oldest, now.newest, now.dt}, opacity);
+    views.plot_view.draw(
+        ImVec2(left, bottom),
+        ImVec2(std::max(12 * em, wide - (left - margin)),
+               std::min({std::max(plot_room * 0.6f, least_plot * em), 16 * em, plot_room})),
+        plot_room, tree, observing.plots(), {now.step, now.oldest, now.newest, now.dt}, opacity);
 }
 
 // --- The panel

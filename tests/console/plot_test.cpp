@@ -102,4 +102,27 @@ TEST_CASE("beside a plot and a watch list there is room for the inspector") {
     }
 }
 
+TEST_CASE("in a low window no view at the lower edge covers the prompt") {
+    const unsigned height = GENERATE(60u, 120u, 180u, 240u, 300u, 400u, 500u);
+    const bool overlays = GENERATE(false, true);
+    INFO("400 x " << height << ", overlays " << overlays);
+    ObservingRig rig;
+    rig.lua.state().settings.set("overlays", property::Value(overlays));
+    rig.step(10);
+    rig.run("plot world.ball.position");
+    rig.run("pin world.ball.position");
+    rig.lua.state().choose(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));
+    console::test::RasterSurface window(400, height);
+    for (int i = 0; i < 4; ++i) rig.lua.draw(window, 1.0 / 60);
+    const auto& state = rig.lua.state();
+    std::vector<console::Rect> shown{state.screen.panel_rect};
+    for (const console::Rect& each :
+         {state.screen.inspector_rect, state.views.plot_view.rect(), state.views.watch_list.rect()})
+        if (!each.empty()) shown.push_back(each);
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            CHECK((shown[i].high.y <= shown[k].low.y || shown[k].high.y <= shown[i].low.y));
+    CHECK(state.views.plot_view.rect().empty() == (height < 300));
+}
+
 }  // namespace plot_test

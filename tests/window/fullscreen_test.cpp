@@ -124,6 +124,29 @@ TEST_CASE("a size that a game sets when it begins stays") {
     CHECK(game.prints("size\tvec(640, 400)\tvec(640, 400)"));
 }
 
+TEST_CASE("a window that becomes larger stays on the screen") {
+    if (const std::string missing = missing_tools(); !missing.empty()) {
+        std::cout << "SKIPPED: " << missing << " not found\n";
+        return;
+    }
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "game.json") << R"({"window": {"size": [400, 300]}})";
+    std::ofstream(folder.path / "main.lua")
+        << "view.background = color('#ff0000')\n"
+           "function key_pressed() view.window.size = vec(1200, 700) end\n"
+           "print('ready')\n";
+    GameWindow game(folder.path);
+    REQUIRE(game.prints("ready"));
+    game.key("f");
+    CHECK(game.eventually([&] {
+        const auto rgb = game.picture().rgb;
+        std::size_t red = 0;
+        for (std::size_t i = 0; i + 2 < rgb.size(); i += 3)
+            red += rgb[i] == 255 && rgb[i + 1] == 0 && rgb[i + 2] == 0;
+        return red == 1200 * 700;
+    }));
+}
+
 TEST_CASE("the icon of the window is that which the game names last") {
     if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) {
         std::cout << "SKIPPED: xvfb-run not found\n";

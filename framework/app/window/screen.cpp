@@ -205,6 +205,7 @@ class SfmlWindow : public Window {
             told_ = state.size;
             window_.setSize(
                 {static_cast<unsigned>(state.size.x), static_cast<unsigned>(state.size.y)});
+            keep_on_desktop();
         }
         if (state.title != before.title)
             window_.setTitle(sf::String::fromUtf8(state_.title.begin(), state_.title.end()));
@@ -238,7 +239,7 @@ class SfmlWindow : public Window {
             frame.height = std::min(frame.height, static_cast<unsigned>(state_.size.y));
         }
         sfml::open(window_, state_.title, frame, samples);
-        if (!state_.fullscreen) keep_on(desktop);
+        if (!state_.fullscreen) keep_on_desktop();
         window_.setVerticalSyncEnabled(state_.vsync);
         window_.setMouseCursorVisible(state_.cursor_visible);
         window_.setKeyRepeatEnabled(true);  // for the console; the game gets only the first press
@@ -325,8 +326,10 @@ class SfmlWindow : public Window {
         event.y = static_cast<float>(told_.y);
         return true;
     }
-    /// Without a window manager, SFML 2 may put a window partly outside of the screen.
-    void keep_on(const sf::VideoMode& desktop) {
+    /// A window that becomes larger, or that SFML 2 opens without a window manager, may be partly
+    /// outside of the desktop. It is moved to the middle.
+    void keep_on_desktop() {
+        const sf::VideoMode desktop = sf::VideoMode::getDesktopMode();
         const int spare_x = static_cast<int>(sfml::width(desktop) - window_.getSize().x);
         const int spare_y = static_cast<int>(sfml::height(desktop) - window_.getSize().y);
         const sf::Vector2i at = window_.getPosition();

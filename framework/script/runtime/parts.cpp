@@ -51,6 +51,24 @@ void open_libraries(lua_State* L) {
     }
 }
 
+/// Whether an error of Lua runs destructors. It does in Lua's C++ build only; Debian 12 gives the
+/// functions of both builds the same names, so a program can be linked with the other one.
+bool errors_run_destructors(lua_State* L) {
+    bool ran = false;
+    lua_pushcfunction(L, [](lua_State* state) {
+        struct Mark {
+            bool& ran;
+            ~Mark() { ran = true; }
+        } mark{*static_cast<bool*>(lua_touserdata(state, 1))};
+        lua_pushnil(state);
+        return lua_error(state);
+    });
+    lua_pushlightuserdata(L, &ran);
+    lua_pcall(L, 1, 0, 0);
+    lua_pop(L, 1);
+    return ran;
+}
+
 int new_table(lua_State* L) {
     lua_newtable(L);
     return luaL_ref(L, LUA_REGISTRYINDEX);
@@ -184,6 +202,13 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
         return why;
     };
     arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 64); };
+    if (!errors_run_destructors(L)) {
+        end();
+        throw Error(
+            ErrorKind::rejected,
+            "this program is linked with Lua in C, whose errors run no destructors; link it "
+            "with Lua in C++ (-llua5.4-c++)");
+    }
     lua_pushcfunction(L, guarded<open_all>);
     if (lua_pcall(L, 0, 0, 0) != LUA_OK) {
         const char* message = lua_tostring(L, -1);
