@@ -21,7 +21,9 @@ class FETTLE_PHYSICS_MODULE_PRIVATE Hosting;
 /// creates `game.world`, and steps every world below the root. Before `attach`, methods that need a
 /// tree throw std::logic_error; after the tree is destroyed, only the destructor may be called. The
 /// destructor of a module that ends before the tree deletes its instances, with everything below
-/// them; its classes can have no others then.
+/// them; its classes can have no others then. It must not run inside a function that the tree or
+/// the physics calls, such as a handler or `before_solve`: it cannot refuse, so the program ends
+/// (std::terminate).
 class PhysicsModule : public module::Module {
   public:
     PhysicsModule();  ///< without a tree: `attach`
