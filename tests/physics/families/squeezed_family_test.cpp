@@ -261,6 +261,46 @@ TEST_CASE("a heap under a crusher is hardly thrown") {
     }
 }
 
+/// Between a mallet that comes and a wall, every bounce adds twice the speed of the mallet, and the
+/// faster the ball is, the more often it bounces: no bound but the last gap. Returns the greatest
+/// speed of a ball, in speeds of the mallet.
+float speed_of_bouncing(unsigned seed) {
+    Random random{std::mt19937(seed + 1)};
+    World world({.gravity = {0, 0}});
+    const ShapeDef elastic = {.friction = 0, .restitution = 1};
+    world.create_body({.type = BodyType::static_body})
+        .add(Box{.width = 2, .height = 40, .center = {-1, 0}}, elastic);
+    const float radius = random(0.1f, 0.5f), speed = random(1, 10);
+    Body ball = world.create_body({.position = {radius + random(0.02f, 1), 0}});
+    ball.add(Circle{radius}, elastic);
+    const float place = float(ball.position().x) + radius + random(0.1f, 2);
+    Body mallet = world.create_body({.type = BodyType::kinematic_body, .position = {place, 0}});
+    mallet.add(Box{.width = 1, .height = 4, .center = {0.5f, 0}}, elastic);
+    float fastest = 0;
+    for (int step = 0; step < 400; ++step) {
+        const bool stops = mallet.position().x < 2.05f * radius;
+        mallet.set_velocity({stops ? 0 : -speed, 0});
+        world.step(1.0f / 60);
+        fastest = std::max(fastest, ball.velocity().length());
+    }
+    return fastest / speed;
+}
+
+TEST_CASE("a ball that bounces between a mallet and a wall gains no more than from a few bounces") {
+    float most = 0;
+    int faster = 0;
+    for (unsigned seed = 0; seed < families::seeds_or(50); ++seed) {
+        const float speed = speed_of_bouncing(seed);
+        most = std::max(most, speed);
+        faster += speed > 12;
+    }
+    std::printf(
+        "bouncing between a mallet and a wall: %d more than 12 times as fast as the mallet, "
+        "at most %.1f times\n",
+        faster, double(most));
+    CHECK(faster <= int(families::seeds_or(50)) / 50);
+}
+
 TEST_CASE("what only touches two sides keeps its speed") {
     SECTION("a piston that a motor drives in a cylinder") {
         World world({.gravity = {0, 0}});
