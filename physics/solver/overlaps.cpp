@@ -4,7 +4,7 @@
 // a push in a crowd makes no body faster than the push speed and than the bodies that it meets.
 // Momentum is not kept there. Only worlds with crowded shapes need this (contacts/crowds.h).
 
-#include <solver/solvers.h>
+#include <solver/free_motion.h>
 
 #include <algorithm>
 #include <vector>
@@ -42,14 +42,8 @@ struct OverlapLimits {
     }
     /// Speed that the fastest point of a body would have after the step without contacts.
     float free_speed_of(uint32_t body) const {
-        const BodyRecord& record = input.objects.bodies[body];
-        const BodyState& state = columns.states[body];
-        const SolverForce& force = input.bodies.solver_forces[record.solver_index];
-        const float substeps = float(input.settings.substeps);
-        if (record.solver_index == 0)
-            return speed_of(state.velocity, state.angular_velocity, record);
-        return speed_of(state.velocity + substeps * force.change,
-                        state.angular_velocity + substeps * force.turn_change, record);
+        const FreeMotion motion = FreeMotion::of(input, columns, body);
+        return speed_of(motion.velocity, motion.turn, input.objects.bodies[body]);
     }
 
     /// The greatest speed that the body can get from forces, from its contacts, and from joints; or
@@ -115,9 +109,7 @@ void limit_pushes(const SolverInput& input, const Columns& columns) {
             ContactRecord& c = objects.contacts[contact];
             if (c.manifold.count == 0 || c.sensor) return;
             add(objects.other_body(contact, body));
-            // The next step must not begin with impulses that were too large.
-            for (ManifoldPoint& point : c.manifold.points)
-                point.normal_impulse = point.tangent_impulse = 0.0f;
+            forget_impulses(c);
         });
     }
 }

@@ -33,6 +33,9 @@ void solve(const SolverInput& input, const JointStep& joint_step, const ContactS
 /// Must be called after the contacts were solved with soft constraints. Limits the speeds of bodies
 /// in a crowd that is pushed apart.
 void limit_pushes(const SolverInput& input, const Columns& columns);
+/// Must be called after the constraints were solved. Limits the speeds of bodies that are squeezed
+/// between bodies that do not yield.
+void limit_squeezed(const SolverInput& input, const Columns& columns, float dt);
 
 void solve_softly(const SolverInput& input, const JointStep& joint_step,
                   const ContactStiffness& stiffness, const WideKernels& kernels);

@@ -171,6 +171,7 @@ void WorldData::solve_constraints(const SubSteps& sub, const JointStep& joint_st
     begin_sums(input, columns(), steps, sub.h);
     solve(input, joint_step, sub.stiffness, kernels, statistics);
     if (groups && crowded_shapes > 0) limit_pushes(input, columns());
+    limit_squeezed(input, columns(), sub.h * float(sub.settings.substeps));
     end_sums(input, columns());
 }
 

@@ -1,0 +1,218 @@
+// A body between a presser and something that does not yield, or between two pressers, cannot do
+// what both contacts demand. Each pass adds to the impulses of both, and the next sub-step begins
+// with them. While they balance they move nothing; when the body slips or a normal turns, what is
+// left is a hundred times the impulse of the presser, and the body shot out with up to 190 m/s. So
+// a squeezed body gets no faster than what it touches, and than the push speed: neither a rigid
+// wedge nor an impulse that was stored throws it. Momentum is not kept there; the presser has none
+// to lose.
+
+#include <solver/free_motion.h>
+#include <state/limits.h>
+
+#include <algorithm>
+#include <array>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// An overlap of more than this, m, is a squeeze, even if only one contact is left of it.
+float deep_overlap(float thickness) {
+    return min(0.25f * thickness, 0.05f * thickness + 0.01f);
+}
+/// A contact with a body that yields counts from this part of the thickness on. No load of a stack
+/// presses bodies together that much.
+constexpr float least_yielding = 0.1f;
+/// In a step, a body may get faster by so much, as a part of the push speed, or of the square of
+/// its own speed: a motor drives it.
+constexpr float little_push = 0.1f, little_more = 1.02f;
+/// A body that does not move along is thrown only if it spins faster than this, rad/s.
+constexpr float slow_turn = 10.0f;
+/// A presser that moves slower than this, m/s, stands.
+constexpr float standing = 0.001f;
+
+/// A contact with a body that does not yield, as the squeezed body sees it.
+struct Press {
+    Vec2 normal;  ///< towards the body
+    float depth = 0.0f, speed = 0.0f;
+};
+
+class Squeezes {
+  public:
+    Squeezes(const SolverInput& input, const Columns& columns, float dt)
+        : input_(input),
+          columns_(columns),
+          dt_(dt),
+          inverse_dt2_(1.0f / (dt * dt)),
+          least_unyielding_(input.settings.solver == Solver::direct ? -touch_distance : 0.0f) {}
+
+    /// True if the body is fast, and faster than without contacts. `index`: in the solver.
+    bool may_be_thrown(uint32_t index) const {
+        if (index == 0 || index > input_.active.awake_bodies.size()) return false;
+        const SolverBody& b = input_.bodies.solver_bodies[index];
+        const float push2 = squared(input_.settings.push_speed);
+        // The sequential solver moves bodies out of each other without a velocity.
+        const float speed2 =
+            max(length_squared(b.velocity), length_squared(b.shift) * inverse_dt2_);
+        const float turn = std::fabs(b.angular_velocity);
+        if (!(speed2 > push2) && !(turn > slow_turn)) return false;
+        const FreeMotion own = own_motion(index);
+        return speed2 > little_more * length_squared(own.velocity) + squared(little_push) * push2 ||
+               turn > little_more * std::fabs(own.turn);
+    }
+
+    void limit(uint32_t index) const {
+        const uint32_t body = input_.active.awake_bodies[index - 1];
+        if (!is_squeezed(body)) return;
+        SolverBody& b = input_.bodies.solver_bodies[index];
+        const FreeMotion own = own_motion(index);
+        const float speed = max(length(b.velocity), length(b.shift) / dt_);
+        const float turn = max(std::fabs(b.angular_velocity), std::fabs(b.turn) / dt_);
+        const float most = greatest_speed_of(body, own);
+        const float extent = input_.objects.bodies[body].extent;
+        // A motor may turn it.
+        const bool jointed = input_.objects.bodies[body].lists.first_joint != none;
+        const float most_turn =
+            jointed ? infinity : max(most / max(extent, 1e-6f), std::fabs(own.turn));
+        if (!(speed > most) && !(turn > most_turn)) return;
+        const auto scale = [](float value, float limit) {
+            return value > limit ? limit / value : 1.0f;
+        };
+        b.velocity = scale(length(b.velocity), most) * b.velocity;
+        b.shift = scale(length(b.shift), dt_ * most) * b.shift;
+        b.angular_velocity *= scale(std::fabs(b.angular_velocity), most_turn);
+        b.turn *= scale(std::fabs(b.turn), dt_ * most_turn);
+        input_.objects.for_each_contact(body, [&](uint32_t contact) {
+            ContactRecord& c = input_.objects.contacts[contact];
+            if (acts(c)) forget_impulses(c);
+        });
+    }
+
+  private:
+    static float squared(float value) { return value * value; }
+
+    FreeMotion own_motion(uint32_t index) const {
+        return {columns_.states[input_.active.awake_bodies[index - 1]],
+                input_.bodies.solver_forces[index], float(input_.settings.substeps)};
+    }
+
+    /// Of a body, so many contacts are compared with the others.
+    static constexpr size_t most_presses = 8;
+
+    bool acts(const ContactRecord& c) const {
+        return c.manifold.count > 0 && !c.sensor && !c.disabled;
+    }
+    bool yields(uint32_t body) const {
+        return input_.objects.bodies[body].mobility == Mobility::dynamic;
+    }
+
+    bool is_squeezed(uint32_t body) const {
+        const ObjectState& objects = input_.objects;
+        const float thickness = objects.bodies[body].thickness, deep = deep_overlap(thickness);
+        const uint32_t first = objects.bodies[body].lists.first_contact;
+        std::array<Press, most_presses> presses;
+        size_t count = 0;
+        const auto any_opposing = [&](Vec2 normal, auto&& is_enough) {
+            return std::any_of(presses.begin(), presses.begin() + count, [&](const Press& press) {
+                return dot(press.normal, normal) < 0.0f && is_enough(press);
+            });
+        };
+        const bool between = objects.any_contact(first, none, [&](uint32_t i) {
+            const ContactRecord& c = objects.contacts[i];
+            const uint32_t other = c.body_a == body ? c.body_b : c.body_a;
+            if (yields(other) || !acts(c)) return false;
+            const Press press = {normal_from(other, c), depth_of(c), speed_of(other, c)};
+            if (!(press.depth > least_unyielding_)) return false;
+            // A piston between two walls is not squeezed.
+            if (press.depth > deep || any_opposing(press.normal, [&](const Press& opposing) {
+                    return press.speed + opposing.speed > standing ||
+                           press.depth + opposing.depth > 0.5f * deep;
+                }))
+                return true;
+            if (count < most_presses) presses[count++] = press;
+            return false;
+        });
+        if (between || count == 0) return between;
+        return objects.any_contact(first, none, [&](uint32_t i) {
+            const ContactRecord& c = objects.contacts[i];
+            const uint32_t other = c.body_a == body ? c.body_b : c.body_a;
+            return acts(c) && yields(other) && depth_of(c) > least_yielding * thickness &&
+                   any_opposing(normal_from(other, c), [](const Press&) { return true; });
+        });
+    }
+    static Vec2 normal_from(uint32_t body, const ContactRecord& c) {
+        return body == c.body_a ? c.manifold.normal : -c.manifold.normal;
+    }
+    /// The greater one of the overlaps before and after the step, m.
+    float depth_of(const ContactRecord& c) const {
+        const SolverBody &a = solver_body(c.body_a), &b = solver_body(c.body_b);
+        const Vec2 n = c.manifold.normal;
+        float depth = -infinity;
+        for (int k = 0; k < c.manifold.count; ++k) {
+            const ManifoldPoint& p = c.manifold.points[k];
+            const float parted = dot(n, b.shift - a.shift) + cross(p.anchor_b, n) * b.turn -
+                                 cross(p.anchor_a, n) * a.turn;
+            depth = max(depth, -(p.separation + min(parted, 0.0f)));
+        }
+        return depth;
+    }
+    /// Of a body at a contact, along its normal, m/s.
+    float speed_of(uint32_t body, const ContactRecord& c) const {
+        const FreeMotion motion = FreeMotion::of(input_, columns_, body);
+        float speed = 0.0f;
+        for (int k = 0; k < c.manifold.count; ++k) {
+            const ManifoldPoint& p = c.manifold.points[k];
+            const Vec2 arm = body == c.body_a ? p.anchor_a : p.anchor_b;
+            speed = max(speed, std::fabs(dot(c.manifold.normal, motion.at(arm))));
+        }
+        return speed;
+    }
+    const SolverBody& solver_body(uint32_t body) const {
+        return input_.bodies.solver_bodies[input_.objects.bodies[body].solver_index];
+    }
+
+    /// The greatest speed that the body can get from forces, what it touches, and joints.
+    float greatest_speed_of(uint32_t body, const FreeMotion& own) const {
+        const ObjectState& objects = input_.objects;
+        float most = max(length(own.velocity), input_.settings.push_speed);
+        objects.for_each_contact(body, [&](uint32_t contact) {
+            const ContactRecord& c = objects.contacts[contact];
+            if (!acts(c)) return;
+            const uint32_t other = objects.other_body(contact, body);
+            const FreeMotion motion = FreeMotion::of(input_, columns_, other);
+            for (int k = 0; k < c.manifold.count; ++k) {
+                const ManifoldPoint& p = c.manifold.points[k];
+                const Vec2 arm = other == c.body_a ? p.anchor_a : p.anchor_b;
+                most = max(most, (1.0f + c.restitution) * length(motion.at(arm)) +
+                                     std::fabs(c.surface_speed));
+            }
+        });
+        objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
+            const FreeMotion motion =
+                FreeMotion::of(input_, columns_, objects.joints[joint].bodies[side ^ 1]);
+            most = max(most, length(motion.velocity));
+        });
+        return most;
+    }
+
+    const SolverInput& input_;
+    const Columns& columns_;
+    float dt_, inverse_dt2_;
+    float least_unyielding_;  ///< depth, m; the direct solver throws a body out before it overlaps
+};
+
+}  // namespace
+
+void limit_squeezed(const SolverInput& input, const Columns& columns, float dt) {
+    if (!(dt > 1e-12f)) return;
+    const Squeezes squeezes(input, columns, dt);
+    for (const ActingPiece& piece : input.contacts.acting_pieces) {
+        for (uint32_t i = piece.begin; i < piece.end(); ++i) {
+            const ActingContact& c = input.contacts.acting[i];
+            // A body that touches nothing that does not yield is not squeezed.
+            if (c.moves_a() != c.moves_b() && squeezes.may_be_thrown(c.mover()))
+                squeezes.limit(c.mover());
+        }
+    }
+}
+
+}  // namespace fettle::physics::detail
