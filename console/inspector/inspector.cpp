@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include <fettle/property/natural_order.h>
+
 #include <inspector/several.h>
 #include <look/imgui_compat.h>
 #include <look/theme.h>
@@ -296,6 +298,9 @@ std::vector<const Property*> grouped_by_class(std::vector<const Property*> prope
         return depth;
     };
     std::ranges::stable_sort(properties, {}, place);
+    const auto own =
+        std::ranges::lower_bound(properties, std::numeric_limits<int>::max(), {}, place);
+    std::ranges::sort(own, properties.end(), property::NaturalOrder{}, &Property::name);
     return properties;
 }
 

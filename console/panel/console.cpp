@@ -359,6 +359,10 @@ float Console::covered_below() const {
     return std::max(0.0f, s.screen.height - top);
 }
 
+app::ClipRectangle Console::left_free(const app::ClipRectangle& whole) const {
+    return state_->left_free(whole);
+}
+
 bool Console::handle(const app::InputEvent& event) {
     return state_->handle(event);
 }

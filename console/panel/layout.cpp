@@ -31,6 +31,7 @@ constexpr float least_plot = 9, least_list = 4, least_frames = 7, least_inspecto
 constexpr float low_plot = 5, low_list = 2, low_frames = 5;  // in low windows; below that, none
 constexpr float least_beside = 15;      // the inspector: its width beside the panel
 constexpr float useful_inspector = 14;  // its height below the panel, with some properties
+constexpr float least_legend = 80;      // in pixels: the legend of `view.show.blame`
 
 }  // namespace
 
@@ -132,12 +133,30 @@ float Console::State::panel_height() {
     if (options.frames != nullptr && shows("timings")) below += least_frames * em + margin;
     if (settings.flag("inspector") && !inspector_is_beside())
         below += useful_inspector * em + margin;
+    below += legend_room();
     const float overlays = settings.flag("overlays") ? views.overlay_bar.height() : 0;
     const float whole = std::max(1.0f, screen.height - 2 * margin);
     const float least = std::min(whole, least_log * em + overlays);
     const float usual = std::min(least_height * em, 0.3f * screen.height);
     const float most = std::min(whole, std::max({screen.height - below, least, usual}));
     return std::clamp(settings.number("height") * screen.height, least, most);
+}
+
+/// The height that stays free above the views at the lower edge for the legend of the game's
+/// overlays.
+float Console::State::legend_room() const {
+    return shows("blame") ? least_legend : 0;
+}
+
+app::ClipRectangle Console::State::left_free(const app::ClipRectangle& whole) const {
+    if (!status.was_open) return whole;
+    const Rect& side = screen.inspector_rect;
+    const bool is_beside = side.low.y < screen.panel_rect.high.y;
+    const float top = std::max({whole.top, screen.panel_rect.high.y, is_beside ? 0 : side.high.y});
+    float right = whole.left + whole.width, low = whole.top + whole.height;
+    if (!side.empty() && is_beside) right = std::min(right, side.low.x);
+    low = std::min(low, views.compare_view.rect().empty() ? free_above() : top);
+    return {whole.left, top, std::max(0.0f, right - whole.left), std::max(0.0f, low - top)};
 }
 
 /// The lowest free place above the views at the lower edge.
@@ -191,8 +210,10 @@ void Console::State::draw_frames(float right) {
     for (const Rect& rect :
          {views.time_bar.rect(), views.watch_list.rect(), views.plot_view.rect()})
         if (!rect.empty()) low = std::min(low, rect.low.y - margin);
-    const float room = low - screen.panel_rect.high.y - margin;
-    if (room < low_frames * ImGui::GetFontSize()) return views.frame_view.hide();
+    const float least = low_frames * ImGui::GetFontSize();
+    float room = low - screen.panel_rect.high.y - margin;
+    if (room - legend_room() >= least) room -= legend_room();
+    if (room < least) return views.frame_view.hide();
     const float tall = std::min(FrameView::height(), room);
     const double dt = views.time_bar.available() ? views.time_bar.times().dt : 1.0 / 60;
     views.frame_view.draw(ImVec2(margin, low),
@@ -210,11 +231,12 @@ void Console::State::draw_observed(float right) {
     // In a low window, the other views are left out first.
     const float least = (pinned ? least_list * em : 0) + (plotted ? least_plot * em : 0);
     float room = low - screen.panel_rect.high.y - margin;
-    const auto leave = [&](float ems) {
-        if (room - ems * em - margin >= least) room -= ems * em + margin;
+    const auto leave = [&](float pixels) {
+        if (room - pixels >= least) room -= pixels;
     };
-    if (options.frames != nullptr && shows("timings")) leave(least_frames);
-    if (settings.flag("inspector") && !inspector_is_beside()) leave(least_inspector);
+    if (options.frames != nullptr && shows("timings")) leave(least_frames * em + margin);
+    if (settings.flag("inspector") && !inspector_is_beside()) leave(least_inspector * em + margin);
+    leave(legend_room());
     const float opacity = settings.number("opacity");
     // Side by side, unless both would be too narrow for their values.
     const bool stacked = wide < stacked_below * em;
@@ -400,7 +422,7 @@ void Console::State::draw_inspector(float left, float inspector_width) {
 /// enough. If nothing is selected, the game is visible in the lower half.
 void Console::State::draw_inspector_below() {
     const float least = least_inspector * ImGui::GetFontSize();
-    const float top = screen.panel_rect.high.y + margin, room = free_above() - top;
+    const float top = screen.panel_rect.high.y + margin, room = free_above() - legend_room() - top;
     const float tall = tree.alive(inspector.selected()) ? room : std::max(least, room / 2);
     if (!settings.flag("inspector") || room < least) {
         screen.inspector_rect = {};

@@ -159,6 +159,8 @@ struct Console::State {
     bool inspector_is_beside();
     float inspector_width();
     float free_above() const;
+    float legend_room() const;
+    app::ClipRectangle left_free(const app::ClipRectangle& whole) const;
     void draw_panel(float width, float height, float cell);
     void draw_log(float log_height, float cell);
     void draw_filter(float& right, float em);

@@ -2236,12 +2236,6 @@ Input = {}
 ---@field escape boolean Whether the key is held down. · true or false · default false · not saved
 ---@field f boolean Whether the key is held down. · true or false · default false · not saved
 ---@field f1 boolean Whether the key is held down. · true or false · default false · not saved
----@field f10 boolean Whether the key is held down. · true or false · default false · not saved
----@field f11 boolean Whether the key is held down. · true or false · default false · not saved
----@field f12 boolean Whether the key is held down. · true or false · default false · not saved
----@field f13 boolean Whether the key is held down. · true or false · default false · not saved
----@field f14 boolean Whether the key is held down. · true or false · default false · not saved
----@field f15 boolean Whether the key is held down. · true or false · default false · not saved
 ---@field f2 boolean Whether the key is held down. · true or false · default false · not saved
 ---@field f3 boolean Whether the key is held down. · true or false · default false · not saved
 ---@field f4 boolean Whether the key is held down. · true or false · default false · not saved
@@ -2250,6 +2244,12 @@ Input = {}
 ---@field f7 boolean Whether the key is held down. · true or false · default false · not saved
 ---@field f8 boolean Whether the key is held down. · true or false · default false · not saved
 ---@field f9 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f10 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f11 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f12 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f13 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f14 boolean Whether the key is held down. · true or false · default false · not saved
+---@field f15 boolean Whether the key is held down. · true or false · default false · not saved
 ---@field g boolean Whether the key is held down. · true or false · default false · not saved
 ---@field grave boolean Whether the key is held down. · true or false · default false · not saved
 ---@field h boolean Whether the key is held down. · true or false · default false · not saved
@@ -2338,13 +2338,6 @@ Mouse = {}
 ---@field b boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "b". · true or false · default false · not saved
 ---@field back boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "back". · true or false · default false · not saved
 ---@field button_1 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "1". · true or false · default false · not saved
----@field button_10 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "10". · true or false · default false · not saved
----@field button_11 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "11". · true or false · default false · not saved
----@field button_12 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "12". · true or false · default false · not saved
----@field button_13 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "13". · true or false · default false · not saved
----@field button_14 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "14". · true or false · default false · not saved
----@field button_15 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "15". · true or false · default false · not saved
----@field button_16 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "16". · true or false · default false · not saved
 ---@field button_2 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "2". · true or false · default false · not saved
 ---@field button_3 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "3". · true or false · default false · not saved
 ---@field button_4 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "4". · true or false · default false · not saved
@@ -2353,6 +2346,13 @@ Mouse = {}
 ---@field button_7 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "7". · true or false · default false · not saved
 ---@field button_8 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "8". · true or false · default false · not saved
 ---@field button_9 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "9". · true or false · default false · not saved
+---@field button_10 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "10". · true or false · default false · not saved
+---@field button_11 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "11". · true or false · default false · not saved
+---@field button_12 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "12". · true or false · default false · not saved
+---@field button_13 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "13". · true or false · default false · not saved
+---@field button_14 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "14". · true or false · default false · not saved
+---@field button_15 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "15". · true or false · default false · not saved
+---@field button_16 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "16". · true or false · default false · not saved
 ---@field connected boolean Whether there is such a gamepad. One that goes lets go of everything first. · true or false · default false · not saved
 ---@field dpad_down boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "dpad_down". · true or false · default false · not saved
 ---@field dpad_left boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "dpad_left". · true or false · default false · not saved

@@ -25,8 +25,10 @@ std::string message_of(const CLI::ParseError& error) {
     return text.substr(0, text.find('\n'));
 }
 
-int refuse(const std::string& reason) {
-    tell(reason + " (fettle --help and fettle run --help tell more)");
+/// `command`: to which the wrong arguments were given; null: to none.
+int refuse(const std::string& reason, const CLI::App* command = nullptr) {
+    const std::string name = command != nullptr ? command->get_name() + " " : "";
+    tell(reason + " (fettle " + name + "--help tells more)");
     return bad_usage;
 }
 
@@ -49,13 +51,14 @@ int run_command(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         // A request for help or the version.
         if (error.get_exit_code() == 0) return app.exit(error);
-        return refuse(message_of(error));
+        const auto given = app.get_subcommands();
+        return refuse(message_of(error), given.empty() ? nullptr : given.front());
     }
     if (const std::string wrong = left_over_problem(app); !wrong.empty()) return refuse(wrong);
     for (const Command& command : commands) {
         if (!command.app->parsed()) continue;
         if (const std::string wrong = left_over_problem(*command.app); !wrong.empty())
-            return refuse(wrong);
+            return refuse(wrong, command.app);
         const int status = with_file_errors(command.run);
         return all_printed() || status != success ? status : file_error;
     }

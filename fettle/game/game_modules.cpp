@@ -1,9 +1,7 @@
 #include <game/game_modules.h>
 
-#include <nlohmann/json.hpp>
-
-#include <fettle/property/spelling.h>
 #include <fettle/property/storage/game_files.h>
+#include <fettle/property/storage/game_settings.h>
 
 #ifdef FETTLE_WITH_PHYSICS
 #include <fettle/physics_module/physics_module.h>
@@ -22,41 +20,18 @@ namespace {
 
 constexpr const char* manifest_name = "modules.json";
 
+void each_in_manifest(const fs::path& game, const std::function<void(const std::string&)>& take) {
+    property::GameFiles files;
+    files.stay_below(folder_of(game));
+    property::read_module_list(files, folder_of(game), take);
+}
+
 }  // namespace
 
 std::vector<std::string> manifest(const fs::path& game) {
-    const fs::path file = folder_of(game) / manifest_name;
-    std::error_code error;
-    if (!fs::exists(file, error)) return {};
-    property::GameFiles files;
-    files.stay_below(folder_of(game));
-    const std::string text = files.read(file);
-    const auto expected = [&](const std::string& found) {
-        return FileError(file.string() +
-                         ": expected { \"modules\": [ \"a file or a name\", ... ] }, found " +
-                         found);
-    };
-    try {
-        const auto whole = nlohmann::json::parse(text, nullptr, true, true);
-        if (!whole.is_object()) throw expected(std::string("a JSON ") + whole.type_name());
-        for (const auto& [key, value] : whole.items())
-            if (key != "modules")
-                throw expected("the key \"" + key + "\"" +
-                               property::suggestion(key, std::vector<std::string>{"modules"}));
-        std::vector<std::string> names;
-        if (!whole.contains("modules")) throw expected("an object without \"modules\"");
-        if (!whole["modules"].is_array()) throw expected("no list under \"modules\"");
-        for (const auto& name : whole["modules"]) {
-            if (!name.is_string()) throw expected("a " + std::string(name.type_name()) + " in it");
-            names.push_back(name.get<std::string>());
-        }
-        return names;
-    } catch (const nlohmann::json::exception& problem) {
-        // The message looks like this: "[json.exception.parse_error.101] parse error at line 1,
-        // ..."
-        const std::string what = problem.what();
-        throw FileError(file.string() + ": " + what.substr(what.find("] ") + 2));
-    }
+    std::vector<std::string> names;
+    each_in_manifest(game, [&](const std::string& name) { names.push_back(name); });
+    return names;
 }
 
 fs::path module_file(const std::string& name, const fs::path& game) {
@@ -88,12 +63,12 @@ struct GameModules::Plugged {
 GameModules::GameModules(const fs::path& game, std::span<const std::string> named) {
     // Paths in a manifest are relative to its folder, paths on the command line to the current
     // folder.
-    for (const std::string& name : manifest(game)) {
+    each_in_manifest(game, [&](const std::string& name) {
         const fs::path file(name);
         const bool is_path = file.has_parent_path() || file.extension() == ".so";
         plugins_.open(is_path ? (folder_of(game) / file).lexically_normal()
                               : module_file(name, game));
-    }
+    });
     for (const std::string& name : named) {
         const fs::path file = module_file(name, game);
         plugins_.open(file);

@@ -17,8 +17,8 @@ namespace fettle::program {
 class GameModules {
   public:
     /// Opens the modules in `modules.json` in the game's folder, then those in `named`. A module
-    /// with the name of a built-in module replaces it. Throws FileError, property::FileError and
-    /// module::LoadError.
+    /// with the name of a built-in module replaces it. Throws FileError, property::FileError,
+    /// property::SceneError and module::LoadError.
     GameModules(const std::filesystem::path& game, std::span<const std::string> named);
     ~GameModules();
 
@@ -54,8 +54,8 @@ class GameModules {
     std::uint64_t frames_ = 0;
 };
 
-/// The names and paths in a game's manifest, unchanged; empty without a manifest. Throws FileError
-/// and property::FileError.
+/// The names and paths in a game's manifest, unchanged; empty without a manifest. Throws
+/// property::SceneError and property::FileError.
 std::vector<std::string> manifest(const std::filesystem::path& game);
 
 /// The file of a module: `name` itself if it is a path, else NAME.so in the game's folder or among

@@ -24,24 +24,73 @@ local function frame(pen, left, top, width, height)
     pen.box(vec(left + width / 2, top + height / 2), width, height, panel, edge, 1)
 end
 
+-- The parts in as few lines as fit into the width, with `gap` between them.
+local function lines_of(pen, parts, gap, height, width)
+    local lines = {}
+    for _, part in ipairs(parts) do
+        local longer = #lines > 0 and lines[#lines] .. gap .. part
+        if longer and pen.text_size(longer, height) <= width then lines[#lines] = longer else lines[#lines + 1] = part end
+    end
+    return lines
+end
+
+local function words(text)
+    local all = {}
+    for word in text:gmatch("%S+") do all[#all + 1] = word end
+    return all
+end
+
+local function parts_of(hint)
+    local all = {}
+    for part in (hint .. "    "):gmatch("(.-)    +") do all[#all + 1] = part end
+    return all
+end
+
+local function margin() return view.screen.x < 500 and 8 or 16 end
+
+-- The hint and the figures at the lower edge, side by side, or the figures below the hint; a low window has no room for them.
+-- Returns the upper edge.
+local function draw_below(screen, hint)
+    local statistics, left = world.step, 2 * margin()
+    local width = view.screen.x - 2 * left
+    local figures = { statistics.bodies .. " bodies", statistics.awake_bodies .. " awake", statistics.touching .. " touching",
+        string.format("%.2f ms a step", statistics.total_ms) }
+    if time.paused then figures[#figures + 1] = "paused" end
+    local right = table.concat(figures, "   ")
+    local beside = screen.text_size(hint, 14) + screen.text_size(right, 14) + 24 <= width
+    local lines = beside and { hint } or lines_of(screen, parts_of(hint), "    ", 14, width)
+    local said = #lines
+    if not beside and view.screen.y >= 400 then
+        for _, line in ipairs(lines_of(screen, figures, "   ", 14, width)) do lines[#lines + 1] = line end
+    end
+    local height = 14 + 18 * #lines
+    local top = view.screen.y - margin() - height
+    frame(screen, margin(), top, view.screen.x - 2 * margin(), height)
+    for i, line in ipairs(lines) do screen.text(vec(left, top - 2 + 18 * i), line, 14, i <= said and ink or dim, "left") end
+    if beside then screen.text(vec(view.screen.x - left, top + 16), right, 14, dim, "right") end
+    return top
+end
+
 function help.draw(pen, hint)
     pen.screen(function(screen)
-        local left, top, line = 16, 16, 18
-        frame(screen, left, top, 412, 56 + #rows * line)
-        screen.text(vec(left + 16, top + 22), "Fettle", 20, ink, "left")
-        screen.text(vec(left + 88, top + 24), showcase.scene, 14, dim, "left")
-        for i, row in ipairs(rows) do
-            local y = top + 36 + i * line
-            screen.text(vec(left + 66, y), row[1], 12, key_color, "right")
-            screen.text(vec(left + 80, y), row[2], 12, ink, "left")
+        local below, left = draw_below(screen, hint), margin()
+        local width = math.min(412, view.screen.x - 2 * left)
+        local lines = {}
+        for _, row in ipairs(rows) do
+            for i, text in ipairs(lines_of(screen, words(row[2]), " ", 12, width - 92)) do lines[#lines + 1] = { i == 1 and row[1] or "", text } end
         end
-        local statistics = world.step
-        local figures = string.format("%d bodies   %d awake   %d touching   %.2f ms a step",
-            statistics.bodies, statistics.awake_bodies, statistics.touching, statistics.total_ms)
-        local bottom = view.screen.y - 16 - 32
-        frame(screen, left, bottom, view.screen.x - 32, 32)
-        screen.text(vec(left + 16, bottom + 16), hint, 14, ink, "left")
-        screen.text(vec(view.screen.x - 32, bottom + 16), figures .. (time.paused and "   paused" or ""), 14, dim, "right")
+        -- In a low window the lines are closer to each other.
+        local room = below - 2 * left - 56
+        local is_low = room < 18 * #lines
+        local line = is_low and math.max(13, (room + 16) / #lines) or 18
+        frame(screen, left, left, width, (is_low and 40 or 56) + #lines * line)
+        screen.text(vec(2 * left, left + (is_low and 17 or 22)), "Fettle", 20, ink, "left")
+        screen.text(vec(2 * left + 72, left + (is_low and 19 or 24)), showcase.scene, 14, dim, "left")
+        for i, row in ipairs(lines) do
+            local y = left + (is_low and 27 or 36) + i * line
+            screen.text(vec(2 * left + 50, y), row[1], 12, key_color, "right")
+            screen.text(vec(2 * left + 64, y), row[2], 12, ink, "left")
+        end
     end)
 end
 

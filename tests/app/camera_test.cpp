@@ -2,11 +2,8 @@
 
 #include <catch.h>
 
-#include <stdexcept>
-
-#include <fettle/app/screen.h>
-
 #include "game.h"
+#include "noting_screen.h"
 
 namespace camera_test {
 
@@ -18,71 +15,6 @@ using property::Value;
 using property::Vec2;
 
 namespace {
-
-struct Circle {
-    Vec2 pixel;
-    double radius;
-    Vec2 clip_lower, clip_upper;  // px
-    bool on_screen;
-};
-
-/// Notes circles, and where they are on the screen.
-class NotingPainter : public property::Painter {
-  public:
-    View view{};
-    std::vector<Circle> circles{};
-    int polygons = 0;
-
-    void circle(const Vec2& center, double radius, const Paint&) override {
-        circles.push_back(
-            {to_pixels(center), radius * pixels_per_unit(), clip_lower_, clip_upper_, on_screen()});
-    }
-    void clip(const Vec2& lower, const Vec2& upper) override {
-        const Vec2 a = to_pixels(lower), b = to_pixels(upper);
-        clip_lower_ = a.min(b);
-        clip_upper_ = a.max(b);
-    }
-    double pixels_per_unit() const override {
-        return (on_screen() ? 1 : view.zoom()) * transform().scale();
-    }
-    property::Seen seen() const override {
-        return {view.center, view.lower(), view.upper(), view.screen};
-    }
-    void ellipse(const Vec2&, const Vec2&, double, const Paint&) override {}
-    void polygon(std::span<const Vec2>, double, const Paint&) override { ++polygons; }
-    void line(const Vec2&, const Vec2&, Color, float) override {}
-    void point(const Vec2&, Color, float) override {}
-    void text(const Vec2&, std::string_view, double, Color, property::TextAlign) override {}
-    void part_of(std::uint64_t) override {}
-    bool shows(property::Overlay) const override { return false; }
-    bool sees(const Vec2&, const Vec2&) const override { return true; }
-    void begin_screen() override { push_screen(); }
-    void end_screen() override { pop(); }
-
-  private:
-    Vec2 to_pixels(const Vec2& p) const {
-        return on_screen() ? transform()(p) : view.to_screen(transform()(p));
-    }
-    Vec2 clip_lower_{0, 0}, clip_upper_{0, 0};
-};
-
-class NotingScreen : public Screen {
-  public:
-    NotingPainter noted{};
-
-    Vec2 size() const override { return {1280, 800}; }
-    void begin(Color) override { noted.circles.clear(); }
-    property::Painter& painter(const View& view) override {
-        noted.view = view;
-        return noted;
-    }
-    Surface& surface() override { throw std::logic_error("nothing is drawn on the surface"); }
-    void present() override {}
-    void save(const std::filesystem::path&) override {}
-    Pixels pixels() const override { return {}; }
-    void release_textures() override {}
-    Clipboard& clipboard() override { throw std::logic_error("there is no clipboard"); }
-};
 
 struct Pictures : Game {
     NotingScreen screen;

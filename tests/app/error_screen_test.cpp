@@ -7,40 +7,14 @@
 #include <vector>
 
 #include "catch.h"
+#include "noting_screen.h"
 
 namespace error_screen_test {
 
 using namespace fettle;
+using app::NotingSurface;
 
 namespace {
-
-/// Notes the texts and the lowest and highest filled point; has characters of a fixed width.
-class NotingSurface : public app::Surface {
-  public:
-    float width() const override { return 1280; }
-    float height() const override { return 800; }
-    Texture create_texture(unsigned, unsigned, const std::uint8_t*) override { return 1; }
-    void update_texture(Texture, unsigned, unsigned, unsigned, unsigned,
-                        const std::uint8_t*) override {}
-    void destroy_texture(Texture) override {}
-    void triangles(std::span<const app::SurfaceVertex> vertices, std::span<const std::uint16_t>,
-                   Texture, const app::ClipRectangle&) override {
-        for (const app::SurfaceVertex& vertex : vertices) top = std::min(top, vertex.y);
-    }
-    float text(float, float y, std::string_view line, float size, app::SurfaceColor color,
-               app::Face) override {
-        if (color.a > 0) lines.push_back({std::string(line), y});
-        return 0.6f * size * static_cast<float>(line.size());
-    }
-    /// The height of the line that contains the text; -1 if there is none.
-    float line_with(std::string_view part) const {
-        for (const auto& [line, y] : lines)
-            if (line.find(part) != std::string::npos) return y;
-        return -1;
-    }
-    std::vector<std::pair<std::string, float>> lines;
-    float top = 800;
-};
 
 script::ScriptError an_error() {
     script::ScriptError error;

@@ -6,6 +6,7 @@
 #include <loop/wires.h>
 
 #include "game.h"
+#include "noting_screen.h"
 
 namespace overlays_test {
 
@@ -65,6 +66,45 @@ TEST_CASE("physics counts for what it moves a second after other writers") {
     game.runtime.run("crate.awake = false", "sleep");
     for (int i = 0; i < 61; ++i) game.loop.turn();
     CHECK(writer_of(game, "crate") == "script");
+}
+
+TEST_CASE("the legend of writers is in the part of the screen that layers leave free") {
+    struct Covering : app::Layer {
+        app::ClipRectangle free{0, 0, 0, 0};
+        bool handle(const app::InputEvent&) override { return false; }
+        void draw(app::Surface&, double) override {}
+        app::ClipRectangle left_free(const app::ClipRectangle&) const override { return free; }
+    } layer;
+    Game game;
+    game.set("view.show.blame", true);
+    game.loop.turn();
+    for (int line = 1; line <= 14; ++line) {
+        const std::string name = "b" + std::to_string(line);
+        game.runtime.run(std::string(static_cast<std::size_t>(line - 1), '\n') + "game." + name +
+                             " = Object {} " + name + ".position = vec(1, 2)",
+                         "a_folder_with_a_long_name/main.lua");
+    }
+    const auto drawn = [&] {
+        app::NotingScreen screen;
+        game.loop.draw(screen, 0);
+        return screen.noted_surface;
+    };
+    const app::NotingSurface whole = drawn();
+    CHECK(whole.lines.size() == 11);
+    CHECK(whole.line_with("others   4") > 740);
+    CHECK(whole.low <= 800);
+    game.loop.add(layer);
+    layer.free = {40, 300, 260, 100};
+    const app::NotingSurface part = drawn();
+    CHECK(part.lines.size() == 3);
+    CHECK(part.line_with("…") > 300);
+    CHECK(part.line_with("main.lua:") > 300);
+    CHECK(part.line_with("others   12") > 300);
+    CHECK(part.top >= 300);
+    CHECK(part.low <= 400);
+    CHECK(part.right <= 300);
+    layer.free = {40, 300, 260, 40};
+    CHECK(drawn().lines.empty());
 }
 
 TEST_CASE("a wire leads from what a formula reads to what it writes") {

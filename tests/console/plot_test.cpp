@@ -125,4 +125,46 @@ TEST_CASE("in a low window no view at the lower edge covers the prompt") {
     CHECK(state.views.plot_view.rect().empty() == (height < 300));
 }
 
+TEST_CASE("the console leaves room for the legend of writers beside what it observes") {
+    struct Case {
+        unsigned width, height;
+        double scale;
+    };
+    const auto [width, height, scale] =
+        GENERATE(Case{1280, 800, 2.0}, Case{1280, 800, 1.0}, Case{640, 700, 1.0},
+                 Case{400, 700, 1.0}, Case{400, 700, 2.0}, Case{3840, 2160, 4.0});
+    const bool selected = GENERATE(false, true);
+    INFO(width << " x " << height << ", scale " << scale << ", selected " << selected);
+    ObservingRig rig;
+    property::ClassDescriptor show;
+    show.name = "Show";
+    show.properties = {
+        {.name = "blame", .type = property::Type::boolean, .default_value = property::Value(true)}};
+    property::ClassDescriptor view;
+    view.name = "View";
+    property::Tree& tree = rig.tree;
+    const property::Handle of = tree.create(tree.define(std::move(view)), tree.root(), "view");
+    tree.create(tree.define(std::move(show)), of, "show");
+    rig.lua.state().settings.set("scale", property::Value(scale));
+    rig.step(10);
+    rig.run("pin world.ball.position");
+    if (selected) rig.lua.state().choose(tree.child(tree.child(tree.root(), "world"), "ball"));
+    console::test::RasterSurface window(width, height);
+    for (int i = 0; i < 4; ++i) rig.lua.draw(window, 1.0 / 60);
+    const auto& state = rig.lua.state();
+    const app::ClipRectangle whole{0, 0, window.width(), window.height()};
+    const app::ClipRectangle room = rig.lua.left_free(whole);
+    CHECK(room.width >= 200);
+    CHECK(room.height >= 72);
+    for (const console::Rect& other :
+         {state.screen.panel_rect, state.screen.inspector_rect, state.views.watch_list.rect(),
+          state.views.time_bar.rect()}) {
+        if (other.empty()) continue;
+        CHECK((other.high.x <= room.left || room.left + room.width <= other.low.x ||
+               other.high.y <= room.top || room.top + room.height <= other.low.y));
+    }
+    rig.lua.open(false);
+    CHECK(rig.lua.left_free(whole).height == whole.height);
+}
+
 }  // namespace plot_test

@@ -33,6 +33,16 @@ TEST_CASE("the properties of a class stay together where a derived class has oth
     CHECK(titles == "Object Base Derived ");
 }
 
+TEST_CASE("numbers in names of added properties count as numbers in the inspector") {
+    property::Tree tree;
+    const Handle one = tree.create(tree.object_class(), tree.root(), "one");
+    for (const char* name : {"gap_10", "gap_2", "gap_1"}) tree.set_or_add(one, name, Value(1));
+    std::string names;
+    for (const property::Property* each : console::grouped_by_class(tree.properties(one)))
+        if (each->name.starts_with("gap")) names += each->name + " ";
+    CHECK(names == "gap_1 gap_2 gap_10 ");
+}
+
 TEST_CASE("what a step wrote has no reset mark even if its module takes it for set") {
     Rig rig;
     rig.key("grave");

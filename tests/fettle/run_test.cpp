@@ -279,11 +279,23 @@ TEST_CASE("an invalid module ends the run before its first step") {
     CHECK(contains(run({"--module", "nowhere"}), "module \"nowhere\": there is neither"));
     CHECK(contains(run({"--module", game}), "expected a shared object"));
     folder.write("game/modules.json", "{ \"modules\": [ 3 ] }");
-    CHECK(contains(run({}), "modules.json: expected"));
+    CHECK(contains(run({}), "modules.json:1:16: modules: expected a text, found an integer (3)"));
     folder.write("game/modules.json", "{ \"modules\": [ ");
-    CHECK(contains(run({}), "line 1"));
-    folder.write("game/modules.json", "{ \"module\": [] }");
-    CHECK(contains(run({}), "found the key \"module\""));
+    CHECK(contains(run({}), "modules.json:1:"));
+    folder.write("game/modules.json", "{\n \"module\": [] }");
+    CHECK(contains(run({}),
+                   "modules.json:2:2: module: there is no such setting (did you mean "
+                   "\"modules\"?)"));
+    for (const char* const other : {"{}", "[]", "3"}) {
+        folder.write("game/modules.json", other);
+        CHECK(contains(run({}), "modules.json:1:1: expected { \"modules\": ["));
+    }
+    folder.write("game/modules.json", "{ \"modules\": 3 }");
+    CHECK(contains(run({}), "modules.json:1:14: modules: expected a list of texts, found"));
+    folder.write("game/modules.json", "{ \"modules\": [\n  \"nowhere\" ] }");
+    CHECK(contains(run({}), "modules.json:2:3: module \"nowhere\": there is neither"));
+    folder.write("game/modules.json", "{ \"modules\": [\n  \"./main.lua\" ] }");
+    CHECK(contains(run({}), "modules.json:2:3: "));
 }
 
 TEST_CASE("chunks run at their step of the run even if the time of the game was set back") {
@@ -319,6 +331,23 @@ TEST_CASE("missing files are reported also if nothing is drawn") {
         CAPTURE(what, run.err);
         CHECK(contains(run.err, what));
     }
+}
+
+TEST_CASE("wrong arguments of a command name its own help") {
+    const Folder folder;
+    for (const std::string command : {"run", "test", "new", "where", "package", "repl", "docs"}) {
+        INFO(command);
+        for (const Outcome& done : {fettle(folder, {command, "--no-such-option", "nowhere"}),
+                                    fettle(folder, {command, "nowhere", "a", "b", "c"})}) {
+            CHECK(done.status == 2);
+            CHECK(contains(done.err, "(fettle " + command + " --help tells more)"));
+        }
+    }
+    const std::string of_run =
+        fettle(folder, {"run", "nowhere", "--steps", "1", "--steps", "2"}).err;
+    CHECK(contains(of_run, "(fettle run --help tells more)"));
+    CHECK(contains(fettle(folder, {"rum"}).err, "(fettle --help tells more)"));
+    CHECK(contains(fettle(folder, {}).err, "(fettle --help tells more)"));
 }
 
 }  // namespace run_test

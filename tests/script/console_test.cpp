@@ -232,6 +232,30 @@ std::string taken(Stage& s, const std::string& input) {
 
 }  // namespace
 
+TEST_CASE("numbers in names count as numbers in lists and tables") {
+    Stage s;
+    s.run(
+        "for _, n in ipairs { 10, 2, 1 } do world['brick_' .. n] = Body {} end "
+        "world.brick_1.p10 = 1 world.brick_1.p9 = 1");
+    const auto in_order = [](const std::string& text, const std::string& a, const std::string& b,
+                             const std::string& c) {
+        INFO(text);
+        CHECK(text.find(a) < text.find(b));
+        CHECK(text.find(b) < text.find(c));
+        CHECK(text.find(c) != std::string::npos);
+    };
+    in_order(s.console("world:all('Body')"), "world.brick_1 ", "world.brick_2 ", "world.brick_10");
+    in_order(s.console("find('brick')"), "world.brick_1 ", "world.brick_2 ", "world.brick_10");
+    in_order(s.console("world.brick_1"), " mass ", " p9 ", " p10 ");
+    in_order(s.console("{ a10 = 1, a9 = 1, a1 = 1 }"), "a1 =", "a9 =", "a10 =");
+    in_order(s.console("query('world.brick_*.mass')"), "brick_1.", "brick_2.", "brick_10.");
+    const std::vector<std::string> all = labels(s, "world.");
+    const auto place = [&](const char* name) { return std::ranges::find(all, name) - all.begin(); };
+    CHECK(place("brick_1") < place("brick_2"));
+    CHECK(place("brick_2") < place("brick_10"));
+    CHECK(place("brick_10") < std::ssize(all));
+}
+
 TEST_CASE("completion includes paths and keys and methods and enumerators") {
     Stage s;
     s.run(

@@ -125,6 +125,24 @@ TEST_CASE("undo and redo print how values changed") {
     CHECK_THAT(s.console("undo"), contains("… 10 more changes"));
 }
 
+TEST_CASE("undo and redo name the instances that they make, delete and rename") {
+    TwoBodies s;
+    s.console("world.extra = Body { Circle {}, mass = 3 }");
+    CHECK(s.console("undo") ==
+          "undo: world.extra = Body { Circle {}, mass = 3 }|  world.extra: deleted");
+    CHECK_THAT(s.console("redo"), contains("|  world.extra: exists again (Body)"));
+    s.console("world.extra:delete()");
+    CHECK(s.console("undo") == "undo: world.extra:delete()|  world.extra: exists again (Body)");
+    CHECK(s.console("redo") == "redo: world.extra:delete()|  world.extra: deleted");
+    s.console("world.ball.name = 'stone'");
+    CHECK_THAT(s.console("undo"), contains("|  world.stone: is world.ball now"));
+    CHECK_THAT(s.console("redo"), contains("|  world.ball: is world.stone now"));
+    s.console("for i = 1, 30 do world['n' .. i] = Body {} end world.stone.mass = 7");
+    const std::string undone = s.console("undo");
+    CHECK_THAT(undone, contains("|  world.n20: deleted"));
+    CHECK_THAT(undone, contains("… 11 more changes"));
+}
+
 TEST_CASE("the history begins with the latest edit") {
     TwoBodies s;
     s.console("world.ball.mass = 5");

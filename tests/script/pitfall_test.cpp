@@ -165,10 +165,18 @@ TEST_CASE("a game is told what it made and nothing uses") {
                                                        "added to this one and changes nothing"));
     CHECK(notes_about("actions.jump = 2 game.speed = 2 world.a = Body {} world.a.lives = 2") == "");
 
-    CHECK_THAT(
-        notes_about("watch('world.*.velocitty', print)"),
-        contains("no class has a property \"velocitty\" to watch (did you mean \"velocity\"?)"));
+    CHECK_THAT(notes_about("watch('world.*.velocitty', print)"),
+               contains("watch: nothing matches \"world.*.velocitty\" now: no class has a property "
+                        "\"velocitty\" (did you mean \"velocity\"?)"));
+    CHECK_THAT(notes_about("watch('world.*.mss', print)"), contains("(did you mean \"mass\"?)"));
+    CHECK(notes_about("\nwatch('wrold.*.mass', print)") ==
+          "main.lua:2: watch: nothing matches \"wrold.*.mass\" now: game has no child \"wrold\" "
+          "(did you mean \"world\"?)");
+    CHECK_THAT(notes_about("world.enemies = Object {} watch('world.enemys.**', print)"),
+               contains("world has no child \"enemys\" (did you mean \"enemies\"?)"));
     CHECK(notes_about("watch('world.*.position', print) watch('world.*.*', print)") == "");
+    CHECK(notes_about("world.wheel_1 = Body {} watch('world.wheel_2.*', print) "
+                      "watch('enemies.*.mass', print) watch('world.*.hp', print)") == "");
 }
 
 }  // namespace pitfall_test

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
+#include <loop/filled_box.h>
 #include <loop/tint_painter.h>
 
 namespace fettle::app {
@@ -129,34 +131,49 @@ void Blame::draw(property::Painter& painter, double alpha) const {
     }
 }
 
-void Blame::draw_legend(property::Painter& painter) const {
-    constexpr double row = 20, left = 16;
-    constexpr std::size_t most = 10;
-    Legend shown(legend_.begin(),
-                 legend_.begin() + static_cast<std::ptrdiff_t>(std::min(most, legend_.size())));
-    std::size_t rest = 0;
-    for (std::size_t i = most; i < legend_.size(); ++i) rest += legend_[i].second;
-    if (rest > 0) shown.emplace_back(others, rest);
-    painter.begin_screen();
-    double y = painter.seen().screen.y - 84 - row * static_cast<double>(shown.size());
-    const auto box = [&](const Vec2& from, const Vec2& to, const Color& fill) {
-        const std::array<Vec2, 4> corners{from, Vec2(to.x, from.y), to, Vec2(from.x, to.y)};
-        painter.polygon(corners, 0, {.fill = fill, .border = {0, 0, 0, 0}});
-    };
-    std::size_t longest = 0;
-    for (const auto& [writer, count] : shown) longest = std::max(longest, writer.size());
-    const double wide = 92 + 8.5 * static_cast<double>(longest);
-    box({left - 8, y - 8}, {left + wide, y + row * static_cast<double>(shown.size()) + 4},
-        {0.06f, 0.07f, 0.1f, 0.85f});
-    for (const auto& [writer, count] : shown) {
-        const auto found = color_.find(writer);
-        box({left, y + 1}, {left + 14, y + 15},
-            found == color_.end() ? unknown_color : found->second);
-        painter.text({left + 24, y + 8}, writer + "   " + std::to_string(count), 15,
-                     {0.92f, 0.93f, 0.95f, 1}, property::TextAlign::left);
-        y += row;
+void Blame::draw_legend(Surface& surface, const ClipRectangle& room) const {
+    constexpr float row = 20, margin = 8, square = 14, gap = 10, text_size = 15;
+    constexpr SurfaceColor ink{235, 237, 242, 255}, unseen{0, 0, 0, 0};
+    const float rows = std::floor((room.height - 4 * margin) / row);
+    const float text_room = room.width - 4 * margin - square - gap;
+    if (rows < 1 || text_room <= 0) return;
+    const std::size_t most = std::min(std::size_t{11}, static_cast<std::size_t>(rows));
+    const bool all = legend_.size() <= most;
+    const auto named = static_cast<std::ptrdiff_t>(all ? legend_.size() : most - 1);
+    Legend shown(legend_.begin(), legend_.begin() + named);
+    if (!all) {
+        std::size_t rest = 0;
+        std::for_each(legend_.begin() + named, legend_.end(),
+                      [&](const auto& each) { rest += each.second; });
+        shown.emplace_back(named == 0 ? std::to_string(legend_.size()) + " writers" : others, rest);
     }
-    painter.end_screen();
+    const auto wide = [&](const std::string& text) {
+        return surface.text(0, 0, text, text_size, unseen, Face::plain);
+    };
+    std::vector<std::string> lines;
+    float widest = 0;
+    for (const auto& [writer, count] : shown) {
+        lines.push_back(writer + "   " + std::to_string(count));
+        // The end of a path says more than its beginning.
+        for (std::size_t cut = 1; wide(lines.back()) > text_room && cut < writer.size(); ++cut)
+            if ((static_cast<unsigned char>(writer[cut]) & 0xc0) != 0x80)
+                lines.back() = "…" + writer.substr(cut) + "   " + std::to_string(count);
+        widest = std::max(widest, wide(lines.back()));
+    }
+    const float left = room.left + 2 * margin;
+    float y = room.top + room.height - 2 * margin - row * static_cast<float>(shown.size());
+    fill(surface, left - margin, y - margin, widest + square + gap + 2 * margin,
+         row * static_cast<float>(shown.size()) + 2 * margin, {15, 18, 26, 217});
+    for (std::size_t i = 0; i < shown.size(); ++i, y += row) {
+        const auto found = color_.find(shown[i].first);
+        const Color color = found == color_.end() ? unknown_color : found->second;
+        const auto byte = [](float part) {
+            return static_cast<std::uint8_t>(std::lround(part * 255));
+        };
+        fill(surface, left, y + 3, square, square,
+             {byte(color.r), byte(color.g), byte(color.b), 255});
+        surface.text(left + square + gap, y + 1, lines[i], text_size, ink, Face::plain);
+    }
 }
 
 }  // namespace fettle::app

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <fettle/app/surface.h>
 #include <fettle/property/painter.h>
 #include <fettle/property/tree.h>
 
@@ -28,8 +29,9 @@ class Blame {
     Blame(const property::Tree& tree, double dt);
     /// Draws the instances again in these colors.
     void draw(property::Painter& painter, double alpha) const;
-    /// Draws at the lower left how many instances each writer wrote.
-    void draw_legend(property::Painter& painter) const;
+    /// Draws how many instances each writer wrote, at the lower left of `room`; as many writers as
+    /// have room, and the others together.
+    void draw_legend(Surface& surface, const ClipRectangle& room) const;
 
   private:
     const property::Tree& tree_;

@@ -16,6 +16,7 @@
 #include <loop/blame.h>
 #include <loop/cameras.h>
 #include <loop/effects.h>
+#include <loop/filled_box.h>
 #include <loop/wires.h>
 
 namespace fettle::app {
@@ -113,16 +114,8 @@ void draw_timings(Surface& surface, const Clock& clock) {
     constexpr float row_height = 17, width = 220, padding = 10;
     const float height = row_height * (rows.size() + 1) + 2 * padding;
     const float left = surface.width() - width - 12, top = 12;
-    const auto box = [&](float x, float y, float w, float h, SurfaceColor c) {
-        const SurfaceVertex corners[] = {{x, y, 0, 0, c.r, c.g, c.b, c.a},
-                                         {x + w, y, 0, 0, c.r, c.g, c.b, c.a},
-                                         {x + w, y + h, 0, 0, c.r, c.g, c.b, c.a},
-                                         {x, y + h, 0, 0, c.r, c.g, c.b, c.a}};
-        constexpr std::uint16_t order[] = {0, 1, 2, 0, 2, 3};
-        surface.triangles(corners, order, 0, {0, 0, surface.width(), surface.height()});
-    };
     constexpr SurfaceColor ink{230, 233, 240, 255}, pale{150, 158, 172, 255};
-    box(left, top, width, height, {16, 19, 25, 210});
+    fill(surface, left, top, width, height, {16, 19, 25, 210});
     std::array<char, 64> text{};
     float y = top + padding;
     std::snprintf(text.data(), text.size(), "%.0f fps   %.1f ms   %lld dropped", clock.fps, t.frame,
@@ -136,8 +129,9 @@ void draw_timings(Surface& surface, const Clock& clock) {
         // The full length of a bar is 1/60 s.
         const float share = std::min(1.0f, static_cast<float>(row.ms * 60 / 1000));
         constexpr float bar = 84;
-        box(left + 76, y + 5, bar, 6, {255, 255, 255, 24});
-        if (share > 0) box(left + 76, y + 5, std::max(1.0f, bar * share), 6, {110, 190, 255, 255});
+        fill(surface, left + 76, y + 5, bar, 6, {255, 255, 255, 24});
+        if (share > 0)
+            fill(surface, left + 76, y + 5, std::max(1.0f, bar * share), 6, {110, 190, 255, 255});
     }
 }
 
@@ -168,7 +162,6 @@ void Loop::draw(Screen& screen, double seconds) {
         const property::DrawingPart part(Part::marks);  // over the colors of the writers
         tree_.draw(tree_.root(), on, clock.alpha);
     });
-    if (blame) blame->draw_legend(painter);
     if (view.show.wires) draw_wires(painter, tree_);
     draw_bars(painter, drawn);
     if (Foreground* const menus = services_.input.foreground()) menus->draw(painter);
@@ -176,6 +169,11 @@ void Loop::draw(Screen& screen, double seconds) {
     if (const Effect* const effect = services_.effects().now(clock.now))
         if (const std::string problem = screen.apply(*effect); !problem.empty())
             services_.effects().tell("view.effect: " + problem);
+    if (blame) {
+        ClipRectangle room{0, 0, screen.surface().width(), screen.surface().height()};
+        for (const Layer* layer : layers_) room = layer->left_free(room);
+        blame->draw_legend(screen.surface(), room);
+    }
     if (view.show.timings) draw_timings(screen.surface(), clock);
     for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->draw(screen.surface(), seconds);
     const std::chrono::duration<double, std::milli> spent =

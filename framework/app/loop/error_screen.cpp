@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include <loop/filled_box.h>
+
 namespace fettle::app {
 
 namespace {
@@ -17,15 +19,6 @@ constexpr SurfaceColor green{166, 218, 149, 255};
 constexpr int steps_a_key = 6;     // of the arrows that go through the past
 constexpr float margin = 48;       // px
 constexpr float keys_height = 44;  // px, of the bar with the keys
-
-void fill(Surface& surface, float x, float y, float w, float h, SurfaceColor c) {
-    const SurfaceVertex corners[] = {{x, y, 0, 0, c.r, c.g, c.b, c.a},
-                                     {x + w, y, 0, 0, c.r, c.g, c.b, c.a},
-                                     {x + w, y + h, 0, 0, c.r, c.g, c.b, c.a},
-                                     {x, y + h, 0, 0, c.r, c.g, c.b, c.a}};
-    constexpr std::uint16_t order[] = {0, 1, 2, 0, 2, 3};
-    surface.triangles(corners, order, 0, {0, 0, surface.width(), surface.height()});
-}
 
 /// Length of the part of `text` that fits `width` pixels; it ends after a space if there is one.
 std::size_t fitting(Surface& surface, std::string_view text, float width, float size, Face face) {

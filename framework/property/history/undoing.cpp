@@ -35,6 +35,78 @@ UndoResult History::carry_over(Transactions& from, Transactions& to, bool back) 
     return result;
 }
 
+namespace {
+
+/// Finds which instances a step of undo makes, deletes or moves: their paths before and after it.
+class InstanceChanges {
+  public:
+    InstanceChanges(const Tree& tree, const Transaction& transaction) : tree_(tree) {
+        std::unordered_set<std::uint32_t> seen;
+        const auto add = [&](Handle instance, bool moves) {
+            if (seen.insert(instance.index).second) all_.push_back({instance, moves, "", false});
+        };
+        for (const EditStep& step : transaction.steps)
+            if (const auto* made = std::get_if<ExistenceEdit>(&step)) {
+                add(made->top, false);
+                tops_.insert(made->top.index);
+            }
+        for (const EditStep& step : transaction.steps)
+            if (const auto* move = std::get_if<MoveEdit>(&step)) add(move->instance, true);
+        for (Changed& each : all_) {
+            if (!tree_.alive(each.instance)) continue;
+            each.before = tree_.path(each.instance);
+            each.is_part = is_part(each.instance);
+        }
+    }
+
+    /// Puts them before the other changes of the result.
+    void tell(UndoResult& result) const {
+        std::vector<UndoChange> others = std::exchange(result.changes, {});
+        const auto add = [&](UndoChange change) {
+            if (result.changes.size() == UndoResult::max_changes)
+                ++result.more_changes;
+            else
+                result.changes.push_back(std::move(change));
+        };
+        for (const Changed& each : all_) {
+            const bool lives = tree_.alive(each.instance);
+            if (each.is_part || (lives && is_part(each.instance))) continue;
+            if (!lives) {
+                if (!each.before.empty() && !each.moves) add({each.before, "", "deleted"});
+                continue;
+            }
+            const std::string now = tree_.path(each.instance);
+            if (each.before.empty())
+                add({now, "", "exists again (" + tree_.class_of(each.instance).name() + ")"});
+            else if (each.before != now)
+                add({each.before, "", "is " + now + " now"});
+            else if (each.moves)
+                add({now, "", "has another place among its siblings"});
+        }
+        for (UndoChange& each : others) add(std::move(each));
+    }
+
+  private:
+    struct Changed {
+        Handle instance;
+        bool moves;
+        std::string before;  // its path; "" if it did not exist
+        bool is_part;
+    };
+    /// Whether it is below another instance that this step makes or deletes.
+    bool is_part(Handle instance) const {
+        Handle above = tree_.parent(instance);
+        while (above && !tops_.contains(above.index)) above = tree_.parent(above);
+        return static_cast<bool>(above);
+    }
+
+    const Tree& tree_;
+    std::vector<Changed> all_;
+    std::unordered_set<std::uint32_t> tops_;
+};
+
+}  // namespace
+
 History::References::References(History& history, bool wanted)
     : history_(history), before_(std::exchange(history.wants_references_, wanted)) {
     history_.references_.clear();
@@ -73,6 +145,7 @@ UndoResult History::run(Transaction& transaction, bool back) {
         while (above && !born.contains(above.index)) above = tree_.parent(above);
         return static_cast<bool>(above);
     };
+    InstanceChanges instances(tree_, transaction);
     const auto one = [&](EditStep& step) {
         const bool silent = is_born(step);
         const std::size_t listed = result.changes.size(), more = result.more_changes;
@@ -92,6 +165,7 @@ UndoResult History::run(Transaction& transaction, bool back) {
     else
         for (EditStep& step : transaction.steps) one(step);
     resolve(result);
+    instances.tell(result);
     return result;
 }
 

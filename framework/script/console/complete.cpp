@@ -5,6 +5,7 @@
 #include <tuple>
 #include <unordered_set>
 
+#include <fettle/property/natural_order.h>
 #include <fettle/property/path.h>
 #include <fettle/script/fuzzy.h>
 #include <fettle/script/runtime.h>
@@ -84,8 +85,10 @@ class Candidates {
         std::vector<Entry*> heap;
         for (Entry& entry : entries_) heap.push_back(&entry);
         const auto worse = [](const Entry* a, const Entry* b) {
-            return std::tie(a->score, b->group, b->label, b->order) <
-                   std::tie(b->score, a->group, a->label, a->order);
+            if (std::tie(a->score, b->group) != std::tie(b->score, a->group))
+                return std::tie(a->score, b->group) < std::tie(b->score, a->group);
+            if (a->label != b->label) return property::NaturalOrder{}(b->label, a->label);
+            return b->order < a->order;
         };
         std::ranges::make_heap(heap, worse);
         std::vector<Completion> result;

@@ -170,7 +170,7 @@ Compiled compile(lua_State* L, std::string_view command) {
     Sources& sources = machine_of(L).sources;
     sources.note_stop(L, command, chunk_name);
     // A text that does not begin as a statement was meant as an expression.
-    if (sources.stop.message.empty() || sources.stop.column > 0) return Compiled::wrong;
+    if (sources.stop.message.empty() || sources.stop.place > 0) return Compiled::wrong;
     lua_pop(L, 1);
     (void)load_text(L, expression, chunk_name);
     if (ends_early(L)) return Compiled::incomplete;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <fettle/property/condition.h>
+#include <fettle/property/natural_order.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -72,15 +73,15 @@ void add_members(Machine& machine, const Class& of, std::vector<std::string>& li
         rows.push_back(
             {"  ." + property->name, property_facts(machine.tree, *property), property->doc});
     }
-    std::sort(rows.begin(), rows.end());
+    std::sort(rows.begin(), rows.end(), property::NaturalOrder{});
     std::vector<std::vector<std::string>> methods;
     for (const Method* method : of.methods())
         methods.push_back({"  :" + signature(*method), method->doc});
-    std::sort(methods.begin(), methods.end());
+    std::sort(methods.begin(), methods.end(), property::NaturalOrder{});
     std::vector<std::vector<std::string>> events;
     for (const property::Event* event : of.events())
         events.push_back({"  " + event->name, event->doc});
-    std::sort(events.begin(), events.end());
+    std::sort(events.begin(), events.end(), property::NaturalOrder{});
     const auto add = [&](const char* title, const std::vector<std::vector<std::string>>& part) {
         if (part.empty()) return;
         lines.emplace_back(title);
@@ -363,8 +364,8 @@ class Search {
     }
 
     std::vector<std::string> lines() {
-        std::sort(names_.begin(), names_.end());
-        std::sort(docs_.begin(), docs_.end());
+        std::sort(names_.begin(), names_.end(), property::NaturalOrder{});
+        std::sort(docs_.begin(), docs_.end(), property::NaturalOrder{});
         names_.insert(names_.end(), docs_.begin(), docs_.end());
         const std::size_t total = names_.size();
         if (total > max_lines) names_.resize(max_lines);

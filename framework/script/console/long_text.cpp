@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <fettle/property/natural_order.h>
 #include <fettle/property/path.h>
 
 #include <console/long_text.h>
@@ -45,7 +46,7 @@ std::vector<std::string> instance_lines(const property::Tree& tree, Handle handl
         rows.push_back({"  " + property->name, cut(listed_value(tree, handle, *property, true), 60),
                         property->read_only ? "(read-only)" : ""});
     }
-    std::sort(rows.begin(), rows.end());
+    std::sort(rows.begin(), rows.end(), property::NaturalOrder{});
     for (std::string& line : columns(rows)) lines.push_back(std::move(line));
     std::vector<std::vector<std::string>> children;
     for (Handle child = tree.first_child(handle); child && children.size() < max_rows;
@@ -68,8 +69,8 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
     std::vector<std::pair<std::string, Handle>> sorted;
     sorted.reserve(handles.size());
     for (const Handle handle : handles) sorted.emplace_back(tree.path(handle), handle);
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::stable_sort(sorted, property::NaturalOrder{},
+                             &std::pair<std::string, Handle>::first);
     const std::size_t total = sorted.size();
     if (sorted.size() > max_rows) sorted.resize(max_rows);
 
@@ -161,7 +162,7 @@ std::vector<std::string> table_lines(lua_State* L, int index) {
             lua_type(L, -2) == LUA_TSTRING ? cut(string_at(L, -2), 40) : key_text(L, -2);
         named.push_back({"  " + key, text});
     }
-    std::sort(named.begin(), named.end());
+    std::sort(named.begin(), named.end(), property::NaturalOrder{});
     for (auto& row : named)
         if (rows.size() < max_rows) rows.push_back(std::move(row));
     std::vector<std::string> lines = columns(rows);

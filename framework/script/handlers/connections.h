@@ -89,8 +89,8 @@ class Connections {
     static std::size_t bytes_of(const Changes& changes);
     /// The instances with handlers that are part of a moment, in the order of `before`, each once.
     std::vector<property::Handle> instances() const;
-    /// Whether no note about the name of a watched property was given before.
-    bool notes(const std::string& name) { return noted_names_.insert(name).second; }
+    /// Whether that note about the pattern of a watcher was not given before.
+    bool notes(const std::string& note) { return told_mistakes_.insert(note).second; }
     static bool before(property::Handle a, property::Handle b) {
         return a.index != b.index ? a.index < b.index : a.generation < b.generation;
     }
@@ -119,7 +119,7 @@ class Connections {
     bool recording_ = false;
     Changes changes_;
     std::unordered_set<std::uint64_t> retired_;
-    std::unordered_set<std::string> noted_names_;
+    std::unordered_set<std::string> told_mistakes_;
 };
 
 /// Pushes a connection for a timer.

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fettle/property/path.h>
 #include <fettle/property/question.h>
 #include <fettle/property/spelling.h>
@@ -301,20 +303,55 @@ property::Place place_of_path(const Machine& machine, const std::string& path) {
     return property::resolve(machine.tree, path);
 }
 
-/// A pattern matches what may come, so a property that no class has is a note and no error, and
-/// only if a class has one of nearly that name.
-void note_unknown_property(Machine& machine, lua_State* L, std::string_view pattern) {
-    const std::string name(pattern.substr(pattern.rfind('.') + 1));
-    // A name that is known may be one that the game adds.
-    if (name.find_first_of("*[]") != std::string::npos || property::Symbol::find(name)) return;
-    for (const Class* of : machine.tree.classes())
-        for (const Property* property : of->properties()) {
-            if (!property::near_miss(name, property->name)) continue;
-            if (const auto sink = machine.host.on_note; sink && machine.connections.notes(name))
-                sink(position(L) + "no class has a property \"" + name +
-                     "\" to watch (did you mean \"" + property->name + "\"?)");
-            return;
+/// The name that is probably meant: a name of a series (wheel1, wheel2) may be one that comes.
+std::string misspelled(const std::string& name, std::vector<std::string> known) {
+    constexpr std::size_t least = 3;  // letters; shorter names are similar to too many others
+    if (name.size() < least) return {};
+    const std::size_t limit = std::max<std::size_t>(1, name.size() / 3);
+    std::erase_if(known, [&](const std::string& each) {
+        return each.size() < least || property::of_one_series(name, each) ||
+               property::edit_distance(name, each, limit) > limit;
+    });
+    return property::suggestion(name, known);
+}
+
+/// What a pattern that matches nothing now has wrong; "" if nothing is similar to its names.
+std::string mistake_in(const property::Tree& tree, const property::Pattern& pattern) {
+    const std::vector<std::string>& names = pattern.segments();
+    Handle at = tree.root();  // where the names without stars at the beginning lead
+    for (std::size_t i = 0; i + 1 < names.size(); ++i) {
+        if (names[i].find('*') != std::string::npos) {
+            at = {};
+        } else if (at) {
+            if (const Handle child = tree.child(at, names[i])) {
+                at = child;
+                continue;
+            }
+            std::vector<std::string> known;
+            for (const Handle child : tree.children(at)) known.push_back(tree.name(child));
+            if (const std::string hint = misspelled(names[i], std::move(known)); !hint.empty())
+                return tree.path(at) + " has no child \"" + names[i] + "\"" + hint;
+            return {};  // it may come
         }
+    }
+    // A name that is known may be one that the game adds.
+    const std::string& name = names.back();
+    if (name.find('*') != std::string::npos || property::Symbol::find(name)) return {};
+    std::vector<std::string> known;
+    for (const Class* of : tree.classes())
+        for (const std::string& each : of->member_names()) known.push_back(each);
+    const std::string hint = misspelled(name, std::move(known));
+    return hint.empty() ? hint : "no class has a property \"" + name + "\"" + hint;
+}
+
+/// A pattern matches what may come, so a name that nothing has is a note and no error, and only if
+/// something has nearly that name.
+void note_mistake(Machine& machine, lua_State* L, const std::string& text) {
+    if (!machine.host.on_note) return;
+    const std::string mistake = mistake_in(machine.tree, property::Pattern(text));
+    if (!mistake.empty() && machine.connections.notes(mistake))
+        machine.host.on_note(position(L) + "watch: nothing matches \"" + text +
+                             "\" now: " + mistake);
 }
 
 // Implements watch("world.*.velocity", fn).
@@ -332,7 +369,7 @@ int watch_pattern(lua_State* L) {
                                   place.property ? place.property->name : std::string()));
         return 1;
     }
-    note_unknown_property(machine, L, pattern);
+    note_mistake(machine, L, pattern);
     Subscription subscription{function_at(L, 2, "watch"),
                               [&machine, pattern, options = options_here(L),
                                scene = machine.globals.entering](Handle, const Function& called) {

@@ -12,8 +12,10 @@
 #include <lua/guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
+#include <lua/sources.h>
 #include <lua/stack.h>
 #include <reference/language.h>
+#include <text/bare_words.h>
 #include <text/other_languages.h>
 #include <text/words.h>
 #include <values/recording.h>
@@ -132,8 +134,18 @@ std::string fate_of_child(const Machine& machine, std::string_view name) {
     return {};
 }
 
+/// The line of the script that reads a name.
+std::string reading_line(lua_State* L) {
+    lua_Debug frame;
+    if (lua_getstack(L, 1, &frame) == 0) return {};
+    lua_getinfo(L, "Sl", &frame);
+    return machine_of(L).sources.line(frame.short_src, frame.currentline);
+}
+
 /// What a name that nothing has may mean.
-std::string hint_for(Machine& machine, std::string_view name) {
+std::string hint_for(lua_State* L, Machine& machine, std::string_view name) {
+    if (std::string hint = bare_word_hint(machine.tree, reading_line(L), name); !hint.empty())
+        return hint;
     if (std::string hint = hint_for_name(name); !hint.empty()) return hint;
     // At the console, where people write what they see on the screen.
     if (machine.recording.active)
@@ -166,7 +178,7 @@ int read_global(lua_State* L) {
     const std::string fate = fate_of_child(machine, name);
     throw Error(ErrorKind::unknown_name,
                 std::string(name) + ": no such name" +
-                    (fate.empty() ? hint_for(machine, name) : " any more: " + fate));
+                    (fate.empty() ? hint_for(L, machine, name) : " any more: " + fate));
 }
 
 // Names that a game cannot give another meaning.

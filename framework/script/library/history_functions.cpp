@@ -24,8 +24,9 @@ void tell(Machine& machine, const char* what, const property::UndoResult& result
     if (!result.done) return print_line(machine, std::string("nothing to ") + what);
     print_line(machine, std::string(what) + ": " + result.name);
     for (const property::UndoChange& change : result.changes)
-        print_line(machine,
-                   "  " + change.path + ": " + cut(change.from, 60) + " → " + cut(change.to, 60));
+        print_line(machine, "  " + change.path + ": " +
+                                (change.from.empty() ? "" : cut(change.from, 60) + " → ") +
+                                cut(change.to, 60));
     if (result.more_changes > 0)
         print_line(machine, "  … " + std::to_string(result.more_changes) +
                                 (result.more_changes == 1 ? " more change" : " more changes"));

@@ -6,6 +6,7 @@
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
+#include <text/bare_words.h>
 #include <text/other_languages.h>
 
 namespace fettle::script {
@@ -19,11 +20,48 @@ const char* take_piece(lua_State* L, std::string_view& left, std::size_t* size,
     return piece;
 }
 
+namespace {
+
+constexpr std::string_view overflow = "C stack overflow";  // a message of Lua
+constexpr std::string_view overflow_reason = ": too many brackets, blocks or calls in each other";
+
+/// Lua has read one byte beyond the token that it looks at.
+std::string_view without_last(std::string_view read) {
+    return read.substr(0, read.size() - std::min<std::size_t>(read.size(), 1));
+}
+
+}  // namespace
+
 int load_text(lua_State* L, std::string_view code, const char* name) {
     const auto read = [](lua_State* in, void* left, std::size_t* size) {
         return take_piece(in, *static_cast<std::string_view*>(left), size);
     };
-    return lua_load(L, read, &code, name, "t");
+    std::string_view left = code;
+    const int status = lua_load(L, read, &left, name, "t");
+    const auto read_byte = [](lua_State* in, void* rest, std::size_t* size) {
+        return take_piece(in, *static_cast<std::string_view*>(rest), size, 1);
+    };
+    if (status != LUA_OK) place_overflow(L, code, name, read_byte);
+    return status;
+}
+
+void place_overflow(lua_State* L, std::string_view code, const char* name, lua_Reader read_byte) {
+    if (lua_type(L, -1) != LUA_TSTRING || !view_at(L, -1).ends_with(overflow)) return;
+    std::string_view left = code;
+    (void)lua_load(L, read_byte, &left, name, "t");
+    lua_pop(L, 1);
+    const std::string_view read = without_last(code.substr(0, code.size() - left.size()));
+    // An error in that line has its place in front.
+    std::string other(static_cast<std::size_t>(std::count(read.begin(), read.end(), '\n')), '\n');
+    other += '=';
+    if (luaL_loadbufferx(L, other.data(), other.size(), name, "t") == LUA_OK) return;
+    const std::string message = string_at(L, -1);
+    const std::size_t place = message.rfind(": unexpected symbol");
+    lua_pop(L, 1);
+    if (place == std::string::npos) return;
+    lua_pop(L, 1);
+    push_text(
+        L, message.substr(0, place) + ": " + std::string(overflow) + std::string(overflow_reason));
 }
 
 std::string_view without_byte_order_mark(std::string_view text) {
@@ -45,7 +83,8 @@ int Sources::load(lua_State* L, const std::string& text, const std::string& name
     texts[name] = code;
     code = without_shell_line(code);
     const int status = load_text(L, code, ("@" + name).c_str());
-    if (status == LUA_ERRSYNTAX) note_stop(L, code, ("@" + name).c_str());
+    if (status != LUA_OK && lua_type(L, -1) == LUA_TSTRING)
+        note_stop(L, code, ("@" + name).c_str());
     return status;
 }
 
@@ -55,22 +94,33 @@ void Sources::note_stop(lua_State* L, std::string_view code, const char* name) {
     stop = {};
     const std::string message = string_at(L, -1);
     const std::size_t near = message.rfind(before_token);
-    if (near == std::string::npos || !message.ends_with('\'')) return;
-    const std::size_t begin = near + before_token.size();
-    const std::string token = message.substr(begin, message.size() - 1 - begin);
+    const bool is_overflow = message.ends_with(overflow_reason);
+    if (!is_overflow && (near == std::string::npos || !message.ends_with('\''))) return;
+    std::string token;
+    if (!is_overflow) {
+        const std::size_t begin = near + before_token.size();
+        token = message.substr(begin, message.size() - 1 - begin);
+    }
     std::string_view left = code;
     const auto read_byte = [](lua_State* in, void* rest, std::size_t* size) {
         return take_piece(in, *static_cast<std::string_view*>(rest), size, 1);
     };
     (void)lua_load(L, read_byte, &left, name, "t");
     lua_pop(L, 1);
-    const std::size_t at = code.substr(0, code.size() - left.size()).rfind(token);
-    if (token.empty() || at == std::string_view::npos) return;
+    const std::string_view read = code.substr(0, code.size() - left.size());
+    const std::size_t at =
+        is_overflow ? without_last(without_last(read)).size() : read.rfind(token);
+    if ((token.empty() && !is_overflow) || at == std::string_view::npos) return;
     const std::size_t line_end = code.substr(0, at).rfind('\n');
     const std::size_t begins = line_end == std::string_view::npos ? 0 : line_end + 1;
     stop.column = at - begins;
+    stop.place = at;
     const std::string_view line = code.substr(begins, code.find('\n', at) - begins);
-    stop.message = message + hint_for_syntax(message, line, stop.column);
+    // A text that is a word of Lua, as in align = end.
+    std::string hint =
+        is_overflow ? std::string() : bare_word_hint(machine_of(L).tree, line, token);
+    if (hint.empty() && !is_overflow) hint = hint_for_syntax(message, line, stop.column);
+    stop.message = message + hint;
     lua_pop(L, 1);
     push_text(L, stop.message);
 }

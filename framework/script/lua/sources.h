@@ -28,6 +28,10 @@ inline bool is_library(const lua_Debug& frame) {
 /// length.
 int load_text(lua_State* L, std::string_view code, const char* name);
 
+/// Lua gives no place for a text that is nested too deeply. If that is the message at the top of
+/// the stack, puts the place there. `read_byte` reads one byte of a std::string_view.
+void place_overflow(lua_State* L, std::string_view code, const char* name, lua_Reader read_byte);
+
 /// The next piece of a text that is compiled, for a function that lua_load calls: short enough to
 /// be compiled within milliseconds. `longest`: bytes.
 const char* take_piece(lua_State* L, std::string_view& left, std::size_t* size,
@@ -52,6 +56,7 @@ struct Sources {
     struct Stop {
         std::string message;
         std::size_t column = 0;  // bytes before the token
+        std::size_t place = 0;   // the same in the text
     };
     Stop stop{};
 

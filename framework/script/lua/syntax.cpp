@@ -14,6 +14,14 @@ std::string syntax_error(std::string_view text, const std::string& name) {
     const int status =
         luaL_loadbufferx(lua.get(), text.data(), text.size(), ("@" + name).c_str(), "t");
     if (status == LUA_OK) return {};
+    place_overflow(lua.get(), text, ("@" + name).c_str(),
+                   [](lua_State*, void* rest, std::size_t* size) -> const char* {
+                       auto& left = *static_cast<std::string_view*>(rest);
+                       *size = left.empty() ? 0 : 1;
+                       const char* const byte = left.data();
+                       left.remove_prefix(*size);
+                       return byte;
+                   });
     std::size_t size = 0;
     const char* const message = lua_tolstring(lua.get(), -1, &size);
     return message == nullptr ? name + ": cannot be compiled" : std::string(message, size);

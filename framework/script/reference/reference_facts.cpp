@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fettle/property/natural_order.h>
+
 #include <reference/reference_facts.h>
 #include <reference/signature.h>
 #include <text/columns.h>
@@ -182,8 +184,9 @@ std::vector<const Member*> own(const Class& of, const std::vector<const Member*>
     std::vector<const Member*> members;
     for (const Member* member : all)
         if (member->owner == &of) members.push_back(member);
-    std::sort(members.begin(), members.end(),
-              [](const Member* a, const Member* b) { return a->name < b->name; });
+    std::sort(members.begin(), members.end(), [](const Member* a, const Member* b) {
+        return property::NaturalOrder{}(a->name, b->name);
+    });
     return members;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <fettle/property/natural_order.h>
 #include <fettle/property/path.h>
 
 #include <lua/machine.h>
@@ -51,7 +52,7 @@ std::string table_text(lua_State* L, int index, int depth) {
         if (named.size() >= 1000) continue;
         named.push_back(key_text(L, -2) + " = " + brief(L, -1, depth + 1));
     }
-    std::sort(named.begin(), named.end());
+    std::sort(named.begin(), named.end(), property::NaturalOrder{});
     for (const std::string& part : named) {
         if (text.size() >= line_width) break;
         add(part);

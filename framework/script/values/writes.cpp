@@ -44,19 +44,47 @@ void recorded(Machine& machine, Handle instance, const Property& property, Write
     }
 }
 
+/// What was probably meant with an instance in the place of another value: a text without
+/// quotes that is the name of an instance, or a child.
+std::string meaning_of_instance(const property::Tree& tree, Handle instance,
+                                const Property& property, Handle value) {
+    const std::string name = tree.name(value);
+    if (among(property.enumerators, name))
+        return "; a text needs quotes: did you mean " + property.name + " = \"" + name + "\"?";
+    if (tree.parent(value) || value == tree.root()) return {};
+    return "; " + property.name + " is a property of " + tree.class_of(instance).name() +
+           ", so a child needs another name";
+}
+
+void set_or_explain(property::Tree& tree, Handle instance, const Property& property,
+                    const Value& value) {
+    try {
+        tree.set(instance, property, value);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::wrong_type || !value.is(property::Type::reference) ||
+            property.type == property::Type::reference || !tree.alive(value.reference()) ||
+            !tree.alive(instance))
+            throw;
+        throw Error(error.kind(), error.what() + meaning_of_instance(tree, instance, property,
+                                                                     value.reference()));
+    }
+}
+
 }  // namespace
 
 void write_property(Machine& machine, Handle instance, const Property& property,
                     const Value& value) {
     Declarations& declarations = machine.declarations;
     if (!declarations.active()) {
-        recorded(machine, instance, property, [&] { machine.tree.set(instance, property, value); });
+        recorded(machine, instance, property,
+                 [&] { set_or_explain(machine.tree, instance, property, value); });
         return;
     }
     const std::string name = property.name;
     if (declarations.defers(instance)) return declarations.defer(instance, name, value);
     declarations.writing(instance, name);
-    recorded(machine, instance, property, [&] { machine.tree.set(instance, property, value); });
+    recorded(machine, instance, property,
+             [&] { set_or_explain(machine.tree, instance, property, value); });
     declarations.wrote(instance, name);
 }
 

@@ -108,6 +108,7 @@ class Console : public app::Layer {
 
     bool handle(const app::InputEvent& event) override;
     void draw(app::Surface& surface, double seconds) override;
+    app::ClipRectangle left_free(const app::ClipRectangle& whole) const override;
 
     /// To be called when the modules have made a step and its changes are delivered: breaks and
     /// plots look at each step.

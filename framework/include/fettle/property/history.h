@@ -20,10 +20,11 @@ struct HistoryEntry {
     bool too_large = false;  // over the memory limit: it cannot be undone
 };
 
-/// A property that undo or redo has changed. The values are as printed, with the unit behind `to`;
-/// "is ..." for a formula, "nil" where there is no such property.
+/// A property or an instance that undo or redo has changed. The values are as printed, with the
+/// unit behind `to`; "is ..." for a formula, "nil" where there is no such property. For an instance
+/// that was made, deleted, renamed or moved, `from` is "" and `to` says what has become of it.
 struct UndoChange {
-    std::string path, from, to;  ///< the property, the value before and the value now
+    std::string path, from, to;  ///< what has changed, the value before and the value now
 };
 
 /// The result of `Tree::undo` and `Tree::redo`.
@@ -31,7 +32,7 @@ struct UndoResult {
     static constexpr std::size_t max_changes = 20;  ///< listed ones
     bool done = false;                              // false: there was nothing to undo
     std::string name;                               ///< of the step of undo
-    /// The first changes of values, and the number of the others.
+    /// The first changes, those of instances before those of values, and the number of the others.
     std::vector<UndoChange> changes{};
     std::size_t more_changes = 0;  ///< number of changes that are not listed
     /// One line for each thing that could not be restored: watchers that ended with their instance,

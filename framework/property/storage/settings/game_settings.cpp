@@ -6,6 +6,7 @@
 #include <system_error>
 #include <vector>
 
+#include <fettle/property/exception_text.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/game_files.h>
 
@@ -226,6 +227,28 @@ GameSettings read_game_settings(GameFiles& files, const fs::path& game, std::str
     fs::path file = (fs::is_directory(game, error) ? game : game.parent_path()) / "game.json";
     if (!files.exists(file)) return {};
     return game_settings(files.read(file), file.string(), program);
+}
+
+void read_module_list(GameFiles& files, const fs::path& folder,
+                      const std::function<void(const std::string&)>& take) {
+    const fs::path file = folder / "modules.json";
+    std::error_code error;
+    if (!fs::exists(file, error)) return;
+    const Document document(files.read(file), file.string());
+    SettingsReader reader(document);
+    if (document.root().kind != Document::Kind::object || document.count(document.root()) == 0)
+        reader.refuse(document.root(), "{ \"modules\": [ \"a file or a name\", ... ] }");
+    reader.members(document.root(), {"modules"}, [&](const auto& list, const std::string& key) {
+        if (key != "modules") return false;
+        reader.texts(list);  // checks all of them before the first is taken
+        for (const auto* each = document.first(list); each != nullptr; each = document.next(*each))
+            try {
+                take(document.text(*each));
+            } catch (const std::exception& problem) {
+                document.fail(ErrorKind::rejected, each->begin, exception_text(problem));
+            }
+        return true;
+    });
 }
 
 }  // namespace fettle::property

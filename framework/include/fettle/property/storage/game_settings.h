@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -61,6 +62,12 @@ GameSettings read_game_settings(GameFiles& files, const std::filesystem::path& g
 /// The same from a text; `file_name` appears in messages.
 GameSettings game_settings(std::string text, const std::string& file_name,
                            std::string_view program);
+
+/// Reads `modules.json` in the folder of a game, and calls `take` for each module that it names;
+/// without the file there is none. Throws SceneError for a text that is not JSON, for other
+/// content, and in the place of an exception of `take`; and FileError.
+void read_module_list(GameFiles& files, const std::filesystem::path& folder,
+                      const std::function<void(const std::string& module)>& take);
 
 /// The folder for a player's data of a game: saves, store, settings. It depends on the `id` and not
 /// on the folder of the game; without an id it is `user_folder(game)`. It is not created. Empty if

@@ -1,0 +1,67 @@
+#include <fettle/property/spelling.h>
+
+#include <text/bare_words.h>
+#include <text/words.h>
+
+namespace fettle::script {
+
+namespace {
+
+/// The texts that properties of that name take; those of all properties for "".
+std::vector<std::string> texts_for(const property::Tree& tree, std::string_view name) {
+    std::vector<std::string> texts;
+    for (const property::Class* of : tree.classes())
+        for (const property::Property* property : of->properties())
+            if (name.empty() || property->name == name)
+                for (const std::string& text : property->enumerators)
+                    if (!among(texts, text)) texts.push_back(text);
+    return texts;
+}
+
+std::string quotes_hint(const std::string& meant) {
+    return " (a text needs quotes: did you mean " + meant + "?)";
+}
+
+/// The name in `name =` at the end of the text; "" if it does not end so.
+std::string_view assigned(std::string_view before) {
+    if (!before.ends_with('=')) return {};
+    before = trimmed(before.substr(0, before.size() - 1));
+    std::size_t begin = before.size();
+    while (begin > 0 && is_word(before[begin - 1])) --begin;
+    return before.substr(begin);
+}
+
+/// Whether a value may stand between the two texts that is compared or given to a function.
+bool is_used_as_value(std::string_view before, std::string_view after) {
+    const bool begins = before.ends_with("==") || before.ends_with("~=") || before.ends_with('(') ||
+                        before.ends_with(',');
+    const bool ends = after.empty() || after.front() == ')' || after.front() == ',' ||
+                      after.front() == '}' || is_word(after.front());
+    return begins && ends;
+}
+
+}  // namespace
+
+std::string bare_word_hint(const property::Tree& tree, std::string_view line,
+                           std::string_view word) {
+    for (std::size_t at = line.find(word); at != std::string_view::npos;
+         at = line.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at > 0 && is_word(line[at - 1])) || (end < line.size() && is_word(line[end])))
+            continue;
+        const std::string_view before = trimmed(line.substr(0, at)),
+                               after = trimmed(line.substr(end));
+        const std::string_view name = assigned(before);
+        if (!name.empty()) {
+            const std::vector<std::string> texts = texts_for(tree, name);
+            const std::string meant =
+                among(texts, word) ? std::string(word) : property::nearest(word, texts);
+            if (!meant.empty()) return quotes_hint(std::string(name) + " = \"" + meant + "\"");
+        } else if (is_used_as_value(before, after) && among(texts_for(tree, {}), word)) {
+            return quotes_hint("\"" + std::string(word) + "\"");
+        }
+    }
+    return {};
+}
+
+}  // namespace fettle::script

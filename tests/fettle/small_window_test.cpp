@@ -1,0 +1,48 @@
+// Texts that games of `scripts/` draw on the screen, in windows of several sizes.
+
+#include <catch.h>
+
+#include "program.h"
+
+namespace small_window_test {
+
+using namespace program_test;
+
+TEST_CASE("the texts of games fit into small windows and do not cover each other") {
+    const char* const game = GENERATE("car", "ragdoll", "showcase", "sounds", "quarry");
+    const char* const size = GENERATE("400, 300", "800, 600", "1280, 800");
+    INFO(game << " in " << size);
+    // Each letter counts as half as wide as high. The pen notes texts on the screen only.
+    const std::string look = R"(
+        local found, on_screen = {}, false
+        local pen = {}
+        setmetatable(pen, { __index = function() return function() end end })
+        function pen.screen(action) on_screen = true action(pen) on_screen = false end
+        function pen.text_size(text, height) return #text * height / 2, height end
+        function pen.text(at, text, height, fill, align)
+            if not on_screen then return end
+            height = height or 16
+            local wide = pen.text_size(text, height)
+            local left = align == "left" and at.x or align == "right" and at.x - wide or at.x - wide / 2
+            local one = { left, at.y - height / 2, left + wide, at.y + height / 2, text }
+            if one[1] < 0 or one[2] < 0 or one[3] > view.screen.x or one[4] > view.screen.y then
+                print("cut: " .. text)
+            end
+            for _, other in ipairs(found) do
+                if one[1] < other[3] and other[1] < one[3] and one[2] < other[4] and other[2] < one[4] then
+                    print(text .. " covers " .. other[5])
+                end
+            end
+            found[#found + 1] = one
+        end
+        draw(pen)
+        print(#found > 1)
+    )";
+    const Outcome done = fettle(
+        Folder(), {"run", std::string("scripts/") + game, "--headless", "--steps", "4", "--at",
+                   std::string("1:view.window.size = vec(") + size + ")", "--at", "3:" + look});
+    CHECK(done.err.empty());
+    CHECK(done.out == "true\n");
+}
+
+}  // namespace small_window_test

@@ -1,0 +1,96 @@
+// Messages for mistakes that are easily made: texts without quotes, names that are taken, brackets
+// in each other.
+
+#include <cstdlib>
+
+#include <fettle/script/syntax.h>
+
+#include "stage.h"
+
+namespace mistakes_test {
+
+using fettle::script::Evaluation;
+using stage::Stage;
+using stage::starts_with;
+
+TEST_CASE("a text without quotes is shown with quotes where a property takes one of several") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    const auto [code, hint] = GENERATE(table<std::string, std::string>({
+        {"world.ball.type = static", "type = \"static\""},
+        {"world.ball.type=static", "type = \"static\""},
+        {"world.ball.type = Kinematik", "type = \"kinematic\""},
+        {"world.b = Body {\n  mass = 2,\n  type = kinematic,\n}", "type = \"kinematic\""},
+        {"if world.ball.type == static then end", "\"static\""},
+        {"world.ball:watch(static, print)", "\"static\""},
+    }));
+    INFO(code);
+    const std::string expected = "no such name (a text needs quotes: did you mean " + hint + "?)";
+    CHECK_THAT(s.fails(code), contains(expected));
+    const Evaluation typed = s.runtime->evaluate(code);
+    REQUIRE(typed.error);
+    CHECK_THAT(typed.error->message, contains(expected));
+}
+
+TEST_CASE("a name without quotes that no property takes keeps its hint") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    CHECK_THAT(s.fails("world.ball.mass = wrold"), contains("(did you mean \"world\"?)"));
+    CHECK_THAT(s.fails("world.ball.type = static.x"), contains("type = \"static\""));
+    CHECK(s.fails("static()").find("quotes") == std::string::npos);
+    CHECK(s.fails("local x = static").find("quotes") == std::string::npos);
+}
+
+TEST_CASE("a child with the name of a property is refused with the reason") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    const std::string said = s.fails("world.gravity = Body {}");
+    CHECK_THAT(said, contains("world.gravity: expected a vec2"));
+    CHECK_THAT(said, contains("; gravity is a property of World, so a child needs another name"));
+    CHECK_THAT(s.fails("Body { mass = Body {} }"),
+               contains("; mass is a property of Body, so a child needs another name"));
+    for (const fettle::property::Class* of : s.tree->classes())
+        for (const fettle::property::Property* property : of->properties()) {
+            if (!of->creatable() || property->read_only || property->any_type ||
+                property->type == fettle::property::Type::reference ||
+                property->type == fettle::property::Type::list)
+                continue;
+            INFO(of->name() << "." << property->name);
+            CHECK_THAT(
+                s.fails("local o = " + of->name() + " {} o." + property->name + " = Body {}"),
+                contains(" is a property of " + of->name() + ", so a child needs another"));
+        }
+}
+
+TEST_CASE("the error for code that is nested too deeply has its place") {
+    const auto nested = [](const std::string& open, const std::string& close) {
+        std::string text;
+        for (int i = 0; i < 300; ++i) text += open;
+        text += open == "{" || open == "do " ? "" : "1";
+        for (int i = 0; i < 300; ++i) text += close;
+        return text;
+    };
+    const auto [begin, text, line] =
+        GENERATE_REF(table<std::string, std::string, int>({{"x = 1\ny = ", nested("(", ")"), 2},
+                                                           {"x = 1\ny = ", nested("{", "}"), 2},
+                                                           {"x = 1\n", nested("do ", "end "), 2},
+                                                           {"y = ", nested("1 ..", ""), 1},
+                                                           {"y = ", nested("(\n", "\n)"), 197}}));
+    Stage s;
+    s.fails(begin + text);
+    const fettle::script::ScriptError error = s.errors.front();
+    INFO(error.message);
+    CHECK(error.file == "main.lua");
+    CHECK(std::abs(error.line - line) <= (line > 2 ? 10 : 0));
+    CHECK_THAT(error.message, contains("C stack overflow: too many brackets, blocks"));
+    CHECK(error.column > 100 * (line <= 2));
+    const Evaluation typed = s.runtime->evaluate(begin + text);
+    REQUIRE(typed.error);
+    CHECK_THAT(typed.error->message, starts_with("console:") && contains("C stack overflow: too"));
+    CHECK_THAT(s.prints("local _, why = load([[" + begin + text + "]], '=text') print(why)"),
+               starts_with("text:") && contains("C stack overflow: too"));
+    CHECK_THAT(fettle::script::syntax_error(begin + text, "a.lua"),
+               starts_with("a.lua:") && contains("C stack overflow"));
+}
+
+}  // namespace mistakes_test
