@@ -11,8 +11,9 @@ namespace natural_order_test {
 using fettle::property::NaturalOrder;
 
 TEST_CASE("numbers in names count as numbers in the order of names") {
-    std::vector<std::string> names = {"brick_10", "brick_2", "brick_1", "brick", "a.b10.c", "a.b9.d",
-                                      "a.b9.c",   "x02",     "x2",      "x1y3",  "x1y20",   ""};
+    std::vector<std::string> names = {"brick_10", "brick_2", "brick_1", "brick",
+                                      "a.b10.c",  "a.b9.d",  "a.b9.c",  "x02",
+                                      "x2",       "x1y3",    "x1y20",   ""};
     std::sort(names.begin(), names.end(), NaturalOrder{});
     CHECK(names == std::vector<std::string>{"", "a.b9.c", "a.b9.d", "a.b10.c", "brick", "brick_1",
                                             "brick_2", "brick_10", "x1y3", "x1y20", "x02", "x2"});
