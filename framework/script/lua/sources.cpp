@@ -25,6 +25,11 @@ namespace {
 constexpr std::string_view overflow = "C stack overflow";  // a message of Lua
 constexpr std::string_view overflow_reason = ": too many brackets, blocks or calls in each other";
 
+/// Reads one byte of a std::string_view; for lua_load.
+const char* read_byte(lua_State* L, void* left, std::size_t* size) {
+    return take_piece(L, *static_cast<std::string_view*>(left), size, 1);
+}
+
 /// Lua has read one byte beyond the token that it looks at.
 std::string_view without_last(std::string_view read) {
     return read.substr(0, read.size() - std::min<std::size_t>(read.size(), 1));
@@ -38,17 +43,14 @@ int load_text(lua_State* L, std::string_view code, const char* name) {
     };
     std::string_view left = code;
     const int status = lua_load(L, read, &left, name, "t");
-    const auto read_byte = [](lua_State* in, void* rest, std::size_t* size) {
-        return take_piece(in, *static_cast<std::string_view*>(rest), size, 1);
-    };
     if (status != LUA_OK) place_overflow(L, code, name, read_byte);
     return status;
 }
 
-void place_overflow(lua_State* L, std::string_view code, const char* name, lua_Reader read_byte) {
+void place_overflow(lua_State* L, std::string_view code, const char* name, lua_Reader reader) {
     if (lua_type(L, -1) != LUA_TSTRING || !view_at(L, -1).ends_with(overflow)) return;
     std::string_view left = code;
-    (void)lua_load(L, read_byte, &left, name, "t");
+    (void)lua_load(L, reader, &left, name, "t");
     lua_pop(L, 1);
     const std::string_view read = without_last(code.substr(0, code.size() - left.size()));
     // An error in that line has its place in front.
@@ -102,9 +104,6 @@ void Sources::note_stop(lua_State* L, std::string_view code, const char* name) {
         token = message.substr(begin, message.size() - 1 - begin);
     }
     std::string_view left = code;
-    const auto read_byte = [](lua_State* in, void* rest, std::size_t* size) {
-        return take_piece(in, *static_cast<std::string_view*>(rest), size, 1);
-    };
     (void)lua_load(L, read_byte, &left, name, "t");
     lua_pop(L, 1);
     const std::string_view read = code.substr(0, code.size() - left.size());
@@ -117,9 +116,9 @@ void Sources::note_stop(lua_State* L, std::string_view code, const char* name) {
     stop.place = at;
     const std::string_view line = code.substr(begins, code.find('\n', at) - begins);
     // A text that is a word of Lua, as in align = end.
-    std::string hint =
-        is_overflow ? std::string() : bare_word_hint(machine_of(L).tree, line, token);
-    if (hint.empty() && !is_overflow) hint = hint_for_syntax(message, line, stop.column);
+    std::string hint;
+    if (!is_overflow) hint = bare_word_hint(machine_of(L).tree, line, token);
+    if (!is_overflow && hint.empty()) hint = hint_for_syntax(message, line, stop.column);
     stop.message = message + hint;
     lua_pop(L, 1);
     push_text(L, stop.message);

@@ -29,8 +29,8 @@ inline bool is_library(const lua_Debug& frame) {
 int load_text(lua_State* L, std::string_view code, const char* name);
 
 /// Lua gives no place for a text that is nested too deeply. If that is the message at the top of
-/// the stack, puts the place there. `read_byte` reads one byte of a std::string_view.
-void place_overflow(lua_State* L, std::string_view code, const char* name, lua_Reader read_byte);
+/// the stack, puts the place there. `reader` reads one byte of a std::string_view.
+void place_overflow(lua_State* L, std::string_view code, const char* name, lua_Reader reader);
 
 /// The next piece of a text that is compiled, for a function that lua_load calls: short enough to
 /// be compiled within milliseconds. `longest`: bytes.
