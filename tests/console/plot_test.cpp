@@ -69,6 +69,10 @@ TEST_CASE("beneath the mouse a condition was true or false") {
     CHECK(view.legend().at(0).value == "false");
 }
 
+bool are_apart(const console::Rect& a, const console::Rect& b) {
+    return a.high.x <= b.low.x || b.high.x <= a.low.x || a.high.y <= b.low.y || b.high.y <= a.low.y;
+}
+
 TEST_CASE("beside a plot and a watch list there is room for the inspector") {
     struct Case {
         unsigned width, height;
@@ -97,8 +101,7 @@ TEST_CASE("beside a plot and a watch list there is room for the inspector") {
          {state.screen.panel_rect, state.views.plot_view.rect(), state.views.watch_list.rect(),
           state.views.time_bar.rect()}) {
         if (other.empty()) continue;
-        CHECK((other.high.x <= inspector.low.x || inspector.high.x <= other.low.x ||
-               other.high.y <= inspector.low.y || inspector.high.y <= other.low.y));
+        CHECK(are_apart(other, inspector));
     }
 }
 
@@ -160,8 +163,8 @@ TEST_CASE("the console leaves room for the legend of writers beside what it obse
          {state.screen.panel_rect, state.screen.inspector_rect, state.views.watch_list.rect(),
           state.views.time_bar.rect()}) {
         if (other.empty()) continue;
-        CHECK((other.high.x <= room.left || room.left + room.width <= other.low.x ||
-               other.high.y <= room.top || room.top + room.height <= other.low.y));
+        CHECK(are_apart(other, {ImVec2(room.left, room.top),
+                                ImVec2(room.left + room.width, room.top + room.height)}));
     }
     rig.lua.open(false);
     CHECK(rig.lua.left_free(whole).height == whole.height);
