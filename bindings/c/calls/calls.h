@@ -96,7 +96,7 @@ fettle_code read(const char* function, const fettle_world* world, fettle_id id, 
 
 /// Writes a value that may be missing.
 template <class Value, class Out>
-void tell_optional(const std::optional<Value>& value, bool* is_set, Out* out) {
+void write_optional(const std::optional<Value>& value, bool* is_set, Out* out) {
     bool& set = needed("is_set", is_set);
     Out& result = needed("the result", out);
     set = value.has_value();
@@ -104,14 +104,14 @@ void tell_optional(const std::optional<Value>& value, bool* is_set, Out* out) {
 }
 template <auto method, class Out>
 fettle_code read_optional(const char* function, const fettle_world* world, bool* is_set, Out* out) {
-    return guarded(function, [&] { tell_optional((live(world).*method)(), is_set, out); });
+    return guarded(function, [&] { write_optional((live(world).*method)(), is_set, out); });
 }
 template <auto method, class Out>
 fettle_code read_optional(const char* function, const fettle_world* world, fettle_id id,
                           bool* is_set, Out* out) {
     using Object = typename ClassOf<decltype(method)>::type;
     return guarded(function,
-                   [&] { tell_optional(call_on<method, Object>(world, id), is_set, out); });
+                   [&] { write_optional(call_on<method, Object>(world, id), is_set, out); });
 }
 
 template <auto method, class... Arguments>
@@ -140,24 +140,24 @@ fettle_code on(const char* function, fettle_world* world, fettle_id id, const Ac
 }
 
 template <class List, class Out>
-void tell_list(const List& list, Out* out, uint32_t room, uint32_t* count) {
-    uint32_t& told = needed("count", count);
+void write_list(const List& list, Out* out, uint32_t room, uint32_t* count) {
+    uint32_t& result = needed("count", count);
     if (room > 0) needed("out", out);
     const auto size = uint32_t(list.size());
     for (uint32_t i = 0; i < size && i < room; ++i) out[i] = converted(list[i]);
-    told = size;
+    result = size;
 }
 template <auto method, class Out>
 fettle_code list(const char* function, const fettle_world* world, Out* out, uint32_t room,
                  uint32_t* count) {
-    return guarded(function, [&] { tell_list((live(world).*method)(), out, room, count); });
+    return guarded(function, [&] { write_list((live(world).*method)(), out, room, count); });
 }
 template <auto method, class Out>
 fettle_code list(const char* function, const fettle_world* world, fettle_id id, Out* out,
                  uint32_t room, uint32_t* count) {
     using Object = typename ClassOf<decltype(method)>::type;
     return guarded(function,
-                   [&] { tell_list(call_on<method, Object>(world, id), out, room, count); });
+                   [&] { write_list(call_on<method, Object>(world, id), out, room, count); });
 }
 
 /// Writes the defaults of a definition.

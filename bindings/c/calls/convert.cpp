@@ -75,26 +75,26 @@ fettle_body_state converted(const BodyState& state) {
 }
 
 fettle_contact converted(const Contact& contact) {
-    fettle_contact told{};
-    told.body_a = converted(contact.body_a);
-    told.body_b = converted(contact.body_b);
-    told.shape_a = converted(contact.shape_a);
-    told.shape_b = converted(contact.shape_b);
-    told.normal = converted(contact.normal);
-    told.friction = contact.friction;
-    told.restitution = contact.restitution;
-    told.normal_force = contact.normal_force;
-    told.point_count = contact.point_count;
-    told.part_a = contact.part_a;
-    told.part_b = contact.part_b;
-    told.material_a = contact.material_a;
-    told.material_b = contact.material_b;
+    fettle_contact result{};
+    result.body_a = converted(contact.body_a);
+    result.body_b = converted(contact.body_b);
+    result.shape_a = converted(contact.shape_a);
+    result.shape_b = converted(contact.shape_b);
+    result.normal = converted(contact.normal);
+    result.friction = contact.friction;
+    result.restitution = contact.restitution;
+    result.normal_force = contact.normal_force;
+    result.point_count = contact.point_count;
+    result.part_a = contact.part_a;
+    result.part_b = contact.part_b;
+    result.material_a = contact.material_a;
+    result.material_b = contact.material_b;
     for (size_t i = 0; i < contact.points.size(); ++i) {
         const ContactPoint& point = contact.points[i];
-        told.points[i] = {converted(point.point), point.separation, point.normal_impulse,
-                          point.tangent_impulse, point.feature};
+        result.points[i] = {converted(point.point), point.separation, point.normal_impulse,
+                            point.tangent_impulse, point.feature};
     }
-    return told;
+    return result;
 }
 
 fettle_ray_hit converted(const RayHit& hit) {

@@ -143,7 +143,7 @@ fettle_contact converted(const physics::Contact& contact);
 fettle_ray_hit converted(const physics::RayHit& hit);
 fettle_point_hit converted(const physics::PointHit& hit);
 fettle_memory_share converted(const physics::MemoryShare& share);
-void tell_geometry(const physics::Shape& shape, fettle_geometry* geometry);
+void write_geometry(const physics::Shape& shape, fettle_geometry* geometry);
 
 // --- From C
 

@@ -21,57 +21,57 @@ void refuse_enumerator(const char* name, int32_t value, int32_t last) {
 namespace {
 
 fettle_world_def defaults(const WorldDef& def) {
-    fettle_world_def told{};
-    told.substeps = def.substeps;
-    told.gravity = converted(def.gravity);
-    told.sleeping = def.sleeping;
-    told.continuous = def.continuous;
-    told.persist_events = def.persist_events;
-    told.bounds_friction = def.bounds_friction;
-    told.bounds_restitution = def.bounds_restitution;
-    told.restitution_threshold = def.restitution_threshold;
-    told.hit_threshold = def.hit_threshold;
-    told.sleep_speed = def.sleep_speed;
-    told.sleep_delay = def.sleep_delay;
-    told.contact_hertz = def.contact_hertz;
-    told.contact_damping = def.contact_damping;
-    told.push_speed = def.push_speed;
-    told.friction_mix = converted(def.friction_mix);
-    told.restitution_mix = converted(def.restitution_mix);
-    told.solver = converted(def.solver);
-    return told;
+    fettle_world_def result{};
+    result.substeps = def.substeps;
+    result.gravity = converted(def.gravity);
+    result.sleeping = def.sleeping;
+    result.continuous = def.continuous;
+    result.persist_events = def.persist_events;
+    result.bounds_friction = def.bounds_friction;
+    result.bounds_restitution = def.bounds_restitution;
+    result.restitution_threshold = def.restitution_threshold;
+    result.hit_threshold = def.hit_threshold;
+    result.sleep_speed = def.sleep_speed;
+    result.sleep_delay = def.sleep_delay;
+    result.contact_hertz = def.contact_hertz;
+    result.contact_damping = def.contact_damping;
+    result.push_speed = def.push_speed;
+    result.friction_mix = converted(def.friction_mix);
+    result.restitution_mix = converted(def.restitution_mix);
+    result.solver = converted(def.solver);
+    return result;
 }
 
 fettle_body_def defaults(const BodyDef& def) {
-    fettle_body_def told{};
-    told.type = converted(def.type);
-    told.gravity_scale = def.gravity_scale;
-    told.awake = def.awake;
-    told.can_sleep = def.can_sleep;
-    told.enabled = def.enabled;
-    told.max_speed = def.max_speed;
-    return told;
+    fettle_body_def result{};
+    result.type = converted(def.type);
+    result.gravity_scale = def.gravity_scale;
+    result.awake = def.awake;
+    result.can_sleep = def.can_sleep;
+    result.enabled = def.enabled;
+    result.max_speed = def.max_speed;
+    return result;
 }
 
 fettle_shape_def defaults(const ShapeDef& def) {
-    fettle_shape_def told{};
-    told.density = def.density;
-    told.friction = def.friction;
-    told.contact_events = def.contact_events;
-    told.sensor_events = def.sensor_events;
-    told.before_solve = def.before_solve;
-    told.category = def.category;
-    told.mask = def.mask;
-    return told;
+    fettle_shape_def result{};
+    result.density = def.density;
+    result.friction = def.friction;
+    result.contact_events = def.contact_events;
+    result.sensor_events = def.sensor_events;
+    result.before_solve = def.before_solve;
+    result.category = def.category;
+    result.mask = def.mask;
+    return result;
 }
 
 fettle_mouse_joint_def defaults(const MouseJointDef& def) {
-    fettle_mouse_joint_def told{};
-    told.enabled = def.enabled;
-    told.hertz = def.hertz;
-    told.damping_ratio = def.damping_ratio;
-    told.max_force = def.max_force;
-    return told;
+    fettle_mouse_joint_def result{};
+    result.enabled = def.enabled;
+    result.hertz = def.hertz;
+    result.damping_ratio = def.damping_ratio;
+    result.max_force = def.max_force;
+    return result;
 }
 
 }  // namespace
@@ -79,94 +79,95 @@ fettle_mouse_joint_def defaults(const MouseJointDef& def) {
 WorldDef definition_of(const fettle_world_def* def) {
     if (def == nullptr) return {};
     check_size(def->size, sizeof *def);
-    WorldDef taken;
-    taken.gravity = vector_of(def->gravity);
-    taken.substeps = def->substeps;
-    if (flag(def->has_bounds)) taken.bounds = box_of(def->bounds);
-    taken.bounds_friction = def->bounds_friction;
-    taken.bounds_restitution = def->bounds_restitution;
-    taken.sleeping = flag(def->sleeping);
-    taken.continuous = flag(def->continuous);
-    taken.restitution_threshold = def->restitution_threshold;
-    taken.hit_threshold = def->hit_threshold;
-    taken.sleep_speed = def->sleep_speed;
-    taken.sleep_delay = def->sleep_delay;
-    taken.contact_hertz = def->contact_hertz;
-    taken.contact_damping = def->contact_damping;
-    taken.push_speed = def->push_speed;
-    taken.friction_mix = enumerator("friction_mix", def->friction_mix, MixRule::geometric);
-    taken.restitution_mix = enumerator("restitution_mix", def->restitution_mix, MixRule::geometric);
-    taken.solver = enumerator("solver", def->solver, Solver::direct);
-    taken.persist_events = flag(def->persist_events);
-    return taken;
+    WorldDef result;
+    result.gravity = vector_of(def->gravity);
+    result.substeps = def->substeps;
+    if (flag(def->has_bounds)) result.bounds = box_of(def->bounds);
+    result.bounds_friction = def->bounds_friction;
+    result.bounds_restitution = def->bounds_restitution;
+    result.sleeping = flag(def->sleeping);
+    result.continuous = flag(def->continuous);
+    result.restitution_threshold = def->restitution_threshold;
+    result.hit_threshold = def->hit_threshold;
+    result.sleep_speed = def->sleep_speed;
+    result.sleep_delay = def->sleep_delay;
+    result.contact_hertz = def->contact_hertz;
+    result.contact_damping = def->contact_damping;
+    result.push_speed = def->push_speed;
+    result.friction_mix = enumerator("friction_mix", def->friction_mix, MixRule::geometric);
+    result.restitution_mix =
+        enumerator("restitution_mix", def->restitution_mix, MixRule::geometric);
+    result.solver = enumerator("solver", def->solver, Solver::direct);
+    result.persist_events = flag(def->persist_events);
+    return result;
 }
 
 BodyDef definition_of(const fettle_body_def* def) {
     if (def == nullptr) return {};
     check_size(def->size, sizeof *def);
-    BodyDef taken;
-    taken.type = enumerator("type", def->type, BodyType::dynamic_body);
-    taken.position = position_of(def->position);
-    taken.angle = def->angle;
-    taken.velocity = vector_of(def->velocity);
-    taken.angular_velocity = def->angular_velocity;
-    taken.force = vector_of(def->force);
-    taken.torque = def->torque;
-    taken.gravity_scale = def->gravity_scale;
-    taken.linear_damping = def->linear_damping;
-    taken.angular_damping = def->angular_damping;
-    if (flag(def->has_mass)) taken.mass = def->mass;
-    if (flag(def->has_inertia)) taken.inertia = def->inertia;
-    if (flag(def->has_center)) taken.center = vector_of(def->center);
-    taken.awake = flag(def->awake);
-    taken.can_sleep = flag(def->can_sleep);
-    taken.bullet = flag(def->bullet);
-    taken.locked_x = flag(def->locked_x);
-    taken.locked_y = flag(def->locked_y);
-    taken.locked_rotation = flag(def->locked_rotation);
-    taken.enabled = flag(def->enabled);
-    if (flag(def->has_sleep_speed)) taken.sleep_speed = def->sleep_speed;
-    taken.max_speed = def->max_speed;
-    if (def->name != nullptr) taken.name = def->name;
-    taken.user_data = def->user_data;
-    return taken;
+    BodyDef result;
+    result.type = enumerator("type", def->type, BodyType::dynamic_body);
+    result.position = position_of(def->position);
+    result.angle = def->angle;
+    result.velocity = vector_of(def->velocity);
+    result.angular_velocity = def->angular_velocity;
+    result.force = vector_of(def->force);
+    result.torque = def->torque;
+    result.gravity_scale = def->gravity_scale;
+    result.linear_damping = def->linear_damping;
+    result.angular_damping = def->angular_damping;
+    if (flag(def->has_mass)) result.mass = def->mass;
+    if (flag(def->has_inertia)) result.inertia = def->inertia;
+    if (flag(def->has_center)) result.center = vector_of(def->center);
+    result.awake = flag(def->awake);
+    result.can_sleep = flag(def->can_sleep);
+    result.bullet = flag(def->bullet);
+    result.locked_x = flag(def->locked_x);
+    result.locked_y = flag(def->locked_y);
+    result.locked_rotation = flag(def->locked_rotation);
+    result.enabled = flag(def->enabled);
+    if (flag(def->has_sleep_speed)) result.sleep_speed = def->sleep_speed;
+    result.max_speed = def->max_speed;
+    if (def->name != nullptr) result.name = def->name;
+    result.user_data = def->user_data;
+    return result;
 }
 
 ShapeDef definition_of(const fettle_shape_def* def) {
     if (def == nullptr) return {};
     check_size(def->size, sizeof *def);
-    ShapeDef taken;
-    taken.density = def->density;
-    taken.friction = def->friction;
-    taken.restitution = def->restitution;
-    taken.rolling_resistance = def->rolling_resistance;
-    taken.surface_speed = def->surface_speed;
-    taken.sensor = flag(def->sensor);
-    taken.hit_events = flag(def->hit_events);
-    taken.contact_events = flag(def->contact_events);
-    taken.sensor_events = flag(def->sensor_events);
-    taken.before_solve = flag(def->before_solve);
-    taken.material = checked(Material{def->material});
-    taken.category = def->category;
-    taken.mask = def->mask;
-    taken.group = def->group;
-    taken.user_data = def->user_data;
-    return taken;
+    ShapeDef result;
+    result.density = def->density;
+    result.friction = def->friction;
+    result.restitution = def->restitution;
+    result.rolling_resistance = def->rolling_resistance;
+    result.surface_speed = def->surface_speed;
+    result.sensor = flag(def->sensor);
+    result.hit_events = flag(def->hit_events);
+    result.contact_events = flag(def->contact_events);
+    result.sensor_events = flag(def->sensor_events);
+    result.before_solve = flag(def->before_solve);
+    result.material = checked(Material{def->material});
+    result.category = def->category;
+    result.mask = def->mask;
+    result.group = def->group;
+    result.user_data = def->user_data;
+    return result;
 }
 
 MouseJointDef definition_of(const fettle_world* world, const fettle_mouse_joint_def* def) {
     const fettle_mouse_joint_def& given = needed("def", def);
     check_size(given.size, sizeof given);
-    MouseJointDef taken;
-    taken.body = body_named([] { return "body"; }, world, given.body).id();
-    taken.target = position_of(given.target);
-    if (flag(given.has_anchor)) taken.anchor = vector_of(given.anchor);
-    taken.hertz = given.hertz;
-    taken.damping_ratio = given.damping_ratio;
-    taken.max_force = given.max_force;
-    taken.enabled = flag(given.enabled);
-    taken.user_data = given.user_data;
-    return taken;
+    MouseJointDef result;
+    result.body = body_named([] { return "body"; }, world, given.body).id();
+    result.target = position_of(given.target);
+    if (flag(given.has_anchor)) result.anchor = vector_of(given.anchor);
+    result.hertz = given.hertz;
+    result.damping_ratio = given.damping_ratio;
+    result.max_force = given.max_force;
+    result.enabled = flag(given.enabled);
+    result.user_data = given.user_data;
+    return result;
 }
 
 }  // namespace fettle::physics_c

@@ -23,7 +23,7 @@ Hooks& hooks() {
     return all;
 }
 
-void tell_log(void*, physics::LogLevel level, const char* text) {
+void write_log(void*, physics::LogLevel level, const char* text) {
     fettle_log_function function;
     void* user;
     {
@@ -34,7 +34,7 @@ void tell_log(void*, physics::LogLevel level, const char* text) {
     if (function != nullptr) function(user, int32_t(level), text);
 }
 
-void tell_failure(void*, const physics::World&, const char* what) {
+void report_failure(void*, const physics::World&, const char* what) {
     fettle_failure_function function;
     void* user;
     {
@@ -55,7 +55,7 @@ fettle_code fettle_set_log(fettle_log_function function, void* user) {
         const std::lock_guard lock(hooks().mutex);
         hooks().log = function;
         hooks().log_user = user;
-        fettle::physics::set_log(function != nullptr ? tell_log : nullptr, nullptr);
+        fettle::physics::set_log(function != nullptr ? write_log : nullptr, nullptr);
     });
 }
 
@@ -64,7 +64,7 @@ fettle_code fettle_set_failure_function(fettle_failure_function function, void* 
         const std::lock_guard lock(hooks().mutex);
         hooks().failure = function;
         hooks().failure_user = user;
-        fettle::physics::set_failure_function(function != nullptr ? tell_failure : nullptr,
+        fettle::physics::set_failure_function(function != nullptr ? report_failure : nullptr,
                                               nullptr);
     });
 }

@@ -28,33 +28,33 @@ Geometry default_geometry(ShapeType type) {
 }
 
 /// Writes the members that the type of the geometry uses.
-void tell(const Geometry& geometry, fettle_geometry& told) {
+void write(const Geometry& geometry, fettle_geometry& result) {
     if (const auto* circle = std::get_if<Circle>(&geometry)) {
-        told.radius = circle->radius;
-        told.center = converted(circle->center);
+        result.radius = circle->radius;
+        result.center = converted(circle->center);
     } else if (const auto* box = std::get_if<Box>(&geometry)) {
-        told.width = box->width;
-        told.height = box->height;
-        told.center = converted(box->center);
-        told.angle = box->angle;
-        told.rounding = box->rounding;
+        result.width = box->width;
+        result.height = box->height;
+        result.center = converted(box->center);
+        result.angle = box->angle;
+        result.rounding = box->rounding;
     } else if (const auto* segment = std::get_if<Segment>(&geometry)) {
-        told.from = converted(segment->from);
-        told.to = converted(segment->to);
-        told.rounding = segment->rounding;
+        result.from = converted(segment->from);
+        result.to = converted(segment->to);
+        result.rounding = segment->rounding;
     } else if (const auto* polygon = std::get_if<Polygon>(&geometry)) {
-        told.point_count = uint32_t(polygon->vertices.size());
-        told.rounding = polygon->rounding;
+        result.point_count = uint32_t(polygon->vertices.size());
+        result.rounding = polygon->rounding;
     } else if (const auto* ellipse = std::get_if<Ellipse>(&geometry)) {
-        told.radius_x = ellipse->radius_x;
-        told.radius_y = ellipse->radius_y;
-        told.center = converted(ellipse->center);
-        told.angle = ellipse->angle;
+        result.radius_x = ellipse->radius_x;
+        result.radius_y = ellipse->radius_y;
+        result.center = converted(ellipse->center);
+        result.angle = ellipse->angle;
     } else if (const auto* concave = std::get_if<Concave>(&geometry)) {
-        told.point_count = uint32_t(concave->vertices.size());
+        result.point_count = uint32_t(concave->vertices.size());
     } else if (const auto* chain = std::get_if<Chain>(&geometry)) {
-        told.point_count = uint32_t(chain->points.size());
-        told.closed = chain->closed;
+        result.point_count = uint32_t(chain->points.size());
+        result.closed = chain->closed;
     }
 }
 
@@ -62,7 +62,7 @@ fettle_geometry defaults_of(ShapeType type) {
     fettle_geometry geometry{};
     geometry.size = sizeof geometry;
     geometry.type = int32_t(type);
-    tell(default_geometry(type), geometry);
+    write(default_geometry(type), geometry);
     return geometry;
 }
 
@@ -78,9 +78,9 @@ std::vector<Vec2> points_of(const fettle_vec2* points, uint32_t count) {
         throw Failure{FETTLE_INVALID, "points: expected at most " + std::to_string(most) +
                                           " of them, got " + std::to_string(count)};
     if (count > 0) needed("points", points);
-    std::vector<Vec2> taken(count);
-    for (uint32_t i = 0; i < count; ++i) taken[i] = vector_of(points[i]);
-    return taken;
+    std::vector<Vec2> result(count);
+    for (uint32_t i = 0; i < count; ++i) result[i] = vector_of(points[i]);
+    return result;
 }
 
 Geometry geometry_of(const fettle_geometry* geometry) {
@@ -105,12 +105,12 @@ Geometry geometry_of(const fettle_geometry* geometry) {
     }
 }
 
-void tell_geometry(const Shape& shape, fettle_geometry* geometry) {
-    fettle_geometry& told = needed("geometry", geometry);
-    check_size(told.size, sizeof told);
+void write_geometry(const Shape& shape, fettle_geometry* geometry) {
+    fettle_geometry& target = needed("geometry", geometry);
+    check_size(target.size, sizeof target);
     fettle_geometry result = defaults_of(shape.type());
-    tell(shape.geometry(), result);
-    told = result;
+    write(shape.geometry(), result);
+    target = result;
 }
 
 }  // namespace fettle::physics_c
@@ -128,12 +128,12 @@ fettle_code fettle_geometry_init(fettle_geometry* geometry, size_t size, int32_t
 fettle_code fettle_convex_hull(const fettle_vec2* points, uint32_t point_count, fettle_vec2* out,
                                uint32_t room, uint32_t* count, int32_t* status) {
     return guarded(__func__, [&] {
-        int32_t& told = needed("status", status);
+        int32_t& result = needed("status", status);
         const auto given = points_of(points, point_count);
         std::vector<fettle::physics::Vec2> hull;
         const auto found = fettle::physics::convex_hull(given, hull);
-        tell_list(hull, out, room, count);
-        told = int32_t(found);
+        write_list(hull, out, room, count);
+        result = int32_t(found);
     });
 }
 

@@ -15,24 +15,24 @@ using namespace fettle::physics_c;
 namespace {
 
 fettle_contact_manifold manifold_in_c(const ContactManifold& manifold) {
-    fettle_contact_manifold told{};
-    told.normal = converted(manifold.normal);
-    told.point_count = manifold.point_count;
+    fettle_contact_manifold result{};
+    result.normal = converted(manifold.normal);
+    result.point_count = manifold.point_count;
     for (size_t i = 0; i < manifold.points.size(); ++i) {
         const ContactPoint& point = manifold.points[i];
-        told.points[i] = {converted(point.point), point.separation, point.normal_impulse,
-                          point.tangent_impulse, point.feature};
+        result.points[i] = {converted(point.point), point.separation, point.normal_impulse,
+                            point.tangent_impulse, point.feature};
     }
-    return told;
+    return result;
 }
 
 /// Writes elements that need no conversion to C.
 template <class Element>
-void tell_all(const std::vector<Element>& all, Element* out, uint32_t room, uint32_t* count) {
-    uint32_t& told = needed("count", count);
+void write_all(const std::vector<Element>& all, Element* out, uint32_t room, uint32_t* count) {
+    uint32_t& result = needed("count", count);
     if (room > 0) needed("out", out);
     std::copy_n(all.begin(), std::min(size_t{room}, all.size()), out);
-    told = uint32_t(all.size());
+    result = uint32_t(all.size());
 }
 
 void add_points(std::vector<fettle_line_point>& all, std::span<const Vec2> points, bool closed,
@@ -82,25 +82,25 @@ fettle_code fettle_grid_layout_init(fettle_grid_layout* layout, size_t size) {
 fettle_code fettle_geometry_mass_properties(const fettle_geometry* geometry, float density,
                                             fettle_mass_properties* properties) {
     return guarded(__func__, [&] {
-        fettle_mass_properties& told = needed("mass_properties", properties);
+        fettle_mass_properties& result = needed("mass_properties", properties);
         const MassProperties found = mass_properties(geometry_of(geometry), density);
-        told = {found.area, found.mass, converted(found.centroid), found.inertia};
+        result = {found.area, found.mass, converted(found.centroid), found.inertia};
     });
 }
 
 fettle_code fettle_geometry_bounding_box(const fettle_geometry* geometry, const fettle_pose* pose,
                                          fettle_aabb* box) {
     return guarded(__func__, [&] {
-        fettle_aabb& told = needed("bounding_box", box);
-        told = converted(bounding_box(geometry_of(geometry), pose_of(pose)));
+        fettle_aabb& result = needed("bounding_box", box);
+        result = converted(bounding_box(geometry_of(geometry), pose_of(pose)));
     });
 }
 
 fettle_code fettle_geometry_contains(const fettle_geometry* geometry, const fettle_pose* pose,
                                      fettle_coordinate x, fettle_coordinate y, bool* is_inside) {
     return guarded(__func__, [&] {
-        bool& told = needed("contains", is_inside);
-        told = contains(geometry_of(geometry), pose_of(pose), {x, y});
+        bool& result = needed("contains", is_inside);
+        result = contains(geometry_of(geometry), pose_of(pose), {x, y});
     });
 }
 
@@ -109,10 +109,10 @@ fettle_code fettle_geometry_cast_ray(const fettle_geometry* geometry, const fett
                                      fettle_coordinate to_x, fettle_coordinate to_y, bool* found,
                                      fettle_surface_hit* hit) {
     return guarded(__func__, [&] {
-        bool& told = needed("found", found);
+        bool& result = needed("found", found);
         const auto entry =
             cast_ray(geometry_of(geometry), pose_of(pose), {from_x, from_y}, {to_x, to_y});
-        told = entry.has_value();
+        result = entry.has_value();
         if (entry && hit != nullptr)
             *hit = {converted(entry->point), converted(entry->normal), entry->fraction};
     });
@@ -122,11 +122,11 @@ fettle_code fettle_geometry_distance(const fettle_geometry* a, const fettle_pose
                                      const fettle_geometry* b, const fettle_pose* pose_b,
                                      fettle_separation* separation) {
     return guarded(__func__, [&] {
-        fettle_separation& told = needed("separation", separation);
+        fettle_separation& result = needed("separation", separation);
         const Separation found =
             distance(geometry_of(a), pose_of(pose_a), geometry_of(b), pose_of(pose_b));
-        told = {found.distance, converted(found.point_a), converted(found.point_b),
-                converted(found.normal)};
+        result = {found.distance, converted(found.point_a), converted(found.point_b),
+                  converted(found.normal)};
     });
 }
 
@@ -139,7 +139,7 @@ fettle_code fettle_geometry_contact_manifolds(const fettle_geometry* a, const fe
         for (const ContactManifold& each : contact_manifolds(
                  geometry_of(a), pose_of(pose_a), geometry_of(b), pose_of(pose_b), margin))
             all.push_back(manifold_in_c(each));
-        tell_all(all, out, room, count);
+        write_all(all, out, room, count);
     });
 }
 
@@ -149,10 +149,10 @@ fettle_code fettle_geometry_time_of_impact(const fettle_geometry* a,
                                            const fettle_movement* movement_b, bool* found,
                                            float* fraction) {
     return guarded(__func__, [&] {
-        bool& told = needed("found", found);
+        bool& result = needed("found", found);
         const auto time = time_of_impact(geometry_of(a), movement_of("movement_a", movement_a),
                                          geometry_of(b), movement_of("movement_b", movement_b));
-        told = time.has_value();
+        result = time.has_value();
         if (time && fraction != nullptr) *fraction = *time;
     });
 }
@@ -164,7 +164,7 @@ fettle_code fettle_geometry_parts(const fettle_geometry* geometry, fettle_line_p
         std::vector<fettle_line_point> all;
         for (size_t i = 0; i < parts.size(); ++i)
             add_points(all, parts[i], parts[i].size() > 2, uint32_t(i));
-        tell_all(all, out, room, count);
+        write_all(all, out, room, count);
     });
 }
 
@@ -179,7 +179,7 @@ fettle_code fettle_join_lines(const fettle_line_point* points, uint32_t point_co
             if (i == 0 || points[i].line != points[i - 1].line) lines.emplace_back();
             lines.back().push_back(vector_of(points[i].point));
         }
-        tell_all(points_of_chains(join_lines(lines, options_of(options))), out, room, count);
+        write_all(points_of_chains(join_lines(lines, options_of(options))), out, room, count);
     });
 }
 
@@ -187,8 +187,8 @@ fettle_code fettle_without_straight_points(const fettle_vec2* points, uint32_t p
                                            bool closed, float straight, fettle_vec2* out,
                                            uint32_t room, uint32_t* count) {
     return guarded(__func__, [&] {
-        tell_list(without_straight_points(points_of(points, point_count), flag(closed), straight),
-                  out, room, count);
+        write_list(without_straight_points(points_of(points, point_count), flag(closed), straight),
+                   out, room, count);
     });
 }
 
@@ -203,6 +203,6 @@ fettle_code fettle_grid_outlines(const float* values, uint32_t value_count,
         const auto chains = grid_outlines(
             std::span(values, value_count),
             {given.columns, given.rows, vector_of(given.origin), given.cell}, threshold, straight);
-        tell_all(points_of_chains(chains), out, room, count);
+        write_all(points_of_chains(chains), out, room, count);
     });
 }

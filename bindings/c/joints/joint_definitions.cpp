@@ -12,28 +12,28 @@ using namespace fettle::physics_c;
 namespace {
 
 // From the library to C, and back.
-struct Tell {
+struct ToC {
     template <class InC, class Value>
-    void operator()(InC& told, const Value& value) const {
-        told = converted(value);
+    void operator()(InC& result, const Value& value) const {
+        result = converted(value);
     }
-    void operator()(bool& has, float& told, const std::optional<float>& value) const {
+    void operator()(bool& has, float& result, const std::optional<float>& value) const {
         has = value.has_value();
-        told = value.value_or(0.0f);
+        result = value.value_or(0.0f);
     }
 };
-struct Take {
-    void operator()(const bool& given, bool& taken) const { taken = flag(given); }
-    void operator()(const float& given, float& taken) const { taken = given; }
-    void operator()(const uint64_t& given, uint64_t& taken) const { taken = given; }
-    void operator()(const fettle_vec2& given, Vec2& taken) const { taken = vector_of(given); }
+struct FromC {
+    void operator()(const bool& given, bool& result) const { result = flag(given); }
+    void operator()(const float& given, float& result) const { result = given; }
+    void operator()(const uint64_t& given, uint64_t& result) const { result = given; }
+    void operator()(const fettle_vec2& given, Vec2& result) const { result = vector_of(given); }
 #ifdef FETTLE_PHYSICS_DOUBLE
-    void operator()(const fettle_position& given, Position& taken) const {
-        taken = position_of(given);
+    void operator()(const fettle_position& given, Position& result) const {
+        result = position_of(given);
     }
 #endif
-    void operator()(const bool& has, const float& given, std::optional<float>& taken) const {
-        if (flag(has)) taken = given;
+    void operator()(const bool& has, const float& given, std::optional<float>& result) const {
+        if (flag(has)) result = given;
     }
 };
 
@@ -94,10 +94,10 @@ void each_member(InC& c, Def& def, const Each& each) {
 
 template <class Def, class InC>
 fettle_code init_joint(const char* function, InC* def, size_t size) {
-    InC told{};
+    InC result{};
     Def defaults;
-    each_member(told, defaults, Tell());
-    return init(function, def, size, told);
+    each_member(result, defaults, ToC());
+    return init(function, def, size, result);
 }
 
 template <class Def, auto create, class InC>
@@ -107,11 +107,11 @@ fettle_code create_joint(const char* function, fettle_world* world, const InC* d
         World& in = editable(world);
         const InC& given = needed("def", def);
         check_size(given.size, sizeof given);
-        Def taken;
-        taken.body_a = body_or_world("body_a", world, given.body_a).id();
-        taken.body_b = body_or_world("body_b", world, given.body_b).id();
-        each_member(given, taken, Take());
-        give(joint, (in.*create)(taken).id());
+        Def result;
+        result.body_a = body_or_world("body_a", world, given.body_a).id();
+        result.body_b = body_or_world("body_b", world, given.body_b).id();
+        each_member(given, result, FromC());
+        give(joint, (in.*create)(result).id());
     });
 }
 

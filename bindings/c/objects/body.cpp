@@ -76,9 +76,9 @@ FETTLE_PROPERTY(body, Body, enabled, bool)
 
 fettle_code fettle_body_name(fettle_world* world, fettle_id body, const char** name) {
     return guarded(__func__, [&] {
-        const char*& told = needed("name", name);
+        const char*& result = needed("name", name);
         world->name = handle<Body>(world, body).name();
-        told = world->name.c_str();
+        result = world->name.c_str();
     });
 }
 

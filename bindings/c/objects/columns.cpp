@@ -90,13 +90,13 @@ using namespace fettle::physics;
 
 fettle_code fettle_world_columns(const fettle_world* world, fettle_columns* columns) {
     return guarded(__func__, [&] {
-        fettle_columns& told = needed("columns", columns);
+        fettle_columns& result = needed("columns", columns);
         const World& of = live(world);
         const std::span<const BodyState> states = of.states();
-        told.states = reinterpret_cast<const fettle_body_state*>(states.data());
-        told.previous =
+        result.states = reinterpret_cast<const fettle_body_state*>(states.data());
+        result.previous =
             states.empty() ? nullptr : reinterpret_cast<const fettle_pose*>(&of.previous(0));
-        told.body_slots = uint32_t(states.size());
+        result.body_slots = uint32_t(states.size());
     });
 }
 
@@ -108,10 +108,10 @@ fettle_code fettle_world_contacts(const fettle_world* world, fettle_contact* out
 fettle_code fettle_world_is_touching(const fettle_world* world, fettle_id shape_a,
                                      fettle_id shape_b, bool* is_touching) {
     return guarded(__func__, [&] {
-        bool& told = needed("is_touching", is_touching);
+        bool& result = needed("is_touching", is_touching);
         const World& in = live(world);
-        told = lives<ShapeId>(world, shape_a) && lives<ShapeId>(world, shape_b) &&
-               in.is_touching(contact_named(world, shape_a, shape_b));
+        result = lives<ShapeId>(world, shape_a) && lives<ShapeId>(world, shape_b) &&
+                 in.is_touching(contact_named(world, shape_a, shape_b));
     });
 }
 
@@ -120,7 +120,7 @@ fettle_code fettle_world_contacts_of(const fettle_world* world, fettle_id shape_
                                      uint32_t* count) {
     return guarded(__func__, [&] {
         const World& in = live(world);
-        tell_list(in.contacts_of(contact_named(world, shape_a, shape_b)), out, room, count);
+        write_list(in.contacts_of(contact_named(world, shape_a, shape_b)), out, room, count);
     });
 }
 
@@ -135,8 +135,8 @@ fettle_code fettle_world_ignore_until_separated(fettle_world* world, fettle_id s
 fettle_code fettle_world_contact_data(const fettle_world* world, fettle_id shape_a,
                                       fettle_id shape_b, uint64_t* user_data) {
     return guarded(__func__, [&] {
-        uint64_t& told = needed("user_data", user_data);
-        told = live(world).contact_data(former_contact(shape_a, shape_b));
+        uint64_t& result = needed("user_data", user_data);
+        result = live(world).contact_data(former_contact(shape_a, shape_b));
     });
 }
 
@@ -164,8 +164,8 @@ fettle_code fettle_world_previous(const fettle_world* world, uint32_t slot, fett
 fettle_code fettle_world_mass(const fettle_world* world, uint32_t slot, float* mass) {
     return guarded(__func__, [&] {
         const World& of = live(world);
-        float& told = needed("mass", mass);
-        told = of.mass(body_slot(of, slot));
+        float& result = needed("mass", mass);
+        result = of.mass(body_slot(of, slot));
     });
 }
 
@@ -203,9 +203,9 @@ fettle_code fettle_world_write(fettle_world* world, uint32_t slot, int32_t numbe
                                int32_t* written) {
     return guarded(__func__, [&] {
         World& to = editable(world);
-        int32_t& told = needed("written", written);
+        int32_t& result = needed("written", written);
         const auto which = enumerator("number", number, BodyNumber::angular_damping);
-        told = int32_t(fettle::physics_c::written(to, body_slot(to, slot), which, value));
+        result = int32_t(fettle::physics_c::written(to, body_slot(to, slot), which, value));
     });
 }
 
@@ -213,8 +213,8 @@ fettle_code fettle_world_write_velocity(fettle_world* world, uint32_t slot, floa
                                         int32_t* written) {
     return guarded(__func__, [&] {
         World& to = editable(world);
-        int32_t& told = needed("written", written);
-        told = int32_t(to.write_velocity(body_slot(to, slot), checked(FiniteVector{x, y})));
+        int32_t& result = needed("written", written);
+        result = int32_t(to.write_velocity(body_slot(to, slot), checked(FiniteVector{x, y})));
     });
 }
 
@@ -222,8 +222,8 @@ fettle_code fettle_world_set_velocity(fettle_world* world, uint32_t slot, float 
                                       bool* moves) {
     return guarded(__func__, [&] {
         World& to = editable(world);
-        bool& told = needed("moves", moves);
-        told = to.set_velocity(body_slot(to, slot), checked(FiniteVector{x, y}));
+        bool& result = needed("moves", moves);
+        result = to.set_velocity(body_slot(to, slot), checked(FiniteVector{x, y}));
     });
 }
 

@@ -23,35 +23,35 @@ decltype(FieldDef::force) default_force(FieldType type) {
     }
 }
 
-fettle_field_def told_of(const FieldDef& def) {
-    fettle_field_def told{};
-    told.size = sizeof told;
-    told.type = int32_t(def.force.index());
-    told.has_region = def.region.has_value();
-    if (def.region) told.region = converted(*def.region);
-    told.enabled = def.enabled;
-    told.mask = def.mask;
-    told.user_data = def.user_data;
+fettle_field_def in_c(const FieldDef& def) {
+    fettle_field_def result{};
+    result.size = sizeof result;
+    result.type = int32_t(def.force.index());
+    result.has_region = def.region.has_value();
+    if (def.region) result.region = converted(*def.region);
+    result.enabled = def.enabled;
+    result.mask = def.mask;
+    result.user_data = def.user_data;
     if (const auto* wind = std::get_if<WindField>(&def.force)) {
-        told.velocity = converted(wind->velocity);
-        told.density = wind->density;
+        result.velocity = converted(wind->velocity);
+        result.density = wind->density;
     } else if (const auto* drag = std::get_if<DragField>(&def.force)) {
-        told.flow = converted(drag->flow);
-        told.linear = drag->linear;
-        told.quadratic = drag->quadratic;
+        result.flow = converted(drag->flow);
+        result.linear = drag->linear;
+        result.quadratic = drag->quadratic;
     } else if (const auto* liquid = std::get_if<BuoyancyField>(&def.force)) {
-        told.level = liquid->level;
-        told.normal = converted(liquid->normal);
-        told.density = liquid->density;
-        told.drag = liquid->drag;
-        told.flow = converted(liquid->flow);
+        result.level = liquid->level;
+        result.normal = converted(liquid->normal);
+        result.density = liquid->density;
+        result.drag = liquid->drag;
+        result.flow = converted(liquid->flow);
     } else if (const auto* attractor = std::get_if<AttractorField>(&def.force)) {
-        told.center = converted(attractor->center);
-        told.strength = attractor->strength;
-        told.falloff = attractor->falloff;
-        told.core = attractor->core;
+        result.center = converted(attractor->center);
+        result.strength = attractor->strength;
+        result.falloff = attractor->falloff;
+        result.core = attractor->core;
     }
-    return told;
+    return result;
 }
 
 FieldType field_type(int32_t type) {
@@ -63,28 +63,28 @@ FieldType field_type(int32_t type) {
 FieldDef definition_of(const fettle_field_def* def) {
     const fettle_field_def& given = needed("def", def);
     check_size(given.size, sizeof given);
-    FieldDef taken;
+    FieldDef result;
     switch (field_type(given.type)) {
         case FieldType::wind:
-            taken.force = WindField{vector_of(given.velocity), given.density};
+            result.force = WindField{vector_of(given.velocity), given.density};
             break;
         case FieldType::drag:
-            taken.force = DragField{vector_of(given.flow), given.linear, given.quadratic};
+            result.force = DragField{vector_of(given.flow), given.linear, given.quadratic};
             break;
         case FieldType::buoyancy:
-            taken.force = BuoyancyField{given.level, vector_of(given.normal), given.density,
-                                        given.drag, vector_of(given.flow)};
+            result.force = BuoyancyField{given.level, vector_of(given.normal), given.density,
+                                         given.drag, vector_of(given.flow)};
             break;
         case FieldType::attractor:
-            taken.force = AttractorField{position_of(given.center), given.strength, given.falloff,
-                                         given.core};
+            result.force = AttractorField{position_of(given.center), given.strength, given.falloff,
+                                          given.core};
             break;
     }
-    if (flag(given.has_region)) taken.region = box_of(given.region);
-    taken.mask = given.mask;
-    taken.enabled = flag(given.enabled);
-    taken.user_data = given.user_data;
-    return taken;
+    if (flag(given.has_region)) result.region = box_of(given.region);
+    result.mask = given.mask;
+    result.enabled = flag(given.enabled);
+    result.user_data = given.user_data;
+    return result;
 }
 
 }  // namespace fettle::physics_c
@@ -98,7 +98,7 @@ fettle_code fettle_field_def_init(fettle_field_def* def, size_t size, int32_t ty
         check_size(size, sizeof result);
         fettle::physics::FieldDef defaults;
         defaults.force = default_force(field_type(type));
-        result = told_of(defaults);
+        result = in_c(defaults);
     });
 }
 
@@ -113,9 +113,9 @@ fettle_code fettle_field_destroy(fettle_world* world, fettle_id field) {
 fettle_code fettle_field_definition(const fettle_world* world, fettle_id field,
                                     fettle_field_def* def) {
     return on<Field>(__func__, world, field, [&](Field it) {
-        fettle_field_def& told = needed("def", def);
-        check_size(told.size, sizeof told);
-        told = told_of(it.definition());
+        fettle_field_def& result = needed("def", def);
+        check_size(result.size, sizeof result);
+        result = in_c(it.definition());
     });
 }
 

@@ -20,42 +20,42 @@ ShapeId shape_or_none(const fettle_world* world, fettle_id id) {
 }
 
 fettle_mover_def defaults(const MoverDef& def) {
-    fettle_mover_def told{};
-    told.group = def.group;
-    told.category = def.category;
-    told.mask = def.mask;
-    told.ledges = def.ledges;
-    told.up = converted(def.up);
-    told.radius = def.radius;
-    told.height = def.height;
-    told.max_slope = def.max_slope;
-    told.step_height = def.step_height;
-    told.snap = def.snap;
-    told.skin = def.skin;
-    told.mass = def.mass;
-    told.push_force = def.push_force;
-    return told;
+    fettle_mover_def result{};
+    result.group = def.group;
+    result.category = def.category;
+    result.mask = def.mask;
+    result.ledges = def.ledges;
+    result.up = converted(def.up);
+    result.radius = def.radius;
+    result.height = def.height;
+    result.max_slope = def.max_slope;
+    result.step_height = def.step_height;
+    result.snap = def.snap;
+    result.skin = def.skin;
+    result.mass = def.mass;
+    result.push_force = def.push_force;
+    return result;
 }
 
 MoverDef definition_of(const fettle_world* world, const fettle_mover_def* given) {
     const fettle_mover_def& def = needed("def", given);
     check_size(def.size, sizeof def);
-    MoverDef taken;
-    taken.group = def.group;
-    taken.category = def.category;
-    taken.mask = def.mask;
-    taken.ledges = def.ledges;
-    if (def.body != 0) taken.body = handle<Body>(world, def.body).id();
-    taken.up = vector_of(def.up);
-    taken.radius = def.radius;
-    taken.height = def.height;
-    taken.max_slope = def.max_slope;
-    taken.step_height = def.step_height;
-    taken.snap = def.snap;
-    taken.skin = def.skin;
-    taken.mass = def.mass;
-    taken.push_force = def.push_force;
-    return taken;
+    MoverDef result;
+    result.group = def.group;
+    result.category = def.category;
+    result.mask = def.mask;
+    result.ledges = def.ledges;
+    if (def.body != 0) result.body = handle<Body>(world, def.body).id();
+    result.up = vector_of(def.up);
+    result.radius = def.radius;
+    result.height = def.height;
+    result.max_slope = def.max_slope;
+    result.step_height = def.step_height;
+    result.snap = def.snap;
+    result.skin = def.skin;
+    result.mass = def.mass;
+    result.push_force = def.push_force;
+    return result;
 }
 
 /// The mover that the two structures describe.
@@ -64,42 +64,42 @@ Mover mover_of(const fettle_world* world, const fettle_mover_def* def,
     const fettle_mover_state& state = needed("state", given);
     check_size(state.size, sizeof state);
     Mover mover(definition_of(world, def));
-    MoverState taken;
-    taken.on_ground = flag(state.on_ground);
-    taken.climbing = flag(state.climbing);
-    taken.position = position_of(state.position);
-    taken.ground_normal = vector_of(state.ground_normal);
-    taken.ground = shape_or_none(world, state.ground);
-    taken.dropped = shape_or_none(world, state.dropped);
-    mover.set_state(taken);
+    MoverState result;
+    result.on_ground = flag(state.on_ground);
+    result.climbing = flag(state.climbing);
+    result.position = position_of(state.position);
+    result.ground_normal = vector_of(state.ground_normal);
+    result.ground = shape_or_none(world, state.ground);
+    result.dropped = shape_or_none(world, state.dropped);
+    mover.set_state(result);
     return mover;
 }
 
-void tell(const MoverState& state, fettle_mover_state* told) {
-    told->size = sizeof *told;
-    told->on_ground = state.on_ground;
-    told->climbing = state.climbing;
-    told->position = converted(state.position);
-    told->ground_normal = converted(state.ground_normal);
-    told->ground = id_or_none(state.ground);
-    told->dropped = id_or_none(state.dropped);
+void write(const MoverState& state, fettle_mover_state* result) {
+    result->size = sizeof *result;
+    result->on_ground = state.on_ground;
+    result->climbing = state.climbing;
+    result->position = converted(state.position);
+    result->ground_normal = converted(state.ground_normal);
+    result->ground = id_or_none(state.ground);
+    result->dropped = id_or_none(state.dropped);
 }
 
-fettle_moved told_of(const Moved& moved) {
-    fettle_moved told{};
-    told.motion = converted(moved.motion);
-    told.velocity = converted(moved.velocity);
-    told.ground_normal = converted(moved.ground_normal);
-    told.ground_velocity = converted(moved.ground_velocity);
-    told.wall_normal = converted(moved.wall_normal);
-    told.ground = id_or_none(moved.ground.id());
-    told.wall = id_or_none(moved.wall.id());
-    told.on_ground = moved.on_ground;
-    told.hit_wall = moved.hit_wall;
-    told.hit_ceiling = moved.hit_ceiling;
-    told.stepped = moved.stepped;
-    told.crushed = moved.crushed;
-    return told;
+fettle_moved in_c(const Moved& moved) {
+    fettle_moved result{};
+    result.motion = converted(moved.motion);
+    result.velocity = converted(moved.velocity);
+    result.ground_normal = converted(moved.ground_normal);
+    result.ground_velocity = converted(moved.ground_velocity);
+    result.wall_normal = converted(moved.wall_normal);
+    result.ground = id_or_none(moved.ground.id());
+    result.wall = id_or_none(moved.wall.id());
+    result.on_ground = moved.on_ground;
+    result.hit_wall = moved.hit_wall;
+    result.hit_ceiling = moved.hit_ceiling;
+    result.stepped = moved.stepped;
+    result.crushed = moved.crushed;
+    return result;
 }
 
 }  // namespace
@@ -123,8 +123,8 @@ fettle_code fettle_mover_move(fettle_world* world, const fettle_mover_def* def,
         World& in = editable(world);
         Mover mover = mover_of(world, def, state);
         const Moved done = mover.move(in, {velocity_x, velocity_y}, dt);
-        tell(mover.state(), state);
-        if (moved != nullptr) *moved = told_of(done);
+        write(mover.state(), state);
+        if (moved != nullptr) *moved = in_c(done);
     });
 }
 
@@ -133,7 +133,7 @@ fettle_code fettle_mover_drop(const fettle_world* world, const fettle_mover_def*
     return guarded(__func__, [&] {
         Mover mover = mover_of(world, def, state);
         const bool done = mover.drop(live(world));
-        tell(mover.state(), state);
+        write(mover.state(), state);
         if (dropped != nullptr) *dropped = done;
     });
 }
@@ -164,9 +164,9 @@ fettle_code fettle_mover_planes(const fettle_world* world, const fettle_mover_de
         for (const MoverPlane& plane : mover_of(world, def, state).planes(live(world), distance))
             planes.push_back({converted(plane.normal), converted(plane.point), plane.separation,
                               converted(plane.shape)});
-        uint32_t& told = needed("count", count);
+        uint32_t& result = needed("count", count);
         if (room > 0) needed("out", out);
         for (uint32_t i = 0; i < planes.size() && i < room; ++i) out[i] = planes[i];
-        told = uint32_t(planes.size());
+        result = uint32_t(planes.size());
     });
 }

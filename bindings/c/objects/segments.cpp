@@ -10,7 +10,7 @@ using namespace physics;
 
 namespace {
 
-fettle_segment_surface told_of(const SegmentSurface& surface) {
+fettle_segment_surface in_c(const SegmentSurface& surface) {
     return {surface.friction, surface.restitution, surface.rolling_resistance,
             surface.surface_speed, surface.material};
 }
@@ -35,8 +35,8 @@ fettle_code fettle_shape_segment_count(const fettle_world* world, fettle_id shap
 fettle_code fettle_shape_segment_surface(const fettle_world* world, fettle_id shape,
                                          uint32_t segment, fettle_segment_surface* surface) {
     return on<Shape>(__func__, world, shape, [&](Shape it) {
-        fettle_segment_surface& told = needed("surface", surface);
-        told = told_of(it.segment_surface(segment));
+        fettle_segment_surface& result = needed("surface", surface);
+        result = in_c(it.segment_surface(segment));
     });
 }
 
@@ -55,10 +55,10 @@ fettle_code fettle_shape_segment_surface_override(const fettle_world* world, fet
                                                   fettle_segment_surface* surface) {
     return on<Shape>(__func__, world, shape, [&](Shape it) {
         bool& set = needed("is_set", is_set);
-        fettle_segment_surface& told = needed("surface", surface);
+        fettle_segment_surface& result = needed("surface", surface);
         const auto own = it.segment_surface_override(segment);
         set = own.has_value();
-        told = own ? told_of(*own) : fettle_segment_surface{};
+        result = own ? in_c(*own) : fettle_segment_surface{};
     });
 }
 
@@ -66,7 +66,7 @@ fettle_code fettle_shape_set_segment_surfaces(fettle_world* world, fettle_id sha
                                               const fettle_segment_surface* surfaces,
                                               uint32_t count) {
     return on<Shape>(__func__, world, shape, [&](Shape it) {
-        std::vector<SegmentSurface> taken;
+        std::vector<SegmentSurface> result;
         if (count > 0) {
             const auto* begin = &needed("surfaces", surfaces);
             if (const uint32_t wanted = it.segment_count(); wanted != count)
@@ -74,8 +74,8 @@ fettle_code fettle_shape_set_segment_surfaces(fettle_world* world, fettle_id sha
                                                   std::to_string(wanted) +
                                                   ", one for each segment of the chain, got " +
                                                   std::to_string(count)};
-            for (uint32_t i = 0; i < count; ++i) taken.push_back(surface_of(begin[i]));
+            for (uint32_t i = 0; i < count; ++i) result.push_back(surface_of(begin[i]));
         }
-        it.set_segment_surfaces(taken);
+        it.set_segment_surfaces(result);
     });
 }

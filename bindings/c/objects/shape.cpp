@@ -27,7 +27,7 @@ fettle_code fettle_shape_detach(fettle_world* world, fettle_id shape) {
 
 fettle_code fettle_shape_geometry(const fettle_world* world, fettle_id shape,
                                   fettle_geometry* geometry) {
-    return on<Shape>(__func__, world, shape, [&](Shape it) { tell_geometry(it, geometry); });
+    return on<Shape>(__func__, world, shape, [&](Shape it) { write_geometry(it, geometry); });
 }
 
 fettle_code fettle_shape_set_geometry(fettle_world* world, fettle_id shape,
@@ -62,8 +62,8 @@ fettle_code fettle_shape_try_set_vertices(fettle_world* world, fettle_id shape,
                                           const fettle_vec2* points, uint32_t count,
                                           int32_t* status) {
     return on<Shape>(__func__, world, shape, [&](Shape it) {
-        int32_t& told = needed("status", status);
-        told = int32_t(it.try_set_vertices(points_of(points, count)));
+        int32_t& result = needed("status", status);
+        result = int32_t(it.try_set_vertices(points_of(points, count)));
     });
 }
 
@@ -78,7 +78,7 @@ fettle_code fettle_shape_pieces(const fettle_world* world, fettle_id shape, uint
                                 uint32_t* pieces) {
     return on<Shape>(__func__, world, shape, [&](Shape it) {
         const auto all = it.pieces();
-        tell_list(piece < all.size() ? all[piece] : std::vector<Vec2>(), out, room, count);
+        write_list(piece < all.size() ? all[piece] : std::vector<Vec2>(), out, room, count);
         needed("pieces", pieces) = uint32_t(all.size());
     });
 }

@@ -15,28 +15,28 @@ ContactCallback contact_callback(const fettle_world* world, fettle_contact_callb
                                  void* user) {
     if (function == nullptr) return {};
     return [world, function, user](ContactEdit& edit) {
-        fettle_contact_edit told{converted(edit.shape_a),
-                                 converted(edit.shape_b),
-                                 converted(edit.point),
-                                 converted(edit.normal),
-                                 edit.speed,
-                                 edit.impulse,
-                                 edit.separation,
-                                 edit.friction,
-                                 edit.restitution,
-                                 edit.surface_speed,
-                                 edit.enabled,
-                                 edit.ignored,
-                                 edit.part_a,
-                                 edit.part_b,
-                                 edit.material_a,
-                                 edit.material_b};
-        function(user, world, &told);
-        edit.friction = told.friction;
-        edit.restitution = told.restitution;
-        edit.surface_speed = told.surface_speed;
-        edit.enabled = flag(told.enabled);
-        edit.ignored = flag(told.ignored);
+        fettle_contact_edit result{converted(edit.shape_a),
+                                   converted(edit.shape_b),
+                                   converted(edit.point),
+                                   converted(edit.normal),
+                                   edit.speed,
+                                   edit.impulse,
+                                   edit.separation,
+                                   edit.friction,
+                                   edit.restitution,
+                                   edit.surface_speed,
+                                   edit.enabled,
+                                   edit.ignored,
+                                   edit.part_a,
+                                   edit.part_b,
+                                   edit.material_a,
+                                   edit.material_b};
+        function(user, world, &result);
+        edit.friction = result.friction;
+        edit.restitution = result.restitution;
+        edit.surface_speed = result.surface_speed;
+        edit.enabled = flag(result.enabled);
+        edit.ignored = flag(result.ignored);
     };
 }
 
@@ -59,12 +59,12 @@ VelocityFunction velocity_function(const fettle_world* world, fettle_velocity_fu
                                    void* user) {
     if (function == nullptr) return {};
     return [world, function, user](VelocityEdit& edit) {
-        fettle_velocity_edit told{converted(edit.body),     edit.dt,
-                                  converted(edit.before),   edit.angular_before,
-                                  converted(edit.velocity), edit.angular_velocity};
-        function(user, world, &told);
-        edit.velocity = vector_of(told.velocity);
-        edit.angular_velocity = told.angular_velocity;
+        fettle_velocity_edit result{converted(edit.body),     edit.dt,
+                                    converted(edit.before),   edit.angular_before,
+                                    converted(edit.velocity), edit.angular_velocity};
+        function(user, world, &result);
+        edit.velocity = vector_of(result.velocity);
+        edit.angular_velocity = result.angular_velocity;
     };
 }
 
@@ -72,10 +72,10 @@ PositionFunction position_function(const fettle_world* world, fettle_position_fu
                                    void* user) {
     if (function == nullptr) return {};
     return [world, function, user](PositionEdit& edit) {
-        fettle_position_edit told{converted(edit.body), edit.dt, converted(edit.before),
-                                  converted(edit.pose)};
-        function(user, world, &told);
-        edit.pose = pose_of(&told.pose);
+        fettle_position_edit result{converted(edit.body), edit.dt, converted(edit.before),
+                                    converted(edit.pose)};
+        function(user, world, &result);
+        edit.pose = pose_of(&result.pose);
     };
 }
 
@@ -136,8 +136,8 @@ fettle_code fettle_world_refresh(fettle_world* world, int32_t of, uint32_t slot)
 
 fettle_code fettle_world_locked(const fettle_world* world, bool* locked) {
     return guarded(__func__, [&] {
-        bool& told = needed("locked", locked);
-        told = live(world).locked() || world->visiting > 0;
+        bool& result = needed("locked", locked);
+        result = live(world).locked() || world->visiting > 0;
     });
 }
 
@@ -186,15 +186,15 @@ fettle_code fettle_owner_end(fettle_owner* owner) {
 
 fettle_code fettle_owner_acts(const fettle_owner* owner, bool* acts) {
     return guarded(__func__, [&] {
-        bool& told = needed("acts", acts);
-        told = needed("owner", owner).owner.acts();
+        bool& result = needed("acts", acts);
+        result = needed("owner", owner).owner.acts();
     });
 }
 
 fettle_code fettle_owner_advice(const fettle_owner* owner, const char** advice) {
     return guarded(__func__, [&] {
-        const char*& told = needed("advice", advice);
-        told = needed("owner", owner).owner.advice();
+        const char*& result = needed("advice", advice);
+        result = needed("owner", owner).owner.advice();
     });
 }
 

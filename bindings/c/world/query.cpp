@@ -7,19 +7,19 @@ namespace fettle::physics_c {
 using namespace physics;
 
 QueryFilter filter_of(const fettle_world* world, const fettle_query_filter* filter) {
-    QueryFilter taken;
-    if (filter == nullptr) return taken;
+    QueryFilter result;
+    if (filter == nullptr) return result;
     check_size(filter->size, sizeof *filter);
-    taken.category = filter->category;
-    taken.mask = filter->mask;
-    taken.group = filter->group;
-    taken.sensors = flag(filter->sensors);
+    result.category = filter->category;
+    result.mask = filter->mask;
+    result.group = filter->group;
+    result.sensors = flag(filter->sensors);
     if (const fettle_accept accept = filter->accept; accept != nullptr) {
-        taken.accept = [world, accept, user = filter->user](const Shape& shape) {
+        result.accept = [world, accept, user = filter->user](const Shape& shape) {
             return accept(user, world, converted(shape));
         };
     }
-    return taken;
+    return result;
 }
 
 namespace {
@@ -32,7 +32,7 @@ void visit(fettle_world* world, const std::vector<Shape>& found, fettle_shape_vi
         if (!visitor(user, world, converted(shape))) return;
 }
 
-void tell_hit(const auto& found, bool* is_found, auto* hit) {
+void write_hit(const auto& found, bool* is_found, auto* hit) {
     needed("found", is_found) = found.has_value();
     if (found && hit != nullptr) *hit = converted(*found);
 }
@@ -54,7 +54,7 @@ fettle_code fettle_world_query_point(const fettle_world* world, fettle_coordinat
                                      fettle_coordinate y, const fettle_query_filter* filter,
                                      fettle_id* out, uint32_t room, uint32_t* count) {
     return guarded(__func__, [&] {
-        tell_list(live(world).query_point({x, y}, filter_of(world, filter)), out, room, count);
+        write_list(live(world).query_point({x, y}, filter_of(world, filter)), out, room, count);
     });
 }
 
@@ -71,7 +71,7 @@ fettle_code fettle_world_query_aabb(const fettle_world* world, const fettle_aabb
                                     uint32_t room, uint32_t* count) {
     return guarded(__func__, [&] {
         const Aabb within = box_of(needed("box", box));
-        tell_list(live(world).query_aabb(within, filter_of(world, filter)), out, room, count);
+        write_list(live(world).query_aabb(within, filter_of(world, filter)), out, room, count);
     });
 }
 
@@ -90,7 +90,7 @@ fettle_code fettle_world_query_overlap(const fettle_world* world, const fettle_w
     return guarded(__func__, [&] {
         const auto found =
             live(world).query_overlap(handle<Shape>(of, shape), filter_of(world, filter));
-        tell_list(found, out, room, count);
+        write_list(found, out, room, count);
     });
 }
 
@@ -112,7 +112,7 @@ fettle_code fettle_world_query_overlap_geometry(const fettle_world* world,
     return guarded(__func__, [&] {
         const auto found = live(world).query_overlap(geometry_of(geometry), pose_of(pose),
                                                      filter_of(world, filter));
-        tell_list(found, out, room, count);
+        write_list(found, out, room, count);
     });
 }
 
@@ -133,8 +133,8 @@ fettle_code fettle_world_cast_ray(const fettle_world* world, fettle_coordinate f
                                   fettle_coordinate to_y, const fettle_query_filter* filter,
                                   bool* found, fettle_ray_hit* hit) {
     return guarded(__func__, [&] {
-        tell_hit(live(world).cast_ray({from_x, from_y}, {to_x, to_y}, filter_of(world, filter)),
-                 found, hit);
+        write_hit(live(world).cast_ray({from_x, from_y}, {to_x, to_y}, filter_of(world, filter)),
+                  found, hit);
     });
 }
 
@@ -145,7 +145,7 @@ fettle_code fettle_world_cast_ray_all(const fettle_world* world, fettle_coordina
     return guarded(__func__, [&] {
         const auto found =
             live(world).cast_ray_all({from_x, from_y}, {to_x, to_y}, filter_of(world, filter));
-        tell_list(found, out, room, count);
+        write_list(found, out, room, count);
     });
 }
 
@@ -170,9 +170,9 @@ fettle_code fettle_world_cast_shape(const fettle_world* world, const fettle_worl
                                     const fettle_query_filter* filter, bool* found,
                                     fettle_ray_hit* hit) {
     return guarded(__func__, [&] {
-        tell_hit(live(world).cast_shape(handle<Shape>(of, shape), Vec2(motion_x, motion_y),
-                                        filter_of(world, filter)),
-                 found, hit);
+        write_hit(live(world).cast_shape(handle<Shape>(of, shape), Vec2(motion_x, motion_y),
+                                         filter_of(world, filter)),
+                  found, hit);
     });
 }
 
@@ -181,9 +181,9 @@ fettle_code fettle_world_cast_geometry(const fettle_world* world, const fettle_g
                                        const fettle_query_filter* filter, bool* found,
                                        fettle_ray_hit* hit) {
     return guarded(__func__, [&] {
-        tell_hit(live(world).cast_shape(geometry_of(geometry), pose_of(pose),
-                                        Vec2(motion_x, motion_y), filter_of(world, filter)),
-                 found, hit);
+        write_hit(live(world).cast_shape(geometry_of(geometry), pose_of(pose),
+                                         Vec2(motion_x, motion_y), filter_of(world, filter)),
+                  found, hit);
     });
 }
 
@@ -192,7 +192,7 @@ fettle_code fettle_world_closest(const fettle_world* world, fettle_coordinate x,
                                  const fettle_query_filter* filter, bool* found,
                                  fettle_point_hit* hit) {
     return guarded(__func__, [&] {
-        tell_hit(live(world).closest({x, y}, reach, filter_of(world, filter)), found, hit);
+        write_hit(live(world).closest({x, y}, reach, filter_of(world, filter)), found, hit);
     });
 }
 
@@ -200,11 +200,11 @@ fettle_code fettle_distance(const fettle_world* world_a, fettle_id shape_a,
                             const fettle_world* world_b, fettle_id shape_b,
                             fettle_separation* separation) {
     return guarded(__func__, [&] {
-        fettle_separation& told = needed("separation", separation);
+        fettle_separation& result = needed("separation", separation);
         const Separation between =
             distance(handle<Shape>(world_a, shape_a), handle<Shape>(world_b, shape_b));
-        told = {between.distance, converted(between.point_a), converted(between.point_b),
-                converted(between.normal)};
+        result = {between.distance, converted(between.point_a), converted(between.point_b),
+                  converted(between.normal)};
     });
 }
 

@@ -50,28 +50,28 @@ fettle_code fettle_replay_destroy(fettle_replay* replay) {
 
 fettle_code fettle_replay_steps(const fettle_replay* replay, uint64_t* steps) {
     return guarded(__func__, [&] {
-        uint64_t& told = needed("steps", steps);
-        told = needed("replay", replay).replay.steps();
+        uint64_t& result = needed("steps", steps);
+        result = needed("replay", replay).replay.steps();
     });
 }
 
 fettle_code fettle_replay_step(fettle_replay* replay, fettle_replayed_step* step, bool* repeated) {
     return guarded(__func__, [&] {
         fettle_replay& stepped = needed("replay", replay);
-        fettle_replayed_step& told = needed("step", step);
+        fettle_replayed_step& result = needed("step", step);
         bool& any = needed("repeated", repeated);
         const auto next = stepped.replay.step();
         any = next.has_value();
-        told = {};
+        result = {};
         if (!next) return;
         stepped.calls = next->calls;
-        told = {next->number,
-                next->dt,
-                next->same,
-                next->recorded_hash.has_value(),
-                next->recorded_hash.value_or(0),
-                next->hash,
-                stepped.calls.c_str()};
+        result = {next->number,
+                  next->dt,
+                  next->same,
+                  next->recorded_hash.has_value(),
+                  next->recorded_hash.value_or(0),
+                  next->hash,
+                  stepped.calls.c_str()};
     });
 }
 

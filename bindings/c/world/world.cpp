@@ -111,12 +111,12 @@ fettle_code fettle_world_hash(const fettle_world* world, uint64_t* hash) {
 
 fettle_code fettle_world_statistics(const fettle_world* world, fettle_statistics* statistics) {
     return guarded(__func__, [&] {
-        fettle_statistics& told = needed("statistics", statistics);
+        fettle_statistics& result = needed("statistics", statistics);
         const StepStatistics& of = live(world).statistics();
-        told = {of.steps,         of.bodies,        of.awake_bodies,    of.shapes,   of.joints,
-                of.awake_joints,  of.contacts,      of.awake_contacts,  of.touching, of.islands,
-                of.moved_proxies, of.direct_solves, of.direct_failures, of.edits_ms, of.pairs_ms,
-                of.narrow_ms,     of.solve_ms,      of.finish_ms,       of.sleep_ms, of.total_ms};
+        result = {of.steps,         of.bodies,        of.awake_bodies,    of.shapes,   of.joints,
+                  of.awake_joints,  of.contacts,      of.awake_contacts,  of.touching, of.islands,
+                  of.moved_proxies, of.direct_solves, of.direct_failures, of.edits_ms, of.pairs_ms,
+                  of.narrow_ms,     of.solve_ms,      of.finish_ms,       of.sleep_ms, of.total_ms};
     });
 }
 
@@ -127,9 +127,9 @@ fettle_code fettle_world_memory(const fettle_world* world, fettle_memory_share* 
 
 fettle_code fettle_world_validate(fettle_world* world, const char** fault) {
     return guarded(__func__, [&] {
-        const char*& told = needed("fault", fault);
+        const char*& result = needed("fault", fault);
         auto found = editable(world).validate();
         world->fault = found ? std::move(*found) : std::string();
-        told = found ? world->fault.c_str() : nullptr;
+        result = found ? world->fault.c_str() : nullptr;
     });
 }

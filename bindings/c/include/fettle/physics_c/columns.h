@@ -48,11 +48,11 @@ fettle_code fettle_world_ignore_until_separated(fettle_world* world, fettle_id s
                                                 fettle_id shape_b);
 
 /** A number of the host for two shapes that touch, without effect; 0 if there is none. It is kept
-    while their touch lasts, and can still be read after the step that tells the end of the contact.
-    A touch that a callback or fettle_world_ignore_until_separated ends has ended, although the
-    shapes overlap. If a touch begins in the step in which another of the same shapes ends, it takes
-    over the number. It belongs to the state of the world. FETTLE_INVALID if a number is set for
-   shapes that do not touch; 0 removes it and is always allowed. */
+    while their touch lasts, and can still be read after the step that reports the end of the
+   contact. A touch that a callback or fettle_world_ignore_until_separated ends has ended, although
+   the shapes overlap. If a touch begins in the step in which another of the same shapes ends, it
+   takes over the number. It belongs to the state of the world. FETTLE_INVALID if a number is set
+   for shapes that do not touch; 0 removes it and is always allowed. */
 fettle_code fettle_world_contact_data(const fettle_world* world, fettle_id shape_a,
                                       fettle_id shape_b, uint64_t* user_data);
 fettle_code fettle_world_set_contact_data(fettle_world* world, fettle_id shape_a, fettle_id shape_b,

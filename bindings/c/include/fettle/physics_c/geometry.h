@@ -84,7 +84,7 @@ fettle_code fettle_geometry_bounding_box(const fettle_geometry* geometry, const 
 fettle_code fettle_geometry_contains(const fettle_geometry* geometry, const fettle_pose* pose,
                                      fettle_coordinate x, fettle_coordinate y, bool* contains);
 
-/** The point where a ray enters a geometry. `found` tells whether there is one: not if the ray
+/** The point where a ray enters a geometry. `found` says whether there is one: not if the ray
     begins inside; only then `hit`, which may be null, is written. */
 fettle_code fettle_geometry_cast_ray(const fettle_geometry* geometry, const fettle_pose* pose,
                                      fettle_coordinate from_x, fettle_coordinate from_y,
@@ -104,7 +104,7 @@ fettle_code fettle_geometry_contact_manifolds(const fettle_geometry* a, const fe
                                               uint32_t room, uint32_t* count);
 
 /** The fraction of two movements at which the geometries first come within 0.1 mm of each other.
-    `found` tells whether they do; only then `fraction`, which may be null, is written. */
+    `found` says whether they do; only then `fraction`, which may be null, is written. */
 fettle_code fettle_geometry_time_of_impact(const fettle_geometry* a,
                                            const fettle_movement* movement_a,
                                            const fettle_geometry* b,

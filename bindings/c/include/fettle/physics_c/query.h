@@ -94,7 +94,7 @@ fettle_code fettle_world_visit_overlap_geometry(fettle_world* world,
                                                 const fettle_query_filter* filter,
                                                 fettle_shape_visitor visitor, void* user);
 
-/** The first shape on a ray. `found` tells whether there is one; only then `hit`, which may be
+/** The first shape on a ray. `found` says whether there is one; only then `hit`, which may be
    null, is written. */
 fettle_code fettle_world_cast_ray(const fettle_world* world, fettle_coordinate from_x,
                                   fettle_coordinate from_y, fettle_coordinate to_x,

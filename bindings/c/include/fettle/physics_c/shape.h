@@ -135,7 +135,7 @@ fettle_code fettle_shape_closed(const fettle_world* world, fettle_id shape, bool
 fettle_code fettle_shape_set_closed(fettle_world* world, fettle_id shape, bool closed);
 
 /** Points of one convex piece of a concave polygon, or of one segment of a chain, body
-    coordinates, m; `pieces` tells how many there are, 0 for other types. A piece that does not
+    coordinates, m; `pieces` says how many there are, 0 for other types. A piece that does not
     exist has no points. A list: see basics.h. */
 fettle_code fettle_shape_pieces(const fettle_world* world, fettle_id shape, uint32_t piece,
                                 fettle_vec2* out, uint32_t room, uint32_t* count, uint32_t* pieces);
