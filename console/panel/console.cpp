@@ -72,6 +72,7 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
         functions.bookmarks = [this] { return time_marks.bookmarks(); };
         functions.play_back = [this](double seconds) { views.time_bar.play_back(seconds); };
         functions.share = options.share;
+        functions.record = options.record;
         if (options.replay) functions.exec = {};
         interpreter.serve(std::move(functions));
     }
@@ -144,6 +145,7 @@ void Console::State::connect() {
     observing.found = comparison.found = options.found;
     views.compare_view.close = [this] { comparison.end(); };
     views.time_bar.run = context_menu.run;
+    if (options.record) views.time_bar.records = options.records;
     views.time_bar.insert = [this](const std::string& before, const std::string& after) {
         TextEdit& edit = prompt.edit();
         edit.insert(before + after);

@@ -131,6 +131,10 @@ void TimeBar::draw(ImVec2 corner, float width, float opacity, ImFont* bold) {
     ImGui::SameLine();
     draw_play_back(now);
     ImGui::SameLine();
+    if (records) {
+        draw_record();
+        ImGui::SameLine();
+    }
     // In a narrow window the track needs the room of the longer texts.
     const float room = ImGui::GetContentRegionAvail().x, em = ImGui::GetFontSize();
     float text = text_width("0000000 · 00000.00 s   to the present ") + 24;
@@ -231,6 +235,21 @@ void TimeBar::draw_play_back(const Times& now) {
         playing_ = false;
     else
         play_back(static_cast<double>(now.newest - now.oldest) * now.dt);
+}
+
+void TimeBar::draw_record() {
+    const bool pressed = icon("record", record_);
+    const bool on = records();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 c = record_.middle();
+    const float r = (record_.high.y - record_.low.y) * 0.2f;
+    if (on)
+        list.AddRectFilled(ImVec2(c.x - r, c.y - r), ImVec2(c.x + r, c.y + r), palette::error);
+    else
+        list.AddCircleFilled(c, r, palette::error);
+    if (ImGui::IsItemHovered())
+        tip(on ? "end the recording" : "record the run, from its first step on, into a file");
+    if (pressed && run) run(on ? "record(false)" : "record()");
 }
 
 void TimeBar::draw_track(const Times& now, float width) {

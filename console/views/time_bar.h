@@ -1,7 +1,7 @@
 #pragma once
-// The time bar: pause, step, play back, go back to any stored moment, and continue from there.
-// Marks show where people edited, where scripts failed and where a condition broke; a right click
-// sets a bookmark. Above it, the other branches of the past have a lane each.
+// The time bar: pause, step, play back, record, go back to any stored moment, and continue from
+// there. Marks show where people edited, where scripts failed and where a condition broke; a right
+// click sets a bookmark. Above it, the other branches of the past have a lane each.
 
 #include <cstdint>
 #include <functional>
@@ -29,6 +29,8 @@ class TimeBar {
     /// the two parts.
     std::function<void(const std::string& command)> run{};
     std::function<void(const std::string& before, const std::string& after)> insert{};
+    /// Whether the run is being recorded into a file; without this function there is no button.
+    std::function<bool()> records{};
 
     struct Times {
         std::int64_t step = 0, oldest = 0, newest = 0;
@@ -60,6 +62,7 @@ class TimeBar {
     const Rect& step_button() const { return step_; }
     const Rect& return_button() const { return return_; }
     const Rect& play_back_button() const { return play_back_; }
+    const Rect& record_button() const { return record_; }
     /// Of the branches, in their order.
     const std::vector<Rect>& lanes() const { return lanes_; }
     /// An entry of the menu of a branch.
@@ -72,6 +75,7 @@ class TimeBar {
     void draw_play(const Times& now);
     void draw_step(const Times& now);
     void draw_play_back(const Times& now);
+    void draw_record();
     void follow_branch();
     void draw_lanes(const Times& now);
     void draw_lane(const Times& now, const OtherBranch& branch, const Rect& lane);
@@ -91,7 +95,7 @@ class TimeBar {
     property::Tree& tree_;
     const Interpreter& interpreter_;
     TimeMarks& marks_;
-    Rect rect_, track_, play_, step_, play_back_, return_;
+    Rect rect_, track_, play_, step_, play_back_, record_, return_;
     std::int64_t asked_ = -1;            // the last step that the drag requested
     std::vector<OtherBranch> branches_;  // as they were at the last picture
     std::vector<Rect> lanes_;

@@ -3212,6 +3212,10 @@ function random() end
 ---@param pattern string
 function reapply_tweaks(pattern) end
 
+---A command of the console, and the red button of the time bar: writes a recording of the run, from its first step to the present one and then all that follows, until record(false) or the end of the run. `fettle run --replay FILE` plays it again, and compares every step that was made while it was written. The file is in the folder `recordings` of the player's files, and the command prints where. A run in a window can be recorded so, until one of its files changes and is read again; the first 64 MB of it are kept for that.
+---@param on? boolean
+function record(on) end
+
 ---Repeats the last edit that undo reversed.
 function redo() end
 

@@ -73,7 +73,7 @@ fs::path moment_file(const fs::path& player_folder, const std::string& name) {
 }
 
 void write_moment(const fs::path& file, const fs::path& game, const Moment& moment,
-                  const fs::path& recording) {
+                  const std::string& recording) {
     ArchiveFiles files = files_of(game);
     add_kept_tweaks(game, files);
     const nlohmann::json about{
@@ -81,11 +81,8 @@ void write_moment(const fs::path& file, const fs::path& game, const Moment& mome
     files[about_name] = about.dump(2) + "\n";
     const std::vector<std::byte> state = moment.state.to_bytes();
     files[state_name] = std::string(reinterpret_cast<const char*>(state.data()), state.size());
+    if (!recording.empty()) files[recording_name] = recording;
     std::error_code error;
-    if (!recording.empty() && fs::is_regular_file(recording, error)) {
-        property::GameFiles reader;
-        files[recording_name] = reader.read(recording);
-    }
     fs::create_directories(file.parent_path(), error);
     if (error)
         throw FileError(file.parent_path().string() + ": cannot be made: " + error.message());

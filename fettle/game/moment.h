@@ -25,10 +25,10 @@ struct Moment {
 std::filesystem::path moment_file(const std::filesystem::path& player_folder,
                                   const std::string& name);
 
-/// Writes the game `game` with the moment into `file`. `recording`: of the run so far; empty: there
-/// is none. Throws FileError.
+/// Writes the game `game` with the moment into `file`. `recording`: that of the run so far; "":
+/// there is none. Throws FileError.
 void write_moment(const std::filesystem::path& file, const std::filesystem::path& game,
-                  const Moment& moment, const std::filesystem::path& recording);
+                  const Moment& moment, const std::string& recording);
 
 /// The moment in the archive that contains the game `game`; nothing if the game is in no archive,
 /// or in one without a moment. Throws FileError if it is damaged or of another version.

@@ -17,17 +17,19 @@ constexpr int most_exports = 1000;  // of one game, so that a script does not fi
 
 }  // namespace
 
-fs::path free_name(const fs::path& folder, const std::string& kind) {
-    if (folder.empty()) throw FileError("export_plot: this user has no folder for data of games");
+fs::path free_name(const fs::path& player, const std::string& name, const std::string& stem,
+                   const std::string& kind) {
+    if (player.empty()) throw FileError("this user has no folder for data of games");
+    const fs::path folder = player / name;
     std::error_code error;
-    fs::create_directories(folder / "plots", error);
-    if (error) throw FileError((folder / "plots").string() + ": " + error.message());
+    fs::create_directories(folder, error);
+    if (error) throw FileError(folder.string() + ": " + error.message());
     for (int i = 1; i <= most_exports; ++i) {
-        const fs::path file = folder / "plots" / ("plot-" + std::to_string(i) + "." + kind);
+        const fs::path file = folder / (stem + "-" + std::to_string(i) + "." + kind);
         if (!fs::exists(fs::symlink_status(file, error))) return file;
     }
-    throw FileError((folder / "plots").string() + ": there are " + std::to_string(most_exports) +
-                    " plots already; remove some");
+    throw FileError(folder.string() + ": there are " + std::to_string(most_exports) +
+                    " files already; remove some");
 }
 
 std::string write_export(const fs::path& file, const std::string& content) {
@@ -56,7 +58,7 @@ std::string draw_export(const fs::path& file, float width, float height,
 fs::path Session::new_export(const std::string& kind) const {
     if (replayed_ != nullptr || isolated() || options_.sandbox)
         throw FileError("export_plot: a replay, a test and a game in a sandbox write no plots");
-    return free_name(property::player_folder(options_.game, settings_.id), kind);
+    return free_name(property::player_folder(options_.game, settings_.id), "plots", "plot", kind);
 }
 
 }  // namespace fettle::program

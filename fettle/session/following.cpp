@@ -69,6 +69,7 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
     for (const fs::path& file : changed) {
         const fs::path name = file.lexically_relative(folder);
         names.push_back(name.generic_string());
+        end_recording(names.back());
         renew(names.back());
         if (is_scene(file, names.back())) scenes[names.back()] = files_.times_seen(file);
         if (!problems_.contains(names.back())) read.push_back(names.back());

@@ -118,7 +118,7 @@ void Session::make_files() {
     mount_archive(options_.game, files_);
     if (replayed_ != nullptr) use_recorded_content(*replayed_, options_.game, files_);
     if (isolated()) files_.stay_in_memory();
-    if (options_.record.empty()) return;
+    if (!keeps_recording()) return;
     files_.take_note();
     for (const std::filesystem::path& file : modules_.files()) files_.looks_at(file);
 }
@@ -289,6 +289,8 @@ void Session::make_console(app::Clipboard* clipboard) {
                 loop_->timeline().review_branch(branch, from, look);
             },
         .share = [this](const std::string& name) { return share(name); },
+        .record = [this](bool on) { return record(on); },
+        .records = [this] { return recorder_ && !recorder_->writes_to().empty(); },
         .script =
             [this](const std::string& file) {
                 constexpr std::string_view lua[] = {".lua"};
@@ -351,38 +353,6 @@ bool Session::console_is_open() const {
 
 void Session::add_layer(app::Layer& layer) {
     loop_->add(layer);
-}
-
-/// Records all input of the run in a file.
-void Session::make_recorder() {
-    if (options_.record.empty()) return;
-    const property::Vec2 size = services_->view.screen;
-    std::vector<std::string> test;
-    if (options_.test) test = {options_.test->file, options_.test->name};
-    // A test has thousands of steps, and its recording is replayed only if the test fails. The
-    // hashes of every step would take a third of its time.
-    const std::uint64_t hash_steps = options_.test ? 20 : 1;
-    recorder_ = std::make_unique<app::Recorder>(
-        options_.record,
-        app::RunStart{.game = std::filesystem::absolute(options_.game),
-                      .modules = modules_.named(),
-                      .seed = seed(),
-                      .width = size.x,
-                      .height = size.y,
-                      .evals = options_.evals,
-                      .at = options_.at,
-                      .tweaks = tweaks_->earlier_in_words(),
-                      .test = test},
-        hash_steps);
-    recorder_->file(recorded_text(KeptFile::store, store_->initial()));
-    recorder_->file(recorded_text(KeptFile::preferences, preferences_->initial()));
-    files_.tell([this](const property::GameFiles::Finding& finding) {
-        recorder_->file(recorded(finding, options_.game));
-    });
-    runtime_->on_command([this](std::string_view command) {
-        if (console_) recorder_->selected(console_->selection());
-        recorder_->command(command);
-    });
 }
 
 void Session::start() {
@@ -477,10 +447,6 @@ void Session::tell_error(const script::ScriptError& error) {
 
 void Session::tell_repeated_errors() {
     for (const std::string& sentence : repeated_.take()) note(sentence);
-}
-
-std::string Session::recording_problem() const {
-    return recorder_ ? recorder_->problem() : std::string();
 }
 
 int Session::exit_status() const {

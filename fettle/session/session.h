@@ -111,6 +111,9 @@ class Session {
     void show_problems();
     void renew_settings();
     std::string share(const std::string& name);
+    bool keeps_recording() const;
+    std::string record(bool on);
+    void end_recording(const std::string& changed);
     void open_moment();
     void add_modules();
     void make_console(app::Clipboard* clipboard);

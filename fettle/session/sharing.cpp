@@ -27,7 +27,7 @@ std::string Session::share(const std::string& name) {
                         .fettle = FETTLE_VERSION,
                         .tweaks = tweak_lines(tweaks_->list())};
     try {
-        write_moment(file, options_.game, moment, options_.record);
+        write_moment(file, options_.game, moment, recorder_ ? recorder_->text() : std::string());
     } catch (const FileError& error) {
         refuse(error.what());
     }

@@ -39,7 +39,9 @@ property::Method branches_method(Told& told) {
 /// A game at step 300 that can go back to step 100; `commands` are the requested ones.
 struct Bar {
     Rig rig;
-    explicit Bar(std::int64_t step = 300, bool paused = false, Told* told = nullptr) {
+    explicit Bar(std::int64_t step = 300, bool paused = false, Told* told = nullptr,
+                 console::Options options = {})
+        : rig(std::move(options)) {
         property::Tree& tree = rig.tree;
         tree.destroy(tree.child(tree.root(), "time"));
         property::ClassDescriptor time;
@@ -283,6 +285,27 @@ TEST_CASE("playing back shows each step of the past again and ends at the presen
     bar.click(bar.bar().play_back_button());  // stops
     bar.rig.draw();
     CHECK_FALSE(bar.bar().plays_back());
+}
+
+TEST_CASE("a button of the time bar begins and ends a recording") {
+    bool recording = false;
+    Bar bar(300, false, nullptr,
+            {.record =
+                 [&](bool on) {
+                     recording = on;
+                     return std::string();
+                 },
+             .records = [&] { return recording; }});
+    bar.click(bar.bar().record_button());
+    bar.rig.draw(2);
+    REQUIRE_FALSE(bar.rig.commands.empty());
+    CHECK(bar.rig.commands.back() == "record()");
+    recording = true;
+    bar.click(bar.bar().record_button());
+    bar.rig.draw(2);
+    CHECK(bar.rig.commands.back() == "record(false)");
+    Bar without;  // a run that cannot be recorded
+    CHECK(without.bar().record_button().empty());
 }
 
 TEST_CASE("bookmarks have names and each branch has its own marks") {

@@ -41,7 +41,8 @@ void record(const File& file, int frames, std::uint64_t hash_steps = 1) {
     Playing playing(game);
     RunStart start;
     start.game = "game";
-    Recorder recorder(file.path, start, hash_steps);
+    Recorder recorder(start);
+    recorder.write_to(file.path, hash_steps);
     playing.runtime->on_command([&](std::string_view command) { recorder.command(command); });
     recorder.begin(playing.tree, *playing.loop);
     for (int i = 0; i < frames; ++i) {
@@ -112,6 +113,59 @@ TEST_CASE("a recording with hashes after every tenth step finds a difference the
     REQUIRE(other.steps == 39);
 }
 
+TEST_CASE("a run can be written into a file after it has begun, with all that came before") {
+    const File file, second;
+    {
+        Playing playing(game);
+        RunStart start;
+        start.game = "game";
+        Recorder recorder(start);
+        playing.runtime->on_command([&](std::string_view command) { recorder.command(command); });
+        recorder.begin(playing.tree, *playing.loop);
+        CHECK(recorder.writes_to().empty());
+        for (int i = 0; i < 60; ++i) {
+            if (i == 10) playing.console("world.ball.mass = 3");
+            if (i == 20) {
+                const property::Tree::CauseScope cause(playing.tree, property::Writer::inspector);
+                property::set(playing.tree, "world.ball.gravity_scale", 0.5);
+            }
+            if (i == 30) recorder.write_to(file.path);
+            if (i == 40) recorder.close();
+            if (i == 50) recorder.write_to(second.path);
+            playing.loop->frame(1.0 / 60);
+        }
+        CHECK(recorder.writes_to() == second.path);
+        CHECK(recorder.text() == second.text());
+    }
+    for (const auto& [each, steps] : {std::pair{&file, 40U}, {&second, 60U}}) {
+        CHECK(replay(*each).difference == "");
+        CHECK(replay(*each).steps == steps);
+        // Steps are compared from the moment on when somebody wanted the file.
+        const std::string moved = std::string(game) +
+                                  "function step() if time.step == 15 then world.ball.position = "
+                                  "vec(1, 1) end end";
+        CHECK(replay(*each, moved).difference.starts_with("step 31: physics differs"));
+    }
+}
+
+TEST_CASE("a run that cannot be repeated is not written, and its file ends there") {
+    const File file;
+    Playing playing(game);
+    RunStart start;
+    start.game = "game";
+    Recorder recorder(start);
+    recorder.begin(playing.tree, *playing.loop);
+    recorder.write_to(file.path);
+    playing.loop->frame(1.0 / 60);
+    recorder.end("main.lua has changed");
+    playing.loop->frame(1.0 / 60);
+    CHECK(recorder.writes_to().empty());
+    CHECK(recorder.text().empty());
+    CHECK(replay(file).steps == 1);
+    REQUIRE_THROWS_WITH(recorder.write_to(file.path), contains("main.lua has changed"));
+    CHECK(replay(file).steps == 1);
+}
+
 TEST_CASE("a recording that was cut off replays the run up to there") {
     const File file;
     record(file, 50);
@@ -129,7 +183,8 @@ TEST_CASE("writes of a console command are recorded as the command alone") {
         Playing playing(game);
         RunStart start;
         start.game = "game";
-        Recorder recorder(file.path, start);
+        Recorder recorder(start);
+        recorder.write_to(file.path);
         playing.runtime->on_command([&](std::string_view command) { recorder.command(command); });
         recorder.begin(playing.tree, *playing.loop);
         for (const char* command :
@@ -152,7 +207,8 @@ TEST_CASE("the instance that is selected when a command runs is it in the replay
         Playing playing(game);
         RunStart start;
         start.game = "game";
-        Recorder recorder(file.path, start);
+        Recorder recorder(start);
+        recorder.write_to(file.path);
         playing.runtime->on_command([&](std::string_view command) {
             recorder.selected({playing.runtime->it()});
             recorder.command(command);
@@ -191,7 +247,8 @@ TEST_CASE("files that are not recordings are refused with a reason") {
     refused(text + "overwritten \"a.json\" 12\n", "\"overwritten\" has values that cannot be read");
     refused(text + "write 99 00 \"mass\" 00\n", "is unknown");
     REQUIRE_THROWS_AS(Recording("/nowhere/at all"), RecordingError);
-    REQUIRE_THROWS_AS(Recorder("/nowhere/at all", RunStart{}), RecordingError);
+    Recorder recorder(RunStart{});
+    REQUIRE_THROWS_AS(recorder.write_to("/nowhere/at all"), RecordingError);
 }
 
 TEST_CASE("a recording contains the files of its run and the existing tweaks") {
@@ -202,7 +259,8 @@ TEST_CASE("a recording contains the files of its run and the existing tweaks") {
     start.tweaks = {{"value", "world.ball", "mass", "1 \"line\"\nand another"},
                     {"deleted", "world.wall", ""}};
     {
-        Recorder recorder(file.path, start);
+        Recorder recorder(start);
+        recorder.write_to(file.path);
         recorder.file({.name = "main.lua", .checksum = 0x1234});
         recorder.file({.name = "main.tweaks.json"});
         recorder.file({.name = "a b.json", .overwritten = true, .content = "{\n\t\"x\": 1}\n"});

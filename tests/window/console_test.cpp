@@ -1,5 +1,6 @@
 // A typed key changes a property and the picture: the complete program in a window.
 
+#include <fstream>
 #include <iostream>
 
 #include "catch.h"
@@ -184,6 +185,56 @@ TEST_CASE("a game in a window ends in order after a signal") {
     INFO(game.printed());
     CHECK(contains(game.printed(), "closing"));
     CHECK(contains(game.printed(), "stopped: it was interrupted") == runaway);
+}
+
+TEST_CASE("a run in a window is recorded from its first step when somebody asks for it later") {
+    if (skipped()) return;
+    const TemporaryFolder player;
+    fs::create_directories(player.path / "fettle");
+    std::ofstream(player.path / "fettle" / "autoexec.lua") << "world.ball.mass = 3\n";
+    GameWindow game(source / "tests" / "window" / "game",
+                    {{"XDG_CONFIG_HOME", player.path.string()}});
+    REQUIRE(game.prints("ready"));
+    game.key("k");
+    REQUIRE(game.prints("game got\tk"));
+    open_console(game);
+    game.type("pin 'world.crate.mass'");
+    game.key("Return");
+    game.type("world.gravity = vec(0, 3)");
+    game.key("Return");
+    REQUIRE(game.prints("gravity is\tvec(0, 3)"));
+    game.type("record()");
+    game.key("Return");
+    const auto recording = [&] {
+        for (const auto& entry : fs::recursive_directory_iterator(game.folder() / "data"))
+            if (entry.path().extension() == ".recording") return entry.path();
+        return fs::path();
+    };
+    REQUIRE(game.eventually([&] { return !recording().empty(); }));
+    game.type("world.crate.mass = 7");
+    game.key("Return");
+    REQUIRE(game.prints("mass is\t7"));
+    game.settled().save_png(pictures / "recording.png");
+    const fs::path printed = game.folder() / "replayed";
+    const auto replay = [&] {
+        return fettle::test::run({FETTLE_PROGRAM, "run", "--headless", "--replay", recording()}, {},
+                                 printed);
+    };
+    INFO(fettle::test::read_file(printed));
+    CHECK(replay() == 0);
+    game.type("record(false)");
+    game.key("Return");
+    // A changed file ends what can be recorded.
+    std::ofstream(game.folder() / "game" / "main.lua", std::ios::app) << "print('changed')\n";
+    REQUIRE(game.prints("changed"));
+    game.type("world.crate.mass = 8 record()");
+    game.key("Return");
+    REQUIRE(game.prints("mass is\t8"));
+    CHECK(game.asked_to_end() == 143);
+    CHECK(recording().filename() == "run-1.recording");
+    CHECK_FALSE(fs::exists(recording().parent_path() / "run-2.recording"));
+    CHECK(replay() == 3);  // of another version of the game
+    CHECK(contains(fettle::test::read_file(printed), "main.lua differs"));
 }
 
 TEST_CASE("a game saved in a window has a picture") {

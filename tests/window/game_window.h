@@ -42,6 +42,8 @@ class GameWindow {
     void focus();
 
     Picture picture() const;
+    /// The folder that has the copy of the game (`game`) and the files of the player (`data`).
+    const std::filesystem::path& folder() const { return folder_; }
     /// The output of the program so far.
     std::string printed() const;
     /// Waits until the condition is true; false if it is not within some seconds.

@@ -11,12 +11,15 @@
 #include <time/recording_text.h>
 
 namespace fettle::app {
-Recorder::Recorder(const std::filesystem::path& file, const RunStart& start,
-                   std::uint64_t hash_steps)
-    : file_(file), hash_steps_(std::max<std::uint64_t>(hash_steps, 1)) {
-    out_ = std::fopen(file.c_str(), "wb");
-    if (out_ == nullptr)
-        throw RecordingError(file.string() + ": cannot be written: " + std::strerror(errno));
+
+namespace {
+
+/// Of the text that is kept in memory: more than two hours of frames.
+constexpr std::size_t greatest_text = 64 << 20;  // bytes
+
+}  // namespace
+
+Recorder::Recorder(const RunStart& start) {
     line("fettle-recording " + std::to_string(recording_format));
     line("game " + in_quotes(start.game.string()));
     for (const std::string& module : start.modules) line("module " + in_quotes(module));
@@ -36,17 +39,12 @@ Recorder::Recorder(const std::filesystem::path& file, const RunStart& start,
         line(text);
     }
     line("begin");
-    flush();
-    if (!problem_.empty()) {
-        std::fclose(std::exchange(out_, nullptr));
-        throw RecordingError(problem_);
-    }
 }
 
 Recorder::~Recorder() {
     if (loop_ != nullptr) loop_->witness(nullptr);
     if (tree_ != nullptr) tree_->unobserve(*this);
-    if (out_ != nullptr) std::fclose(out_);
+    close();
 }
 
 void Recorder::begin(property::Tree& tree, Loop& loop) {
@@ -56,16 +54,60 @@ void Recorder::begin(property::Tree& tree, Loop& loop) {
     loop.witness(this);
 }
 
-void Recorder::line(const std::string& text) {
-    if (!problem_.empty()) return;
-    if (std::fwrite(text.data(), 1, text.size(), out_) != text.size() ||
-        std::fputc('\n', out_) == EOF)
+void Recorder::write_to(const std::filesystem::path& file, std::uint64_t hash_steps) {
+    if (!complete()) throw RecordingError(file.string() + ": cannot be written: " + incomplete_);
+    close();
+    out_ = std::fopen(file.c_str(), "wb");
+    if (out_ == nullptr)
+        throw RecordingError(file.string() + ": cannot be written: " + std::strerror(errno));
+    file_ = file;
+    hash_steps_ = std::max<std::uint64_t>(hash_steps, 1);
+    problem_.clear();
+    write(text_);
+    flush();
+    if (problem_.empty()) return;
+    close();
+    throw RecordingError(problem_);
+}
+
+void Recorder::close() {
+    if (out_ == nullptr) return;
+    if (std::fclose(std::exchange(out_, nullptr)) != 0) note_problem();
+}
+
+void Recorder::end(const std::string& why) {
+    close();
+    incomplete_ = why;
+    text_ = {};
+}
+
+void Recorder::note_problem() {
+    if (problem_.empty())
         problem_ = file_.string() + ": the recording ends here: " + std::strerror(errno);
 }
 
+void Recorder::write(std::string_view text) {
+    if (out_ == nullptr || !problem_.empty()) return;
+    if (std::fwrite(text.data(), 1, text.size(), out_) != text.size()) note_problem();
+}
+
+void Recorder::line(const std::string& text) {
+    if (complete()) {
+        text_ += text;
+        text_ += '\n';
+    }
+    write(text);
+    write("\n");
+    // A file that is being written goes on.
+    if (text_.size() > greatest_text) {
+        incomplete_ = "only the first " + std::to_string(greatest_text >> 20) +
+                      " MB of a recording are kept, and this run is longer";
+        text_ = {};
+    }
+}
+
 void Recorder::flush() {
-    if (problem_.empty() && std::fflush(out_) != 0)
-        problem_ = file_.string() + ": the recording ends here: " + std::strerror(errno);
+    if (out_ != nullptr && problem_.empty() && std::fflush(out_) != 0) note_problem();
 }
 
 void Recorder::event(const InputEvent& event, bool taken) {
@@ -99,32 +141,33 @@ void Recorder::file(const RunFile& file) {
 
 void Recorder::frame_begins(double seconds, std::int64_t step_limit) {
     line("frame " + exact(seconds) + " " + std::to_string(step_limit));
-    inside_ = true;
+    tree_->unobserve(*this);
 }
 
 void Recorder::turn_begins() {
     line("turn");
-    inside_ = true;
+    tree_->unobserve(*this);
 }
 
 void Recorder::frame_ends() {
-    inside_ = false;
+    tree_->observe(*this);
     flush();
 }
 
 void Recorder::stepped() {
     std::string text = "step " + std::to_string(tree_->step());
-    if (tree_->step() % hash_steps_ == 0)
+    // Hashes cost more than everything else, so text that may never be written has none.
+    if (out_ != nullptr && tree_->step() % hash_steps_ == 0)
         for (const auto& [part, hash] : loop_->hashes()) text += " " + part + " " + hex(hash);
     line(text);
 }
 
-// Whether a write came from the inspector or another layer between two frames. Commands (with the
-// undo that they call), events and formulas repeat their own writes in a replay, so those are not
-// recorded.
+// Whether a write came from the inspector or another layer. Commands (with the undo that they
+// call), events and formulas repeat their own writes in a replay, so those are not recorded. The
+// tree is observed between two frames only: inside a frame the game itself writes.
 bool Recorder::writes_alone() const {
     const property::Cause cause = tree_->cause();
-    return !inside_ && !loop_->script_runs() && cause.writer != property::Writer::console &&
+    return !loop_->script_runs() && cause.writer != property::Writer::console &&
            cause.writer != property::Writer::formula && cause.where != "window";
 }
 

@@ -1,7 +1,7 @@
 // Functions that need a console:
 //   pin(...)  unpin(text)  plot(...)  break_when(condition)  last_time(condition)
 //   selection(instances)  bind(key, command)  alias(word, command)  exec(file)  clear()
-//   export_plot(kind)  ab(path, value)  share(file)  compare_branch(name)
+//   export_plot(kind)  ab(path, value)  share(file)  record(on)  compare_branch(name)
 //   bookmark(name, step)  unbookmark(name)  bookmarks()  play_back(seconds)
 
 #include <cmath>
@@ -160,6 +160,16 @@ int share(lua_State* L) {
     return 0;
 }
 
+int record(lua_State* L) {
+    Machine& machine = machine_of(L);
+    if (!lua_isnoneornil(L, 1) && !lua_isboolean(L, 1))
+        refuse_type(L, 1, "record: expected true or false");
+    const bool on = lua_isnoneornil(L, 1) || lua_toboolean(L, 1) != 0;
+    if (const auto* function = served(machine, &ConsoleFunctions::record, "record"))
+        print_line(machine, (*function)(on));
+    return 0;
+}
+
 int bind(lua_State* L) {
     const std::string key = check_text(L, 1, "bind: needs the name of a key like \"f5\"");
     call_console<&ConsoleFunctions::bind>(L, "bind", key,
@@ -262,6 +272,7 @@ void open_console_functions(lua_State* L) {
     add_function<selection>(L, "selection");
     add_function<ab>(L, "ab");
     add_function<share>(L, "share");
+    add_function<record>(L, "record");
     add_function<compare_branch>(L, "compare_branch");
     add_function<bookmark>(L, "bookmark");
     add_function<unbookmark>(L, "unbookmark");

@@ -125,6 +125,14 @@ const std::vector<GlobalDoc>& global_docs() {
          "The same seed gives the same numbers."},
         {"reapply_tweaks", "reapply_tweaks(pattern: string)",
          "Makes the matching tweaks of earlier runs again."},
+        {"record", "record(on?: boolean)",
+         "A command of the console, and the red button of the time bar: writes a recording of the "
+         "run, from its first step to the present one and then all that follows, until "
+         "record(false) or the end of the run. `fettle run --replay FILE` plays it again, and "
+         "compares every step that was made while it was written. The file is in the folder "
+         "`recordings` of the player's files, and the command prints where. A run in a window "
+         "can be recorded so, until one of its files changes and is read again; the first 64 MB of "
+         "it are kept for that."},
         {"redo", "redo()", "Repeats the last edit that undo reversed."},
         {"require", "require(name: string): any",
          "Runs another file of the game once, and returns what it returned."},

@@ -65,6 +65,11 @@ struct Options {
     /// Writes this moment into a file, and returns a message about the file. Without it, `share` is
     /// refused.
     std::function<std::string(const std::string& file)> share{};
+    /// Begins or ends a file with the recording of the run, and returns a message about it. Without
+    /// it, `record` is refused, and the time bar has no button for it.
+    std::function<std::string(bool on)> record{};
+    /// Whether such a file is being written.
+    std::function<bool()> records{};
     /// Returns the text of a script of the game, "main.lua"; throws if it cannot be read. Without
     /// it, the lines that wrote a value are not shown.
     std::function<std::string(const std::string& file)> script{};

@@ -48,18 +48,34 @@ struct RunFile {
     std::optional<std::string> content{};
 };
 
-/// Writes a recording during the run. At any moment the file is a valid recording of the run so
-/// far.
+/// Records a run from its beginning, in memory, and in a file as soon as one is wanted. At any
+/// moment the file is a valid recording of the run so far.
 class Recorder : public Witness, public property::Observer {
   public:
-    /// The hashes of the state are written after every `hash_steps` steps, 1 or more. Throws
-    /// RecordingError.
-    Recorder(const std::filesystem::path& file, const RunStart& start,
-             std::uint64_t hash_steps = 1);
+    explicit Recorder(const RunStart& start);
     ~Recorder() override;
     Recorder(const Recorder&) = delete;
     /// Begins recording, after the game was loaded.
     void begin(property::Tree& tree, Loop& loop);
+
+    /// Writes the run so far into the file, which it replaces, and then all that follows. From here
+    /// on the recording has the hashes of the state after every `hash_steps` steps, 1 or more.
+    /// Throws RecordingError, also if the run is not completely in memory.
+    void write_to(const std::filesystem::path& file, std::uint64_t hash_steps = 1);
+    /// Ends the file. `write_to` may write the run again.
+    void close();
+    /// The file that is being written; "" if there is none.
+    std::filesystem::path writes_to() const {
+        return out_ != nullptr ? file_ : std::filesystem::path();
+    }
+    /// Ends the recording, because a replay cannot repeat what follows: `why`.
+    void end(const std::string& why);
+    /// Whether all of the run is in `text()`.
+    bool complete() const { return incomplete_.empty(); }
+    /// Why it is not; "" if it is.
+    const std::string& incomplete() const { return incomplete_; }
+    /// The recording of the run so far; "" if it is not complete.
+    const std::string& text() const { return text_; }
 
     void command(std::string_view command);
     /// The instances that are selected in the console when the next command runs; the last one is
@@ -76,22 +92,26 @@ class Recorder : public Witness, public property::Observer {
                const property::Value& now) override;
     void was_reset(property::Handle instance, const property::Property& property) override;
 
-    /// The error of writing the file, "" if there is none. Such an error does not end the run.
+    /// The error of writing the file, "" if there is none. Such an error ends neither the run nor
+    /// the recording in memory.
     const std::string& problem() const { return problem_; }
 
   private:
     bool writes_alone() const;
     void line(const std::string& text);
+    void write(std::string_view text);
     void flush();
+    void note_problem();
 
+    std::string text_;
+    std::string incomplete_;
     std::filesystem::path file_;
-    std::uint64_t hash_steps_;
+    std::uint64_t hash_steps_ = 1;
     std::FILE* out_ = nullptr;
     std::string problem_;
     property::Tree* tree_ = nullptr;
     Loop* loop_ = nullptr;
     std::vector<property::Handle> selected_;  // as it was written last
-    bool inside_ = false;                     // in a frame: writes come from the game itself
 };
 
 /// A recording read from a file. Throws RecordingError if the file is damaged, has a newer format,
