@@ -105,6 +105,12 @@ const Position& check_coordinates(const char* what, const Position& value) {
     return value;
 }
 
+const Pose& check_pose(const char* what, const Pose& value) {
+    check_coordinates((std::string(what) + ".position").c_str(), value.position);
+    check_range((std::string(what) + ".angle").c_str(), value.angle, -1e8f, 1e8f);
+    return value;
+}
+
 void refuse_enumerator(const char* what, int value, int last) {
     refuse(what, std::to_string(value), "an enumerator, 0 to " + std::to_string(last));
 }

@@ -64,6 +64,7 @@ Enum check_enumerator(const char* what, Enum value, Enum last) {
     return value;
 }
 const Position& check_coordinates(const char* what, const Position& value);  ///< within ±1e8
+const Pose& check_pose(const char* what, const Pose& value);
 #ifdef FETTLE_PHYSICS_DOUBLE
 inline const Vec2& check_coordinates(const char* what, const Vec2& value) {
     check_coordinates(what, Position(value));

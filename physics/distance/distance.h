@@ -43,6 +43,8 @@ float signed_distance(const Solid& shape, Vec2 p);
 /// Distance of the farthest point of a shape along a unit vector from the center of mass of its
 /// body.
 float reach(const Solid& shape, Vec2 direction);
+/// The box around a shape, relative to the center of mass of its body.
+Box4 box_of(const Solid& shape);
 
 struct Probe {
     float fraction = 2.0f;  ///< more than 1: missed

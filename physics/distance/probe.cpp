@@ -159,6 +159,11 @@ float reach(const Solid& shape, Vec2 direction) {
     return dot(shape.form.vertices[farthest_vertex(shape.form, d)], d) + shape.form.radius;
 }
 
+Box4 box_of(const Solid& shape) {
+    const auto side = [&](Vec2 direction) { return reach(shape, direction); };
+    return {{-side({-1.0f, 0.0f}), -side({0.0f, -1.0f})}, {side({1.0f, 0.0f}), side({0.0f, 1.0f})}};
+}
+
 float signed_distance(const Solid& shape, Vec2 p) {
     if (shape.kind == FormKind::large) p = unrotate(shape.rotation, p);
     return shape.kind == FormKind::ellipse ? nearest_on_rim(ellipse_of(shape.form), p).distance

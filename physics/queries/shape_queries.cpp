@@ -1,10 +1,12 @@
 #include <checks/arguments.h>
 #include <contacts/border.h>
 #include <distance/distance.h>
+#include <forms/form_access.h>
 #include <queries/asking.h>
 #include <world/world_data.h>
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 
 // Queries with shapes and distances. The query shape may be of any world. If it is detached, its
@@ -59,10 +61,20 @@ std::vector<Placed> probes_for(WorldData& queried, WorldData& from, uint32_t sha
     return probes;
 }
 
-/// Makes the query shape in a temporary world.
-Shape make_probe(World& scratch, const Geometry& geometry, const Pose& pose) {
-    Body body = scratch.create_body({.position = pose.position, .angle = pose.angle});
-    return body.add(geometry);
+/// The parts of a geometry that is in no world. They point into `at`.
+std::vector<Placed> probes_of(const PosedForm& at) {
+    std::vector<Placed> all;
+    for (const Solid& solid : at.solids())
+        all.push_back({solid, at.center(), box_around(at.center(), box_of(solid))});
+    return all;
+}
+
+/// Adds the shapes that a query finds to a list.
+auto listing(std::vector<Shape>& all) {
+    return [&all](const Shape& found) {
+        all.push_back(found);
+        return true;
+    };
 }
 
 /// The fraction of its motion after which a moving shape meets the border.
@@ -114,19 +126,40 @@ Separation distance(const Shape& a, const Shape& b) {
 
 namespace {
 
+/// What a query searches for: convex parts, and the body whose own shapes are left out.
+struct Sought {
+    std::span<const Placed> parts;
+    uint32_t body = none;
+};
+
+/// Calls `search(sought)` with a shape of any world. Its own world is locked like the other one.
+template <class Search>
+void search_for(WorldData& data, WorldData& from, uint32_t shape, const QueryFilter& filter,
+                bool visits, Search search) {
+    const std::vector<Placed> parts = probes_for(data, from, shape);
+    Asking asking(from, filter, visits);
+    search(Sought{parts, &from == &data ? data.forms[shape].body : none});
+    asking.finish();
+}
+
+/// The same with a geometry that is in no world.
+template <class Search>
+void search_for(WorldData& data, const Form& form, const Pose& pose, Search search) {
+    const PosedForm at(FormAccess::data(form), check_pose("pose", pose));
+    data.read_all();
+    search(Sought{probes_of(at)});
+}
+
 /// Calls `tell(shape)` for each shape that overlaps another one, once, until it returns false.
-void find_overlaps(WorldData& data, WorldData& from, uint32_t shape, const QueryFilter& filter,
-                   bool visits, auto&& tell) {
-    const std::vector<Placed> probes = probes_for(data, from, shape);
-    const uint32_t body = &from == &data ? data.forms[shape].body : none;
+void find_overlaps(WorldData& data, const Sought& sought, const QueryFilter& filter, bool visits,
+                   auto&& tell) {
     Asking asking(data, filter, visits);
-    Asking asking_for(from, filter, visits);  // the query shape is in its own world
     FoundShapes found;
     bool going = true;
-    for (const Placed& probe : probes) {
+    for (const Placed& probe : sought.parts) {
         auto visit = [&](uint32_t other) {
             const uint32_t owner = data.forms[other].body;
-            if (!going || owner == body || !is_accepted(data, filter, other)) return;
+            if (!going || owner == sought.body || !is_accepted(data, filter, other)) return;
             const Vec2 offset = data.bodies[owner].center - probe.center;
             if (nearest_points(probe.form, data.solid(other), offset).distance <= 0.0f &&
                 found.add(data.shape_id(other)))
@@ -135,54 +168,21 @@ void find_overlaps(WorldData& data, WorldData& from, uint32_t shape, const Query
         data.moving_tree.query(probe.box, visit);
         data.fixed_tree.query(probe.box, visit);
     }
-    asking_for.finish();
     asking.finish();
 }
 
-}  // namespace
-
-std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& filter) const {
-    std::vector<Shape> all;
-    find_overlaps(*data_, shape.live(), shape.index(), filter, false, [&](const Shape& found) {
-        all.push_back(found);
-        return true;
-    });
-    return all;
-}
-
-std::vector<Shape> World::query_overlap(const Geometry& geometry, const Pose& pose,
-                                        const QueryFilter& filter) const {
-    World scratch;
-    return query_overlap(make_probe(scratch, geometry, pose), filter);
-}
-
-void World::visit_overlap(const Shape& shape, Visitor<Shape> visitor,
-                          const QueryFilter& filter) const {
-    find_overlaps(*data_, shape.live(), shape.index(), filter, true, telling(*data_, visitor));
-}
-
-void World::visit_overlap(const Geometry& geometry, const Pose& pose, Visitor<Shape> visitor,
-                          const QueryFilter& filter) const {
-    World scratch;
-    visit_overlap(make_probe(scratch, geometry, pose), visitor, filter);
-}
-
-std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
-                                        const QueryFilter& filter) const {
-    check_coordinates("motion", motion);
-    WorldData& data = *data_;
-    WorldData& from = shape.live();
-    const std::vector<Placed> probes = probes_for(data, from, shape.index());
-    const uint32_t body = &from == &data ? data.forms[shape.index()].body : none;
-    Asking asking(data, filter), asking_for(from, filter);  // the query shape is in its own world
-    const Vec2 d = motion;
+/// The first shape that the parts meet along `d`.
+std::optional<RayHit> cast_parts(WorldData& data, const Sought& sought, Vec2 d,
+                                 const QueryFilter& filter) {
+    Asking asking(data, filter);
+    World* const self = data.self.link->world;
     std::optional<RayHit> first;
     float nearest = 1.0f;
-    for (const Placed& probe : probes) {
+    for (const Placed& probe : sought.parts) {
         const Box4 swept = unite(probe.box, {probe.box.low + d, probe.box.high + d});
         auto visit = [&](uint32_t other) {
             const uint32_t owner = data.forms[other].body;
-            if (owner == body || !is_accepted(data, filter, other)) return;
+            if (owner == sought.body || !is_accepted(data, filter, other)) return;
             const Position center = data.bodies[owner].center;
             const Solid obstacle = data.solid(other);
             constexpr float gap = 1e-4f;
@@ -193,7 +193,7 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
             const Nearest touch =
                 nearest_points(probe.form, obstacle, center - (probe.center + t * d));
             const Vec2 normal = length(touch.normal) > 0.0f ? -touch.normal : -normalized(d);
-            first = RayHit{Shape(self(), data.shape_id(other)), probe.center + t * d + touch.on_b,
+            first = RayHit{Shape(self, data.shape_id(other)), probe.center + t * d + touch.on_b,
                            normal, t};
         };
         data.fixed_tree.query(swept, visit);
@@ -206,18 +206,62 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
             const Position center = probe.center + t * d;
             const auto apart = float(dot(plane.normal, center) - plane.depth);
             const Position point = center - apart * plane.normal;
-            first = RayHit{Shape(self(), data.shape_id(side)), point, plane.normal, t};
+            first = RayHit{Shape(self, data.shape_id(side)), point, plane.normal, t};
         }
     }
-    asking_for.finish();
     asking.finish();
     return first;
 }
 
-std::optional<RayHit> World::cast_shape(const Geometry& geometry, const Pose& pose,
-                                        const Vec2& motion, const QueryFilter& filter) const {
-    World scratch;
-    return cast_shape(make_probe(scratch, geometry, pose), motion, filter);
+}  // namespace
+
+std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& filter) const {
+    std::vector<Shape> all;
+    search_for(*data_, shape.live(), shape.index(), filter, false, [&](const Sought& sought) {
+        find_overlaps(*data_, sought, filter, false, listing(all));
+    });
+    return all;
+}
+
+std::vector<Shape> World::query_overlap(const Form& form, const Pose& pose,
+                                        const QueryFilter& filter) const {
+    std::vector<Shape> all;
+    search_for(*data_, form, pose, [&](const Sought& sought) {
+        find_overlaps(*data_, sought, filter, false, listing(all));
+    });
+    return all;
+}
+
+void World::visit_overlap(const Shape& shape, Visitor<Shape> visitor,
+                          const QueryFilter& filter) const {
+    search_for(*data_, shape.live(), shape.index(), filter, true, [&](const Sought& sought) {
+        find_overlaps(*data_, sought, filter, true, telling(*data_, visitor));
+    });
+}
+
+void World::visit_overlap(const Form& form, const Pose& pose, Visitor<Shape> visitor,
+                          const QueryFilter& filter) const {
+    search_for(*data_, form, pose, [&](const Sought& sought) {
+        find_overlaps(*data_, sought, filter, true, telling(*data_, visitor));
+    });
+}
+
+std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
+                                        const QueryFilter& filter) const {
+    check_coordinates("motion", motion);
+    std::optional<RayHit> first;
+    search_for(*data_, shape.live(), shape.index(), filter, false,
+               [&](const Sought& sought) { first = cast_parts(*data_, sought, motion, filter); });
+    return first;
+}
+
+std::optional<RayHit> World::cast_shape(const Form& form, const Pose& pose, const Vec2& motion,
+                                        const QueryFilter& filter) const {
+    check_coordinates("motion", motion);
+    std::optional<RayHit> first;
+    search_for(*data_, form, pose,
+               [&](const Sought& sought) { first = cast_parts(*data_, sought, motion, filter); });
+    return first;
 }
 
 std::optional<PointHit> World::closest(const Position& point, float reach,

@@ -2,9 +2,7 @@
 #include <collision/collide_solids.h>
 #include <distance/distance.h>
 #include <fettle/physics/geometry.h>
-#include <forms/form_data.h>
-
-#include <string>
+#include <forms/form_access.h>
 
 // Functions on geometries without a world.
 
@@ -12,21 +10,7 @@ namespace fettle::physics {
 
 using namespace detail;
 
-namespace detail {
-
-struct FormAccess {
-    static const FormData& data(const Form& form) { return *form.data_; }
-};
-
-}  // namespace detail
-
 namespace {
-
-const Pose& check_pose(const char* what, const Pose& pose) {
-    check_coordinates((std::string(what) + ".position").c_str(), pose.position);
-    check_range((std::string(what) + ".angle").c_str(), pose.angle, -1e8f, 1e8f);
-    return pose;
-}
 
 PosedForm posed(const Form& form, const char* what, const Pose& pose) {
     return {FormAccess::data(form), check_pose(what, pose)};
@@ -70,11 +54,7 @@ MassProperties mass_properties(const Form& form, float density) {
 Aabb bounding_box(const Form& form, const Pose& pose) {
     const PosedForm at = posed(form, "pose", pose);
     Box4 box = no_box;
-    for (const Solid& solid : at.solids()) {
-        const auto side = [&](Vec2 direction) { return reach(solid, direction); };
-        box = unite(box, {{-side({-1.0f, 0.0f}), -side({0.0f, -1.0f})},
-                          {side({1.0f, 0.0f}), side({0.0f, 1.0f})}});
-    }
+    for (const Solid& solid : at.solids()) box = unite(box, box_of(solid));
     return {at.center() + box.low, at.center() + box.high};
 }
 

@@ -69,7 +69,7 @@ const std::vector<DividedPart>& divided_parts() {
               {"geometry", "threads", "broad_phase", "collision", "wide", "state", "sleep",
                "contacts", "edits", "schedule", "solver", "step", "checks"}},
              {"handles", {"geometry", "state", "contacts", "step", "checks", "world"}},
-             {"queries", {"distance", "contacts", "state", "checks", "world", "handles"}},
+             {"queries", {"forms", "distance", "contacts", "state", "checks", "world", "handles"}},
              {"mover",
               {"geometry", "collision", "distance", "contacts", "state", "checks", "world",
                "queries"}},

@@ -9,6 +9,7 @@
 #include <fettle/physics/events.h>
 #include <fettle/physics/export.h>
 #include <fettle/physics/field.h>
+#include <fettle/physics/geometry.h>
 #include <fettle/physics/joint_definitions.h>
 #include <fettle/physics/locked.h>
 #include <fettle/physics/owner.h>
@@ -379,13 +380,14 @@ class World {
     /// Shapes that overlap `shape`, which may be of another world; shapes of its own body are
     /// ignored.
     std::vector<Shape> query_overlap(const Shape& shape, const QueryFilter& filter = {}) const;
-    std::vector<Shape> query_overlap(const Geometry& geometry, const Pose& pose = {},
+    /// The same for a geometry that is in no world; a `Form` that is kept saves making it.
+    std::vector<Shape> query_overlap(const Form& form, const Pose& pose = {},
                                      const QueryFilter& filter = {}) const;
     /// The first shape that `shape` meets along `motion`; at fraction 0 if they overlap at the
     /// start.
     std::optional<RayHit> cast_shape(const Shape& shape, const Vec2& motion,
                                      const QueryFilter& filter = {}) const;
-    std::optional<RayHit> cast_shape(const Geometry& geometry, const Pose& pose, const Vec2& motion,
+    std::optional<RayHit> cast_shape(const Form& form, const Pose& pose, const Vec2& motion,
                                      const QueryFilter& filter = {}) const;
     /// The shape nearest to a point, at most `reach` (m) away. The border is ignored.
     std::optional<PointHit> closest(const Position& point, float reach = infinity,
@@ -405,7 +407,7 @@ class World {
     void visit_overlap(const Shape& shape, Visitor<Shape> visitor,
                        const QueryFilter& filter = {}) const;
     /// As `query_overlap`.
-    void visit_overlap(const Geometry& geometry, const Pose& pose, Visitor<Shape> visitor,
+    void visit_overlap(const Form& form, const Pose& pose, Visitor<Shape> visitor,
                        const QueryFilter& filter = {}) const;
     /// Pushes dynamic bodies away from a point: with `impulse` (N s) at distance 0, falling
     /// linearly to 0 at `radius` (m), applied at the nearest point of the body.
