@@ -16,7 +16,7 @@
 namespace fettle::console {
 
 /// The properties of each class together, base classes first: a class may have another default for
-/// a property of its base, and then owns it. What was added to the instance is at the end.
+/// a property of its base, and then owns it. Ad hoc properties are at the end, by name.
 std::vector<const property::Property*> grouped_by_class(
     std::vector<const property::Property*> properties);
 
@@ -34,7 +34,7 @@ class Inspector {
     property::Handle selected() const { return selection_.last(); }
     /// All selected instances that are alive; `selected` is the last one.
     std::vector<property::Handle> selection() const { return selection_.all(); }
-    /// The same without a copy; some of the others may be deleted.
+    /// The same without a copy; its `others` may contain deleted instances.
     const Selection& selected_instances() const { return selection_; }
     /// Adds the instance to the selection, or takes it out of it.
     void toggle(property::Handle instance);

@@ -28,8 +28,8 @@ std::vector<Handle> movable(const property::Tree& tree, std::vector<Handle> inst
 }
 
 /// Writes a new position to each instance, as one step of undo.
-void place(property::Tree& tree, const std::string& name, const std::vector<Handle>& instances,
-           const std::function<Vec2(Vec2)>& to) {
+void set_positions(property::Tree& tree, const std::string& name,
+                   const std::vector<Handle>& instances, const std::function<Vec2(Vec2)>& to) {
     tree.begin_edit(name);
     try {
         const property::Tree::CauseScope cause(tree, property::Writer::inspector);
@@ -75,18 +75,16 @@ std::vector<Handle> in_box(const property::Tree& tree, Vec2 corner, Vec2 other) 
     const Vec2 low = corner.min(other), high = corner.max(other);
     std::vector<Handle> inside;
     tree.each_below(tree.root(), [&](Handle instance) {
-        // A camera has a center and no position; a widget has a position on the screen and is
-        // drawn there, so it must lie below an instance that can say what is at a place.
-        const Handle world = tree.parent(instance);
-        if (!world || position_of(tree, instance) == nullptr) return;
-        bool placed = false;
-        for (Handle above = world; above && !placed; above = tree.parent(above))
-            placed = tree.class_of(above).method("at") != nullptr;
-        if (!placed) return;
+        if (position_of(tree, instance) == nullptr) return;
+        // Only below a world, which has the method `at`: a widget has a position on the screen.
+        bool in_world = false;
+        for (Handle above = tree.parent(instance); above && !in_world; above = tree.parent(above))
+            in_world = tree.class_of(above).method("at") != nullptr;
+        if (!in_world) return;
         const Vec2 at = last_value(tree, instance, *position_of(tree, instance)).vec2();
         if (at.within(low, high)) inside.push_back(instance);
     });
-    // A shape has a position inside its body, which is not a place in the world.
+    // The position of a shape is relative to its body.
     std::erase_if(inside, [&](Handle instance) {
         for (Handle above = tree.parent(instance); above; above = tree.parent(above)) {
             if (tree.class_of(above).method("at") != nullptr) return false;
@@ -118,9 +116,9 @@ std::string clone_command(const property::Tree& tree, const std::vector<Handle>&
 
 void move_by(property::Tree& tree, const std::vector<Handle>& instances, Vec2 way) {
     const std::vector<Handle> all = movable(tree, instances);
-    place(tree,
-          "move " + std::to_string(all.size()) + (all.size() == 1 ? " instance" : " instances"),
-          all, [&](Vec2 at) { return Vec2(at + way); });
+    set_positions(
+        tree, "move " + std::to_string(all.size()) + (all.size() == 1 ? " instance" : " instances"),
+        all, [&](Vec2 at) { return Vec2(at + way); });
 }
 
 void align(property::Tree& tree, const std::vector<Handle>& instances, int axis) {
@@ -133,7 +131,7 @@ void align(property::Tree& tree, const std::vector<Handle>& instances, int axis)
             ++count;
         }
     if (count == 0) return;
-    place(tree, axis == 0 ? "align x" : "align y", all, [&](Vec2 at) {
+    set_positions(tree, axis == 0 ? "align x" : "align y", all, [&](Vec2 at) {
         at[axis] = sum / count;
         return at;
     });

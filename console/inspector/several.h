@@ -11,7 +11,8 @@ namespace fettle::console {
 /// The instances that are alive, each once and in their order, without those below another one.
 std::vector<property::Handle> topmost(const property::Tree& tree,
                                       const std::vector<property::Handle>& instances);
-/// Instances that are at a place inside the box; not those below another one.
+/// Instances whose position in a world is inside the box; not the parts of others, such as the
+/// shapes of a body.
 std::vector<property::Handle> in_box(const property::Tree& tree, property::Vec2 corner,
                                      property::Vec2 other);
 /// All instances of exactly this class.

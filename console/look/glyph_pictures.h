@@ -24,15 +24,16 @@ class GlyphPictures {
     ~GlyphPictures();
     GlyphPictures(const GlyphPictures&) = delete;
 
-    /// Whether an installed font has a picture in colors of it.
+    /// Whether an installed font has a colored picture of the character.
     bool colored(char32_t character);
-    /// `size`: the height of the line in pixels. `cell`: the width of a character, of a wide one
-    /// twice that; 0: as the font has it. Nothing if no installed font has the character.
+    /// `size`: the height of the line in pixels. `cell`: the width of a character; a wide one gets
+    /// twice that; 0: the width that the font gives. Nothing if no installed font has the
+    /// character.
     std::optional<Picture> draw(char32_t character, float size, float cell);
 
   private:
     struct Faces;
-    Faces& faces();  // opened when they are needed first
+    Faces& faces();  // opened at the first use
 
     std::unique_ptr<Faces> faces_;
 };

@@ -156,7 +156,7 @@ void ImGuiBackend::build_fonts(float font_size) {
     font_size_ = font_size;
     io.Fonts->Clear();
     extra_.prepare();
-    // Of DejaVu Sans Mono, each character is 1233 of 2384 units wide, in whole pixels.
+    // A character of DejaVu Sans Mono is 1233/2384 of the font size wide, rounded to whole pixels.
     const float cell = std::floor(font_size * 1233 / 2384 + 0.5f);
     regular_ = add_font(*io.Fonts, extra_, "DejaVuSansMono.ttf", font_size, cell);
     bold_ = add_font(*io.Fonts, extra_, "DejaVuSansMono-Bold.ttf", font_size, cell);

@@ -59,7 +59,8 @@ void add_differences(const property::Tree& tree, const std::string& path, const 
             of_one = text_of(tree, of_a, 0);
             of_other = text_of(tree, of_b, 0);
         }
-        if (of_one == of_other) return;  // two instances that are gone
+        if (of_one == of_other)
+            return;  // differences too small to show, or different deleted instances
         Difference& difference = found[name];
         if (difference.instances++ > 0) return;
         names.push_back(name);

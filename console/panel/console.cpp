@@ -19,12 +19,20 @@ using property::Value;
 
 namespace {
 
-/// The game's `time`, if it has one that can be paused.
+/// The property `time.paused` of the game, and its instance in `time`; null if there is none.
 const property::Property* pause_property(const property::Tree& tree, Handle& time) {
     time = tree.child(tree.root(), "time");
     if (!time) return nullptr;
     const property::Property* paused = tree.find(time, "paused");
     return paused != nullptr && paused->type == property::Type::boolean ? paused : nullptr;
+}
+
+/// The property of `view.show` for an overlay, and its instance in `show`; null if there is none.
+const property::Property* overlay_property(const property::Tree& tree, std::string_view overlay,
+                                           Handle& show) {
+    const Handle view = tree.child(tree.root(), "view");
+    show = view ? tree.child(view, "show") : Handle{};
+    return show ? tree.find(show, overlay) : nullptr;
 }
 
 }  // namespace
@@ -158,18 +166,16 @@ void Console::State::connect() {
 }
 
 bool Console::State::shows(std::string_view overlay) const {
-    const Handle view = tree.child(tree.root(), "view");
-    const Handle show = view ? tree.child(view, "show") : Handle{};
-    const property::Property* const flag = show ? tree.find(show, overlay) : nullptr;
+    Handle show;
+    const property::Property* const flag = overlay_property(tree, overlay, show);
     return flag != nullptr && flag->type == property::Type::boolean &&
            last_value(tree, show, *flag).boolean();
 }
 
-// As in the row of overlays: no edit by a person.
+/// Not an edit by a person, so undo does not revert it.
 void Console::State::show_overlay(std::string_view overlay, bool on) {
-    const Handle view = tree.child(tree.root(), "view");
-    const Handle show = view ? tree.child(view, "show") : Handle{};
-    const property::Property* const flag = show ? tree.find(show, overlay) : nullptr;
+    Handle show;
+    const property::Property* const flag = overlay_property(tree, overlay, show);
     if (flag == nullptr) return;
     const property::Tree::CauseScope cause(tree, property::Writer::module);
     tree.set(show, *flag, Value(on));
@@ -261,7 +267,7 @@ void Console::State::find_selected_again() {
         inspector.select(place.instance);
         if (interpreter.set_it) interpreter.set_it(place.instance);
     } catch (const property::Error&) {
-        // There is none; it may come.
+        // No instance has this path now; a later frame may find one.
     }
 }
 

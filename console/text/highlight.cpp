@@ -68,7 +68,7 @@ class Lexer {
         char quote = line_[at_];
         std::size_t i = at_ + 1;
         while (i < line_.size() && line_[i] != quote) i += line_[i] == '\\' ? 2 : 1;
-        if (i >= line_.size() && output_) {  // a single quote in prose
+        if (i >= line_.size() && output_) {  // a quotation mark without a second one
             ++at_;
             return Token::symbol;
         }
@@ -95,7 +95,7 @@ class Lexer {
         if (first == "true" || first == "false" || first == "nil" || first == "inf")
             return Token::constant;
         bool simple = true;
-        while (take_step()) simple = false;
+        while (take_path_part()) simple = false;
         if (simple && std::find(keywords.begin(), keywords.end(), first) != keywords.end())
             return output_ ? Token::plain : Token::keyword;
         return output_ && simple ? Token::plain : Token::path;
@@ -106,7 +106,7 @@ class Lexer {
     }
 
     /// Reads `.name`, `["odd name"]` or `[2]` after a path.
-    bool take_step() {
+    bool take_path_part() {
         if (peek() == '.' && letter(peek(1))) {
             ++at_;
             take_name();
@@ -147,9 +147,9 @@ std::size_t find_word(std::string_view line, std::string_view name) {
     return std::string_view::npos;
 }
 
-/// Names that the message may refer to, the most probable first: `near 'x'`, quoted names before a
-/// suggestion, then the last step of each path.
-std::vector<std::string> suspects(std::string_view message) {
+/// Names that the message may refer to, the most probable first: quoted ones such as `near 'x'`,
+/// then each path and its last name. Names in a suggestion are left out.
+std::vector<std::string> names_in_message(std::string_view message) {
     if (std::size_t hint = message.find("(did you mean"); hint != std::string_view::npos)
         message = message.substr(0, hint);
     std::vector<std::string> found;
@@ -182,10 +182,10 @@ std::vector<Span> highlight_output(std::string_view line) {
 }
 
 Span error_span(std::string_view line, std::string_view message) {
-    for (const std::string& name : suspects(message)) {
+    for (const std::string& name : names_in_message(message)) {
         std::size_t at = find_word(line, name);
         if (at == std::string_view::npos) continue;
-        std::size_t dot = name.rfind('.');  // for a path, only its last step
+        std::size_t dot = name.rfind('.');  // for a path, only its last name
         std::size_t skip = dot == std::string::npos || dot + 1 == name.size() ? 0 : dot + 1;
         return {at + skip, at + name.size(), Token::plain};
     }

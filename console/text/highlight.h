@@ -10,7 +10,7 @@ namespace fettle::console {
 enum class Token {
     plain,
     keyword,
-    constant,  // true, false, nil
+    constant,  // true, false, nil, inf
     number,
     string,
     comment,

@@ -42,7 +42,7 @@ std::string in_ms(double ms) {
     return text;
 }
 
-/// The parts of the physics in the last step, by `world.step`.
+/// Names and times of the parts of physics in the last step, from the properties of `world.step`.
 std::vector<std::pair<std::string, double>> parts_of_physics(const property::Tree& tree) {
     std::vector<std::pair<std::string, double>> found;
     const Handle world = tree.child(tree.root(), "world");
@@ -57,7 +57,7 @@ std::vector<std::pair<std::string, double>> parts_of_physics(const property::Tre
     return found;
 }
 
-void tell(const FrameTimes& frame) {
+void draw_tooltip(const FrameTimes& frame) {
     ImGui::BeginTooltip();
     ImGui::Text("frame %lld, step %lld: %s", static_cast<long long>(frame.frame),
                 static_cast<long long>(frame.step), in_ms(frame.ms.frame).c_str());
@@ -70,7 +70,8 @@ void tell(const FrameTimes& frame) {
     ImGui::EndTooltip();
 }
 
-/// A box with its name, as far as there is room; a tooltip has both.
+/// Draws a box, and in it the name and the time, only the name, or nothing, as there is room. The
+/// tooltip has both.
 void draw_box(ImDrawList& list, const Rect& place, ImU32 color, const std::string& name,
               double ms) {
     if (place.high.x - place.low.x < 0.5f) return;
@@ -78,7 +79,7 @@ void draw_box(ImDrawList& list, const Rect& place, ImU32 color, const std::strin
     const float room = place.high.x - place.low.x - 6;
     const std::string whole = name + " " + in_ms(ms);
     const std::string& label = text_width(whole) <= room ? whole : name;
-    // Dark letters on the light colors of the parts, light ones where it only waits.
+    // Dark letters on the light colors of the parts, light letters on the dark color of "wait".
     const ImU32 ink = name == "wait" ? palette::text : palette::rgb(0x0d0f14);
     if (text_width(label) <= room)
         draw_text(list, ImVec2(place.low.x + 4, place.low.y + 1), ink, label);
@@ -181,7 +182,7 @@ std::optional<std::size_t> FrameView::draw_bars(const app::FrameLog& log, double
     const float line = bars_.high.y - scale * static_cast<float>(1000 * dt);
     list.AddLine(ImVec2(bars_.low.x, line), ImVec2(bars_.high.x, line),
                  with_alpha(palette::accent, 0.8f));
-    // Bars may be behind the text.
+    // The text has a background, because bars may be behind it.
     const std::string text = in_ms(1000 * dt);
     const float high = ImGui::GetTextLineHeight();
     const ImVec2 at(bars_.low.x + 4, std::max(bars_.low.y, line - high));
@@ -249,7 +250,7 @@ void FrameView::draw(ImVec2 corner, ImVec2 size, const property::Tree& tree,
             {ImVec2(bars_.low.x, bars_.high.y + 6), ImVec2(bars_.high.x, rect_.high.y - pad)}, tree,
             !under && !chosen_);
     }
-    if (under) tell(all[*under]);
+    if (under) draw_tooltip(all[*under]);
     if (under && clicked) choose(all[*under], log);
     ImGui::End();
 }

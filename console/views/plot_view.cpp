@@ -22,7 +22,7 @@ float legend_line() {
     return ImGui::GetTextLineHeight() + 3;
 }
 
-/// 1, 2 or 5 times a power of ten, at least `span` / rows.
+/// 1, 2 or 5 times a power of ten, at least `span / rows_wanted`.
 double spacing_for(double span) {
     const double raw = span / rows_wanted;
     const double power = std::pow(10, std::floor(std::log10(raw)));
@@ -31,7 +31,7 @@ double spacing_for(double span) {
     return 10 * power;
 }
 
-/// The color of the part of a trace: vectors have two lines.
+/// The color of a line. The trace of a vector has two lines; `second`: the one of its y.
 ImU32 color_of(const std::vector<Trace>& plots, std::size_t index, bool second) {
     if (plots[index].is_vector() && plots.size() == 1)
         return second ? palette::axis_y : palette::axis_x;
@@ -103,7 +103,7 @@ void PlotView::draw_grid(const Scale& scale, const Times& times) const {
     }
     const double seconds = static_cast<double>(scale.last - scale.first) * times.dt;
     const double tick = std::max(seconds_between_labels(seconds), times.dt);
-    float labeled = rect_.high.x;  // labels end here
+    float labeled = rect_.high.x;  // the next label must end left of this
     for (double back = tick; back < seconds; back += tick) {
         const float x =
             area_.high.x - (area_.high.x - area_.low.x) * static_cast<float>(back / seconds);
@@ -132,7 +132,7 @@ void PlotView::draw_curves(const Scale& scale, const std::vector<Trace>& plots) 
             const auto add = [&](const Trace::Sample& s) {
                 if (s.step >= scale.first) points.push_back(point(scale, s.step, s.*part));
             };
-            // Of the samples in one column of pixels the lowest and the highest, so that no peak is
+            // Draws the lowest and the highest sample of each column of pixels, so that no peak is
             // lost.
             for (std::size_t k = 0; k < samples.size(); k += stride) {
                 std::size_t low = k, high = k;

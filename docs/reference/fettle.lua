@@ -2674,7 +2674,7 @@ List = {}
 ---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
 ---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
 ---@field image string A picture before its text: a file in the game's folder. · any text · default ""
----@field listening boolean Whether it waits for a key or button of any device. The next one is told by the event `captured` and does nothing else; escape ends it. · true or false · default false
+---@field listening boolean Whether it waits for a key or button of any device. The event `captured` reports the next one, which does nothing else; escape ends it. · true or false · default false
 ---@field look "normal"|"accent"|"quiet" accent: it stands out. quiet: only its text is seen. · "normal", "accent", "quiet" · default "normal"
 ---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
 ---@field prompt string What is written on it while it is listening. · any text · default "press a key"
@@ -2766,7 +2766,7 @@ Slider = {}
 ---A switch with a text.
 ---@class Toggle : Widget
 ---@field bind string Path of a boolean property; both always have the same value. · any text · default ""
----@field color color? What it has if on; nil: accent. · 0 to 1 · default nil · may be nil
+---@field color color? Its color if on; nil: accent. · 0 to 1 · default nil · may be nil
 ---@field focusable boolean Whether it can have the keyboard. · true or false · default true
 ---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
 ---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
@@ -2805,8 +2805,8 @@ Toggle = {}
 
 ---A line of text to type.
 ---@class TextField : Widget
----@field bind string Path of a text or number; a number is set by return, or when the field loses the keyboard. · any text · default ""
----@field caret integer Number of characters before the place where typed ones appear. · 0 to 1e9 · default 0
+---@field bind string Path of a text or number; the player's typing sets it at once. Text that is no number does not change a number, and is replaced by it when the field loses the keyboard. · any text · default ""
+---@field caret integer Number of characters before the caret, the text cursor. · 0 to 1e9 · default 0
 ---@field focusable boolean Whether it can have the keyboard. · true or false · default true
 ---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
 ---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
@@ -2833,7 +2833,7 @@ function fettle_TextField:on(event, handler) end
 ---@overload fun(members?: table): TextField
 TextField = {}
 
----How far something is.
+---A bar whose full part shows where its value is between min and max.
 ---@class ProgressBar : Widget
 ---@field bind string Path of a property that is the value. · any text · default ""
 ---@field color color? The full part; nil: accent. · 0 to 1 · default nil · may be nil
@@ -2848,7 +2848,7 @@ TextField = {}
 ---@field value number Between min and max. · -1e12 to 1e12 · default 0
 local fettle_ProgressBar = {}
 
----How far something is.
+---A bar whose full part shows where its value is between min and max.
 ---@class Class.ProgressBar : Class
 ---@overload fun(members?: table): ProgressBar
 ProgressBar = {}

@@ -157,9 +157,9 @@ void fill(const fs::path& folder, const fs::path& draft) {
     fs::remove(draft);
 }
 
-/// Makes the folder with the files of the template and annotations for editors. Throws FileError:
-/// for a folder that is there and not empty, or a file that cannot be written; then nothing is
-/// made.
+/// Makes the folder with the files of the template and annotations for editors. Throws FileError
+/// for a folder that is not empty, and FileError or fs::filesystem_error if a file cannot be
+/// written; then no game is made.
 int new_game(const NewGameOptions& options) {
     if (const std::string problem = template_problem(options.pattern); !problem.empty()) {
         tell(problem);

@@ -1,4 +1,4 @@
-// Reads files of a game again that change while it runs.
+// While a game runs, reads its files again when they change.
 
 #include <algorithm>
 #include <array>
@@ -108,7 +108,8 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
     return Followed::changed;
 }
 
-/// Whether the file is a scene; an error in it, or in another JSON file, is one of that file.
+/// Whether the file is a scene. If it cannot be read or is not valid, reports this as a problem of
+/// the file, and returns false.
 bool Session::is_scene(const fs::path& file, const std::string& name) {
     std::error_code error;
     if (file.extension() != ".json" || !fs::exists(file, error) || name == "game.json" ||
@@ -125,7 +126,7 @@ bool Session::is_scene(const fs::path& file, const std::string& name) {
     return scene;
 }
 
-/// A file may have been removed in the meantime.
+/// Also returns an exception as an error: a file may have been removed in the meantime.
 script::Reloaded Session::reload_code(const std::vector<std::string>& names) {
     try {
         return runtime_->reload(names);

@@ -72,7 +72,7 @@ bool read_until(int from, Clock::time_point deadline, std::string& text) {
 }
 
 /// Waits for the copy and gets its status. Kills it and returns false after the deadline.
-bool ended(pid_t copy, Clock::time_point deadline, int& status) {
+bool wait_until_end(pid_t copy, Clock::time_point deadline, int& status) {
     for (;;) {
         const pid_t found = waitpid(copy, &status, WNOHANG);
         if (found == copy || (found < 0 && errno != EINTR)) return true;
@@ -109,7 +109,8 @@ std::string run_trial(
     close(ends[0]);
     int status = 0;
     // The pipe may close before the copy ends, because a module can close any file descriptor.
-    const bool in_time = ended(copy, all_said ? deadline : Clock::now(), status) && all_said;
+    const bool in_time =
+        wait_until_end(copy, all_said ? deadline : Clock::now(), status) && all_said;
     if (in_time && said.ends_with(success_line) && WIFEXITED(status) && WEXITSTATUS(status) == 0)
         return "";
     if (const std::size_t error = said.rfind("\n!"); error != std::string::npos)

@@ -65,7 +65,7 @@ float push_limit(float& impulse, float mass, float velocity, float room, const J
 /// the load. So the impulse lags behind the load, like a spring without damping, and a ragdoll
 /// whose joints have friction trembles forever. Therefore the impulse with which the next sub-step
 /// begins falls by more than the change, when it falls. A motor that a limit of its joint stops
-/// falls by the change alone: otherwise it let its load drop and pushed it back again and again.
+/// falls by the change alone: otherwise its load would drop and be pushed back again and again.
 inline float push_motor(float& impulse, float mass, float velocity, float speed, float greatest,
                         bool stopped = false) {
     const float further = stopped ? 0.0f : 3.0f;

@@ -1,6 +1,7 @@
 #pragma once
-// One texture for all drawing: a white patch for plain triangles, discs for small circles, and
-// glyphs. With one texture, all figures need only one draw call and keep their order.
+// One texture for figures and text: a white patch for plain triangles, discs for small circles, and
+// glyphs. With one texture, they need only one draw call and keep their order. Pictures are
+// in other textures; see pictures.h.
 
 #include <array>
 #include <cstdint>

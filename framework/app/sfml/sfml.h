@@ -20,8 +20,9 @@
 
 namespace fettle::app::sfml {
 
-/// While it lives, SFML prints nothing to the terminal. It also prints messages in harmless cases:
-/// a virtual display has no vertical synchronization. Failures are detected by return values.
+/// While it lives, SFML prints nothing to the terminal. SFML also prints messages in harmless
+/// cases, such as a virtual display without vertical synchronization. Failures are detected by
+/// return values.
 class NoMessages {
   public:
     NoMessages() : before_(sf::err().rdbuf(nullptr)) {}
@@ -34,7 +35,7 @@ class NoMessages {
 
 /// The name of a key; "" if it has none. sfml_events.cpp defines this function and the next five.
 std::string key_name(sf::Keyboard::Key key);
-/// Whether a finger is on the key of this name, whichever window has the keyboard.
+/// Whether the key of this name is held down, whichever window has the keyboard.
 bool is_down(const std::string& key);
 std::string button_name(sf::Mouse::Button button);
 /// The same as `is_down` for a button of the mouse.

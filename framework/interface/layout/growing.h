@@ -11,8 +11,8 @@ inline bool fills(const Widget& widget, int axis) {
 }
 
 /// The share of the free length that the widget gets; 0: none.
-inline double growth(const Widget& widget, int along) {
-    return widget.placing.grow > 0 ? widget.placing.grow : fills(widget, along) ? 1 : 0;
+inline double growth(const Widget& widget, int axis) {
+    return widget.placing.grow > 0 ? widget.placing.grow : fills(widget, axis) ? 1 : 0;
 }
 
 }  // namespace fettle::interface

@@ -49,9 +49,8 @@ property::ClassDescriptor button(Widgets& widgets) {
              field<&Widget::content, &Content::listening>(
                  widgets,
                  {.name = "listening",
-                  .doc =
-                      "Whether it waits for a key or button of any device. The next one is told by "
-                      "the event `captured` and does nothing else; escape ends it."}),
+                  .doc = "Whether it waits for a key or button of any device. The event `captured` "
+                         "reports the next one, which does nothing else; escape ends it."}),
              field<&Widget::content, &Content::prompt>(
                  widgets,
                  {.name = "prompt", .doc = "What is written on it while it is listening."}),
@@ -101,7 +100,7 @@ property::ClassDescriptor toggle(Widgets& widgets) {
                             widgets, {.name = "value", .doc = "Whether it is on."}),
                         focusable(widgets),
                         field<&Widget::style, &Style::color>(
-                            widgets, {.name = "color", .doc = "What it has if on; nil: accent."}),
+                            widgets, {.name = "color", .doc = "Its color if on; nil: accent."}),
                         bind_property(widgets,
                                       "Path of a boolean property; both always have the same "
                                       "value.")},
@@ -110,38 +109,39 @@ property::ClassDescriptor toggle(Widgets& widgets) {
 }
 
 property::ClassDescriptor text_field(Widgets& widgets) {
-    return {.name = "TextField",
-            .base = "Widget",
-            .doc = "A line of text to type.",
-            .properties = joined(
-                {text_property(widgets, "What is in it."),
-                 field<&Widget::content, &Content::placeholder>(
-                     widgets, {.name = "placeholder", .doc = "Shown while it is empty."}),
-                 field<&Widget::content, &Content::max_length>(
-                     widgets, {.name = "max_length",
-                               .range = {0, 1e6},
-                               .doc = "Number of characters that can be typed; 0: no limit."}),
-                 field<&Widget::content, &Content::caret>(
-                     widgets,
-                     {.name = "caret",
-                      .range = {0, 1e9},
-                      .doc = "Number of characters before the place where typed ones appear."}),
-                 focusable(widgets),
-                 bind_property(widgets,
-                               "Path of a text or number; a number is set by return, or when "
-                               "the field loses the keyboard.")},
-                text_properties(widgets, "left", "cut")),
-            .events = {changed(Type::text),
-                       {.name = "submitted",
-                        .fields = {{.name = "text", .type = Type::text, .doc = "What is in it."}},
-                        .doc = "The player has pressed return."}}};
+    return {
+        .name = "TextField",
+        .base = "Widget",
+        .doc = "A line of text to type.",
+        .properties = joined(
+            {text_property(widgets, "What is in it."),
+             field<&Widget::content, &Content::placeholder>(
+                 widgets, {.name = "placeholder", .doc = "Shown while it is empty."}),
+             field<&Widget::content, &Content::max_length>(
+                 widgets, {.name = "max_length",
+                           .range = {0, 1e6},
+                           .doc = "Number of characters that can be typed; 0: no limit."}),
+             field<&Widget::content, &Content::caret>(
+                 widgets, {.name = "caret",
+                           .range = {0, 1e9},
+                           .doc = "Number of characters before the caret, the text cursor."}),
+             focusable(widgets),
+             bind_property(widgets,
+                           "Path of a text or number; the player's typing sets it at once. Text "
+                           "that is no number does not change a number, and is replaced by it "
+                           "when the field loses the keyboard.")},
+            text_properties(widgets, "left", "cut")),
+        .events = {changed(Type::text),
+                   {.name = "submitted",
+                    .fields = {{.name = "text", .type = Type::text, .doc = "What is in it."}},
+                    .doc = "The player has pressed return."}}};
 }
 
 property::ClassDescriptor progress_bar(Widgets& widgets) {
     return {
         .name = "ProgressBar",
         .base = "Widget",
-        .doc = "How far something is.",
+        .doc = "A bar whose full part shows where its value is between min and max.",
         .properties = joined(
             {field<&Widget::content, &Content::value>(
                  widgets, {.name = "value", .range = {-1e12, 1e12}, .doc = "Between min and max."}),

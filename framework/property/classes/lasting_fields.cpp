@@ -12,7 +12,7 @@ namespace {
 
 bool comes_before(const Field& a, const Field& b) {
     const auto key = [](const Field& f) {
-        // Bits, because every number must have a place in the order.
+        // Compares the bits of the numbers, because NaN is neither less nor greater than others.
         return std::tuple(
             std::tie(f.name, f.type, f.unit, f.doc, f.reference_class, f.element, f.nullable),
             std::bit_cast<std::uint64_t>(f.range.min), std::bit_cast<std::uint64_t>(f.range.max));

@@ -15,7 +15,7 @@ bool same_kind(const Property& a, const Property& b) {
     return a.type == b.type && a.nullable == b.nullable && a.reference_class == b.reference_class;
 }
 
-Property* own(std::deque<Property>& all, std::string_view name) {
+Property* find_by_name(std::deque<Property>& all, std::string_view name) {
     for (Property& property : all)
         if (property.name == name) return &property;
     return nullptr;
@@ -50,7 +50,7 @@ void ClassRegistry::redefine(Class& of, std::vector<Property> wanted) {
             retire(of, property);
     }
     for (Property& property : wanted) {
-        Property* const known = own(of.own_properties_, property.name);
+        Property* const known = find_by_name(of.own_properties_, property.name);
         const bool inherited = base.property(property.name) != nullptr;
         if (known != nullptr && (inherited || same_kind(*known, property))) {
             Property again = *known;
@@ -68,7 +68,8 @@ void ClassRegistry::redefine(Class& of, std::vector<Property> wanted) {
     }
 }
 
-/// The property is not a member any more. Its column stays, without a use.
+/// Removes the property from the class and from those that derive from it. Its column stays,
+/// unused.
 void ClassRegistry::retire(Class& of, Property& property) {
     for (Class* each : with_derived(of)) {
         // A derived class may have declared it again with another default.
@@ -77,8 +78,9 @@ void ClassRegistry::retire(Class& of, Property& property) {
         std::erase(each->observed_, here);
         std::erase(each->initial_, here);
         each->property_index_.erase(property.symbol);
-        if (Property* again = own(each->own_properties_, property.name); again != nullptr)
-            if (each != &of) again->name += " (retired)";
+        if (Property* again = find_by_name(each->own_properties_, property.name);
+            again != nullptr && each != &of)
+            again->name += " (retired)";
     }
     property.name += " (retired)";
 }

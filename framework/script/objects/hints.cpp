@@ -45,7 +45,7 @@ std::string meant_by(const std::string& name, const std::vector<std::string>& kn
 }  // namespace
 
 void Hints::tell(const std::string& about, const std::string& note) {
-    constexpr std::size_t limit = 100;  // a limit for games with very many of them
+    constexpr std::size_t limit = 100;  // notes for one game
     if (given_.size() >= limit || !given_.insert(about).second) return;
     if (const auto sink = machine_.host.on_note) sink(note);
 }
@@ -126,8 +126,7 @@ void Hints::property_added(Handle instance, std::string_view name) {
         hint = meaning_hint(meant);
     else if (const std::string child = child_with(instance, name); !child.empty())
         hint = "; " + child;
-    // Parts of the framework that are made for it, as `input.actions` and `view.uniforms`, take
-    // any.
+    // Some parts of the framework, such as `input.actions` and `view.uniforms`, take any property.
     else if (native->creatable() || property::has_added_rules(machine_.tree, instance) ||
              native->properties().size() == machine_.tree.object_class().properties().size())
         return;
@@ -259,7 +258,7 @@ std::map<std::string, std::string_view> Hints::files() const {
     return found;
 }
 
-/// `state = "menu"` takes a function away from the game.
+/// `state = "menu"` replaces a function of Fettle, which the game can then no longer call.
 void Hints::check_replaced() {
     lua_State* L = machine_.lua.main;
     const int globals = lua_gettop(L);
@@ -284,7 +283,8 @@ void Hints::check_local_callbacks() {
     for (const auto& [chunk, text] : files())
         each_place(text, first_words, [&, &file = chunk, &code = text](std::size_t at) {
             const std::size_t begin = at - first_words.size();
-            if (begin > 0 && code[begin - 1] != '\n') return;  // inside of something
+            if (begin > 0 && code[begin - 1] != '\n')
+                return;  // indented: inside a function or a block
             const std::string name(code.substr(at, end_of_word(code, at) - at));
             if (!among(callback_names(), name) || among(machine_.globals.assigned, name) ||
                 is_called(name))
@@ -305,7 +305,8 @@ void Hints::check_keys() {
             each_place(text, callback, [&, &file = chunk, &code = text](std::size_t at) {
                 const std::string parameter(code.substr(at, end_of_word(code, at) - at));
                 if (parameter.empty()) return;
-                // The function may call others; a variable of that name elsewhere is not a key.
+                // Only the body of this callback: elsewhere, a variable of that name may hold no
+                // key.
                 const std::size_t end = std::min(code.find("\nend", at), code.size());
                 const std::string_view body = code.substr(0, end);
                 each_place(body.substr(at), parameter + " == ", [&](std::size_t behind) {

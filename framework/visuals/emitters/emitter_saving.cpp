@@ -26,7 +26,7 @@ void Emitters::save(property::ByteWriter& to) const {
         to.put(s.self);
         to.put(s.born);
         to.put(s.owed);
-        to.put(s.moved);
+        to.put(s.last_dt);
         to.put(s.at);
         to.put(s.wanted);
         for (const bool flag : {s.placed, s.burst, s.busy}) to.put(std::uint8_t{flag});
@@ -44,13 +44,13 @@ std::function<void()> Emitters::restore(property::ByteReader& from) {
         s.self = from.get<Handle>();
         s.born = from.get<std::uint64_t>();
         s.owed = from.get<double>();
-        s.moved = from.get<double>();
+        s.last_dt = from.get<double>();
         s.at = from.get<property::Transform>();
         s.wanted = from.get<std::uint32_t>();
         s.placed = from.boolean();
         s.burst = from.boolean();
         s.busy = from.boolean();
-        from.require(s.owed >= 0 && s.owed <= 1 && std::isfinite(s.moved) && is_finite(s.at),
+        from.require(s.owed >= 0 && s.owed <= 1 && std::isfinite(s.last_dt) && is_finite(s.at),
                      "an emitter");
         row.particles = from.list<Particle>();
         for (const Particle& p : row.particles) from.require(is_valid(p), "a particle");

@@ -93,7 +93,7 @@ void Emitters::advance(Row& row, double dt) {
     const Reader read(*tree_, state.self);
     const Motion motion = motion_of(row);
     visuals::advance(row.particles, motion, dt);
-    state.moved = dt;
+    state.last_dt = dt;
     const bool screen = on_screen(state.self);
     // Particles that move with the emitter are in its coordinates.
     Transform now;

@@ -32,7 +32,7 @@ class Emitters {
         property::Handle self{};   // null: the row is free
         std::uint64_t born = 0;    // number of particles that ever began
         double owed = 0;           // fraction of the next particle that is due
-        double moved = 0;          // s, length of the last step
+        double last_dt = 0;        // s, length of the last step
         property::Transform at{};  // where it was at the end of the last step
         std::uint32_t wanted = 0;  // particles to begin in the next step, by `emit`
         bool placed = false;       // `at` is known

@@ -1,5 +1,5 @@
 #pragma once
-// The picture of a tile, and its solid outlines.
+// A map file that was read: the pictures and the solid outlines of its tiles.
 
 #include <cstdint>
 #include <functional>
@@ -21,8 +21,8 @@ struct TileLook {
     std::shared_ptr<const Sheet> sheet{};  // null: the tile has no picture
     property::PictureArea area{};
     property::Vec2 size{0, 0};
-    property::Vec2 offset{0, 0};        // of the lower left corner from that of the cell
-    std::vector<maps::Frame> frames{};  // with numbers in the map; empty: it does not move
+    property::Vec2 offset{0, 0};  // from the lower left corner of the cell to that of the tile
+    std::vector<maps::Frame> frames{};  // `tile`: number in the map; empty: not animated
     double seconds = 0;                 // of all frames
 };
 

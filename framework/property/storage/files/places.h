@@ -1,5 +1,5 @@
 #pragma once
-// Locations of files about a game.
+// Folders and names of a game, and of the files that Fettle keeps for it.
 
 #include <filesystem>
 #include <string>
@@ -13,7 +13,8 @@ std::filesystem::path game_folder(const std::filesystem::path& game);
 std::string game_name(const std::filesystem::path& game);
 /// The user's folder for the data of Fettle; empty if the user has none.
 std::filesystem::path fettle_data();
-/// The folder of the game, then the user's own folder for the game.
+/// The folders that may hold the journal, the preferred one first: `.fettle` in the game's folder,
+/// then the user's folder for the game.
 std::vector<std::filesystem::path> journal_folders(const std::filesystem::path& game);
 
 }  // namespace fettle::property

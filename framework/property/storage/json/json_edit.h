@@ -11,8 +11,8 @@
 
 namespace fettle::property {
 
-/// `text`, which was at `node` or is there, without the indentation of that place. Values to be
-/// added must have this form.
+/// Returns the text of `node`, or an edited copy of it, without the indentation that its line has
+/// in the document. Values to be added must have this form.
 std::string without_indent(std::string text, const Document& document, const Document::Node& node);
 
 class JsonEdit {

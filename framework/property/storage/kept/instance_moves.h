@@ -1,8 +1,8 @@
 #pragma once
 // Instances whose name or parent differs from what the game's files and scripts say. The path in
-// those files and scripts is the *home path*. A new instance may have the path of an instance that
-// was moved away and is at home there. The home path of the new one then contains a marked name,
-// which no instance can have.
+// those files and scripts is the *home path*. The path of a new instance may be the home path of an
+// instance that was moved away. The home path of the new one then contains a marked name, which no
+// instance can have.
 
 #include <cstddef>
 #include <string>

@@ -33,7 +33,7 @@ std::vector<std::string> KeptTweaks::remove(const std::vector<std::string>& all)
         std::vector<std::string> before = forget_beside(paths);
         fold();
         for (const std::string& path : paths)
-            if (!created.contains(path) && !part_removed(path)) put_deleted(path);
+            if (!created.contains(path) && !remove_part(path)) put_deleted(path);
         return before;
     });
 }
@@ -47,8 +47,9 @@ bool KeptTweaks::deletes(const std::string& path) const {
     return std::ranges::find(contents_.deleted, path) != contents_.deleted.end();
 }
 
-/// Removes an instance from the scene of an instance that the file makes.
-bool KeptTweaks::part_removed(const std::string& path) {
+/// Removes an instance from the scene of an instance that the file makes. Returns false if it is in
+/// no such scene.
+bool KeptTweaks::remove_part(const std::string& path) {
     const std::string made = made_above(path);
     if (made.empty()) return false;
     const Node& node = *member("created", made);
@@ -139,7 +140,7 @@ void KeptTweaks::put_back(const std::string& path, const std::string& taken_out,
                 const std::string& key = document.key(*node);
                 const std::string about =
                     section == std::string_view("values") ? split_path(key).first : key;
-                // the instance of this entry may have been deleted as well
+                // The instance of this entry may have been deleted as well.
                 if (is_at_or_below(about, path) || instance(about))
                     put(section, key, std::string(document.raw(*node)));
             }

@@ -154,8 +154,9 @@ void KeptTweaks::change(const std::string& section, const std::string& key,
         its->list[place->second].value = std::move(value);
 }
 
-/// Existing entries stay in their places and get the new value; new entries are added at the end.
-void KeptTweaks::make(JsonEdit& edit, const Changes& changes) {
+/// Writes the changes into the text. Existing entries stay in their places and get the new value;
+/// new entries are added at the end.
+void KeptTweaks::apply(JsonEdit& edit, const Changes& changes) {
     const auto section = [&](const Document& in) { return in.member(in.root(), changes.section); };
     const auto key_of = [](const Document& in, const Node& node) -> std::string {
         if (in.has_key(node)) return in.key(node);
@@ -249,7 +250,7 @@ void KeptTweaks::fold() {
               [&](const Changes& a, const Changes& b) { return place(a) < place(b); });
     const std::string before = document_ ? document_->source() : std::string(empty_file);
     JsonEdit edit(before, file_.string());
-    for (const Changes& each : changes) make(edit, each);
+    for (const Changes& each : changes) apply(edit, each);
     if (edit.text() == before) return;
     auto document = std::make_shared<const Document>(edit.text(), file_.string());
     set_contents(contents_of(*document));

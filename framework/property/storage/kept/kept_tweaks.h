@@ -120,7 +120,7 @@ class KeptTweaks {
                                                   const Remove& remove);
     std::vector<std::string> forget_beside(const std::vector<std::string>& paths);
     void name_as_in(const std::string& path, const std::string& scene);
-    bool part_removed(const std::string& path);
+    bool remove_part(const std::string& path);
     static SceneSteps steps_between(const std::string& top, const std::string& path);
     void rename_in_references(const NewPath& now_at);
     /// The text of a value or of a new instance with replaced paths; nullopt if it contains no
@@ -153,7 +153,7 @@ class KeptTweaks {
     };
     void change(const std::string& section, const std::string& key,
                 std::optional<std::string> value);
-    static void make(JsonEdit& edit, const Changes& changes);
+    static void apply(JsonEdit& edit, const Changes& changes);
 
     Tree& tree_;
     GameFiles& files_;

@@ -17,7 +17,7 @@ using Node = Document::Node;
 class Replacements {
   public:
     explicit Replacements(const NewPath& path)
-        : see_([this, &path](const std::string& old, const Node& node) {
+        : visit_([this, &path](const std::string& old, const Node& node) {
               if (const auto now = path(old)) {
                   std::string quoted;
                   if (now->empty())
@@ -28,18 +28,18 @@ class Replacements {
               return Handle{};
           }) {}
 
-    void look(const Document& document, const Node& node, Type type, Type element) const {
+    void collect(const Document& document, const Node& node, Type type, Type element) const {
         const FormulaText formula = formula_text(document, node);
         const Node* value = formula ? formula.value : &node;
-        if (value != nullptr) (void)read_value(document, *value, type, element, see_);
+        if (value != nullptr) (void)read_value(document, *value, type, element, visit_);
     }
-    void make(JsonEdit& edit) const {
+    void apply(JsonEdit& edit) const {
         if (!list_.empty()) edit.replace(list_);
     }
 
   private:
     std::vector<std::pair<const Node*, std::string>> list_{};
-    ReferenceResolver see_;
+    ReferenceResolver visit_;
 };
 
 }  // namespace
@@ -56,11 +56,12 @@ std::string scene_with_paths(const Tree& tree, const std::string& scene, const N
                 const Property* property = each.instance_class->property(document.key(*node));
                 if (property == nullptr && section == each.properties) continue;
                 if (property == nullptr)
-                    replacements.look(document, *node, Type::nil, Type::nil);
+                    replacements.collect(document, *node, Type::nil, Type::nil);
                 else
-                    replacements.look(document, *node, declared_type(*property), property->element);
+                    replacements.collect(document, *node, declared_type(*property),
+                                         property->element);
             }
-    replacements.make(edit);
+    replacements.apply(edit);
     return edit.text();
 }
 
@@ -69,8 +70,8 @@ std::string value_with_paths(const std::string& value, const NewPath& path, Type
     if (value.empty()) return value;
     JsonEdit edit(value, "its value");
     Replacements replacements(path);
-    replacements.look(edit.document(), edit.document().root(), type, element);
-    replacements.make(edit);
+    replacements.collect(edit.document(), edit.document().root(), type, element);
+    replacements.apply(edit);
     return edit.text();
 }
 

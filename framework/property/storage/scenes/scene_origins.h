@@ -30,10 +30,10 @@ using SceneSteps = std::vector<SceneStep>;
 
 /// The steps as a text, and the inverse function. The text is empty for the topmost instance.
 std::string steps_text(const SceneSteps& steps);
+SceneSteps read_steps(const std::string& text);
 /// Replaces the names in the steps. `names`: old steps and new names.
 SceneSteps renamed_steps(const SceneSteps& steps,
                          const std::vector<std::pair<SceneSteps, std::string>>& names);
-SceneSteps read_steps(const std::string& text);
 
 class SceneOrigins {
   public:

@@ -368,7 +368,7 @@ class Keeping {
         try {
             check(rows);
             return rows;
-        } catch (const Error&) {  // one of them: which?
+        } catch (const Error&) {  // not all together: the loop finds the rows that fail
         }
         Rows possible;
         for (JournalRow* row : rows) {

@@ -47,15 +47,15 @@ class Reapplying {
         for (JournalRow* row : rows)  // an instance may replace a deleted one
             if (row->kind != Kind::value && row->kind != Kind::deleted) waiting_.push_back(row);
         find_instances();
-        while (!waiting_.empty() && (make_some() || make_room())) {
+        while (!waiting_.empty() && (apply_ready() || make_room())) {
         }
-        for (JournalRow* row : std::exchange(waiting_, {})) make(*row);  // reports the errors
+        for (JournalRow* row : std::exchange(waiting_, {})) apply(*row);  // reports the errors
         set_open_references();
         for (JournalRow* row : rows)
-            if (row->kind == Kind::value) make(*row);
+            if (row->kind == Kind::value) apply(*row);
     }
     /// The applied rows and their instances.
-    const std::vector<std::pair<JournalRow*, Handle>>& made() const { return made_; }
+    const std::vector<std::pair<JournalRow*, Handle>>& applied() const { return applied_; }
 
   private:
     Handle at(const std::string& home) const {
@@ -97,21 +97,22 @@ class Reapplying {
         return above && !tree_.child(above, name);
     }
 
-    /// New instances are made last, because they may refer to instances that are moved or made.
-    bool make_some() {
+    /// Applies the waiting rows that are ready, and returns whether there were any. New instances
+    /// are made last, because they may refer to instances that are moved or made.
+    bool apply_ready() {
         const Rows before = waiting_;
         for (const bool created : {false, true}) {
             for (JournalRow* row : before)
                 if ((row->kind == Kind::created) == created && is_ready(*row)) {
                     std::erase(waiting_, row);
-                    make(*row);
+                    apply(*row);
                 }
             if (waiting_.size() < before.size()) return true;
         }
         return false;
     }
 
-    /// If instances exchange their places, one of them gets a temporary name.
+    /// If instances exchange their places, gives one of them a temporary name, and returns true.
     bool make_room() {
         for (const JournalRow* row : waiting_) {
             const auto [parent, name] = place_of(*row);
@@ -134,13 +135,13 @@ class Reapplying {
         return name;
     }
 
-    void make(JournalRow& row) {
+    void apply(JournalRow& row) {
         try {
             const Handle instance = row.kind == Kind::value     ? set(row)
                                     : row.kind == Kind::deleted ? destroy(row)
                                     : row.kind == Kind::moved   ? move(row)
                                                                 : create(row);
-            made_.emplace_back(&row, instance);
+            applied_.emplace_back(&row, instance);
             ++report_.count;
             state_.set_state(row, RowState::dropped);
         } catch (const Error& error) {
@@ -226,7 +227,7 @@ class Reapplying {
     RowPaths paths_;
     Rows waiting_;
     std::map<const JournalRow*, Handle> instances_;
-    std::vector<std::pair<JournalRow*, Handle>> made_;
+    std::vector<std::pair<JournalRow*, Handle>> applied_;
     struct Open {
         const JournalRow* row;
         std::shared_ptr<const Document> scene;
@@ -251,7 +252,7 @@ TweakReport Tweaks::State::reapply(std::string_view pattern) {
         reapplying.reapply(rows);
     }
     settle_fresh();
-    for (const auto& [row, instance] : reapplying.made())
+    for (const auto& [row, instance] : reapplying.applied())
         if (Entry* entry = entry_about(*row, instance)) earlier.reapplied.emplace_back(row, entry);
     return report;
 }
