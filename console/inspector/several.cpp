@@ -56,7 +56,7 @@ std::string command_for_each(const property::Tree& tree, const std::vector<Handl
 
 std::vector<Handle> topmost(const property::Tree& tree, const std::vector<Handle>& instances) {
     const auto key = [](Handle h) { return std::pair(h.index, h.generation); };
-    std::set<std::pair<std::uint32_t, std::uint32_t>> wanted;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> wanted, taken;
     for (const Handle each : instances)
         if (tree.alive(each)) wanted.insert(key(each));
     std::vector<Handle> top;
@@ -65,8 +65,7 @@ std::vector<Handle> topmost(const property::Tree& tree, const std::vector<Handle
         bool below = false;
         for (Handle above = tree.parent(each); above && !below; above = tree.parent(above))
             below = wanted.contains(key(above));
-        // The first of several mentions; later ones are no longer wanted.
-        if (wanted.erase(key(each)) > 0 && !below) top.push_back(each);
+        if (!below && taken.insert(key(each)).second) top.push_back(each);
     }
     return top;
 }

@@ -97,6 +97,14 @@ TEST_CASE("instances that are deleted are selected no more") {
     CHECK(selection.contains(rig.ball));
 }
 
+TEST_CASE("an instance below another one is left out, also when it was selected after it") {
+    SelectionRig rig;
+    const Handle ring = rig.tree.create(rig.tree.class_of(rig.ball), rig.ball, "ring");
+    CHECK(console::topmost(rig.tree, {ring, rig.ball, rig.crate}) ==
+          std::vector{rig.ball, rig.crate});
+    CHECK(console::topmost(rig.tree, {rig.ball, rig.ball, ring}) == std::vector{rig.ball});
+}
+
 TEST_CASE("a box drawn with shift selects what is in it") {
     SelectionRig rig;
     const ImVec2 from = rig.pixel(Vec2(-1, -3)), to = rig.pixel(Vec2(4, -5));
