@@ -18,9 +18,9 @@ bool blank(char c) {
     return c == ' ' || c == '\t' || c == '\n';
 }
 
-constexpr std::array<std::string_view, 19> keywords = {
-    "and", "break", "do", "else", "elseif", "end",    "for",    "function", "goto", "if",
-    "in",  "local", "is", "not",  "or",     "repeat", "return", "then",     "until"};
+constexpr std::array<std::string_view, 20> keywords = {
+    "and", "break", "do", "else", "elseif", "end",    "for",    "function", "goto",  "if",
+    "in",  "local", "is", "not",  "or",     "repeat", "return", "then",     "until", "while"};
 
 class Lexer {
   public:

@@ -36,6 +36,18 @@ TEST_CASE("the parts of a command are colored by their kind") {
     CHECK(has(line, spans, "-- why", Token::comment));
 }
 
+TEST_CASE("each word of Lua is colored as a keyword or a constant") {
+    for (const std::string_view word :
+         {"and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
+          "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
+          "repeat",   "return", "then", "true", "until",  "while"}) {
+        INFO(word);
+        const auto spans = highlight_command(word);
+        REQUIRE(spans.size() == 1);
+        CHECK((spans[0].token == Token::keyword || spans[0].token == Token::constant));
+    }
+}
+
 TEST_CASE("an echo is colored and other text is not") {
     std::string_view line = "world.ball.mass: 2 → 5.5e-3 kg, don't \"stop\" here";
     auto spans = highlight_output(line);
