@@ -11,56 +11,77 @@ namespace fettle::app {
 
 namespace {
 
-constexpr unsigned gap = 1;  // texels between patches, so that filtering does not mix neighbors
+constexpr std::size_t channels = 4;
+constexpr std::size_t border = 1;  // texels around a patch
 
-/// Writes a white texel with the given opacity.
-void put(std::vector<std::uint8_t>& pixels, std::size_t index, float opacity) {
-    pixels[4 * index] = pixels[4 * index + 1] = pixels[4 * index + 2] = 255;
-    pixels[4 * index + 3] =
-        static_cast<std::uint8_t>(std::lround(255 * std::clamp(opacity, 0.0f, 1.0f)));
-}
+/// Pixels of a patch with its border, all of them transparent white, so that filtering does not
+/// darken the rim.
+struct Pixels {
+    std::size_t width, height;  // without the border
+    std::vector<std::uint8_t> all;
+
+    Pixels(std::size_t w, std::size_t h)
+        : width(w), height(h), all((w + 2 * border) * (h + 2 * border) * channels) {
+        for (std::size_t i = 0; i < all.size(); i += channels) std::fill_n(&all[i], 3, 255);
+    }
+    std::uint8_t* at(std::size_t x, std::size_t y) {
+        return &all[((y + border) * (width + 2 * border) + x + border) * channels];
+    }
+};
 
 }  // namespace
 
 Atlas::Atlas() {
-    if (!sfml::create(texture_, side, side))
-        throw std::runtime_error("the graphics system has no textures of 2048 x 2048");
-    texture_.setSmooth(true);
-    // The background is transparent white, so that filtering does not darken the rim of a patch.
-    std::vector<std::uint8_t> pixels(std::size_t{side} * side * 4);
-    for (std::size_t i = 0; i < std::size_t{side} * side; ++i) put(pixels, i, 0);
-    for (std::size_t y = 0; y < 4; ++y)
-        for (std::size_t x = 0; x < 4; ++x) put(pixels, y * side + x, 1);
-    sfml::update(texture_, pixels.data(), side, side, 0, 0);
-    shelf_ = {4 + gap, 0, 4};
-    draw_discs();
     load_fonts();
+    make_texture(1024);
+}
+
+/// A texture of 1024 x 1024 is enough for most games. A larger one costs more memory, and with
+/// software rendering a third of the time until the first picture.
+void Atlas::make_texture(unsigned side) {
+    if (!sfml::create(texture_, side, side))
+        throw std::runtime_error("the graphics system has no textures of " + std::to_string(side) +
+                                 " x " + std::to_string(side));
+    texture_.setSmooth(true);
+    side_ = side;
+    const std::vector<std::uint8_t> opaque(white_side * white_side * channels, 255);
+    sfml::update(texture_, opaque.data(), white_side, white_side, 0, 0);
+    shelf_ = {white_side, 0, white_side};
+    draw_discs();
+    glyphs_from_ = shelf_.y + shelf_.height;
+    clear_shelves();
 }
 
 void Atlas::draw_discs() {
+    discs_.clear();
     // Radii grow by 6 %, so a disc is scaled down by less than that and its rim stays sharp.
     std::vector<float> radii;
     for (float radius = 0.75f; radius < largest_disc; radius *= 1.06f) radii.push_back(radius);
     radii.push_back(largest_disc);
-    std::vector<std::uint8_t> pixels;
     for (const float radius : radii) {
         const unsigned width = 2 * static_cast<unsigned>(std::ceil(radius + 1));
-        const Patch patch = place(width, width).value();
-        pixels.assign(std::size_t{width} * width * 4, 0);
+        Pixels pixels(width, width);
         const float middle = 0.5f * static_cast<float>(width);
         for (unsigned y = 0; y < width; ++y) {
             for (unsigned x = 0; x < width; ++x) {
                 const float distance = std::hypot(static_cast<float>(x) + 0.5f - middle,
                                                   static_cast<float>(y) + 0.5f - middle);
-                put(pixels, std::size_t{y} * width + x, radius + 0.5f - distance);
+                const float opacity = std::clamp(radius + 0.5f - distance, 0.0f, 1.0f);
+                pixels.at(x, y)[3] = static_cast<std::uint8_t>(std::lround(255 * opacity));
             }
         }
-        sfml::update(texture_, pixels.data(), width, width, static_cast<unsigned>(patch.left),
-                     static_cast<unsigned>(patch.top));
+        const Patch patch = place(width, width).value();
+        write(patch, pixels.all);
         discs_.push_back({radius, patch});
     }
-    glyphs_from_ = shelf_.y + shelf_.height + gap;
-    clear_glyphs();
+}
+
+/// `pixels`: those of the patch and of its border.
+void Atlas::write(const Patch& patch, const std::vector<std::uint8_t>& pixels) {
+    const auto texels = [](float length) { return static_cast<unsigned>(length); };
+    sfml::update(texture_, pixels.data(), texels(patch.width) + 2 * border,
+                 texels(patch.height) + 2 * border, texels(patch.left) - border,
+                 texels(patch.top) - border);
 }
 
 const Disc& Atlas::disc(float radius) const {
@@ -71,15 +92,16 @@ const Disc& Atlas::disc(float radius) const {
 }
 
 std::optional<Patch> Atlas::place(unsigned width, unsigned height) {
-    if (shelf_.x + width > side) {
-        shelf_.y += shelf_.height + gap;
+    const unsigned wide = width + 2 * border, high = height + 2 * border;
+    if (shelf_.x + wide > side_) {
+        shelf_.y += shelf_.height;
         shelf_.x = shelf_.height = 0;
     }
-    if (width > side || shelf_.y + height > side) return std::nullopt;
-    const Patch patch{static_cast<float>(shelf_.x), static_cast<float>(shelf_.y),
+    if (wide > side_ || shelf_.y + high > side_) return std::nullopt;
+    const Patch patch{static_cast<float>(shelf_.x + border), static_cast<float>(shelf_.y + border),
                       static_cast<float>(width), static_cast<float>(height)};
-    shelf_.x += width + gap;
-    shelf_.height = std::max(shelf_.height, height);
+    shelf_.x += wide;
+    shelf_.height = std::max(shelf_.height, high);
     return patch;
 }
 
@@ -129,17 +151,15 @@ bool Atlas::prepare(const std::u32string& line, unsigned size, Face face) {
         if (width > 0 && height > 0) {
             const std::optional<Patch> patch = place(width, height);
             if (!patch) return false;
-            std::vector<std::uint8_t> pixels(std::size_t{width} * height * 4);
+            Pixels pixels(width, height);
             for (unsigned y = 0; y < height; ++y) {
                 const std::size_t row =
                     (static_cast<std::size_t>(sfml::top(drawn.textureRect)) + y) *
                         image.getSize().x +
                     static_cast<std::size_t>(sfml::left(drawn.textureRect));
-                std::copy_n(from + 4 * row, std::size_t{4} * width,
-                            pixels.begin() + std::ptrdiff_t{4} * width * y);
+                std::copy_n(from + channels * row, channels * width, pixels.at(0, y));
             }
-            sfml::update(texture_, pixels.data(), width, height, static_cast<unsigned>(patch->left),
-                         static_cast<unsigned>(patch->top));
+            write(*patch, pixels.all);
             glyph.patch = *patch;
         }
         glyphs_.emplace(key(c, size, face), glyph);
@@ -161,7 +181,14 @@ float Atlas::ascent(unsigned size, Face face) const {
     return std::round(0.93f * static_cast<float>(size));
 }
 
-void Atlas::clear_glyphs() {
+void Atlas::make_room() {
+    if (side_ < largest_side)
+        make_texture(largest_side);
+    else
+        clear_shelves();
+}
+
+void Atlas::clear_shelves() {
     glyphs_.clear();
     shelf_ = {0, glyphs_from_, 0};
 }
