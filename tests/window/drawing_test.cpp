@@ -351,6 +351,43 @@ TEST_CASE("a text breaks at its newlines and each line is aligned") {
     CHECK(std::abs((near[1].right - near[0].right) - 80) <= 1);
 }
 
+TEST_CASE("letters and discs are the same when very many other letters are drawn as well") {
+    if (skipped()) return;
+    const std::string own = R"(
+        local function own(pen)
+            pen.text(vec(0, -3), "ÄHRE whirl 0815", 1.1, "black")
+            for i = 1, 10 do pen.circle(vec(2 * i - 11, -6), 0.08 * i, "black") end
+        end
+    )";
+    // Twice as many letters as the first texture of letters has room for.
+    const std::string many = R"(
+        function draw(pen)
+            own(pen)
+            for size = 10, 96, 2 do
+                for first = 33, 120, 20 do
+                    local line = {}
+                    for i = first, first + 19 do line[#line + 1] = utf8.char(i, i + 0x370) end
+                    pen.text(vec(0, 5), table.concat(line), size / 40, "black")
+                end
+            end
+            own(pen)
+        end
+    )";
+    const Picture alone = picture_of("few_letters", own + "draw = own");
+    const Picture beside = picture_of("many_letters", own + many);
+    CHECK(alone.difference(beside, 0, 0, 1280, 300) > 10'000);
+    // The same letters twice in one place are darker at their rims.
+    const auto dark = [](const Picture& picture) {
+        std::size_t count = 0;
+        for (int y = 480; y < 800; ++y)
+            for (int x = 0; x < 1280; ++x) count += ink(picture, x, y) > 0.95;
+        return count;
+    };
+    CHECK(dark(alone) > 5'000);
+    CHECK(dark(beside) >= dark(alone));
+    CHECK(static_cast<double>(dark(beside)) < 1.1 * static_cast<double>(dark(alone)));
+}
+
 TEST_CASE("a script draws at the drawn pose of a body exactly on the body") {
     if (skipped()) return;
     // Steps of a quarter of a second, so that any other pose is far away.
