@@ -359,33 +359,23 @@ TEST_CASE("letters and discs are the same when very many other letters are drawn
             for i = 1, 10 do pen.circle(vec(2 * i - 11, -6), 0.08 * i, "black") end
         end
     )";
-    // Twice as many letters as the first texture of letters has room for.
+    // More letters than the largest texture of letters has room for.
     const std::string many = R"(
         function draw(pen)
             own(pen)
-            for size = 10, 96, 2 do
-                for first = 33, 120, 20 do
+            for _, size in ipairs { 64, 80, 96 } do
+                for first = 33, 1000, 20 do
                     local line = {}
-                    for i = first, first + 19 do line[#line + 1] = utf8.char(i, i + 0x370) end
+                    for i = first, first + 19 do line[#line + 1] = utf8.char(i) end
                     pen.text(vec(0, 5), table.concat(line), size / 40, "black")
                 end
             end
-            own(pen)
         end
     )";
     const Picture alone = picture_of("few_letters", own + "draw = own");
     const Picture beside = picture_of("many_letters", own + many);
     CHECK(alone.difference(beside, 0, 0, 1280, 300) > 10'000);
-    // The same letters twice in one place are darker at their rims.
-    const auto dark = [](const Picture& picture) {
-        std::size_t count = 0;
-        for (int y = 480; y < 800; ++y)
-            for (int x = 0; x < 1280; ++x) count += ink(picture, x, y) > 0.95;
-        return count;
-    };
-    CHECK(dark(alone) > 5'000);
-    CHECK(dark(beside) >= dark(alone));
-    CHECK(static_cast<double>(dark(beside)) < 1.1 * static_cast<double>(dark(alone)));
+    CHECK(alone.difference(beside, 0, 480, 1280, 800) == 0);
 }
 
 TEST_CASE("a script draws at the drawn pose of a body exactly on the body") {
