@@ -351,33 +351,6 @@ TEST_CASE("a text breaks at its newlines and each line is aligned") {
     CHECK(std::abs((near[1].right - near[0].right) - 80) <= 1);
 }
 
-TEST_CASE("letters and discs are the same when very many other letters are drawn as well") {
-    if (skipped()) return;
-    const std::string own = R"(
-        local function own(pen)
-            pen.text(vec(0, -3), "ÄHRE whirl 0815", 1.1, "black")
-            for i = 1, 10 do pen.circle(vec(2 * i - 11, -6), 0.08 * i, "black") end
-        end
-    )";
-    // More letters than the largest texture of letters has room for.
-    const std::string many = R"(
-        function draw(pen)
-            own(pen)
-            for _, size in ipairs { 64, 80, 96 } do
-                for first = 33, 1000, 20 do
-                    local line = {}
-                    for i = first, first + 19 do line[#line + 1] = utf8.char(i) end
-                    pen.text(vec(0, 5), table.concat(line), size / 40, "black")
-                end
-            end
-        end
-    )";
-    const Picture alone = picture_of("few_letters", own + "draw = own");
-    const Picture beside = picture_of("many_letters", own + many);
-    CHECK(alone.difference(beside, 0, 0, 1280, 300) > 10'000);
-    CHECK(alone.difference(beside, 0, 480, 1280, 800) == 0);
-}
-
 TEST_CASE("a script draws at the drawn pose of a body exactly on the body") {
     if (skipped()) return;
     // Steps of a quarter of a second, so that any other pose is far away.

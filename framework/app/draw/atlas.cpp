@@ -32,28 +32,19 @@ struct Pixels {
 }  // namespace
 
 Atlas::Atlas() {
-    load_fonts();
-    make_texture(1024);
-}
-
-/// A texture of 1024 x 1024 is enough for most games. A larger one costs more memory, and with
-/// software rendering a third of the time until the first picture.
-void Atlas::make_texture(unsigned side) {
     if (!sfml::create(texture_, side, side))
-        throw std::runtime_error("the graphics system has no textures of " + std::to_string(side) +
-                                 " x " + std::to_string(side));
+        throw std::runtime_error("the graphics system has no textures of 1024 x 1024");
     texture_.setSmooth(true);
-    side_ = side;
     const std::vector<std::uint8_t> opaque(white_side * white_side * channels, 255);
     sfml::update(texture_, opaque.data(), white_side, white_side, 0, 0);
     shelf_ = {white_side, 0, white_side};
     draw_discs();
     glyphs_from_ = shelf_.y + shelf_.height;
-    clear_shelves();
+    clear_glyphs();
+    load_fonts();
 }
 
 void Atlas::draw_discs() {
-    discs_.clear();
     // Radii grow by 6 %, so a disc is scaled down by less than that and its rim stays sharp.
     std::vector<float> radii;
     for (float radius = 0.75f; radius < largest_disc; radius *= 1.06f) radii.push_back(radius);
@@ -93,11 +84,11 @@ const Disc& Atlas::disc(float radius) const {
 
 std::optional<Patch> Atlas::place(unsigned width, unsigned height) {
     const unsigned wide = width + 2 * border, high = height + 2 * border;
-    if (shelf_.x + wide > side_) {
+    if (shelf_.x + wide > side) {
         shelf_.y += shelf_.height;
         shelf_.x = shelf_.height = 0;
     }
-    if (wide > side_ || shelf_.y + high > side_) return std::nullopt;
+    if (wide > side || shelf_.y + high > side) return std::nullopt;
     const Patch patch{static_cast<float>(shelf_.x + border), static_cast<float>(shelf_.y + border),
                       static_cast<float>(width), static_cast<float>(height)};
     shelf_.x += wide;
@@ -181,14 +172,7 @@ float Atlas::ascent(unsigned size, Face face) const {
     return std::round(0.93f * static_cast<float>(size));
 }
 
-void Atlas::make_room() {
-    if (side_ < largest_side)
-        make_texture(largest_side);
-    else
-        clear_shelves();
-}
-
-void Atlas::clear_shelves() {
+void Atlas::clear_glyphs() {
     glyphs_.clear();
     shelf_ = {0, glyphs_from_, 0};
 }

@@ -49,33 +49,30 @@ class Atlas {
 
     bool has_font(Face face) const;
     /// Draws missing glyphs of a line at a whole pixel size into the atlas. Returns false if the
-    /// atlas is full: then flush the batch and call `make_room`.
+    /// atlas is full: then flush the batch and call `clear_glyphs`.
     bool prepare(const std::u32string& line, unsigned size, Face face);
     /// The glyph must have been prepared.
     const Glyph& glyph(char32_t character, unsigned size, Face face) const;
     float kerning(char32_t first, char32_t second, unsigned size, Face face) const;
     float ascent(unsigned size, Face face) const;  // px above the baseline
-    /// Removes all glyphs; the first time, it makes the texture larger. What was not flushed would
-    /// be drawn with the wrong texels.
-    void make_room();
+    void clear_glyphs();
 
   private:
-    static constexpr unsigned largest_side = 2048;
+    // With software rendering, filling a larger texture would take a third of the time until the
+    // first picture.
+    static constexpr unsigned side = 1024;
 
     struct Shelf {
         unsigned x = 0, y = 0, height = 0;
     };
     static std::uint64_t key(char32_t character, unsigned size, Face face);
-    void make_texture(unsigned side);
     std::optional<Patch> place(unsigned width, unsigned height);
     void write(const Patch& patch, const std::vector<std::uint8_t>& pixels);
     void draw_discs();
-    void clear_shelves();
     void load_fonts();
     const sf::Font* font(Face face) const;
 
     sf::Texture texture_;
-    unsigned side_ = 0;
     std::vector<Disc> discs_;
     Shelf shelf_{};
     unsigned glyphs_from_ = 0;  // row below the discs

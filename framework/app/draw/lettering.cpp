@@ -79,7 +79,7 @@ bool Canvas::lay_out(Line& line, float size, Face face) {
     line.scale = whole <= 32 ? 1 : size / kept;
     if (!atlas_.prepare(line.text, line.size, face)) {
         flush();
-        atlas_.make_room();
+        atlas_.clear_glyphs();
         if (!atlas_.prepare(line.text, line.size, face)) return false;
     }
     line.width = line.walk(atlas_, [](const Glyph&, float) {});
