@@ -12,10 +12,6 @@ constexpr double refresh_seconds = 0.2;       // after instances were created or
 constexpr double slow_refresh_seconds = 1.0;  // in case instances were moved or renamed
 constexpr std::size_t slow_refresh_rows = 5000;
 
-std::uint64_t key(Handle instance) {
-    return std::uint64_t{instance.generation} << 32 | instance.index;
-}
-
 }  // namespace
 
 InstanceTree::InstanceTree(const property::Tree& tree) : tree_(tree), matches_(tree) {
@@ -24,14 +20,14 @@ InstanceTree::InstanceTree(const property::Tree& tree) : tree_(tree), matches_(t
 }
 
 bool InstanceTree::unfolded(Handle instance) const {
-    return unfolded_.contains(key(instance));
+    return unfolded_.contains(instance.key());
 }
 
 void InstanceTree::fold(Handle instance, bool unfolded) {
     if (unfolded)
-        unfolded_.insert(key(instance));
+        unfolded_.insert(instance.key());
     else
-        unfolded_.erase(key(instance));
+        unfolded_.erase(instance.key());
     stale_ = true;
 }
 

@@ -6,14 +6,6 @@ namespace fettle::console {
 
 using property::Handle;
 
-namespace {
-
-std::uint64_t selection_key(Handle instance) {
-    return std::uint64_t{instance.generation} << 32 | instance.index;
-}
-
-}  // namespace
-
 std::vector<Handle> Selection::all() const {
     std::vector<Handle> all = others_;
     all.push_back(last_);
@@ -22,7 +14,7 @@ std::vector<Handle> Selection::all() const {
 }
 
 bool Selection::contains(Handle instance) const {
-    return instance == last_ || keys_.contains(selection_key(instance));
+    return instance == last_ || keys_.contains(instance.key());
 }
 
 bool Selection::of_one_class() {
@@ -61,10 +53,10 @@ void Selection::select(Handle instance) {
     if (instance == last_) return;
     if (!contains(instance)) return select_only(instance);
     std::erase(others_, instance);
-    keys_.erase(selection_key(instance));
+    keys_.erase(instance.key());
     if (tree_.alive(last_)) {
         others_.push_back(last_);
-        keys_.insert(selection_key(last_));
+        keys_.insert(last_.key());
     }
     last_ = instance;
     ++revision_;
@@ -74,11 +66,11 @@ void Selection::select(const std::vector<Handle>& instances) {
     std::vector<Handle> all;
     std::unordered_set<std::uint64_t> keys;
     for (const Handle each : instances)
-        if (tree_.alive(each) && keys.insert(selection_key(each)).second) all.push_back(each);
+        if (tree_.alive(each) && keys.insert(each.key()).second) all.push_back(each);
     if (all.empty()) return;
     last_ = all.back();
     all.pop_back();
-    keys.erase(selection_key(last_));
+    keys.erase(last_.key());
     others_ = std::move(all);
     keys_ = std::move(keys);
     looked_at_ = tree_.structure();
@@ -90,7 +82,7 @@ void Selection::drop_deleted() {
     looked_at_ = tree_.structure();
     const std::size_t dropped = std::erase_if(others_, [&](Handle each) {
         const bool deleted = !tree_.alive(each);
-        if (deleted) keys_.erase(selection_key(each));
+        if (deleted) keys_.erase(each.key());
         return deleted;
     });
     if (dropped > 0) ++revision_;

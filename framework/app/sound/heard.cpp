@@ -80,7 +80,7 @@ std::vector<Heard> Audio::State::heard(bool halted) const {
         const bool stands = halted || (paused && !(at_present() && ignores_pause(voice)));
         const bool plays = !stands && value(voice, *of_voice.playing).boolean();
         Heard one{
-            .id = std::uint64_t{voice.generation} << 32 | voice.index,
+            .id = voice.key(),
             .time = number(voice, *of_voice.time),
             .rate = plays ? number(voice, *of_voice.pitch) * number(source, *of_source.pitch) * rate
                           : 0,

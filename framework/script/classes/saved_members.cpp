@@ -21,7 +21,7 @@ std::function<void()> ScriptClasses::restore(property::ByteReader& from) {
     std::vector<Handle> members = from.list<Handle>();
     std::unordered_set<std::uint64_t> known;
     for (const Handle member : members)
-        from.require(known.insert(bits_of(member)).second, "an instance that is stepped twice");
+        from.require(known.insert(member.key()).second, "an instance that is stepped twice");
     std::vector<Waiting> waiting;
     for (std::size_t n = from.count(9); n > 0; --n) {
         const auto instance = from.get<Handle>();
@@ -49,13 +49,13 @@ ScriptClasses::Changes ScriptClasses::take_changes() {
 
 void ScriptClasses::redo(const Changes& changes) {
     for (const Handle instance : changes.adopted)
-        if (known_.insert(bits_of(instance)).second) members_.push_back(instance);
+        if (known_.insert(instance.key()).second) members_.push_back(instance);
     waiting_.insert(waiting_.end(), changes.waiting.begin(), changes.waiting.end());
     std::unordered_set<std::uint64_t> ready;
-    for (const Handle instance : changes.ready) ready.insert(bits_of(instance));
+    for (const Handle instance : changes.ready) ready.insert(instance.key());
     if (!ready.empty())
         std::erase_if(waiting_,
-                      [&](const Waiting& each) { return ready.contains(bits_of(each.instance)); });
+                      [&](const Waiting& each) { return ready.contains(each.instance.key()); });
     last_check_ = {};
 }
 

@@ -197,7 +197,7 @@ void ScriptClasses::observe(const Class& of) {
 }
 
 bool ScriptClasses::adopt(Handle instance) {
-    if (!known_.insert(bits_of(instance)).second) return false;
+    if (!known_.insert(instance.key()).second) return false;
     if (members_.size() >= prune_at_) {
         forget_ended();
         prune_at_ = std::max<std::size_t>(1024, 2 * members_.size());
@@ -210,7 +210,7 @@ bool ScriptClasses::adopt(Handle instance) {
 void ScriptClasses::forget_ended() {
     std::erase_if(members_, [this](Handle member) {
         if (machine_.tree.alive(member)) return false;
-        known_.erase(bits_of(member));
+        known_.erase(member.key());
         return true;
     });
 }

@@ -13,7 +13,7 @@ namespace {
 
 bool has_proxy(lua_State* L, const Machine& machine, Handle handle) {
     push_registry(L, machine.boxes.proxies);
-    lua_rawgeti(L, -1, static_cast<lua_Integer>(bits_of(handle)));
+    lua_rawgeti(L, -1, static_cast<lua_Integer>(handle.key()));
     const bool found = !lua_isnil(L, -1);
     lua_pop(L, 2);
     return found;
@@ -84,7 +84,7 @@ std::vector<Handle> dropped_instances(Machine& machine) {
         if (held_by_script(L, machine, handle))
             reachable.push_back(handle);
         else
-            rest.insert(bits_of(handle));
+            rest.insert(handle.key());
     }
     while (!rest.empty() && !reachable.empty()) {
         const Handle top = reachable.back();
@@ -94,12 +94,12 @@ std::vector<Handle> dropped_instances(Machine& machine) {
         for (const Handle handle : references) {
             if (!machine.tree.alive(handle)) continue;
             const Handle other = top_of(machine.tree, handle);
-            if (rest.erase(bits_of(other)) > 0) reachable.push_back(other);
+            if (rest.erase(other.key()) > 0) reachable.push_back(other);
         }
     }
     std::vector<Handle> dropped;
     for (const Handle handle : machine.unplaced.handles)
-        if (rest.erase(bits_of(handle)) > 0) dropped.push_back(handle);
+        if (rest.erase(handle.key()) > 0) dropped.push_back(handle);
     return dropped;
 }
 

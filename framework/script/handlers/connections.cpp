@@ -225,14 +225,11 @@ void Connections::restore(const Image& image) {
     // Handlers are called in the order in which they were connected, so where one is missing, all
     // of that instance are connected again.
     std::unordered_set<std::uint64_t> incomplete;
-    const auto key = [](property::Handle of) {
-        return std::uint64_t{of.generation} << 32 | of.index;
-    };
     for (const Made& made : image)
-        if (!active(made.id) && can_connect(made)) incomplete.insert(key(made.instance));
+        if (!active(made.id) && can_connect(made)) incomplete.insert(made.instance.key());
     if (!incomplete.empty())
         for (const Made& made : image)
-            if (incomplete.contains(key(made.instance)) && can_connect(made)) connect(made);
+            if (incomplete.contains(made.instance.key()) && can_connect(made)) connect(made);
     changes_ = {.all = recording_};
 }
 

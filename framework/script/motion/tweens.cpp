@@ -19,13 +19,9 @@ namespace {
 // Sums of steps have rounding errors, so a tween this near its end has reached it.
 constexpr double tolerance = 1e-9;
 
-std::uint64_t key_of(Handle instance) {
-    return std::uint64_t{instance.index} << 32 | instance.generation;
-}
-
 std::pair<std::uint64_t, std::string> moved_by(const Tree& tree, const TweenClasses& classes,
                                                Handle tween) {
-    return {key_of(tree.get(tween, classes.target).reference()),
+    return {tree.get(tween, classes.target).reference().key(),
             tree.get(tween, classes.property).text()};
 }
 
@@ -308,7 +304,7 @@ void Tweens::stop_others(Handle tween, Handle target, const std::string& name) {
         begun_.emplace();
         note_begun(tree.child(tree.root(), tweens_name), 0);
     }
-    std::vector<Handle>& others = (*begun_)[{key_of(target), name}];
+    std::vector<Handle>& others = (*begun_)[{target.key(), name}];
     for (const Handle other : others)
         if (other != tween && running(other) && !over(other)) tree.destroy(other);
     others = {tween};

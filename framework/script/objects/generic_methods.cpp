@@ -203,7 +203,7 @@ struct Copies {
 
     void add(Handle from, Handle to) {
         in_order.emplace_back(from, to);
-        of.emplace(bits_of(from), to);
+        of.emplace(from.key(), to);
     }
 };
 
@@ -247,7 +247,7 @@ void copy_below(property::Tree& tree, Handle top, Handle copy, Copies& copies) {
 Value redirected(const property::Tree& tree, const Value& value, const Copies& copies) {
     if (value.is(Type::reference)) {
         if (!tree.alive(value.reference())) return Handle{};
-        const auto copy = copies.of.find(bits_of(value.reference()));
+        const auto copy = copies.of.find(value.reference().key());
         return copy == copies.of.end() ? value : Value(copy->second);
     }
     if (value.is(Type::list)) {

@@ -25,15 +25,15 @@ bool is_place(const std::string& name) {
 
 Merge::Merge(Machine& machine, Declarations::All next, std::vector<std::string>& notes)
     : machine_(machine), tree_(machine.tree), next_(std::move(next)), notes_(notes) {
-    for (const Declared& each : next_) next_by_handle_[bits(each.instance)] = &each;
+    for (const Declared& each : next_) next_by_handle_[each.instance.key()] = &each;
     for (const Declared& each : machine.declarations.last()) {
-        last_by_handle_[bits(each.instance)] = &each;
+        last_by_handle_[each.instance.key()] = &each;
         if (each.made && !each.path.empty()) last_by_path_[each.path] = &each;
     }
 }
 
 Handle Merge::result_of(Handle instance) const {
-    const auto found = results_.find(bits(instance));
+    const auto found = results_.find(instance.key());
     return found == results_.end() ? instance : found->second;
 }
 
@@ -59,7 +59,7 @@ void Merge::run(const std::vector<ScriptClasses::NewDefault>& defaults) {
     }
     for (const auto& [made, living] : pairs_) {
         if (!tree_.alive(living)) continue;
-        const auto now = next_by_handle_.find(bits(made));
+        const auto now = next_by_handle_.find(made.key());
         if (now == next_by_handle_.end()) continue;
         apply(*now->second, living, said_before(living, now->second->path));
     }
@@ -73,8 +73,8 @@ void Merge::run(const std::vector<ScriptClasses::NewDefault>& defaults) {
             apply(now, now.instance, said_before(now.instance, now.path));
     for (const Declared& before : machine_.declarations.last())
         if (!before.made && tree_.alive(before.instance) &&
-            !next_by_handle_.contains(bits(before.instance)) &&
-            !matched_.contains(bits(before.instance)))
+            !next_by_handle_.contains(before.instance.key()) &&
+            !matched_.contains(before.instance.key()))
             apply({}, before.instance, &before);
     apply_defaults(defaults);
 }
@@ -87,7 +87,7 @@ const Merge::Declared* Merge::declared_before(const std::string& path) const {
 }
 
 const Merge::Declared* Merge::said_before(Handle living, const std::string& path) const {
-    if (const auto found = last_by_handle_.find(bits(living)); found != last_by_handle_.end())
+    if (const auto found = last_by_handle_.find(living.key()); found != last_by_handle_.end())
         return found->second;
     return declared_before(path);
 }
@@ -104,7 +104,7 @@ Handle Merge::living(const Declared& before, Handle parent, const std::string& n
 
 void Merge::match(Handle made, Handle parent, const std::string& name) {
     parent = result_of(parent);
-    const auto entry = next_by_handle_.find(bits(made));
+    const auto entry = next_by_handle_.find(made.key());
     const std::string path = entry == next_by_handle_.end() ? "" : entry->second->path;
     const Declared* const before = declared_before(path);
     if (before == nullptr || before->of != &tree_.class_of(made)) {
@@ -114,15 +114,15 @@ void Merge::match(Handle made, Handle parent, const std::string& name) {
     const Handle there = living(*before, parent, name);
     if (!there)
         mark_gone(made);
-    else if (matched_.contains(bits(there)))
+    else if (matched_.contains(there.key()))
         waiting_.push_back({made, parent, name});
     else
         stand_for(made, there);
 }
 
 void Merge::stand_for(Handle made, Handle living) {
-    results_[bits(made)] = living;
-    matched_.insert(bits(living));
+    results_[made.key()] = living;
+    matched_.insert(living.key());
     pairs_.emplace_back(made, living);
     match_below(made, living);
 }
@@ -130,7 +130,7 @@ void Merge::stand_for(Handle made, Handle living) {
 void Merge::match_below(Handle made, Handle living) {
     for (const Handle child : tree_.children(made)) {
         const std::string name = tree_.name(child);
-        const auto entry = next_by_handle_.find(bits(child));
+        const auto entry = next_by_handle_.find(child.key());
         if (entry != next_by_handle_.end() && entry->second->made) {
             match(child, living, name);
             continue;
@@ -143,12 +143,12 @@ void Merge::match_below(Handle made, Handle living) {
 
 /// The game has deleted the instance, which stays so.
 void Merge::mark_gone(Handle made) {
-    const auto entry = next_by_handle_.find(bits(made));
+    const auto entry = next_by_handle_.find(made.key());
     const Declared* const before =
         entry == next_by_handle_.end() ? nullptr : declared_before(entry->second->path);
     const Handle gone =
         before != nullptr && !tree_.alive(before->instance) ? before->instance : made;
-    results_[bits(made)] = gone;
+    results_[made.key()] = gone;
     pairs_.emplace_back(made, gone);
     for (const Handle child : tree_.children(made)) mark_gone(child);
 }
@@ -219,7 +219,7 @@ void Merge::apply_one(Handle to, const std::string& name, const Said* now, const
 /// References in new instances, which were written while the others were detached.
 void Merge::refer_to_results() {
     for (const Declared& now : next_) {
-        if (!now.made || results_.contains(bits(now.instance)) || !tree_.alive(now.instance))
+        if (!now.made || results_.contains(now.instance.key()) || !tree_.alive(now.instance))
             continue;
         for (const auto& [name, said] : now.said) {
             if (said.formula || is_place(name)) continue;
@@ -242,7 +242,7 @@ void Merge::apply_defaults(const std::vector<ScriptClasses::NewDefault>& default
             if (here != property || tree_.formula(each, *here) != nullptr ||
                 !(tree_.peek(each, *here) == before))
                 continue;
-            const auto declared = last_by_handle_.find(bits(each));
+            const auto declared = last_by_handle_.find(each.key());
             if (declared != last_by_handle_.end() &&
                 declared->second->said.contains(property->name))
                 continue;
@@ -256,7 +256,7 @@ void Merge::apply_defaults(const std::vector<ScriptClasses::NewDefault>& default
 
 void Merge::delete_undeclared() {
     for (const Declared& before : machine_.declarations.last()) {
-        if (!before.made || before.path.empty() || matched_.contains(bits(before.instance)) ||
+        if (!before.made || before.path.empty() || matched_.contains(before.instance.key()) ||
             !tree_.alive(before.instance))
             continue;
         attempt(before.instance, "", [&] { tree_.destroy(before.instance); });
@@ -283,14 +283,14 @@ void Merge::place_new() {
 void Merge::rebind(Handle made, Handle living) {
     lua_State* const L = machine_.lua.main;
     push_registry(L, machine_.boxes.proxies);
-    if (lua_rawgeti(L, -1, static_cast<lua_Integer>(bits(made))) == LUA_TUSERDATA) {
+    if (lua_rawgeti(L, -1, static_cast<lua_Integer>(made.key())) == LUA_TUSERDATA) {
         auto* const box = static_cast<InstanceBox*>(lua_touserdata(L, -1));
         box->handle = living;
         box->members = &machine_.members.of(tree_.alive(living) ? tree_.class_of(living)
                                                                 : tree_.class_of(made));
-        lua_rawseti(L, -2, static_cast<lua_Integer>(bits(living)));
+        lua_rawseti(L, -2, static_cast<lua_Integer>(living.key()));
         lua_pushnil(L);
-        lua_rawseti(L, -2, static_cast<lua_Integer>(bits(made)));
+        lua_rawseti(L, -2, static_cast<lua_Integer>(made.key()));
     } else {
         lua_pop(L, 1);
     }
@@ -301,9 +301,9 @@ void Merge::rebind(Handle made, Handle living) {
 /// Calls of methods that change something are made for new instances only.
 void Merge::call_new() {
     for (const Declarations::Call& call : std::exchange(machine_.declarations.calls, {})) {
-        const auto made = next_by_handle_.find(bits(call.instance));
+        const auto made = next_by_handle_.find(call.instance.key());
         if (made == next_by_handle_.end() || !made->second->made ||
-            results_.contains(bits(call.instance)) || !tree_.alive(call.instance))
+            results_.contains(call.instance.key()) || !tree_.alive(call.instance))
             continue;
         std::vector<Value> arguments;
         for (const Value& each : call.arguments) arguments.push_back(translated(each));

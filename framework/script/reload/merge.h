@@ -40,9 +40,6 @@ class Merge {
         property::Handle instance, parent;
         std::string name;
     };
-    static std::uint64_t bits(property::Handle handle) {
-        return std::uint64_t{handle.generation} << 32 | handle.index;
-    }
     const Declared* declared_before(const std::string& path) const;
     const Declared* said_before(property::Handle living, const std::string& path) const;
     void match(property::Handle made, property::Handle parent, const std::string& name);

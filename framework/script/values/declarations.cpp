@@ -43,13 +43,13 @@ std::string Declarations::future_path(Handle instance) const {
 void Declarations::keep(All all) {
     last_ = std::move(all);
     last_index_.clear();
-    for (std::size_t i = 0; i < last_.size(); ++i) last_index_[bits(last_[i].instance)] = i;
+    for (std::size_t i = 0; i < last_.size(); ++i) last_index_[last_[i].instance.key()] = i;
 }
 
 // --- Noting
 
 Declarations::Declared& Declarations::entry(Handle instance) {
-    const auto [place, added] = index_.try_emplace(bits(instance), all_.size());
+    const auto [place, added] = index_.try_emplace(instance.key(), all_.size());
     if (added) {
         Declared& made = all_.emplace_back();
         made.instance = instance;
@@ -59,7 +59,7 @@ Declarations::Declared& Declarations::entry(Handle instance) {
 }
 
 const Declarations::Declared* Declarations::find(Handle instance) const {
-    const auto found = index_.find(bits(instance));
+    const auto found = index_.find(instance.key());
     return found == index_.end() ? nullptr : &all_[found->second];
 }
 
@@ -68,7 +68,7 @@ Declarations::Said& Declarations::said(Handle instance, std::string_view name) {
 }
 
 const Declarations::Said* Declarations::last_said(Handle instance, std::string_view name) const {
-    const auto found = last_index_.find(bits(instance));
+    const auto found = last_index_.find(instance.key());
     if (found == last_index_.end()) return nullptr;
     const auto& all = last_[found->second].said;
     const auto entry = all.find(std::string(name));
@@ -176,7 +176,7 @@ std::optional<property::Place> Declarations::waiting_at(const std::string& path)
 
 std::string Declarations::free_name(Handle instance, Handle parent) {
     const std::string& stem = tree_.class_of(instance).stem();
-    int& number = numbers_[{bits(parent), stem}];
+    int& number = numbers_[{parent.key(), stem}];
     for (;;) {
         std::string name = stem + "_" + std::to_string(++number);
         if (!child(parent, name)) return name;
@@ -188,22 +188,22 @@ void Declarations::place(Handle instance, Handle parent, std::string_view name) 
     if (chosen.empty()) chosen = free_name(instance, parent);
     if (const Handle other = child(parent, chosen)) remove(other);
     remove(instance);
-    places_[bits(instance)] = {parent, chosen};
-    children_[{bits(parent), chosen}] = instance;
+    places_[instance.key()] = {parent, chosen};
+    children_[{parent.key(), chosen}] = instance;
     placed_.push_back(instance);
 }
 
 void Declarations::remove(Handle instance) {
-    const auto found = places_.find(bits(instance));
+    const auto found = places_.find(instance.key());
     if (found == places_.end()) return;
-    children_.erase({bits(found->second.parent), found->second.name});
+    children_.erase({found->second.parent.key(), found->second.name});
     places_.erase(found);
     std::erase(placed_, instance);
 }
 
 Handle Declarations::child(Handle parent, std::string_view name) const {
     if (children_.empty()) return {};
-    const auto found = children_.find(std::pair(bits(parent), std::string(name)));
+    const auto found = children_.find(std::pair(parent.key(), std::string(name)));
     return found == children_.end() ? Handle{} : found->second;
 }
 

@@ -86,21 +86,18 @@ class Declarations {
     void place(property::Handle instance, property::Handle parent, std::string_view name);
     /// The instance loses its place, if it has one.
     void remove(property::Handle instance);
-    bool has_place(property::Handle instance) const { return places_.contains(bits(instance)); }
+    bool has_place(property::Handle instance) const { return places_.contains(instance.key()); }
     /// The instance that got that place; a null handle if there is none.
     property::Handle child(property::Handle parent, std::string_view name) const;
     /// Instances with a place, in the order in which they got it.
     const std::vector<property::Handle>& placed() const { return placed_; }
-    const Place& place_of(property::Handle instance) const { return places_.at(bits(instance)); }
+    const Place& place_of(property::Handle instance) const { return places_.at(instance.key()); }
     std::vector<Call> calls;
     /// The instance that will have this path, or the property of one.
     std::optional<property::Place> waiting_at(const std::string& path) const;
 
   private:
     enum class Phase : std::uint8_t { none, first, again };
-    static std::uint64_t bits(property::Handle handle) {
-        return std::uint64_t{handle.generation} << 32 | handle.index;
-    }
     Declared& entry(property::Handle instance);
     const Declared* find(property::Handle instance) const;
     Said& said(property::Handle instance, std::string_view name);

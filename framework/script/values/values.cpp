@@ -85,7 +85,7 @@ void push_instance(lua_State* L, Handle handle) {
         return;
     }
     Machine& machine = machine_of(L);
-    const auto key = static_cast<lua_Integer>(bits_of(handle));
+    const auto key = static_cast<lua_Integer>(handle.key());
     push_registry(L, machine.boxes.proxies);
     if (lua_rawgeti(L, -1, key) == LUA_TUSERDATA) {
         lua_remove(L, -2);

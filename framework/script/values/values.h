@@ -45,11 +45,6 @@ enum class Tag : std::uint32_t {
     store
 };
 
-/// A handle as one number, for use in sets.
-inline std::uint64_t bits_of(property::Handle handle) {
-    return std::uint64_t{handle.generation} << 32 | handle.index;
-}
-
 /// The place from which a value was read: a property, or an element of a list in it. Assigning a
 /// component writes there. An ad hoc property may be removed, so it is stored by name.
 struct Origin {

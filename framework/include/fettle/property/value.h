@@ -32,6 +32,8 @@ struct Handle {
     std::uint32_t index = 0;       ///< of a slot
     std::uint32_t generation = 0;  ///< of the instance in the slot; 0: none
     explicit operator bool() const { return generation != 0; }  ///< false: refers to nothing
+    /// Both as one number, for tables of instances.
+    std::uint64_t key() const { return std::uint64_t{generation} << 32 | index; }
     friend bool operator==(const Handle&, const Handle&) = default;
 };
 

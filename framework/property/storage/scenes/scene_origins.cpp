@@ -55,7 +55,7 @@ void SceneOrigins::loaded(const Tree& tree, const std::filesystem::path& file,
     scene.named_by_script = named_by_script;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         scene.names.push_back(tree.name(instances[i].instance));
-        places_[key(instances[i].instance)] = {number, i};
+        places_[instances[i].instance.key()] = {number, i};
     }
 }
 
@@ -70,7 +70,7 @@ void SceneOrigins::prune(const Tree& tree) {
 }
 
 std::optional<SceneOrigins::Origin> SceneOrigins::find(Handle instance) const {
-    const auto found = places_.find(key(instance));
+    const auto found = places_.find(instance.key());
     if (found == places_.end()) return std::nullopt;
     const Scene& scene = scenes_.at(found->second.scene);
     return Origin{scene.file, steps_of(scene, found->second.instance),
@@ -96,17 +96,17 @@ void SceneOrigins::renamed(const std::filesystem::path& file, const Names& names
 }
 
 void SceneOrigins::added(const Tree& tree, Handle parent, Handle child) {
-    const auto found = places_.find(key(parent));
+    const auto found = places_.find(parent.key());
     if (found == places_.end()) return;
     const Place place = found->second;
     Scene& scene = scenes_.at(place.scene);
-    places_[key(child)] = {place.scene, scene.instances.size()};
+    places_[child.key()] = {place.scene, scene.instances.size()};
     scene.instances.push_back({.instance = child, .parent = place.instance, .place = no_place});
     scene.names.push_back(tree.name(child));
 }
 
 void SceneOrigins::forget(const Tree& tree, Handle top) {
-    if (!places_.empty()) tree.each_below(top, [&](Handle handle) { places_.erase(key(handle)); });
+    if (!places_.empty()) tree.each_below(top, [&](Handle handle) { places_.erase(handle.key()); });
 }
 
 std::set<std::filesystem::path> SceneOrigins::files() const {
@@ -116,7 +116,7 @@ std::set<std::filesystem::path> SceneOrigins::files() const {
 }
 
 bool SceneOrigins::named_by_script(Handle top) const {
-    const auto found = places_.find(key(top));
+    const auto found = places_.find(top.key());
     return found != places_.end() && scenes_.at(found->second.scene).named_by_script;
 }
 

@@ -68,9 +68,6 @@ class SceneOrigins {
         std::size_t scene;
         std::size_t instance;
     };
-    static std::uint64_t key(Handle handle) {
-        return std::uint64_t{handle.generation} << 32 | handle.index;
-    }
     void prune(const Tree& tree);
     static SceneSteps steps_of(const Scene& scene, std::size_t instance);
 

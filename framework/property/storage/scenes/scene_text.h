@@ -18,11 +18,11 @@ namespace fettle::property {
 /// they are whatever happens to the instances in the tree.
 class SceneValues {
   public:
-    bool has(Handle instance) const { return values_.contains(key(instance)); }
+    bool has(Handle instance) const { return values_.contains(instance.key()); }
     /// Null if the property has no value in the scene.
     const std::string* value(Handle instance, const std::string& property) const;
     /// Must be called for an instance before its values are set.
-    void add(Handle instance) { values_[key(instance)]; }
+    void add(Handle instance) { values_[instance.key()]; }
     void set(Handle instance, const Property& property, std::string text);
     void remove(Handle instance, const std::string& property);
     /// Forgets the instance and those that are below it in the tree.
@@ -32,9 +32,6 @@ class SceneValues {
     bool rename(const Tree& tree, const std::string& mention, const NewPath& path);
 
   private:
-    static std::uint64_t key(Handle handle) {
-        return std::uint64_t{handle.generation} << 32 | handle.index;
-    }
     std::unordered_map<std::uint64_t, std::map<std::string, std::string>> values_;
     // The only values that may have references.
     std::map<std::pair<std::uint64_t, std::string>, Handle> naming_;

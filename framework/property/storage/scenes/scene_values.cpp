@@ -7,7 +7,7 @@
 namespace fettle::property {
 
 const std::string* SceneValues::value(Handle instance, const std::string& property) const {
-    const auto its = values_.find(key(instance));
+    const auto its = values_.find(instance.key());
     if (its == values_.end()) return nullptr;
     const auto found = its->second.find(property);
     return found == its->second.end() ? nullptr : &found->second;
@@ -17,23 +17,23 @@ void SceneValues::set(Handle instance, const Property& property, std::string tex
     const Type type = declared_type(property);
     const bool may_name = type == Type::nil || type == Type::reference || type == Type::list;
     if (may_name && text.find('"') != std::string::npos)
-        naming_[{key(instance), property.name}] = instance;
+        naming_[{instance.key(), property.name}] = instance;
     else
-        naming_.erase({key(instance), property.name});
-    values_[key(instance)][property.name] = std::move(text);
+        naming_.erase({instance.key(), property.name});
+    values_[instance.key()][property.name] = std::move(text);
 }
 
 void SceneValues::remove(Handle instance, const std::string& property) {
-    if (const auto its = values_.find(key(instance)); its != values_.end())
+    if (const auto its = values_.find(instance.key()); its != values_.end())
         its->second.erase(property);
-    naming_.erase({key(instance), property});
+    naming_.erase({instance.key(), property});
 }
 
 void SceneValues::forget(const Tree& tree, Handle instance) {
     const auto one = [this](Handle each) {
-        values_.erase(key(each));
-        naming_.erase(naming_.lower_bound({key(each), {}}),
-                      naming_.lower_bound({key(each) + 1, {}}));
+        values_.erase(each.key());
+        naming_.erase(naming_.lower_bound({each.key(), {}}),
+                      naming_.lower_bound({each.key() + 1, {}}));
     };
     one(instance);
     tree.each_below(instance, one);

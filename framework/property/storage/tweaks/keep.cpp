@@ -116,8 +116,7 @@ class Keeping {
         // A script made it, unless it is a new instance that is kept in the same file.
         const auto rows = scenes_.find(file);
         for (Handle at = target; at; at = state_.tree.parent(at))
-            if (const auto made = state_.created.find(Tweaks::State::key(at));
-                made != state_.created.end())
+            if (const auto made = state_.created.find(at.key()); made != state_.created.end())
                 return made->second->row.state != RowState::kept &&
                        std::find(rows->second.begin(), rows->second.end(), &made->second->row) !=
                            rows->second.end();
@@ -145,7 +144,7 @@ class Keeping {
         for (const JournalRow* row : rows) {
             if (row->kind == Kind::restored && row->run == 0) {
                 Tweaks::State::Entry& its = state_.entry_of(*row);
-                Tweaks::State::Entry& deletion = *state_.deleted.at(Tweaks::State::key(its.handle));
+                Tweaks::State::Entry& deletion = *state_.deleted.at(its.handle.key());
                 deletion.gone = true;
                 state_.touch(deletion);
             }

@@ -260,7 +260,7 @@ TweakReport Tweaks::State::reapply(std::string_view pattern) {
 /// The tweak of this run with the same content as the row.
 Tweaks::State::Entry* Tweaks::State::entry_about(const JournalRow& row, Handle instance) const {
     const auto found_in = [&](const auto& entries_by_instance) -> Entry* {
-        const auto found = entries_by_instance.find(key(instance));
+        const auto found = entries_by_instance.find(instance.key());
         return found == entries_by_instance.end() ? nullptr : found->second;
     };
     // Changes of an instance inside a new one are part of the tweak of the new one.

@@ -128,18 +128,18 @@ bool Tweaks::State::attached(Handle instance) const {
 bool Tweaks::State::is_fresh(Handle instance) const {
     if (fresh.empty()) return false;
     for (Handle at = instance; at; at = tree.parent(at))
-        if (is_in_fresh.contains(key(at))) return true;
+        if (is_in_fresh.contains(at.key())) return true;
     return false;
 }
 
 Tweaks::State::Entry* Tweaks::State::created_above(Handle instance) const {
     if (created.empty()) return nullptr;
     for (Handle at = instance; at; at = tree.parent(at)) {
-        if (const auto found = created.find(key(at)); found != created.end())
+        if (const auto found = created.find(at.key()); found != created.end())
             return !found->second->gone && found->second->row.state == RowState::open
                        ? found->second
                        : nullptr;
-        if (const auto moved = moved_entries.find(key(at));
+        if (const auto moved = moved_entries.find(at.key());
             moved != moved_entries.end() && !moved->second->gone)
             return nullptr;  // it existed before
     }
@@ -223,11 +223,11 @@ void Tweaks::State::edited_again(Handle instance, const Property& property) {
 /// deletion is undone.
 void Tweaks::State::back_in_time(Handle instance) {
     for (Handle at = instance; at; at = tree.parent(at)) {
-        const auto found = deleted.find(key(at));
+        const auto found = deleted.find(at.key());
         if (found == deleted.end() || found->second->gone) continue;
         // A kept deletion stays until what is back is kept. Its text must not be taken again here,
         // in the middle of an edit.
-        const auto back = restorations.find(key(at));
+        const auto back = restorations.find(at.key());
         if (back != restorations.end() && !back->second->gone &&
             back->second->row.state == RowState::open)
             continue;
@@ -239,7 +239,7 @@ void Tweaks::State::back_in_time(Handle instance) {
 /// back.
 void Tweaks::State::name_deleted(Image& image, const Value& value) const {
     if (!value.is(Type::reference) || !value.reference() || tree.alive(value.reference())) return;
-    const auto found = deleted.find(key(value.reference()));
+    const auto found = deleted.find(value.reference().key());
     if (found == deleted.end()) return;
     std::string text = "{\"reference\": ";
     append_quoted(text, path_of_deleted(value.reference()));
@@ -248,23 +248,23 @@ void Tweaks::State::name_deleted(Image& image, const Value& value) const {
 
 void Tweaks::State::born(Handle instance) {
     if (attached(instance)) rename_mentions(path_of_deleted(instance), tree.path(instance));
-    if (is_in_fresh.insert(key(instance)).second) fresh.push_back(instance);
+    if (is_in_fresh.insert(instance.key()).second) fresh.push_back(instance);
     rest = 0;
 }
 
 void Tweaks::State::dying(Handle instance) {
     if (attached(instance)) rename_mentions(tree.path(instance), path_of_deleted(instance));
     // An instance that was created since the last barrier leaves no entry.
-    if (is_in_fresh.erase(key(instance)) != 0) {
+    if (is_in_fresh.erase(instance.key()) != 0) {
         if (is_in_fresh.empty()) fresh.clear();  // otherwise deleted ones are skipped later
-        if (!created.contains(key(instance))) return;
+        if (!created.contains(instance.key())) return;
     }
-    if (is_fresh(instance) && !created.contains(key(instance))) return;
+    if (is_fresh(instance) && !created.contains(instance.key())) return;
     // A new instance below it comes back with it, and is deleted when its creation is undone.
     bool holds_new = false;
     if (!fresh.empty())
         tree.each_below(instance, [&](Handle each) {
-            holds_new = holds_new || is_in_fresh.contains(key(each));
+            holds_new = holds_new || is_in_fresh.contains(each.key());
         });
     if (holds_new) settle_fresh();
     if (attached(instance)) note_deletion(instance, tree.parent(instance), tree.path(instance));
@@ -272,7 +272,7 @@ void Tweaks::State::dying(Handle instance) {
 
 /// Makes the tweaks of a deleted instance void until the deletion is undone.
 void Tweaks::State::note_deletion(Handle instance, Handle parent, const std::string& path) {
-    if (const auto made = created.find(key(instance));
+    if (const auto made = created.find(instance.key());
         made != created.end() && made->second->row.state == RowState::open) {
         make_void(path, {}, *made->second);
         made->second->gone = true;
@@ -280,14 +280,14 @@ void Tweaks::State::note_deletion(Handle instance, Handle parent, const std::str
         return touch(*made->second);
     }
     if (taken_out_of_creation(instance, parent)) return;
-    const auto moved_before = moved_entries.find(key(instance));
+    const auto moved_before = moved_entries.find(instance.key());
     const std::string home = moved_before != moved_entries.end() && !moved_before->second->gone
                                  ? home_of(instance)
                                  : path_below(home_of(parent), split_path(path).second);
-    if (const auto again = restorations.find(key(instance));
+    if (const auto again = restorations.find(instance.key());
         again != restorations.end() && again->second->row.state == RowState::open &&
         !again->second->gone) {  // the file still contains the deletion
-        make_void(path, home, *deleted.at(key(instance)));
+        make_void(path, home, *deleted.at(instance.key()));
         again->second->gone = true;
         return touch(*again->second);
     }
@@ -299,17 +299,17 @@ Tweaks::State::Entry& Tweaks::State::add_deletion(Handle instance, const std::st
                                                   const std::string& home) {
     // A new instance may replace one that a script makes, and the deletion of that one is a
     // separate entry.
-    const auto known = deleted.find(key(instance));
-    Entry& deletion = known != deleted.end()            ? *known->second
-                      : created.contains(key(instance)) ? add_entry(Kind::deleted, home, instance)
-                                                        : entry(Kind::deleted, home, {}, instance);
+    const auto known = deleted.find(instance.key());
+    Entry& deletion = known != deleted.end()             ? *known->second
+                      : created.contains(instance.key()) ? add_entry(Kind::deleted, home, instance)
+                                                         : entry(Kind::deleted, home, {}, instance);
     deletion.row.instance = home;
     deletion.row.now = path;
     deletion.row.was_text = with_article(tree.class_of(instance).name());
     deletion.row.now_text = "deleted";
     deletion.gone = false;
     deletion.deletion = deletion.with = nullptr;
-    deleted[key(instance)] = &deletion;
+    deleted[instance.key()] = &deletion;
     tell_origin(deletion, instance);
     touch(deletion);
     return deletion;

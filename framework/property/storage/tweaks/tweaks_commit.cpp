@@ -53,12 +53,12 @@ void Tweaks::State::settle_fresh(Handle moving) {
     std::unordered_set<std::uint64_t> seen;  // restored instances are in the list twice
     for (const Handle instance : born) {
         if (!tree.alive(instance) || !attached(instance)) continue;
-        if (!seen.insert(key(instance)).second) continue;
+        if (!seen.insert(instance.key()).second) continue;
         // An instance below a new one is part of the tweak of the new one.
         bool inside = false;
         for (Handle at = tree.parent(instance); at && at != moving && !inside; at = tree.parent(at))
-            inside = is_in_fresh.contains(key(at));
-        const bool was_there = deleted.contains(key(instance)) || created.contains(key(instance));
+            inside = is_in_fresh.contains(at.key());
+        const bool was_there = deleted.contains(instance.key()) || created.contains(instance.key());
         if (!inside || was_there) settle_one(instance);
     }
     is_in_fresh.clear();
@@ -67,7 +67,7 @@ void Tweaks::State::settle_fresh(Handle moving) {
 void Tweaks::State::settle_one(Handle instance) {
     const std::string path = tree.path(instance);
     if (settle_undeleted(instance)) return;
-    const auto known = created.find(key(instance));
+    const auto known = created.find(instance.key());
     // The deletion or creation was undone. Instances made below it since then have their own tweaks
     // again and are not part of its scene.
     if (known != created.end()) revive(*known->second);
@@ -88,7 +88,7 @@ void Tweaks::State::settle_one(Handle instance) {
     its.row.now_text = "new " + tree.class_of(instance).name();
     its.gone = false;
     its.inside.clear();
-    created[key(instance)] = &its;
+    created[instance.key()] = &its;
     its.row.file.clear();
     its.row.inside.clear();
     origins.forget(tree, instance);  // its own tweak describes it completely
@@ -104,16 +104,16 @@ void Tweaks::State::note_values(Entry& made, std::vector<std::string>* warnings)
         for (const auto& each : entries)
             if ((each->row.kind == Kind::moved || each->row.kind == Kind::created) && !each->gone &&
                 each->handle != made.handle)
-                its_own.insert(key(each->handle));
+                its_own.insert(each->handle.key());
     made.values.clear();
     made.scene = scene_text_with_full_paths(
         tree, made.handle, warnings,
-        [&](Handle instance) { return its_own.contains(key(instance)); }, &made.values);
+        [&](Handle instance) { return its_own.contains(instance.key()); }, &made.values);
 }
 
 /// Whether the deletion of the instance was undone, so that no new entry is needed.
 bool Tweaks::State::settle_undeleted(Handle instance) {
-    const auto found = deleted.find(key(instance));
+    const auto found = deleted.find(instance.key());
     if (found == deleted.end() || found->second->gone) return false;
     return undelete(*found->second);
 }
@@ -122,12 +122,12 @@ bool Tweaks::State::settle_undeleted(Handle instance) {
 bool Tweaks::State::undelete(Entry& deletion) {
     const bool in_file = deletion.row.state == RowState::kept;
     revive(deletion);
-    if (in_file && !created.contains(key(deletion.handle))) {
+    if (in_file && !created.contains(deletion.handle.key())) {
         if (!is_home_of_another(deletion.row.instance, deletion.handle)) {
             restored(deletion.handle, deletion);
             return true;
         }
-        if (const auto moved = moved_entries.find(key(deletion.handle));
+        if (const auto moved = moved_entries.find(deletion.handle.key());
             moved != moved_entries.end()) {
             moved->second->gone = true;
             touch(*moved->second);
@@ -152,7 +152,7 @@ void Tweaks::State::restored(Handle instance, Entry& deletion) {
     its.row.file = deletion.row.file;
     its.row.inside = deletion.row.inside;
     its.gone = false;
-    restorations[key(instance)] = &its;
+    restorations[instance.key()] = &its;
     touch(its);
 }
 

@@ -18,9 +18,9 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     const bool is = attached(instance);
     const std::string old_path = was ? path_below(tree.path(old_parent), old_name) : std::string();
     if (was) rename_mentions(old_path, is ? tree.path(instance) : path_of_deleted(instance));
-    if (is_in_fresh.contains(key(instance))) return;
+    if (is_in_fresh.contains(instance.key())) return;
     // An instance inside a new one is part of its tweak, unless it has tweaks of its own.
-    const bool known = created.contains(key(instance)) || moved_entries.contains(key(instance));
+    const bool known = created.contains(instance.key()) || moved_entries.contains(instance.key());
     const bool into_new = is_fresh(instance), out_of_new = old_parent && is_fresh(old_parent);
     if (out_of_new && !known) return;
     if (into_new || out_of_new) settle_fresh(instance);
@@ -28,7 +28,7 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     if (!was) return;
     if (!is) return note_deletion(instance, old_parent, old_path);
     if (moved_with_creation(instance, old_parent, old_path)) return;
-    Entry*& its = moved_entries[key(instance)];
+    Entry*& its = moved_entries[instance.key()];
     const bool first = its == nullptr;
     if (first) its = &add_entry(Kind::moved, old_path, instance);
     Entry& move = *its;
@@ -80,7 +80,7 @@ std::string Tweaks::State::home_of(Handle instance) const {
     std::vector<std::string> names;
     std::string home = "game";
     for (Handle at = instance; at && at != tree.root(); at = tree.parent(at)) {
-        const auto found = moved_entries.find(key(at));
+        const auto found = moved_entries.find(at.key());
         if (found != moved_entries.end() && !found->second->gone &&
             found->second->row.state != RowState::kept) {
             home = found->second->row.instance;
@@ -191,7 +191,7 @@ void Tweaks::State::rekey(Entry& its, const std::string& path) {
 /// parent. False if there is no open tweak that created the instance.
 bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
                                         const std::string& old_path) {
-    const auto known = created.find(key(instance));
+    const auto known = created.find(instance.key());
     if (known != created.end()) {
         Entry& made = *known->second;
         if (made.gone || made.row.state != RowState::open) return false;

@@ -59,10 +59,6 @@ struct Tweaks::State : EditObserver {
         std::vector<JournalRow> removed;     // dropped rows of `left_aside`
     };
 
-    static std::uint64_t key(Handle handle) {
-        return std::uint64_t{handle.generation} << 32 | handle.index;
-    }
-
     static std::string key_of(Kind kind, const std::string& instance, const std::string& property) {
         return std::to_string(static_cast<int>(kind)) + instance + '\n' + property;
     }
@@ -133,7 +129,7 @@ struct Tweaks::State : EditObserver {
     /// The path of a deleted instance in the texts of tweaks. It is unique, because another
     /// instance may get the old path.
     static std::string path_of_deleted(Handle instance) {
-        return path_below("game", impossible_name(std::to_string(key(instance))));
+        return path_below("game", impossible_name(std::to_string(instance.key())));
     }
     static bool is_of_deleted(const std::string& path) { return path.starts_with(R"(game["\000)"); }
     /// Replaces a path in all references of tweaks.
