@@ -1662,7 +1662,7 @@ Text = {}
 ---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
 ---@field closed boolean Whether the last point is connected with the first. · true or false · default false
 ---@field color color Its color. · 0 to 1 · default color("#ffffff")
----@field dashed number Length of dashes, and of the gaps between them; 0: no gaps. Pixels in a layer on the screen. · m · 0 to 1e6 · default 0
+---@field dashed number Length of dashes with their round ends, and of the gaps between them; 0: no gaps. Pixels in a layer on the screen. · m · 0 to 1e6 · default 0
 ---@field points vec[] Its corners, relative to its position; pixels in a layer on the screen. · m · any length · default {}
 ---@field position vec Where its point (0, 0) is, relative to what it hangs below. · m · -1e9 to 1e9 · default vec(0, 0)
 ---@field visible boolean Whether it is drawn. · true or false · default true
