@@ -1607,7 +1607,7 @@ Attractor = {}
 ---@field loop boolean Whether the animation begins again at its end. · true or false · default true
 ---@field origin vec The point of the image that is at its position, around which it turns: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1e6 to 1e6 · default vec(0.5, 0.5)
 ---@field pixels_per_unit number Pixels of the image in a meter, where `size` is nil. In a layer on the screen a pixel of the image is a pixel. · px/m · 0.001 to 1e6 · default 32
----@field playing boolean Whether the animation goes on. At its end without `loop` it stays at the last frame until `frame` or `animation` is set. · true or false · default true
+---@field playing boolean Whether the animation goes on. At its end without `loop` it stays at the last frame until `animation` changes; `frame` = 1 plays it again. · true or false · default true
 ---@field position vec Where its origin is, relative to what it hangs below; pixels in a layer on the screen. · m · -1e9 to 1e9 · default vec(0, 0)
 ---@field rows integer Number of rows of frames in the image. · 1 to 10000 · default 1
 ---@field scale number Enlarges it, and what is below it. · -1e6 to 1e6 · default 1

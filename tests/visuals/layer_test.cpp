@@ -171,6 +171,16 @@ TEST_CASE_METHOD(Gallery, "dashes and gaps are as long as each other however thi
     CHECK(std::abs(draw()[0].lower_left.y) + 0.25 == 0.75);  // across the line, 1.5 thick
 }
 
+TEST_CASE_METHOD(Gallery,
+                 "a dash that the end of the line cuts off is left out if it is too short") {
+    const Handle line =
+        make("Line",
+             {{"points", Value(List{Vec2(0, 0), Vec2(1.1, 0)})}, {"dashed", 0.5}, {"width", 0.2}});
+    CHECK(draw().size() == 1);
+    tree.set(line, "points", Value(List{Vec2(0, 0), Vec2(1.3, 0)}));
+    CHECK(draw().size() == 2);
+}
+
 TEST_CASE_METHOD(Gallery, "dashes that are too short to be seen become a paler line") {
     const Handle line = make("Line", {{"points", Value(List{Vec2(0, 0), Vec2(1, 0)})},
                                       {"color", Value(Color{1, 1, 1, 0.5f})},

@@ -105,7 +105,9 @@ std::optional<std::vector<Piece>> dashes(const Painter& painter, std::span<const
             if (pieces.size() > most_pieces) return std::nullopt;
             const double from = 2 * length * next;
             const double to = std::min(from + length, way.length());
-            if (to > from && to > stretch.from) add_dash(way, {from, to}, width, pieces);
+            // What is left of a dash at the end may be too short to look like one.
+            if (to - from > 0.999 * std::min(length, width) && to > stretch.from)
+                add_dash(way, {from, to}, width, pieces);
         }
     return pieces;
 }
