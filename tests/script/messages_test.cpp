@@ -299,7 +299,7 @@ TEST_CASE("a function in a constructor is the handler of an event") {
     CHECK_THAT(s.fails("Body { contact_begn = function() end }"),
                contains("Body has no event \"contact_begn\" (did you mean \"contact_begin\"?)"));
     CHECK_THAT(s.fails("Body { pressed = function() end }"),
-               contains("Body has no event \"pressed\"; it has contact_begin"));
+               contains("Body has no event \"pressed\"; it has ready, deleted, contact_begin"));
     CHECK_THAT(s.fails("Body { contact_begin = 5 }"),
                contains("Body.contact_begin: expected a function, which is called at this event, "
                         "got an integer"));
