@@ -371,7 +371,7 @@ function fettle_Object:all(class) end
 ---@return Set
 function fettle_Object:children(class) end
 
----A detached copy of it and everything below.
+---A detached copy of it and everything below, with the present values of formulas, and without handlers of single instances.
 ---@return Object
 function fettle_Object:clone() end
 
