@@ -371,7 +371,7 @@ function fettle_Object:all(class) end
 ---@return Set
 function fettle_Object:children(class) end
 
----A detached copy of it and everything below.
+---A detached copy of it and everything below, with the present values of formulas, and without handlers of single instances.
 ---@return Object
 function fettle_Object:clone() end
 
@@ -1607,7 +1607,7 @@ Attractor = {}
 ---@field loop boolean Whether the animation begins again at its end. · true or false · default true
 ---@field origin vec The point of the image that is at its position, around which it turns: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1e6 to 1e6 · default vec(0.5, 0.5)
 ---@field pixels_per_unit number Pixels of the image in a meter, where `size` is nil. In a layer on the screen a pixel of the image is a pixel. · px/m · 0.001 to 1e6 · default 32
----@field playing boolean Whether the animation goes on. At its end without `loop` it stays at the last frame until `frame` or `animation` is set. · true or false · default true
+---@field playing boolean Whether the animation goes on. At its end without `loop` it stays at the last frame until `animation` changes; `frame` = 1 plays it again. · true or false · default true
 ---@field position vec Where its origin is, relative to what it hangs below; pixels in a layer on the screen. · m · -1e9 to 1e9 · default vec(0, 0)
 ---@field rows integer Number of rows of frames in the image. · 1 to 10000 · default 1
 ---@field scale number Enlarges it, and what is below it. · -1e6 to 1e6 · default 1
@@ -1662,7 +1662,7 @@ Text = {}
 ---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
 ---@field closed boolean Whether the last point is connected with the first. · true or false · default false
 ---@field color color Its color. · 0 to 1 · default color("#ffffff")
----@field dashed number Length of dashes, and of the gaps between them; 0: no gaps. Pixels in a layer on the screen. · m · 0 to 1e6 · default 0
+---@field dashed number Length of dashes with their round ends, and of the gaps between them; 0: no gaps. Pixels in a layer on the screen. · m · 0 to 1e6 · default 0
 ---@field points vec[] Its corners, relative to its position; pixels in a layer on the screen. · m · any length · default {}
 ---@field position vec Where its point (0, 0) is, relative to what it hangs below. · m · -1e9 to 1e9 · default vec(0, 0)
 ---@field visible boolean Whether it is drawn. · true or false · default true

@@ -187,6 +187,7 @@ std::unique_ptr<property::Store> Session::new_store(KeptFile which,
                                                     const std::filesystem::path& folder) {
     property::Store::Options options{.writes = replayed_ == nullptr && !isolated(),
                                      .warn = [this](const std::string& text) { note(text); }};
+    if (which == KeptFile::preferences) options.name = "the list of the player's preferences";
     if (isolated()) options.content.emplace();
     if (replayed_ != nullptr) options.content = recorded_text(which, *replayed_);
     return std::make_unique<property::Store>(folder.empty() ? folder : folder / name_of(which),

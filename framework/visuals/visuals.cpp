@@ -35,25 +35,17 @@ class GameMedia : public property::Media {
                                      const std::string& name) override {
         return images_.get(user, name)->picture;
     }
-    property::PictureArea frame(const property::FileUser& user, const std::string& name,
-                                const property::ImageFrame& asked) override {
+    property::PictureFrame frame(const property::FileUser& user, const std::string& name,
+                                 const property::ImageFrame& asked) override {
         const auto sheet = images_.get(user, name);
-        const auto at = [&](std::int64_t count) {
-            return static_cast<std::size_t>((asked.frame - 1) % count);
-        };
-        if (!sheet->frames.empty())
-            return sheet->frames[at(static_cast<std::int64_t>(sheet->frames.size()))].area;
-        if (!sheet->found)
-            return {0, 0, static_cast<double>(sheet->picture.width()),
-                    static_cast<double>(sheet->picture.height())};
-        const std::size_t index = at(asked.columns * asked.rows);
-        const auto columns = static_cast<std::size_t>(asked.columns);
-        const double width =
-            static_cast<double>(sheet->picture.width()) / static_cast<double>(asked.columns);
-        const double height =
-            static_cast<double>(sheet->picture.height()) / static_cast<double>(asked.rows);
-        return {width * static_cast<double>(index % columns),
-                height * static_cast<double>(index / columns), width, height};
+        const bool exported = !sheet->frames.empty();
+        const std::int64_t count = exported        ? static_cast<std::int64_t>(sheet->frames.size())
+                                   : !sheet->found ? 1
+                                                   : asked.columns * asked.rows;
+        const auto index = static_cast<std::size_t>((asked.frame - 1) % count);
+        return exported ? sheet->frames[index]
+                        : sheet->part(index, count == 1 ? 1 : asked.columns,
+                                      count == 1 ? 1 : asked.rows);
     }
     void load_font(const property::FileUser& user, const std::string& font) override {
         (void)fonts_.get(user, font);

@@ -63,6 +63,13 @@ TEST_CASE_METHOD(Pictures, "a camera draws the game again in its part of the win
     set("camera.angle", std::acos(-1.0) / 2);
     // The viewer turns to the left, so the picture turns to the right.
     CHECK(near(draw()[1].pixel, {960 - 10, 600 - 20}));
+    // The view turns only its own picture.
+    set("view.angle", 0.7);
+    set("view.center", Vec2(1e6, -3e5));
+    const auto turned = draw();
+    CHECK(near(turned[1].pixel, {960 - 10, 600 - 20}));
+    CHECK(near(turned[1].clip_lower, {640, 400}));
+    CHECK(near(turned[1].clip_upper, {1280, 800}));
 }
 
 TEST_CASE_METHOD(Pictures, "a camera follows an instance") {

@@ -85,6 +85,9 @@ TEST_CASE("the directional pad and its buttons are one") {
     CHECK(game.get("input.gamepad_1.dpad_down").boolean());
     game.loop.frame(tick);
     CHECK(game.heard() == "pad_y=1.0 +1.dpad_up pad_y=-1.0 -1.dpad_up +1.dpad_down");
+    axis(game, "pad_y", -0.0f);
+    game.loop.frame(tick);
+    CHECK(game.heard() == "pad_y=0.0 -1.dpad_down");
     game.set("input.gamepad_1.dpad_down", false);
     CHECK(game.get("input.gamepad_1.pad").vec2() == Vec2(0, 0));
     game.set("input.gamepad_1.dpad_left", true);

@@ -66,9 +66,11 @@ class NotingPainter : public property::Painter {
             {to_pixels(center), radius * pixels_per_unit(), clip_lower_, clip_upper_, on_screen()});
     }
     void clip(const Vec2& lower, const Vec2& upper) override {
+        // The box around the turned box, as on the screen.
         const Vec2 a = to_pixels(lower), b = to_pixels(upper);
-        clip_lower_ = a.min(b);
-        clip_upper_ = a.max(b);
+        const Vec2 c = to_pixels({lower.x, upper.y}), d = to_pixels({upper.x, lower.y});
+        clip_lower_ = a.min(b).min(c).min(d);
+        clip_upper_ = a.max(b).max(c).max(d);
     }
     double pixels_per_unit() const override {
         return (on_screen() ? 1 : view.zoom()) * transform().scale();

@@ -282,6 +282,10 @@ TEST_CASE("a sound is heard from where it is") {
     CHECK((heard().left == 0 && heard().right == 0));
     game.run("audio.voices[1].position = vec(-5, 0)");
     CHECK((heard().left == 1 && heard().right == 1));
+    // What is above is seen on the right, when the view is turned to the left.
+    game.run("audio.voices[1].position = vec(-5, 5) view.angle = math.pi / 2");
+    CHECK(heard().right == 0.25f);
+    CHECK(heard().left < 0.2f);
 }
 
 TEST_CASE("errors name the value and the nearest name") {

@@ -68,11 +68,42 @@ TEST_CASE("assigning a table copies it and reading gives the table in the store"
         store.u[1] = 9
         print(store.t[1], store.u[1])
         store.t = nil
-        print(pcall(function() return theirs[1] end))
+        print(theirs[1], #theirs, theirs)
+        print(pcall(function() theirs[1] = 7 end))
     )")
               .out ==
-          "1\t5\ttrue\n1\t9\nfalse\teval:12: this table is no longer in the store: it was "
-          "replaced or removed\n");
+          "1\t5\ttrue\n1\t9\n1\t2\t{1, 5}\n"
+          "false\teval:13: this table is no longer in the store: it was replaced or removed\n");
+}
+
+TEST_CASE("tables in the store are sorted and moved and exchanged as other tables are") {
+    const Folder folder;
+    CHECK(run(folder, R"(
+        store.best = {}
+        for i, points in ipairs { 5, 9, 7, 1, 8, 3 } do
+            store.best[i] = { points = points, at = { i, { i } } }
+        end
+        local function show()
+            local all = {}
+            for _, each in ipairs(store.best) do all[#all + 1] = each.points .. ":" .. each.at[2][1] end
+            print(table.concat(all, " "))
+        end
+        table.sort(store.best, function(a, b) return a.points > b.points end)
+        show()
+        table.insert(store.best, 2, { points = 8.5, at = { 0, { 0 } } })
+        local first = table.remove(store.best, 1)
+        print(first.points, first.at[2][1])
+        show()
+        local best = store.best
+        best[1], best[3] = best[3], best[1]
+        show()
+        table.move(best, 4, 6, 1)
+        best[6] = first
+        show()
+    )")
+              .out ==
+          "9:2 8:5 7:3 5:1 3:6 1:4\n9\t2\n8.5:0 8:5 7:3 5:1 3:6 1:4\n"
+          "7:3 8:5 8.5:0 5:1 3:6 1:4\n5:1 3:6 1:4 5:1 3:6 9:2\n");
 }
 
 TEST_CASE("a value that cannot be in the store is refused with its path") {

@@ -294,6 +294,17 @@ TEST_CASE("the receiver of notes may replace itself") {
     CHECK(lived);
 }
 
+TEST_CASE("a function in a constructor is the handler of an event") {
+    Stage s;
+    CHECK_THAT(s.fails("Body { contact_begn = function() end }"),
+               contains("Body has no event \"contact_begn\" (did you mean \"contact_begin\"?)"));
+    CHECK_THAT(s.fails("Body { pressed = function() end }"),
+               contains("Body has no event \"pressed\"; it has ready, deleted, contact_begin"));
+    CHECK_THAT(s.fails("Body { contact_begin = 5 }"),
+               contains("Body.contact_begin: expected a function, which is called at this event, "
+                        "got an integer"));
+}
+
 TEST_CASE("names from other engines are errors in a constructor of a native class") {
     Stage s;
     CHECK_THAT(s.fails("Body { pos = vec(1, 2) }"),

@@ -39,6 +39,7 @@ TEST_CASE("a name without quotes that no property takes keeps its hint") {
     CHECK_THAT(s.fails("world.ball.type = static.x"), contains("type = \"static\""));
     CHECK(s.fails("static()").find("quotes") == std::string::npos);
     CHECK(s.fails("local x = static").find("quotes") == std::string::npos);
+    CHECK(s.fails("local x = (static or 0) + 1").find("quotes") == std::string::npos);
 }
 
 TEST_CASE("a child with the name of a property is refused with the reason") {

@@ -1,5 +1,6 @@
 // The pen, and the order in which scripts draw.
 
+#include <fettle/property/media.h>
 #include <fettle/property/painter.h>
 
 #include "stage.h"
@@ -40,7 +41,63 @@ struct Recorder : fettle::property::Painter {
     void end_screen() override { log += "}"; }
 };
 
+/// An image of one frame, which a tool has cut out of 8 x 4 pixels.
+struct CutImage : fettle::property::Media {
+    using User = fettle::property::FileUser;
+    fettle::property::Picture whole;
+    const fettle::property::Picture& picture(const User&, const std::string&) override {
+        return whole;
+    }
+    fettle::property::PictureFrame frame(const User&, const std::string&,
+                                         const fettle::property::ImageFrame&) override {
+        return {.area = {10, 20, 2, 1}, .offset = {1, 0}, .size = {8, 4}};
+    }
+    void load_font(const User&, const std::string&) override {}
+    bool smooth() const override { return true; }
+    stage::Vec2 text_size(std::string_view, const fettle::property::TextStyle&) override {
+        return {0, 0};
+    }
+    void text(fettle::property::Painter&, const stage::Vec2&, std::string_view,
+              const fettle::property::TextStyle&) override {}
+};
+
+/// Remembers the boxes of pictures.
+struct Boxes : Recorder {
+    std::vector<std::array<stage::Vec2, 2>> all;
+    void begin_screen() override { push_screen(); }
+    void end_screen() override { pop(); }
+    void picture(const fettle::property::Picture&, const fettle::property::PictureArea&,
+                 const stage::Vec2& lower, const stage::Vec2& upper, stage::Color, bool) override {
+        all.push_back({transform()(lower), transform()(upper)});
+    }
+};
+
 }  // namespace
+
+TEST_CASE("the pen draws a frame that a tool has cut where it is in the uncut frame") {
+    CutImage image;
+    fettle::script::Options options = stage::unhurried();
+    options.media = &image;
+    Stage s(options);
+    s.run(R"lua(
+function draw(pen)
+    pen.image("walk.json", vec(10, 0), 8)
+    pen.image({ "walk.json", frame = 1 }, vec(0, 0), 4, 4)
+    pen.screen(function() pen.image("walk.json", vec(0, 0)) end)
+end
+)lua");
+    Boxes boxes;
+    REQUIRE(s.runtime->draw(boxes));
+    using stage::Vec2;
+    REQUIRE(boxes.all.size() == 3);
+    CHECK(boxes.all[0] == std::array{Vec2(7, 1), Vec2(9, 2)});        // y up
+    CHECK(boxes.all[1] == std::array{Vec2(-1.5, 1), Vec2(-0.5, 2)});  // distorted as it is asked
+    CHECK(boxes.all[2] == std::array{Vec2(-3, -2), Vec2(-1, -1)});    // pixels, y down
+    s.run("function draw(pen) pen.image({ 'walk.json', fraem = 1 }, vec(0, 0)) end");
+    CHECK_FALSE(s.runtime->draw(boxes));
+    CHECK_THAT(s.errors.back().message,
+               contains("a frame has no \"fraem\" (did you mean \"frame\"?)"));
+}
 
 TEST_CASE("draw gets a pen that can be used only during the call") {
     Stage s;

@@ -233,6 +233,21 @@ TEST_CASE("timers of the top level are replaced and keep their time") {
     CHECK(stage::joined(game.printed) == "fast|fast|fast|fast");
 }
 
+TEST_CASE("a timer of the top level keeps its time at whatever step the file changes") {
+    for (int step = 1; step < 30; ++step) {
+        CAPTURE(step);
+        Game game("every(0.5, function() print('old') end)");
+        game.step(step);
+        // Another one before it changes nothing.
+        CHECK(game.change("after(9, function() end) every(0.5, function() print('new') end)")
+                  .empty());
+        game.step(29 - step);
+        CHECK(game.printed.empty());
+        game.step(2);
+        CHECK(stage::joined(game.printed) == "new");
+    }
+}
+
 TEST_CASE("coroutines of the top level begin again and are not doubled") {
     const auto text = [](const std::string& word) {
         return "world:run(function() while true do wait(0.1) print('" + word + "') end end)";

@@ -366,17 +366,6 @@ assert(#world.hull.vertices == 3 and world.hull.vertices == v)
     CHECK(changes == 1);
 }
 
-TEST_CASE("writes to nested lists are written back too") {
-    Stage s;
-    s.run(R"lua(
-world.grid = { {1, 2}, {3, 4} }
-world.grid[2][1] = 30
-assert(world.grid[2][1] == 30 and world.grid[1][2] == 2)
-world.grid[3] = {5}
-assert(#world.grid == 3 and world.grid[3][1] == 5)
-)lua");
-}
-
 TEST_CASE("methods convert their arguments and return records") {
     Stage s;
     s.run(R"lua(

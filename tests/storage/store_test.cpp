@@ -116,6 +116,27 @@ TEST_CASE("a table that was replaced is no longer in the store") {
     CHECK(store.path(table_at(store, "t"), "two words") == "store.t[\"two words\"]");
 }
 
+TEST_CASE("what was in a replaced table can be read by those who hold it, up to a size") {
+    Store store({}, {});
+    std::vector<std::shared_ptr<const Store::Content>> held;
+    const std::string large(1 << 20, 'x');
+    for (int i = 0; i < 40; ++i) {
+        store.set(Store::root, "t", table({{"inner", table({{"x", value(large)}})}}));
+        const Store::Table outer = table_at(store, "t");
+        held.push_back(store.content(outer));
+        held.push_back(store.content(table_at(store, "inner", outer)));
+    }
+    store.set(Store::root, "t", value(1));
+    std::size_t bytes = 0;
+    for (const auto& content : held)
+        if (const auto found = content->entries.find("x"); found != content->entries.end())
+            bytes += found->second.value.text().size();
+    CHECK(bytes <= Store::size_limit);
+    CHECK(held.front()->forgotten);
+    REQUIRE_FALSE(held.back()->forgotten);
+    CHECK(held.back()->entries.at("x").value.text() == large);
+}
+
 TEST_CASE("a value that a store cannot hold is refused and changes nothing") {
     const Place place;
     Store store(place.file(), {});
@@ -213,7 +234,12 @@ TEST_CASE("a store that cannot be written is reported and written later") {
     Store store(place.file(), {.warn = [&](const std::string& warning) { told += warning; }});
     store.set(Store::root, "a", value(1));
     store.flush();
-    CHECK_THAT(told, contains("the store was not written"));
+    CHECK_THAT(told, contains("the store of the game was not written"));
+    Store named(place.file(),
+                {.warn = [&](const std::string& warning) { told = warning; }, .name = "the list"});
+    named.set(Store::root, "a", value(1));
+    named.flush();
+    CHECK_THAT(told, contains("the list was not written"));
     fs::remove(place.path / "player");
     store.flush();
     CHECK(at(Store(place.file(), {}), "a") == Value(1));

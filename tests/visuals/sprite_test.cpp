@@ -281,6 +281,52 @@ TEST_CASE_METHOD(Gallery, "a file of Aseprite has frames and animations and time
                                    "\"walk\"?); it has 3 frames"});
 }
 
+TEST_CASE_METHOD(Gallery, "a hash export of Aseprite has its frames in the order of the file") {
+    std::string frames;
+    for (int n = 0; n < 12; ++n)
+        frames += (n > 0 ? "," : "") + std::string("\"hero ") + std::to_string(n) +
+                  R"(.aseprite":{"frame":{"x":)" + std::to_string(n) +
+                  R"(,"y":0,"w":1,"h":1},"duration":100})";
+    const std::string meta = R"("meta":{"image":"hero.tga","frameTags":[)"
+                             R"({"name":"last","from":10,"to":11,"direction":"forward"}]})";
+    write("hash.json", "{\"frames\":{" + frames + "}," + meta + "}");
+    const Handle s = make("Sprite", {{"image", "hash.json"}});
+    for (int n = 0; n < 12; ++n) {
+        tree.set(s, "frame", Value(n + 1));
+        CHECK(draw()[0].area.left == n);
+    }
+    tree.set(s, "animation", Value("last"));
+    CHECK(draw()[0].area.left == 10);
+    CHECK(problems.empty());
+}
+
+TEST_CASE_METHOD(Gallery, "a frame that a tool has cut keeps its place with the pen as well") {
+    write("hero.json", exported());
+    const auto user = [] { return std::string("pen.image"); };
+    const PictureFrame cut = visuals.media().frame(user, "hero.json", {.frame = 2});
+    CHECK(cut.area.left == 2);
+    CHECK(cut.offset == Vec2(1, 1));
+    CHECK(cut.size == Vec2(4, 4));
+    const PictureFrame part =
+        visuals.media().frame(user, "hero.tga", {.columns = 4, .rows = 2, .frame = 6});
+    CHECK(part.area.left == 2);
+    CHECK(part.area.top == 2);
+    CHECK(part.size == Vec2(2, 2));
+}
+
+TEST_CASE_METHOD(Gallery, "the pixels of an export of Aseprite may come later") {
+    std::string text = exported();
+    text.replace(text.find("hero.tga"), 8, "late.tga");
+    write("hero.json", text);
+    const Handle s = make("Sprite", {{"image", "hero.json"}});
+    CHECK(tree.get(s, "image_width") == Value(32));
+    CHECK(problems.size() == 1);
+    write("late.tga", tga(8, 4));
+    visuals.renew("late.tga");
+    CHECK(tree.get(s, "image_width") == Value(8));
+    CHECK(tree.get(s, "frame_count") == Value(3));
+}
+
 TEST_CASE_METHOD(Gallery, "a broken file of Aseprite is an error") {
     const std::string whole = exported();
     write("a.json", whole.substr(0, whole.size() / 2));

@@ -163,8 +163,9 @@ void Input::State::move_raw_axis(Gamepad& gamepad, std::size_t axis, double valu
     tree.set(gamepad.instance, gamepad_stick_names[hat_stick], pad);
 }
 
-void Input::State::move_stick(Gamepad& gamepad, std::size_t stick, const Vec2& to) {
+void Input::State::move_stick(Gamepad& gamepad, std::size_t stick, const Vec2& wanted) {
     const Vec2 from = gamepad.sticks[stick];
+    const Vec2 to = wanted + Vec2(0, 0);  // a device whose y is the other way gives -0
     gamepad.sticks[stick] = to;
     Act act{.kind = Act::Kind::stick,
             .name = std::string(gamepad_stick_names[stick]),

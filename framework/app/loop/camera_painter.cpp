@@ -8,14 +8,10 @@ using property::Vec2;
 
 namespace {
 
-/// The map from what the camera sees to where the view would show it on the same pixels.
-Transform to_view(const View& view, const CameraPicture& camera) {
-    const auto map = [&](const Vec2& p) {
-        return view.to_world(camera.lower + camera.view.to_screen(p));
-    };
-    // Taken around the center of the camera, where the numbers are smallest.
-    const Vec2 from = camera.view.center, to = map(from);
-    const double unit = camera.view.height;
+/// The map of points that `map` is. It is taken around `from`, where the numbers are smallest.
+template <class Map>
+Transform transform_of(const Vec2& from, double unit, Map map) {
+    const Vec2 to = map(from);
     Transform made;
     made.x = (map(from + Vec2(unit, 0)) - to) / unit;
     made.y = (map(from + Vec2(0, unit)) - to) / unit;
@@ -28,9 +24,13 @@ Transform to_view(const View& view, const CameraPicture& camera) {
 CameraPainter::CameraPainter(Painter& inner, const View& view, const CameraPicture& camera)
     : inner_(inner), camera_(true) {
     seen_ = {camera.view.center, camera.view.lower(), camera.view.upper(), camera.view.screen};
-    inner_.push({});
-    inner_.clip(view.to_world(camera.lower), view.to_world(camera.upper));
-    inner_.push(to_view(view, camera));
+    // From pixels, because the viewport is upright on the screen however the view is turned.
+    inner_.push(transform_of(0.5 * view.screen, view.screen.y,
+                             [&](const Vec2& pixel) { return view.to_world(pixel); }));
+    inner_.clip(camera.lower, camera.upper);
+    inner_.push(transform_of(camera.view.center, camera.view.height, [&](const Vec2& point) {
+        return camera.lower + camera.view.to_screen(point);
+    }));
 }
 
 CameraPainter::~CameraPainter() {

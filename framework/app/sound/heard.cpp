@@ -58,7 +58,8 @@ Stereo Audio::State::loudness(Handle voice, Handle source) const {
                    number(voice, *of_voice.volume) * number(voice, *of_voice.fade);
     double left = 1, right = 1;
     if (const std::optional<Vec2> at = place(voice, source)) {
-        const Vec2 offset = *at - view.center;
+        // As it is seen: a listener that turns has other things on the right.
+        const Vec2 offset = property::Transform::turned(-view.angle).direction(*at - view.center);
         const double range = number(source, *of_source.range);
         const double near = std::max(0.0, 1 - offset.length() / range);
         level *= near * near;

@@ -51,7 +51,9 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
                         (method.required == method.parameters.size()
                              ? ""
                              : " to " + std::to_string(method.parameters.size())) +
-                        " arguments, got " + std::to_string(arguments.size()));
+                        (method.parameters.size() == 1 && method.required == 1 ? " argument"
+                                                                               : " arguments") +
+                        ", got " + std::to_string(arguments.size()));
     std::vector<Value> coerced(method.parameters.size());
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const Field& parameter = method.parameters[i];

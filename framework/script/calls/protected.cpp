@@ -14,6 +14,7 @@
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/watchdog.h>
+#include <values/moved_lists.h>
 #include <values/recording.h>
 
 namespace fettle::script {
@@ -108,6 +109,7 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
     lua_State* L = machine.lua.main;
     lua_State* outer = machine.lua.running;
     machine.lua.running = L;
+    if (machine.watchdog.outermost()) machine.moved_lists.forget();
     machine.errors.caught.reset();
     machine.lua.gone.clear();
     const int top = lua_gettop(L);

@@ -47,7 +47,7 @@ int timer(lua_State* L, const char* what, bool repeated, Handle owner = {}) {
     lua_settop(L, 2);
     Timers& timers = machine_of(L).timers;
     const double interval = repeated ? seconds : -1;
-    push_timer_connection(L, pauses ? timers.add(L, timers.now + seconds, interval, owner)
+    push_timer_connection(L, pauses ? timers.add(L, seconds, interval, owner)
                                     : timers.add_real(L, seconds, interval, owner));
     return 1;
 }

@@ -92,10 +92,10 @@ std::uint64_t Timers::add_real(lua_State* L, double seconds, double interval, Ha
     return id;
 }
 
-std::uint64_t Timers::add(lua_State* L, double due, double interval, Handle owner) {
+std::uint64_t Timers::add(lua_State* L, double seconds, double interval, Handle owner) {
     const std::uint64_t id = next_id_++;
-    insert({due, id}, made(L, interval, owner));
-    if (noting_top_) noted_.push_back({.id = id, .delay = due - now, .interval = interval});
+    insert({now + seconds, id}, made(L, interval, owner));
+    if (noting_top_) noted_.push_back({.id = id, .delay = seconds, .interval = interval});
     return id;
 }
 

@@ -25,11 +25,12 @@ class Timers {
 
     double now = 0;  // simulation time, seconds
 
-    /// Adds the function at the top of the stack `L` and pops it. `interval` below 0: called once.
+    /// Adds the function at the top of the stack `L` and pops it. It is due in `seconds`.
+    /// `interval` below 0: called once.
     /// With an `owner`, the timer ends when that is deleted, and the function gets it as argument.
     /// A timer that `enter` of a scene adds ends with the scene, too.
     /// Returns the timer's number.
-    std::uint64_t add(lua_State* L, double due, double interval, property::Handle owner = {});
+    std::uint64_t add(lua_State* L, double seconds, double interval, property::Handle owner = {});
     /// The same in real time, in `seconds`: it goes on while the game is paused, and no moment of
     /// the game contains it.
     std::uint64_t add_real(lua_State* L, double seconds, double interval, property::Handle owner);
@@ -53,7 +54,7 @@ class Timers {
     void begin_noting() { noting_top_ = true; }
     struct Noted {
         std::uint64_t id = 0;
-        double delay = 0;        // s
+        double delay = 0;        // s, as the script gave it
         double interval = -1;    // s; below 0: once
         int thread = LUA_NOREF;  // reference of a coroutine that waited; the other members are not
                                  // used then

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include <fettle/property/media.h>
+#include <fettle/property/spelling.h>
 #include <fettle/script/runtime.h>
 
 #include <library/pen.h>
@@ -368,6 +369,14 @@ AskedImage image_at(lua_State* L) {
     if (lua_type(L, -1) != LUA_TSTRING) expected(-1);
     AskedImage asked{.name = string_at(L, -1)};
     lua_pop(L, 1);
+    const std::vector<std::string> known{"columns", "frame", "rows"};
+    for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
+        if (lua_isinteger(L, -2) && lua_tointeger(L, -2) == 1) continue;
+        const std::string name = lua_type(L, -2) == LUA_TSTRING ? string_at(L, -2) : "";
+        if (std::ranges::find(known, name) == known.end())
+            throw Error(ErrorKind::unknown_name, "pen.image: a frame has no " + short_text(L, -2) +
+                                                     property::suggestion(name, known));
+    }
     asked.frame = {.columns = count_of(L, "columns", 10'000),
                    .rows = count_of(L, "rows", 10'000),
                    .frame = count_of(L, "frame", 1'000'000'000)};
@@ -387,8 +396,8 @@ int image(lua_State* L) {
     const bool smooth = lua_isnil(L, 7) ? from.smooth() : lua_toboolean(L, 7) != 0;
     const auto user = [L] { return position(L) + "pen.image"; };
     const property::Picture& picture = from.picture(user, asked.name);
-    const property::PictureArea area = from.frame(user, asked.name, asked.frame);
-    const double pixel = on_screen(L) ? 1.0 : 1.0 / 32, w = area.width, h = area.height;
+    const property::PictureFrame frame = from.frame(user, asked.name, asked.frame);
+    const double pixel = on_screen(L) ? 1.0 : 1.0 / 32, w = frame.size.x, h = frame.size.y;
     // With one length, the picture keeps its proportions.
     const bool has_width = !lua_isnil(L, 3), has_height = !lua_isnil(L, 4);
     const double given_width = has_width ? length_at(L, 3, "pen.image", "width") : 0;
@@ -400,8 +409,12 @@ int image(lua_State* L) {
                           : has_width ? given_width * h / std::max(w, 1.0)
                                       : h * pixel;
     to.push(property::Transform::placed(center, to.on_screen() ? -angle : angle));
-    const Vec2 half(0.5 * width, 0.5 * height);
-    to.picture(picture, area, -half, half, tint, smooth);
+    // In the box of the uncut frame, that of the part that the file contains.
+    const Vec2 unit(width / std::max(w, 1.0), height / std::max(h, 1.0));
+    const Vec2 part = unit.times({frame.area.width, frame.area.height});
+    Vec2 lower = unit.times(frame.offset) - Vec2(0.5 * width, 0.5 * height);
+    if (!to.on_screen()) lower.y = -lower.y - part.y;
+    to.picture(picture, frame.area, lower, lower + part, tint, smooth);
     to.pop();
     return 0;
 }

@@ -19,6 +19,7 @@ struct Sources;
 struct Host;
 struct Recording;
 struct Boxes;
+class MovedLists;
 class MemberTables;
 class Declarations;
 struct Errors;
@@ -46,6 +47,7 @@ struct Machine {
     Host& host;
     Recording& recording;
     Boxes& boxes;
+    MovedLists& moved_lists;
     MemberTables& members;
     Declarations& declarations;
     Errors& errors;

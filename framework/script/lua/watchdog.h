@@ -42,6 +42,8 @@ class Watchdog {
 
     bool limited() const { return patience_ > 0; }
     double patience() const { return patience_; }  // s
+    /// Whether the running call was not made by another one.
+    bool outermost() const { return depth_ == 1; }
     /// Whether the last call was stopped.
     bool stopped() const { return stopped_; }
     /// If the call has taken too long, asks whether it may go on, and stops it if not. Cheap

@@ -116,10 +116,29 @@ void set_props(lua_State* L, Machine& machine, Construction& now) {
     }
 }
 
+/// A function is meant as the handler of an event.
+void refuse_unknown_handler(const Class& of, const std::string& name) {
+    std::vector<std::string> events;
+    for (const property::Event* each : of.events()) events.push_back(each->name);
+    if (events.empty()) return;
+    std::string hint = property::suggestion(name, events);
+    if (hint.empty()) {
+        for (const std::string& each : events) hint += (hint.empty() ? "; it has " : ", ") + each;
+    }
+    throw Error(ErrorKind::unknown_name, of.name() + " has no event \"" + name + "\"" + hint);
+}
+
 /// A native class has all the properties that its instances need, so another name is an error. The
-/// classes of scripts and plain objects take any name.
-void refuse_unknown(const Machine& machine, const Class& of, const std::string& name) {
+/// classes of scripts and plain objects take any name. The value is at 3.
+void refuse_unknown(lua_State* L, const Machine& machine, const Class& of,
+                    const std::string& name) {
     if (machine.classes.scripted(of) || &of == &machine.tree.object_class()) return;
+    if (of.event(name) != nullptr)
+        throw Error(ErrorKind::wrong_type, of.name() + "." + name +
+                                               ": expected a function, which is called at this "
+                                               "event, got " +
+                                               describe_type(L, 3));
+    if (lua_isfunction(L, 3)) refuse_unknown_handler(of, name);
     std::string hint = machine.hints.did_you_mean(of, name);
     if (hint.empty()) hint = "; a property of your own goes into props = { " + name + " = ... }";
     throw Error(ErrorKind::unknown_name, of.name() + " has no property \"" + name + "\"" + hint);
@@ -169,7 +188,7 @@ void fill(lua_State* L, Machine& machine, Construction& now) {
             lua_pop(L, 1);
             continue;
         }
-        refuse_unknown(machine, of, key);
+        refuse_unknown(L, machine, of, key);
         write_member(L, machine, now.made, of, key);
     }
 }

@@ -140,7 +140,7 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const Class& 
             return;
         }
         const Value value = to_value(L, 3, where);
-        write_property(machine, instance, *property, value);
+        assign_property(machine, instance, *property, value);
         return;
     }
     refuse_near_miss(machine, instance, of, name, lua_isfunction(L, 3));

@@ -18,7 +18,9 @@ const std::vector<GlobalDoc>& instance_docs() {
          "Everything below of that class, as a set with :set and :add."},
         {"children", "children(self: Object, class?: Class|string): Set",
          "What hangs directly here, as a set."},
-        {"clone", "clone(self: Object): Object", "A detached copy of it and everything below."},
+        {"clone", "clone(self: Object): Object",
+         "A detached copy of it and everything below, with the present values of formulas, and "
+         "without handlers of single instances."},
         {"delete", "delete(self: Object)", "Deletes it and everything below."},
         {"describe",
          "describe(self: Object): PropertyDescription[]\n"

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <deque>
+#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -230,17 +232,20 @@ void TopLevel::take(Noted made, Reloaded& result) {
 /// A timer that the old code started in the same way is due when that one would be.
 void TopLevel::replace_timers(const std::vector<Timers::Noted>& made) {
     std::vector<Timers::Noted> old = std::exchange(noted_.timers, {});
-    for (const Timers::Noted& each : old)
-        if (each.thread == LUA_NOREF) machine_.timers.retire(each);
-    std::size_t next = 0;
+    // By their times, and in the order of the file where several have the same.
+    std::map<std::pair<double, double>, std::deque<Timers::Noted*>> waiting;
+    for (Timers::Noted& each : old) {
+        if (each.thread != LUA_NOREF) continue;
+        machine_.timers.retire(each);
+        waiting[{each.delay, each.interval}].push_back(&each);
+    }
     for (const Timers::Noted& each : made) {
         if (each.thread != LUA_NOREF) continue;
-        while (next < old.size() && old[next].thread != LUA_NOREF) ++next;
-        if (next == old.size()) break;
-        Timers::Noted& before = old[next++];
-        if (before.delay != each.delay || before.interval != each.interval) continue;
-        machine_.timers.take_place(before, each);
-        before.id = 0;
+        auto& same = waiting[{each.delay, each.interval}];
+        if (same.empty()) continue;
+        machine_.timers.take_place(*same.front(), each);
+        same.front()->id = 0;
+        same.pop_front();
     }
     for (const Timers::Noted& each : old)
         if (each.id != 0 || each.thread != LUA_NOREF) machine_.timers.end(each);

@@ -156,6 +156,7 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
               host,
               recording,
               boxes,
+              moved_lists,
               members,
               declarations,
               errors,

@@ -26,6 +26,7 @@
 #include <sandbox/random.h>
 #include <values/declarations.h>
 #include <values/members.h>
+#include <values/moved_lists.h>
 #include <values/recording.h>
 #include <values/values.h>
 
@@ -55,6 +56,7 @@ struct Parts {
     Host host;
     Recording recording;
     Boxes boxes;
+    MovedLists moved_lists;
     MemberTables members;
     Declarations declarations;
     Errors errors;

@@ -2,11 +2,13 @@
 // budget before its loop. Changing a list of a property is one change.
 
 #include <algorithm>
+#include <limits>
 
 #include <lua/budget.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <sandbox/sandbox.h>
+#include <values/moved_lists.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -42,16 +44,25 @@ std::size_t position(lua_State* L, int index, std::size_t max, const char* what)
     return static_cast<std::size_t>(place);
 }
 
+/// All elements of the list, which was `before`, are others now from this place on.
+void note_moved(lua_State* L, const ListBox& box, std::size_t place, const Value& before) {
+    if (place <= before.list().size())
+        machine_of(L).moved_lists.note(box.origin, place, std::numeric_limits<std::size_t>::max(),
+                                       before);
+}
+
 int insert(lua_State* L) {
     check_list(L);
     if (const auto* box = list_at(L, 1)) {
-        List list = list_value(L, *box).list();
+        const Value before = list_value(L, *box);
+        List list = before.list();
         const bool placed = lua_gettop(L) >= 3;
         const std::size_t place =
             placed ? position(L, 2, list.size() + 1, "table.insert") : list.size() + 1;
         list.insert(list.begin() + static_cast<std::ptrdiff_t>(place - 1),
                     to_value(L, placed ? 3 : 2));
         write_list(L, *box, list);
+        note_moved(L, *box, place, before);
         return 0;
     }
     if (lua_gettop(L) >= 3 && lua_isinteger(L, 2))
@@ -62,7 +73,8 @@ int insert(lua_State* L) {
 int remove(lua_State* L) {
     check_list(L);
     if (const auto* box = list_at(L, 1)) {
-        List list = list_value(L, *box).list();
+        const Value before = list_value(L, *box);
+        List list = before.list();
         if (list.empty()) {
             lua_pushnil(L);
             return 1;
@@ -72,6 +84,7 @@ int remove(lua_State* L) {
         push_value(L, list[place - 1]);
         list.erase(list.begin() + static_cast<std::ptrdiff_t>(place - 1));
         write_list(L, *box, list);
+        note_moved(L, *box, place, before);
         return 1;
     }
     if (lua_isinteger(L, 2)) charge(L, "table.remove", lua_tointeger(L, 2), luaL_len(L, 1));
@@ -108,10 +121,18 @@ int sort(lua_State* L) {
     for (lua_Integer n = length; n > 1; n /= 2) ++rounds;
     machine_of(L).budget.charge(
         L, rounds * static_cast<std::uint64_t>(std::max<lua_Integer>(length, 0)));
-    if (list_at(L, 1))
-        throw Error(ErrorKind::rejected,
-                    "table.sort: sort a table of your own and assign it to the property");
-    return call_original(L);
+    const auto* box = list_at(L, 1);
+    if (box == nullptr) return call_original(L);
+    // A table with its elements is sorted, and then written in one change. An error of the function
+    // that compares leaves this frame without its destructors, so nothing is held meanwhile.
+    const ListBox list = *box;
+    push_value(L, list_value(L, list));
+    lua_replace(L, 1);
+    call_original(L);
+    const Value before = list_value(L, list), sorted = to_value(L, 1);
+    write_list(L, list, sorted.list());
+    note_moved(L, list, 1, before);
+    return 0;
 }
 
 }  // namespace

@@ -2,26 +2,44 @@
 // replaces the whole list in one change; writing one past the end appends.
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <values/moved_lists.h>
 #include <values/short_text.h>
 #include <values/values.h>
 #include <values/writes.h>
 
 namespace fettle::script {
 
-Value list_value(lua_State* L, const ListBox& box) {
-    Value value = origin_read(machine_of(L), box.origin);
+Value list_value(lua_State* L, const ListBox& box, bool* moved) {
+    std::optional<Value> before;
+    if (box.origin.depth > 0) before = machine_of(L).moved_lists.find(box.origin, box.since);
+    if (moved != nullptr) *moved = before.has_value();
+    Value value = before ? std::move(*before) : origin_read(machine_of(L), box.origin);
     if (!value.is(Type::list))
         throw Error(ErrorKind::wrong_type,
                     origin_path(machine_of(L).tree, box.origin) + ": is not a list any more");
     return value;
 }
 
+namespace {
+
+void require_there(Machine& machine, const ListBox& box) {
+    if (box.origin.depth > 0 && machine.moved_lists.find(box.origin, box.since))
+        throw Error(ErrorKind::deleted,
+                    origin_path(machine.tree, box.origin) +
+                        ": this list was replaced or moved after it was read; read it again");
+}
+
+}  // namespace
+
 void write_list(lua_State* L, const ListBox& box, const List& list) {
     Machine& machine = machine_of(L);
+    require_there(machine, box);
     if (box.origin.depth == 0)
         write_property(machine, box.origin.instance, origin_property(machine.tree, box.origin),
                        list);
@@ -44,9 +62,10 @@ Origin element_of(const ListBox& box, std::size_t index) {
     return origin;
 }
 
-// Pushes element `index`, with its origin unless it is nested too deep.
-void push_element(lua_State* L, const ListBox& box, const Value& element, std::size_t index) {
-    if (box.origin.depth >= Origin::deepest && !element.is(Type::list))
+// Pushes element `index`, with its origin unless it is nested too deep or its list is `moved`.
+void push_element(lua_State* L, const ListBox& box, const Value& element, std::size_t index,
+                  bool moved) {
+    if (moved || (box.origin.depth >= Origin::deepest && !element.is(Type::list)))
         push_value(L, element);
     else
         push_value(L, element, element_of(box, index));
@@ -60,14 +79,15 @@ int list_index(lua_State* L) {
         throw Error(ErrorKind::unknown_name, origin_path(machine_of(L).tree, box.origin) +
                                                  ": a list has elements 1, 2, 3 ..., not " +
                                                  key_in_message(L, 2));
-    const Value value = list_value(L, box);
+    bool moved = false;
+    const Value value = list_value(L, box, &moved);
     const List& list = value.list();
     if (index < 1 || static_cast<std::size_t>(index) > list.size()) {
         lua_pushnil(L);
         return 1;
     }
-    push_element(L, box, list[static_cast<std::size_t>(index - 1)],
-                 static_cast<std::size_t>(index));
+    push_element(L, box, list[static_cast<std::size_t>(index - 1)], static_cast<std::size_t>(index),
+                 moved);
     return 1;
 }
 
@@ -76,6 +96,7 @@ int list_newindex(lua_State* L) {
     Machine& machine = machine_of(L);
     int whole_number = 0;
     const lua_Integer index = lua_tointegerx(L, 2, &whole_number);
+    require_there(machine, box);
     const Value value = list_value(L, box);
     const auto size = static_cast<lua_Integer>(value.list().size());
     if (!whole_number || index < 1 || index > size + 1)
@@ -90,15 +111,16 @@ int list_newindex(lua_State* L) {
     const auto place = static_cast<std::size_t>(index - 1);
     if (!removes && box.origin.depth < Origin::deepest) {
         origin_write(machine, element_of(box, place + 1), nullptr, to_value(L, 3));
-        return 0;
+    } else {
+        List changed = value.list();
+        changed.resize(std::max(changed.size(), place + 1));
+        if (removes)
+            changed.pop_back();
+        else
+            changed[place] = to_value(L, 3);
+        write_list(L, box, changed);
     }
-    List changed = value.list();
-    changed.resize(std::max(changed.size(), place + 1));
-    if (removes)
-        changed.pop_back();
-    else
-        changed[place] = to_value(L, 3);
-    write_list(L, box, changed);
+    if (index <= size) machine.moved_lists.note(box.origin, place + 1, place + 1, value);
     return 0;
 }
 
@@ -130,10 +152,11 @@ int next_element(lua_State* L) {
 
 int list_pairs(lua_State* L) {
     const ListBox& box = list_self(L);
-    const Value value = list_value(L, box);
+    bool moved = false;
+    const Value value = list_value(L, box, &moved);
     lua_createtable(L, static_cast<int>(value.list().size()), 0);
     for (std::size_t i = 0; i < value.list().size(); ++i) {
-        push_element(L, box, value.list()[i], i + 1);
+        push_element(L, box, value.list()[i], i + 1, moved);
         lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
     }
     lua_pushinteger(L, 0);

@@ -1,5 +1,7 @@
 #include <values/store_type.h>
 
+#include <utility>
+
 #include <fettle/property/path.h>
 #include <fettle/script/runtime.h>
 
@@ -24,25 +26,48 @@ Store& store_of(lua_State* L) {
     return *store;
 }
 
-Store::Table store_self(lua_State* L, const char* what) {
+const StoreBox& store_self(lua_State* L, const char* what) {
     const auto* box = store_at(L, 1);
     if (box == nullptr) refuse_argument(L, 1, what, "a table of the store");
-    return box->table;
+    return *box;
 }
 
-void push_table(lua_State* L, Store::Table table) {
+using Content = std::shared_ptr<const Store::Content>;
+
+void push_table(lua_State* L, Store::Table table, const Content& content) {
     auto* box = static_cast<StoreBox*>(lua_newuserdatauv(L, sizeof(StoreBox), 0));
-    box->tag = Tag::store;
-    box->table = table;
+    *box = {Tag::store, table, nullptr};
     push_registry(L, machine_of(L).boxes.store);
     lua_setmetatable(L, -2);
+    // The content of the root is never replaced.
+    if (content != nullptr) box->content = new Content(content);
+}
+
+int release_store(lua_State* L) {
+    auto* box = static_cast<StoreBox*>(lua_touserdata(L, 1));
+    if (box != nullptr && box->tag == Tag::store) delete std::exchange(box->content, nullptr);
+    return 0;
 }
 
 void push_entry(lua_State* L, const Store::Entry& entry) {
     if (entry.content)
-        push_table(L, entry.table);
+        push_table(L, entry.table, entry.content);
     else
         push_value(L, entry.value);
+}
+
+using Entries = std::map<Store::Key, Store::Entry>;
+
+/// What is in a table, or was in it when it was replaced or removed.
+const Entries& entries_of(const Store& store, const StoreBox& box) {
+    const bool kept = box.content != nullptr && !(*box.content)->forgotten;
+    return kept ? (*box.content)->entries : store.entries(box.table);
+}
+
+const Store::Entry* find_in(const Store& store, const StoreBox& box, const Store::Key& key) {
+    const auto& all = entries_of(store, box);
+    const auto found = all.find(key);
+    return found == all.end() ? nullptr : &found->second;
 }
 
 /// The key at `index`; throws for a value that is neither a text nor a whole number.
@@ -67,7 +92,7 @@ class Filling {
 
     Store::Entry entry_at(int index, int depth, const std::string& path) {
         if (lua_type(L_, index) == LUA_TTABLE) return table_at(index, depth, path);
-        if (const auto* box = store_at(L_, index)) return copy_of(store_of(L_), box->table);
+        if (const auto* box = store_at(L_, index)) return copy_of(entries_of(store_of(L_), *box));
         if (instance_at(L_, index) != nullptr || class_object_at(L_, index) != nullptr)
             throw Error(ErrorKind::wrong_type,
                         path + ": " + describe_type(L_, index) +
@@ -101,12 +126,16 @@ class Filling {
         return table;
     }
 
-    /// A copy of a table that is in the store already.
-    Store::Entry copy_of(const Store& store, Store::Table of) {
+    /// A copy of a table that is in the store already, or was.
+    Store::Entry copy_of(const Entries& of) {
         Store::Entry table{.content = std::make_shared<Store::Content>()};
-        for (const auto& [key, entry] : store.entries(of))
-            put(table, key, entry.content ? copy_of(store, entry.table) : entry);
+        for (const auto& [key, entry] : of)
+            put(table, key, entry.content ? copy_of(entries_in(entry)) : entry);
         return table;
+    }
+    const Entries& entries_in(const Store::Entry& entry) const {
+        Content content = entry.content;
+        return entries_of(store_of(L_), {Tag::store, entry.table, &content});
     }
 
     Store::Entry table_at(int index, int depth, const std::string& path) {
@@ -143,7 +172,7 @@ class Filling {
 // --- Methods
 
 int store_clear(lua_State* L) {
-    if (store_self(L, "store:clear") != Store::root)
+    if (store_self(L, "store:clear").table != Store::root)
         throw Error(ErrorKind::rejected, "clear: only the store itself has this function");
     store_of(L).clear();
     machine_of(L).recording.note({}, "store", "cleared");
@@ -151,8 +180,8 @@ int store_clear(lua_State* L) {
 }
 
 int store_has(lua_State* L) {
-    const Store::Table self = store_self(L, "store:has");
-    lua_pushboolean(L, store_of(L).find(self, key_at(L, 2, "store:has")) != nullptr);
+    const StoreBox& self = store_self(L, "store:has");
+    lua_pushboolean(L, find_in(store_of(L), self, key_at(L, 2, "store:has")) != nullptr);
     return 1;
 }
 
@@ -172,17 +201,16 @@ bool push_store_method(lua_State* L, int index) {
 // --- Metamethods
 
 int store_index(lua_State* L) {
-    const Store::Table self = store_self(L, "store");
-    if (self == Store::root && push_store_method(L, 2)) return 1;
+    const StoreBox& self = store_self(L, "store");
+    if (self.table == Store::root && push_store_method(L, 2)) return 1;
     if (machine_of(L).tree.in_formula())
         throw Error(ErrorKind::rejected,
                     "the store cannot be read in a formula, which would not notice its changes: "
                     "copy the value to a property");
     const Store& store = store_of(L);
     const bool possible = lua_type(L, 2) == LUA_TSTRING || lua_type(L, 2) == LUA_TNUMBER;
-    const Store::Entry* entry = possible ? store.find(self, key_at(L, 2, "store")) : nullptr;
+    const Store::Entry* entry = possible ? find_in(store, self, key_at(L, 2, "store")) : nullptr;
     if (entry == nullptr) {
-        (void)store.entries(self);  // a table that is not in the store any more is an error
         lua_pushnil(L);
     } else {
         push_entry(L, *entry);
@@ -193,11 +221,12 @@ int store_index(lua_State* L) {
 std::string entry_text(Machine& machine, const Store::Entry* entry) {
     if (entry == nullptr) return "nil";
     if (!entry->content) return cut(machine.tree.text(entry->value), 60);
-    return stored_text(machine, {.tag = Tag::store, .table = entry->table});
+    Content content = entry->content;
+    return stored_text(machine, {Tag::store, entry->table, &content});
 }
 
 int store_newindex(lua_State* L) {
-    const Store::Table self = store_self(L, "store");
+    const Store::Table self = store_self(L, "store").table;
     Machine& machine = machine_of(L);
     Store& store = store_of(L);
     if (self == Store::root && push_store_method(L, 2))
@@ -218,8 +247,7 @@ int store_newindex(lua_State* L) {
 }
 
 int store_length(lua_State* L) {
-    const Store::Table self = store_self(L, "#");
-    const auto& all = store_of(L).entries(self);
+    const auto& all = entries_of(store_of(L), store_self(L, "#"));
     lua_Integer length = 0;
     for (auto at = all.find(std::int64_t{1});
          at != all.end() && at->first == Store::Key(std::int64_t{length + 1}); ++at)
@@ -236,21 +264,20 @@ int store_equal(lua_State* L) {
 }
 
 int store_tostring(lua_State* L) {
-    const StoreBox box{.tag = Tag::store, .table = store_self(L, "tostring")};
-    push_text(L, stored_text(machine_of(L), box));
+    push_text(L, stored_text(machine_of(L), store_self(L, "tostring")));
     return 1;
 }
 
 // Visits a copy of the keys, in their order. Upvalues: the keys, the position.
 int next_stored(lua_State* L) {
-    const Store::Table self = store_self(L, "pairs");
+    const StoreBox& self = store_self(L, "pairs");
     for (;;) {
         const lua_Integer place = lua_tointeger(L, lua_upvalueindex(2)) + 1;
         lua_pushinteger(L, place);
         lua_copy(L, -1, lua_upvalueindex(2));
         lua_pop(L, 1);
         if (lua_rawgeti(L, lua_upvalueindex(1), place) == LUA_TNIL) return 1;
-        if (const Store::Entry* entry = store_of(L).find(self, key_at(L, -1, "pairs"))) {
+        if (const Store::Entry* entry = find_in(store_of(L), self, key_at(L, -1, "pairs"))) {
             push_entry(L, *entry);
             return 2;
         }
@@ -259,7 +286,7 @@ int next_stored(lua_State* L) {
 }
 
 int store_pairs(lua_State* L) {
-    const auto& all = store_of(L).entries(store_self(L, "pairs"));
+    const auto& all = entries_of(store_of(L), store_self(L, "pairs"));
     machine_of(L).budget.charge(L, all.size());
     lua_settop(L, 1);
     lua_createtable(L, static_cast<int>(all.size()), 0);
@@ -283,10 +310,12 @@ int store_pairs(lua_State* L) {
 std::string stored_text(Machine& machine, const StoreBox& box) {
     constexpr std::size_t longest = 200;
     const Store* const store = machine.options.store;
-    if (store == nullptr || !store->has(box.table)) return "(a table that is not in the store)";
+    const bool kept = box.content != nullptr && !(*box.content)->forgotten;
+    if (store == nullptr || (!kept && !store->has(box.table)))
+        return "(a table that is not in the store)";
     std::string text;
     std::int64_t next = 1;
-    for (const auto& [key, entry] : store->entries(box.table)) {
+    for (const auto& [key, entry] : entries_of(*store, box)) {
         if (text.size() > longest) {
             text += ", ...";
             break;
@@ -309,6 +338,7 @@ void open_store(lua_State* L, Machine& machine) {
     add_pure<effect<store_newindex>>(L, "__newindex");
     add_pure<varying<store_length>>(L, "__len");
     add_pure<store_equal>(L, "__eq");
+    add_pure<release_store>(L, "__gc");
     add_pure<varying<store_tostring>>(L, "__tostring");
     add_pure<varying<store_pairs>>(L, "__pairs");
     name_metatable(L, "store");
@@ -317,7 +347,7 @@ void open_store(lua_State* L, Machine& machine) {
     note_name(L, guarded<varying<store_pairs>>, "pairs");
     note_name(L, guarded<varying<store_tostring>>, "tostring");
     machine.boxes.store = luaL_ref(L, LUA_REGISTRYINDEX);
-    push_table(L, Store::root);
+    push_table(L, Store::root, nullptr);
     machine.globals.store = luaL_ref(L, LUA_REGISTRYINDEX);
 }
 

@@ -13,6 +13,9 @@ namespace fettle::script {
 struct StoreBox {
     Tag tag;
     property::Store::Table table;
+    // Read when the table is no longer in the store, because a list is sorted, and elements are
+    // exchanged or taken out, by writing one place while another one's old table is at hand.
+    std::shared_ptr<const property::Store::Content>* content;
 };
 
 inline StoreBox* store_at(lua_State* L, int index) {

@@ -16,6 +16,7 @@
 #include <values/declarations.h>
 #include <values/description.h>
 #include <values/members.h>
+#include <values/moved_lists.h>
 #include <values/short_text.h>
 #include <values/values.h>
 #include <values/writes.h>
@@ -200,6 +201,7 @@ void push_value(lua_State* L, const Value& value, const Origin& origin) {
             auto* box = new_box<ListBox>(L, sizeof(ListBox), machine_of(L).boxes.list);
             box->tag = Tag::list;
             new (&box->origin) Origin(origin);
+            box->since = machine_of(L).moved_lists.now();
             break;
         }
         case Type::reference:
@@ -304,9 +306,11 @@ Value to_value_nested(lua_State* L, int index, int depth) {
                 }
                 case Tag::color:
                     return static_cast<ColorBox*>(lua_touserdata(L, index))->color;
-                case Tag::list:
-                    return origin_read(machine_of(L),
-                                       static_cast<ListBox*>(lua_touserdata(L, index))->origin);
+                case Tag::list: {
+                    const ListBox& box = *static_cast<ListBox*>(lua_touserdata(L, index));
+                    auto before = machine_of(L).moved_lists.find(box.origin, box.since);
+                    return before ? std::move(*before) : list_value(L, box);
+                }
                 default:
                     break;
             }

@@ -79,6 +79,7 @@ struct ColorBox {
 struct ListBox {
     Tag tag;
     Origin origin;
+    std::uint64_t since;  // when it was read: see MovedLists
 };
 
 struct ClassBox {
@@ -182,8 +183,9 @@ void origin_write(Machine& machine, const Origin& origin, const char* component,
 /// "world.ball.vertices[2]"
 std::string origin_path(const property::Tree& tree, const Origin& origin);
 
-/// Reads and writes the list in a property or in an element of it.
-property::Value list_value(lua_State* L, const ListBox& box);
+/// Reads and writes the list in a property or in an element of it. `moved`: it is not there any
+/// more, and cannot be written.
+property::Value list_value(lua_State* L, const ListBox& box, bool* moved = nullptr);
 void write_list(lua_State* L, const ListBox& box, const property::List& list);
 
 /// `define_vec` makes the metatable of vectors, `open_vec` their constructor.

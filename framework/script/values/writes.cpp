@@ -8,6 +8,7 @@
 #include <reference/language.h>
 #include <text/words.h>
 #include <values/declarations.h>
+#include <values/moved_lists.h>
 #include <values/recording.h>
 #include <values/writes.h>
 
@@ -71,6 +72,17 @@ void set_or_explain(property::Tree& tree, Handle instance, const Property& prope
 }
 
 }  // namespace
+
+void assign_property(Machine& machine, Handle instance, const Property& property,
+                     const Value& value) {
+    Origin place;
+    place.instance = instance;
+    place.symbol = property.symbol;
+    const bool is_list = value.is(property::Type::list);
+    Value before = is_list ? machine.tree.peek(instance, property) : Value();
+    write_property(machine, instance, property, value);
+    if (before.is(property::Type::list)) machine.moved_lists.note_whole(place, std::move(before));
+}
 
 void write_property(Machine& machine, Handle instance, const Property& property,
                     const Value& value) {

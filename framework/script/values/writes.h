@@ -11,6 +11,10 @@ struct Machine;
 
 void write_property(Machine& machine, property::Handle instance, const property::Property& property,
                     const property::Value& value);
+/// As a script does it to the whole property, so that a list that it was can be assigned elsewhere
+/// (see MovedLists).
+void assign_property(Machine& machine, property::Handle instance,
+                     const property::Property& property, const property::Value& value);
 /// Assigns nil: resets the property to its default, sets nil if it is nullable, or removes an ad
 /// hoc property.
 void clear_property(Machine& machine, property::Handle instance,

@@ -38,7 +38,7 @@ void Images::read_saved(Sheet& into, const std::string& slot) const {
     into.found = true;
 }
 
-/// Changes nothing if it throws.
+/// Changes nothing that is seen if it throws.
 void Images::read(Sheet& into, const std::string& what, const std::string& name) const {
     if (name.starts_with(saved_game)) return read_saved(into, name.substr(saved_game.size()));
     if (assets_ == nullptr) throw std::runtime_error(what + ": this program has no files");
@@ -47,6 +47,7 @@ void Images::read(Sheet& into, const std::string& what, const std::string& name)
     if (name.ends_with(".json")) {
         found = read_export(assets_->read(what, name, endings));
         image = (std::filesystem::path(name).parent_path() / found.image).generic_string();
+        into.image = image;  // read again when it changes, also if it cannot be read now
     }
     Pixels pixels = decode(assets_->read(what, image, endings));
     std::size_t all = pixels.rgba.size();

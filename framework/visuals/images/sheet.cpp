@@ -108,7 +108,6 @@ Export read(const Part& from) {
     Export read;
     const Part meta = from.at("meta");
     read.image = meta.at("image").text();
-    // "Hash" exports have an object with the names of the frames, "array" exports a list.
     from.at("frames").each([&](const Part& frame) {
         if (read.frames.size() >= most_frames)
             throw std::runtime_error("it has more than " + std::to_string(most_frames) + " frames");
@@ -126,6 +125,17 @@ Export read(const Part& from) {
 
 }  // namespace
 
+Frame Sheet::part(std::size_t index, std::int64_t columns, std::int64_t rows) const {
+    const auto across = static_cast<std::size_t>(columns);
+    const double width = picture.width() / static_cast<double>(columns);
+    const double height = picture.height() / static_cast<double>(rows);
+    Frame made;
+    made.area = {width * static_cast<double>(index % across),
+                 height * static_cast<double>(index / across), width, height};
+    made.size = {width, height};
+    return made;
+}
+
 const Animation* Sheet::animation(std::string_view name) const {
     const auto at = std::find_if(animations.begin(), animations.end(),
                                  [&](const Animation& each) { return each.name == name; });
@@ -133,15 +143,28 @@ const Animation* Sheet::animation(std::string_view name) const {
 }
 
 Export read_export(std::string_view text) {
-    // A value inside thousands of others takes the library much memory.
-    const auto limit_depth = [](int depth, json::parse_event_t, const json&) {
+    // "Hash" exports have an object with the names of the frames, "array" exports a list. The
+    // library sorts an object by its names, and "10" is before "2" then, so they are kept here in
+    // the order of the file.
+    json frames = json::array();
+    std::string member;  // of the document, the one that is being read
+    const auto visit = [&](int depth, json::parse_event_t event, const json& value) {
+        // A value inside thousands of others takes the library much memory.
         if (depth > 64)
             throw std::runtime_error(
                 "is not a JSON export of Aseprite: nested deeper than 64 levels");
+        using Event = json::parse_event_t;
+        if (event == Event::key && depth == 1) member = value.get<std::string>();
+        const bool whole =
+            event == Event::object_end || event == Event::array_end || event == Event::value;
+        if (whole && depth == 2 && member == "frames") frames.push_back(value);
         return true;
     };
     try {
-        return read({json::parse(text, limit_depth)});
+        json document = json::parse(text, visit);
+        if (document.is_object() && document.contains("frames") && document["frames"].is_object())
+            document["frames"] = std::move(frames);
+        return read({document});
     } catch (const json::exception& error) {
         // It begins "[json.exception.parse_error.101] ".
         std::string why = error.what();

@@ -7,17 +7,15 @@
 #include <string_view>
 #include <vector>
 
+#include <fettle/property/media.h>
 #include <fettle/property/picture.h>
 #include <fettle/property/value.h>
 
 namespace fettle::visuals {
 
-/// A frame of a sheet. A tool may have cut off the transparent pixels around it.
-struct Frame {
-    property::PictureArea area{};  // in the picture
-    property::Vec2 offset{0, 0};   // px, of the area in the uncut frame, y down
-    property::Vec2 size{0, 0};     // px, of the uncut frame
-    double seconds = 0;            // 0: not given
+/// A frame of a sheet.
+struct Frame : property::PictureFrame {
+    double seconds = 0;  // 0: not given
 };
 
 /// A named part of the frames, which is played by itself.
@@ -33,6 +31,8 @@ struct Sheet {
     std::vector<Frame> frames;  // of a sheet that was exported; empty for an image file
     std::vector<Animation> animations;
 
+    /// One of equal parts, counted row by row.
+    Frame part(std::size_t index, std::int64_t columns, std::int64_t rows) const;
     /// Nullptr if there is none.
     const Animation* animation(std::string_view name) const;
 };

@@ -27,19 +27,25 @@ Vec2 anchor_at(const std::string& name) {
     return {0.5 * (n % 3), 0.5 * (n / 3)};
 }
 
+constexpr double most_copies = 10'000;  // of a layer in a picture: the tree makes no more passes
+
 /// The copies of a repeated layer that may be visible along one axis: number `first` and the
 /// following ones, each moved by `period` times its number.
 struct Copies {
-    double first = 0, period = 0;
-    int count = 1;
+    double first = 0, period = 0, count = 1;
 
     /// The layer's content is taken to be no longer than one period on either side of its origin.
     Copies(double wanted_period, double lower, double upper) {
         if (!(wanted_period > 0) || !(lower <= upper)) return;
-        constexpr double most = 100;
         period = wanted_period;
         first = std::floor(lower / period) - 1;
-        count = static_cast<int>(std::min(most, std::ceil(upper / period) + 1 - first + 1));
+        count = std::ceil(upper / period) + 1 - first + 1;
+    }
+    /// Only those in the middle of the screen are left.
+    void limit(double most) {
+        if (count <= most) return;
+        first += std::floor(0.5 * (count - most));
+        count = most;
     }
 };
 
@@ -133,11 +139,14 @@ bool Layers::begin(const property::Tree& tree, Handle self, property::Painter& p
     const double scale = read.number(of_.scale);
     lower = (lower - origin) / scale;
     upper = (upper - origin) / scale;
-    const Copies across(read.number(of_.repeat_x), lower.x, upper.x);
-    const Copies up(read.number(of_.repeat_y), lower.y, upper.y);
+    Copies across(read.number(of_.repeat_x), lower.x, upper.x);
+    Copies up(read.number(of_.repeat_y), lower.y, upper.y);
+    across.limit(std::floor(std::max(most_copies / up.count, std::sqrt(most_copies))));
+    up.limit(std::floor(most_copies / across.count));
     if (pass >= across.count * up.count) return false;
-    const Vec2 copy(across.period * (across.first + pass % across.count),
-                    up.period * (up.first + pass / across.count));
+    const double row = std::floor(pass / across.count);
+    const Vec2 copy(across.period * (across.first + pass - row * across.count),
+                    up.period * (up.first + row));
     if (screen) painter.begin_screen();
     painter.push(Transform::moved(origin + scale * copy) * Transform::scaled(Vec2(scale, scale)));
     if (opacity < 1) painter.fade(static_cast<float>(opacity));

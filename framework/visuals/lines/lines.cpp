@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <fettle/property/pose.h>
+#include <lines/dashes.h>
 #include <properties/properties.h>
 
 namespace fettle::visuals {
@@ -19,34 +20,7 @@ using property::Vec2;
 
 namespace {
 
-constexpr std::size_t most_dashes = 20'000;
-
-using Segments = std::vector<std::array<Vec2, 2>>;
-
-/// Cuts the line into dashes with gaps of the same length. A dash may go around a corner.
-Segments dashes(const std::vector<Vec2>& points, double length) {
-    Segments cut;
-    bool on = true;
-    double left = length;  // of the current dash or gap
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        Vec2 at = points[i];
-        double rest = (points[i + 1] - at).length();
-        if (rest <= 0) continue;
-        const Vec2 along = (points[i + 1] - at) / rest;
-        while (rest > 0 && cut.size() < most_dashes) {
-            const double part = std::min(left, rest);
-            const Vec2 to = at + part * along;
-            if (on) cut.push_back({at, to});
-            at = to;
-            rest -= part;
-            left -= part;
-            if (left > 0) continue;
-            on = !on;
-            left = length;
-        }
-    }
-    return cut;
-}
+constexpr double thinnest_figure = 2;  // px; thinner lines have no round ends
 
 std::vector<Property> line_properties() {
     return {
@@ -75,28 +49,28 @@ std::vector<Property> line_properties() {
          .type = Type::number,
          .unit = "m",
          .range = {0, 1e6},
-         .doc = "Length of dashes, and of the gaps between them; 0: no gaps. Pixels in a layer on "
-                "the screen."},
+         .doc = "Length of dashes with their round ends, and of the gaps between them; 0: no gaps. "
+                "Pixels in a layer on the screen."},
         blend_property(),
         visible_property(),
     };
 }
 
-void draw_segments(Painter& painter, Handle self, const Segments& segments, double width,
-                   property::Color color) {
-    const double pixels = width * painter.pixels_per_unit();
-    if (pixels < 2) {
-        for (const auto& [from, to] : segments)
-            painter.line(from, to, color, static_cast<float>(std::max(1.0, pixels)));
+void draw_pieces(Painter& painter, Handle self, const std::vector<Piece>& pieces, double pixels,
+                 property::Color color) {
+    if (pixels < thinnest_figure) {
+        for (const Piece& piece : pieces)
+            painter.line(piece.from, piece.to, color, static_cast<float>(std::max(1.0, pixels)));
         return;
     }
-    // All segments are parts of one figure: where they overlap, a translucent color is drawn once.
+    // All pieces are parts of one figure: where they overlap, a translucent color is drawn once.
     // The highest bit distinguishes the number of the figure from numbers of bodies.
     const std::uint64_t whole =
         std::uint64_t{1} << 63 | std::uint64_t{self.generation} << 32 | self.index;
     painter.part_of(whole);
-    for (const auto& segment : segments)
-        painter.polygon(segment, 0.5 * width, {.fill = color, .border = {0, 0, 0, 0}});
+    for (const Piece& piece : pieces)
+        painter.polygon(std::array{piece.from, piece.to}, piece.rounding,
+                        {.fill = color, .border = {0, 0, 0, 0}});
     painter.part_of(0);
 }
 
@@ -126,20 +100,26 @@ void Lines::draw(const property::Tree& tree, Handle self, Painter& painter, doub
     for (const property::Value& point : list.list()) points.push_back(point.vec2());
     if (points.size() < 2) return;
     if (read.flag(of_.closed)) points.push_back(points.front());
-    Segments segments;
-    const double dash = read.number(of_.dashed);
-    if (dash > 0)
-        segments = dashes(points, dash);
-    else
-        for (std::size_t i = 0; i + 1 < points.size(); ++i)
-            segments.push_back({points[i], points[i + 1]});
     const bool screen = painter.on_screen();
     painter.push(property::place_below(tree, tree.parent(self), screen, alpha)
                      .value_or(property::Transform()) *
                  property::local_pose(read.vec2(of_.position), read.number(of_.angle), 1, screen));
     const property::Blend blend = blend_of(read.in_place(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
-    draw_segments(painter, self, segments, read.number(of_.width), read.color(of_.color));
+    const double width = read.number(of_.width), pixels = width * painter.pixels_per_unit();
+    const double round = pixels < thinnest_figure ? 0 : width;
+    property::Color color = read.color(of_.color);
+    std::optional<std::vector<Piece>> pieces;
+    if (const double dash = read.number(of_.dashed); dash > 0) {
+        pieces = dashes(painter, points, dash, round);
+        if (!pieces) color.a *= 0.5f;  // the mean of dashes and gaps
+    }
+    if (!pieces) {
+        pieces.emplace();
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            pieces->push_back({points[i], points[i + 1], 0.5 * width});
+    }
+    draw_pieces(painter, self, *pieces, pixels, color);
     painter.pop();
 }
 

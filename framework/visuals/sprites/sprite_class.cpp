@@ -155,7 +155,7 @@ std::vector<Property> Sprites::frame_properties() {
          .type = Type::boolean,
          .default_value = true,
          .doc = "Whether the animation goes on. At its end without `loop` it stays at the last "
-                "frame until `frame` or `animation` is set."},
+                "frame until `animation` changes; `frame` = 1 plays it again."},
     };
 }
 

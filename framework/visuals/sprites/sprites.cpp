@@ -36,14 +36,6 @@ std::string known_animations(const std::string& name, const Sheet& sheet) {
     return property::suggestion(name, names);
 }
 
-Frame whole_of(const Sheet& sheet) {
-    Frame whole;
-    whole.area = {0, 0, static_cast<double>(sheet.picture.width()),
-                  static_cast<double>(sheet.picture.height())};
-    whole.size = {whole.area.width, whole.area.height};
-    return whole;
-}
-
 }  // namespace
 
 /// Null if it has no image.
@@ -88,24 +80,14 @@ Sprites::Playing Sprites::playing(const Row& row, const Sheet& sheet) const {
 Frame Sprites::frame(Row& row) {
     const Sheet& sheet = *row.sheet;
     // Most images have only one frame.
-    if (sheet.found && sheet.frames.empty() && frames_in(row, sheet) == 1) return whole_of(sheet);
+    if (sheet.frames.empty() && frames_in(row, sheet) == 1) return sheet.part(0, 1, 1);
     const Playing plays = playing(row, sheet);
     const auto n = static_cast<std::size_t>(row.frame % plays.count);
     const std::size_t index =
         plays.animation ? plays.animation->frames[n] : static_cast<std::size_t>(plays.first) + n;
     if (!sheet.frames.empty()) return sheet.frames[index];
-    Frame whole = whole_of(sheet);
-    if (sheet.found) {
-        const Reader read(*tree_, row.self);
-        const auto columns = static_cast<std::size_t>(read.value(of_.columns).integer());
-        const auto lines = static_cast<std::size_t>(read.value(of_.rows).integer());
-        whole.area.width /= static_cast<double>(columns);
-        whole.area.height /= static_cast<double>(lines);
-        whole.area.left = whole.area.width * static_cast<double>(index % columns);
-        whole.area.top = whole.area.height * static_cast<double>(index / columns);
-    }
-    whole.size = {whole.area.width, whole.area.height};
-    return whole;
+    const Reader read(*tree_, row.self);
+    return sheet.part(index, read.value(of_.columns).integer(), read.value(of_.rows).integer());
 }
 
 /// Time of the current frame; 0 if it does not go on.

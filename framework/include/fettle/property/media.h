@@ -30,6 +30,13 @@ struct ImageFrame {
     std::int64_t frame = 1;  // from 1, row by row; counted again from the first beyond the last
 };
 
+/// Where a frame is in its picture. A tool may have cut off the transparent pixels around it.
+struct PictureFrame {
+    PictureArea area{};
+    Vec2 offset{0, 0};  // px, of the area in the uncut frame, y down
+    Vec2 size{0, 0};    // px, of the uncut frame
+};
+
 class Media {
   public:
     virtual ~Media() = default;
@@ -37,8 +44,8 @@ class Media {
     /// game.
     virtual const Picture& picture(const FileUser& user, const std::string& name) = 0;
     /// The part of that picture that a frame is.
-    virtual PictureArea frame(const FileUser& user, const std::string& name,
-                              const ImageFrame& frame) = 0;
+    virtual PictureFrame frame(const FileUser& user, const std::string& name,
+                               const ImageFrame& frame) = 0;
     /// Loads a font, so that a message about it names this user and not the first text in it.
     virtual void load_font(const FileUser& user, const std::string& font) = 0;
     /// Whether pictures that are enlarged are smooth, unless something else is asked for.

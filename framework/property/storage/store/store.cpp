@@ -105,8 +105,7 @@ Store::Store(fs::path file, Options options)
     } catch (const Error& problem) {
         initial_.clear();
         if (options_.warn)
-            options_.warn("the store of the game is empty: " + file_.string() + ": " +
-                          problem.what());
+            options_.warn(options_.name + " is empty: " + file_.string() + ": " + problem.what());
     }
     if (file_.empty()) options_.writes = false;
     tables_[root] = {.content = whole.content, .key = {}, .top = {}};
@@ -234,6 +233,24 @@ void Store::drop(const Entry& entry) {
     if (!entry.content) return;
     tables_.erase(entry.table);
     for (const auto& [key, each] : entry.content->entries) drop(each);
+    if (entry.content.use_count() > 1) keep_for_readers(entry);
+}
+
+/// Bounds the memory of contents that only readers hold.
+void Store::keep_for_readers(const Entry& entry) {
+    const std::size_t bytes = store_size({}, entry);
+    gone_.push_back({entry.content, bytes});
+    gone_bytes_ += bytes;
+    if (gone_bytes_ <= size_limit) return;
+    gone_bytes_ = 0;
+    std::erase_if(gone_, [](const Gone& each) { return each.content.expired(); });
+    // The latest that have half of the room; so this is rare.
+    auto kept = gone_.end();
+    while (kept != gone_.begin() && gone_bytes_ + (kept - 1)->bytes <= size_limit / 2)
+        gone_bytes_ += (--kept)->bytes;
+    for (auto each = gone_.begin(); each != kept; ++each)
+        if (const auto content = each->content.lock()) *content = {.forgotten = true};
+    gone_.erase(gone_.begin(), kept);
 }
 
 void Store::clear() {
@@ -278,7 +295,7 @@ void Store::finish() {
     if (!problem.empty()) put_back(std::move(*in_work_));
     in_work_.reset();
     if (!problem.empty() && std::exchange(problem_, problem) != problem && options_.warn)
-        options_.warn("the store was not written: " + problem);
+        options_.warn(options_.name + " was not written: " + problem);
 }
 
 void Store::tick() {
@@ -308,7 +325,8 @@ void Store::flush() {
         changes.write(file_);
     } catch (const std::exception& error) {
         put_back(std::move(changes));
-        if (options_.warn) options_.warn("the store was not written: " + exception_text(error));
+        if (options_.warn)
+            options_.warn(options_.name + " was not written: " + exception_text(error));
     }
 }
 

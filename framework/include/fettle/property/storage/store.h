@@ -40,6 +40,7 @@ class Store {
     };
     struct Content {
         std::map<Key, Entry> entries{};
+        bool forgotten = false;  // it was replaced or removed, and its entries are not kept
     };
 
     static constexpr std::size_t size_limit = std::size_t{16} << 20;  // bytes, estimated
@@ -56,6 +57,8 @@ class Store {
         bool writes = true;
         /// Receives errors of the file. They do not end the run.
         std::function<void(const std::string&)> warn{};
+        /// What it is called in these errors.
+        std::string name = "the store of the game";
     };
     /// Reads the file, which may be missing. A damaged file is reported to `warn`, and is moved
     /// aside before the first write.
@@ -71,6 +74,9 @@ class Store {
 
     /// False for a table that was replaced or removed.
     bool has(Table table) const { return tables_.contains(table); }
+    /// The content of a table. Throws Error(deleted) unless `has(table)`. Who holds it can still
+    /// read what was in a table that was replaced or removed; of much, the latest is kept.
+    std::shared_ptr<const Content> content(Table table) const { return place(table).content; }
     /// The entries of a table. Throws Error(deleted) unless `has(table)`.
     const std::map<Key, Entry>& entries(Table table) const;
     /// nullptr if there is no such entry.
@@ -101,6 +107,7 @@ class Store {
     const Place& place(Table table) const;
     void adopt(Entry& entry, Table parent, const Key& key);
     void drop(const Entry& entry);
+    void keep_for_readers(const Entry& entry);
     void note(const Key& top);
     Changes take_changes();
     void put_back(Changes changes);
@@ -112,6 +119,13 @@ class Store {
     std::unordered_map<Table, Place> tables_;
     Table next_ = root + 1;
     std::size_t bytes_ = 0;
+    // Of tables that were replaced or removed while somebody held their contents.
+    struct Gone {
+        std::weak_ptr<Content> content;
+        std::size_t bytes = 0;
+    };
+    std::vector<Gone> gone_;
+    std::size_t gone_bytes_ = 0;
     // Not written yet: everything was removed, and then these keys of the root have changed.
     bool cleared_ = false;
     std::map<Key, bool> changed_;
