@@ -81,6 +81,7 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
         functions.play_back = [this](double seconds) { views.time_bar.play_back(seconds); };
         functions.share = options.share;
         functions.record = options.record;
+        functions.restart = options.restart;
         if (options.replay) functions.exec = {};
         interpreter.serve(std::move(functions));
     }

@@ -53,6 +53,7 @@ class Lexer {
             at_ = line_.size();
             return Token::comment;
         }
+        if (output_ && begins_file()) return file();
         if (peek() == '"' || (!output_ && peek() == '\'')) return quoted();
         if (digit(peek()) || (peek() == '.' && digit(peek(1)))) return number();
         if (letter(peek())) return word();
@@ -62,6 +63,20 @@ class Lexer {
         }
         ++at_;
         return Token::symbol;
+    }
+
+    /// `/home/…` or `~/…`.
+    bool begins_file() const {
+        const std::size_t slash = peek() == '~' ? 1 : 0;
+        return (at_ == 0 || blank(line_[at_ - 1])) && peek(slash) == '/' &&
+               (letter(peek(slash + 1)) || digit(peek(slash + 1)) || peek(slash + 1) == '.');
+    }
+
+    /// The numbers and names in the path of a file have no colors. A mark behind it is not in it.
+    Token file() {
+        while (at_ < line_.size() && !blank(line_[at_])) ++at_;
+        while (std::string_view(",;:").find(line_[at_ - 1]) != std::string_view::npos) --at_;
+        return Token::plain;
     }
 
     Token quoted() {

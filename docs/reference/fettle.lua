@@ -3192,7 +3192,7 @@ function play_back(seconds) end
 ---@param ... string|fun(): any
 function plot(...) end
 
----Finds what a pattern matches. If its last part is the name of a child, the result is a set of instances: query("world.*.circle"). If it is the name of a property, or a star, which stands for every property, the result is a table of values by path: query("world.*.mass"). If nothing matches, it is an empty set. Formulas in error are left out. A condition gives the set of instances for which it holds: query("Body and mass > 5 and position.x < 0"). It can compare and compute, and calls nothing.
+---Finds what a pattern matches. If its last part is the name of a child, the result is a set of instances: query("world.*.circle"). If it is the name of a property, or a star, which stands for every property, the result is a table of values by path: query("world.*.mass"). If nothing matches, it is an empty set. Formulas in error are left out. A condition gives the set of instances for which it holds: query("Body and mass > 5 and position.x < 0"). It can compare and compute, and calls nothing. The name of a class is one, unless something of that name is at the top: query("Body").
 ---@param pattern string
 ---@return Set|table<string, any>
 function query(pattern) end
@@ -3223,6 +3223,9 @@ function redo() end
 ---@param name string
 ---@return any
 function require(name) end
+
+---A command of the console: begins the game again in its window, from its files as they are now. Edits that were not kept are listed by tweaks() after it. bind("f5", "restart()") gives it a key.
+function restart() end
 
 ---Restores the whole tree from a snapshot, at the next barrier between steps. Variables of Lua are not changed; `game` emits `restored`.
 ---@param taken Snapshot

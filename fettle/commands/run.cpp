@@ -80,8 +80,9 @@ property::Thumbnail thumbnail(app::Pixels pixels) {
 constexpr double patience = 2;
 
 /// Runs a game in a window until the window is closed, the game quits or the number of steps is
-/// reached. The key R on the error screen restarts the game in the same window. With a gallery, the
-/// run begins there, and comes back when another game ends or Escape is held.
+/// reached. The key R on the error screen, or the command `restart`, restarts the game in the same
+/// window. With a gallery, the run begins there, and comes back when another game ends or Escape is
+/// held.
 class WindowRun {
   public:
     WindowRun(const RunOptions& options, Gallery* gallery)
@@ -168,6 +169,7 @@ class WindowRun {
         follow_files();
         if (reload_) return false;
         loop.frame(seconds, options_.steps.value_or(INT64_MAX));
+        if (session_->wants_restart()) reload_ = true;
         error_screen_.came_back();
         be_heard(loudspeaker_, *session_);
         if (clock.paused) idle_steps_ += seconds / clock.dt;

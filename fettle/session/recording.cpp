@@ -57,18 +57,30 @@ std::string Session::record(bool on) {
     if (tree_.cause().writer != property::Writer::console)
         refuse("only a command of the console records a run");
     if (!recorder_)
-        refuse("only a run of a game in a window, neither in a sandbox nor in an archive, can be "
-               "recorded while it runs; for one without a window there is fettle run --record");
+        refuse(
+            "only a run of a game in a window, neither in a sandbox nor in an archive, can be "
+            "recorded while it runs; for one without a window there is fettle run --record");
     const std::filesystem::path writing = recorder_->writes_to();
     if (!on) {
         if (writing.empty()) return "the run is not being recorded";
         recorder_->close();
         if (const std::string& problem = recorder_->problem(); !problem.empty()) refuse(problem);
+        // Somebody has removed the file while it was written.
+        std::error_code error;
+        if (recorder_->complete() && !std::filesystem::exists(writing, error)) {
+            try {
+                recorder_->write_to(writing);
+                recorder_->close();
+            } catch (const std::exception& problem) {
+                refuse(problem.what());
+            }
+        }
         return "recorded up to step " + std::to_string(services_->clock.step) +
                "; fettle run --replay " + writing.string() + " plays it again";
     }
     if (!writing.empty()) return "the run is being recorded already, in " + writing.string();
-    if (!recorder_->complete()) refuse(recorder_->incomplete() + "; start the game again to record it");
+    if (!recorder_->complete())
+        refuse(recorder_->incomplete() + "; restart() begins the game again");
     try {
         const auto file = free_name(property::player_folder(options_.game, settings_.id),
                                     "recordings", "run", "recording");
@@ -86,7 +98,17 @@ void Session::end_recording(const std::string& changed) {
     if (!recorder_ || !recorder_->complete()) return;
     const std::filesystem::path file = recorder_->writes_to();
     recorder_->end(changed + " has changed since the run began");
-    if (!file.empty()) note(file.string() + ": the recording ends here: " + changed + " has changed");
+    if (!file.empty())
+        note(file.string() + ": the recording ends here: " + changed + " has changed");
+}
+
+/// A file that cannot be written further is closed, so that the console shows it.
+void Session::check_recording() {
+    if (!recorder_ || !options_.record.empty() || recorder_->problem().empty() ||
+        recorder_->writes_to().empty())
+        return;
+    recorder_->close();
+    note(recorder_->problem());
 }
 
 std::string Session::recording_problem() const {

@@ -242,6 +242,7 @@ void Session::add_modules() {
         preferences_->tick();
         type_what_is_due();
         listen();
+        check_recording();
 #ifdef FETTLE_WITH_CONSOLE
         if (console_) console_->between_frames();
 #endif
@@ -292,6 +293,7 @@ void Session::make_console(app::Clipboard* clipboard) {
         .share = [this](const std::string& name) { return share(name); },
         .record = [this](bool on) { return record(on); },
         .records = [this] { return recorder_ && !recorder_->writes_to().empty(); },
+        .restart = [this] { restart(); },
         .script =
             [this](const std::string& file) {
                 constexpr std::string_view lua[] = {".lua"};
@@ -329,6 +331,19 @@ float Session::covered_below() const {
 
 bool Session::looks_back() const {
     return services_->clock.step < services_->clock.newest;
+}
+
+void Session::restart() {
+    if (replayed_ != nullptr) return;  // a recording ends there
+    const auto refuse = [](const std::string& why) {
+        throw property::Error(property::ErrorKind::rejected, "restart: " + why);
+    };
+    if (tree_.cause().writer != property::Writer::console)
+        refuse("only a command of the console begins the game again");
+    if (options_.headless) refuse("only a game in a window begins again");
+    if (!options_.record.empty())
+        refuse("the next run would replace the recording of this one, " + options_.record.string());
+    run_.restart = true;
 }
 
 void Session::travel(int steps) {

@@ -73,6 +73,8 @@ class Session {
     }
     /// Pixels at the lower edge of the window that the console covers.
     float covered_below() const;
+    /// Whether somebody wants the game to begin again.
+    bool wants_restart() const { return run_.restart; }
     /// Whether the game is at an earlier step than the newest.
     bool looks_back() const;
     /// Goes forward by `steps` in the kept past (below 0: back), at the next barrier.
@@ -113,7 +115,9 @@ class Session {
     std::string share(const std::string& name);
     bool keeps_recording() const;
     std::string record(bool on);
+    void restart();
     void end_recording(const std::string& changed);
+    void check_recording();
     void open_moment();
     void add_modules();
     void make_console(app::Clipboard* clipboard);
@@ -151,6 +155,7 @@ class Session {
         std::vector<std::string> early_notes;  // notes from before the console existed
         std::uint64_t typed = 0;               // the last step whose --console commands were run
         std::uint64_t chunks_until = 0;        // the last step whose --at chunks were run
+        bool restart = false;                  // wanted by a command
         bool stepped = false;  // the modules have made a step, which is not delivered yet
         bool failed = false;
         bool ending = false;

@@ -58,6 +58,18 @@ TEST_CASE("an echo is colored and other text is not") {
     CHECK(has(line, spans, "here", Token::plain));
 }
 
+TEST_CASE("the path of a file is one piece without colors") {
+    for (const std::string_view line :
+         {"recording in /tmp/1/game-58.x/run-1.recording, from step 4",
+          "fettle run --replay /tmp/1/game-58.x/run-1.recording",
+          "/tmp/1/game-58.x/run-1.recording: it ends"}) {
+        INFO(line);
+        CHECK(has(line, highlight_output(line), "/tmp/1/game-58.x/run-1.recording", Token::plain));
+    }
+    CHECK(has("~/.a/b", highlight_output("~/.a/b"), "~/.a/b", Token::plain));
+    CHECK(has("6 / 2 /", highlight_output("6 / 2 /"), "2", Token::number));
+}
+
 TEST_CASE("coloring accepts any bytes") {
     for (std::string_view line : {"\"unclosed", "world[", "world[\"", "a.", "\\", "\xff\xfe", "[[",
                                   "world[\"x\\", "1e+", "'\\"})

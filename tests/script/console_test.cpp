@@ -77,6 +77,25 @@ TEST_CASE("an instance prints as a table with units and a set as rows") {
     CHECK(s.console("world:all('Circle'):set('radius', 1) and nil") != "");
 }
 
+TEST_CASE("query takes the words behind it, the name of a class, and tells a misspelt name") {
+    Stage s;
+    s.run("Ball = class('Ball', Body) {} world.ball = Ball { mass = 2, Circle {} }");
+    CHECK_THAT(s.console("query mass > 1"), contains("world.ball"));
+    CHECK_THAT(s.console("#_"), contains("1"));
+    CHECK_THAT(s.console("query world.*.mass"), contains("world.ball.mass"));
+    CHECK_THAT(s.console("query('Body')"), contains("world.ball"));
+    CHECK_THAT(s.console("query('world.bal')"),
+               contains("no instances: nothing has \"bal\" (did you mean \"ball\"?)"));
+    CHECK_THAT(s.console("query('world.*.masss')"), contains("(did you mean \"mass\"?)"));
+    CHECK_THAT(s.console("query('Bod')"), contains("(did you mean \"Body\"?)"));
+    // Something of this name exists, but not there.
+    CHECK(s.console("query('world.ball.ball')") == "no instances");
+    CHECK(s.prints("print(#query('world.bal'))") == "0");
+    s.run("game.Ball = Object {}");
+    CHECK_THAT(s.console("query('Ball')"), contains("Ball"));
+    CHECK(s.prints("print(query('Ball')[1].class)") == "Object");
+}
+
 TEST_CASE("a long name or value does not move the values of the other properties") {
     Stage s;
     s.run(

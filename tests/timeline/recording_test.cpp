@@ -201,6 +201,43 @@ TEST_CASE("writes of a console command are recorded as the command alone") {
     CHECK(replay(file).difference == "");
 }
 
+TEST_CASE("undo in a replay takes back the same edit of the inspector as in the run") {
+    const File file;
+    {
+        Playing playing(game);
+        RunStart start;
+        start.game = "game";
+        Recorder recorder(start);
+        recorder.write_to(file.path);
+        playing.runtime->on_command([&](std::string_view command) { recorder.command(command); });
+        recorder.begin(playing.tree, *playing.loop);
+        property::Tree& tree = playing.tree;
+        const auto frame = [&] { playing.loop->frame(1.0 / 60); };
+        const auto by_inspector = [&](const auto& edit) {
+            const property::Tree::CauseScope cause(tree, property::Writer::inspector);
+            edit();
+        };
+        frame();
+        // A drag goes on over several frames.
+        tree.begin_edit("drag", false);
+        for (const double scale : {0.5, 0.6, 0.7}) {
+            by_inspector([&] { property::set(tree, "world.ball.gravity_scale", scale); });
+            frame();
+        }
+        tree.end_edit();
+        const property::Handle ball = tree.child(tree.child(tree.root(), "world"), "ball");
+        by_inspector([&] { tree.remove_ad_hoc(ball, "seen"); });
+        playing.console("world.ball.lives = world.ball.seen == nil and 1 or 2");
+        frame();
+        for (int i = 0; i < 3; ++i) playing.console("undo");
+        frame();
+        REQUIRE(playing.get("world.ball.gravity_scale").number() == 1);
+    }
+    const Result result = replay(file);
+    REQUIRE(result.difference.empty());
+    REQUIRE(result.steps == Recording(file.path).steps());
+}
+
 TEST_CASE("the instance that is selected when a command runs is it in the replay") {
     const File file;
     {

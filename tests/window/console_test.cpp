@@ -222,19 +222,36 @@ TEST_CASE("a run in a window is recorded from its first step when somebody asks 
     };
     INFO(fettle::test::read_file(printed));
     CHECK(replay() == 0);
+    // What was removed while it was written is there at the end.
+    fs::remove(recording());
     game.type("record(false)");
     game.key("Return");
+    REQUIRE(game.eventually([&] { return !recording().empty(); }));
+    CHECK(replay() == 0);
     // A changed file ends what can be recorded.
     std::ofstream(game.folder() / "game" / "main.lua", std::ios::app) << "print('changed')\n";
     REQUIRE(game.prints("changed"));
     game.type("world.crate.mass = 8 record()");
     game.key("Return");
     REQUIRE(game.prints("mass is\t8"));
-    CHECK(game.asked_to_end() == 143);
-    CHECK(recording().filename() == "run-1.recording");
-    CHECK_FALSE(fs::exists(recording().parent_path() / "run-2.recording"));
+    const fs::path first = recording();
+    CHECK(first.filename() == "run-1.recording");
+    CHECK_FALSE(fs::exists(first.parent_path() / "run-2.recording"));
     CHECK(replay() == 3);  // of another version of the game
     CHECK(contains(fettle::test::read_file(printed), "main.lua differs"));
+    game.type("restart()");
+    game.key("Return");
+    REQUIRE(game.eventually([&] {
+        const std::string all = game.printed();
+        return all.find("ready") != all.rfind("ready");
+    }));
+    open_console(game);
+    game.type("record()");
+    game.key("Return");
+    REQUIRE(game.eventually([&] { return fs::exists(first.parent_path() / "run-2.recording"); }));
+    CHECK(game.asked_to_end() == 143);
+    fs::remove(first);
+    CHECK(replay() == 0);
 }
 
 TEST_CASE("a game saved in a window has a picture") {

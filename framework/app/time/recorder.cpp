@@ -171,17 +171,34 @@ bool Recorder::writes_alone() const {
            cause.writer != property::Writer::formula && cause.where != "window";
 }
 
+std::string Recorder::edit_text(const char* word, property::Handle instance,
+                                const property::Property& property) const {
+    return std::string(word) + " " + std::to_string(static_cast<int>(tree_->cause().writer)) + " " +
+           encoded(property::Value(instance)) + " " + in_quotes(property.name);
+}
+
 void Recorder::wrote(property::Handle instance, const property::Property& property,
                      const property::Value& now) {
-    if (!writes_alone()) return;
-    line("write " + std::to_string(static_cast<int>(tree_->cause().writer)) + " " +
-         encoded(property::Value(instance)) + " " + in_quotes(property.name) + " " + encoded(now));
+    if (writes_alone()) line(edit_text("write", instance, property) + " " + encoded(now));
 }
 
 void Recorder::was_reset(property::Handle instance, const property::Property& property) {
-    if (!writes_alone()) return;
-    line("reset " + std::to_string(static_cast<int>(tree_->cause().writer)) + " " +
-         encoded(property::Value(instance)) + " " + in_quotes(property.name));
+    if (writes_alone()) line(edit_text("reset", instance, property));
+}
+
+void Recorder::removed(property::Handle instance, const property::Property& property) {
+    if (writes_alone()) line(edit_text("removed", instance, property));
+}
+
+void Recorder::edit_begins(const std::string& name, bool scripts) {
+    edits_.push_back(writes_alone());
+    if (edits_.back()) line("edit " + std::to_string(int{scripts}) + " " + in_quotes(name));
+}
+
+void Recorder::edit_ends() {
+    if (edits_.empty()) return;  // it began while the tree was not observed
+    if (edits_.back()) line("edit_ends");
+    edits_.pop_back();
 }
 
 }  // namespace fettle::app

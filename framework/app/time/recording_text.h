@@ -13,7 +13,7 @@ namespace fettle::app {
 
 /// The number of the format, which changes with the lines and with the data that their hashes
 /// cover.
-constexpr std::int64_t recording_format = 4;
+constexpr std::int64_t recording_format = 5;
 
 /// Adds double quotes and escapes line breaks, quotes, backslashes and control characters.
 std::string in_quotes(std::string_view text);

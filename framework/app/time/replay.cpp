@@ -26,11 +26,24 @@ constexpr std::uintmax_t greatest_file = std::uintmax_t{4} << 30;
 
 /// A line after the line `begin`.
 struct Recording::Item {
-    enum class Kind : std::uint8_t { event, command, selected, write, reset, frame, turn, step };
+    enum class Kind : std::uint8_t {
+        event,
+        command,
+        selected,
+        write,
+        reset,
+        removed,
+        edit,
+        edit_ends,
+        frame,
+        turn,
+        step
+    };
     Kind kind = Kind::turn;
     InputEvent event{};
     bool taken = false;
-    std::string text{};  // a command, a property
+    std::string text{};   // a command, a property, the name of an edit
+    bool scripts = true;  // writes of scripts belong to the edit
     Writer writer = Writer::inspector;
     Handle instance{};
     std::vector<Handle> instances{};
@@ -72,7 +85,7 @@ std::optional<Item> parse(const std::string& word, Words& words) {
             if (!instance || !instance->is(property::Type::reference)) return std::nullopt;
             item.instances.push_back(instance->reference());
         } while (!words.at_end());
-    } else if (word == "write" || word == "reset") {
+    } else if (word == "write" || word == "reset" || word == "removed") {
         const auto writer = words.integer();
         const auto instance = words.value();
         const auto name = words.text();
@@ -80,11 +93,20 @@ std::optional<Item> parse(const std::string& word, Words& words) {
         if (!writer || *writer < 0 || *writer > static_cast<int>(Writer::restore) || !instance ||
             !instance->is(property::Type::reference) || !name || !value)
             return std::nullopt;
-        item.kind = word == "write" ? Kind::write : Kind::reset;
+        item.kind = word == "write" ? Kind::write : word == "reset" ? Kind::reset : Kind::removed;
         item.writer = static_cast<Writer>(*writer);
         item.instance = instance->reference();
         item.text = *name;
         item.value = *value;
+    } else if (word == "edit") {
+        const auto scripts = words.integer();
+        const auto name = words.text();
+        if (!scripts || !name) return std::nullopt;
+        item.kind = Kind::edit;
+        item.scripts = *scripts != 0;
+        item.text = *name;
+    } else if (word == "edit_ends") {
+        item.kind = Kind::edit_ends;
     } else if (word == "frame") {
         const auto seconds = words.number();
         const auto limit = words.integer();
@@ -263,6 +285,10 @@ void Replay::feed(const Recording::Item& item) {
             else
                 runtime_.set_it(item.instances.back());
             return;
+        case Kind::edit:
+            return tree_.begin_edit(item.text, item.scripts);
+        case Kind::edit_ends:
+            return tree_.end_edit();
         case Kind::step:
             difference_ =
                 "step " + std::to_string(item.step) + " was made then and is not made now";
@@ -275,6 +301,8 @@ void Replay::feed(const Recording::Item& item) {
         const property::Property& property = tree_.property(item.instance, item.text);
         if (item.kind == Kind::write)
             tree_.set(item.instance, property, item.value);
+        else if (item.kind == Kind::removed)
+            tree_.remove_ad_hoc(item.instance, item.text);
         else
             tree_.reset(item.instance, property);
     } catch (const std::exception& error) {

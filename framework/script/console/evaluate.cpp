@@ -253,12 +253,13 @@ std::vector<std::string_view> arguments_of(std::string_view text) {
 }
 
 // Handles `who world.gravity`, `plot it.mass, it.angle`: the words behind the function are its
-// arguments, as texts. Returns false if the command has another form.
+// arguments, as texts. Leaves the results on the stack. Returns false if the command has another
+// form.
 bool call_with_words(lua_State* L, std::string_view command) {
     constexpr std::string_view functions[] = {
-        "who",       "why",        "pin",           "unpin", "plot",           "break_when",
-        "last_time", "find",       "help",          "keep",  "reapply_tweaks", "drop_tweaks",
-        "bookmark",  "unbookmark", "compare_branch"};
+        "who",         "why",      "pin",        "unpin",         "plot", "break_when",
+        "last_time",   "find",     "query",      "help",          "keep", "reapply_tweaks",
+        "drop_tweaks", "bookmark", "unbookmark", "compare_branch"};
     const std::size_t space = command.find(' ');
     if (space == std::string_view::npos) return false;
     const std::string_view name = command.substr(0, space);
@@ -274,8 +275,8 @@ bool call_with_words(lua_State* L, std::string_view command) {
     lua_gettable(L, 1);
     luaL_checkstack(L, static_cast<int>(arguments.size()), "arguments");
     for (const std::string_view argument : arguments) push_text(L, argument);
-    lua_call(L, static_cast<int>(arguments.size()), 0);
-    lua_settop(L, 0);
+    lua_call(L, static_cast<int>(arguments.size()), LUA_MULTRET);
+    lua_remove(L, 1);
     return true;
 }
 
@@ -303,16 +304,13 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
             return;
         case Compiled::wrong:
             if (add_formula(L, machine, command)) return;
-            if (call_with_words(L, command)) {
-                take_lines(machine, evaluation);
-                return;
-            }
+            if (call_with_words(L, command)) break;
             lua_error(L);
             return;
         default:
+            lua_call(L, 0, LUA_MULTRET);
             break;
     }
-    lua_call(L, 0, LUA_MULTRET);
     machine.budget.check(L);  // a command that was stopped must not print results
     take_lines(machine, evaluation);
     add_results(L, machine, command, evaluation);

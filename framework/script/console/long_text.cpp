@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <set>
 
 #include <fettle/property/natural_order.h>
 #include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
 
 #include <console/long_text.h>
 #include <lua/machine.h>
@@ -132,12 +134,33 @@ std::string entry_text(lua_State* L, const property::Tree& tree, const std::stri
     return short_text(L, -1);
 }
 
+/// An empty set. A script may ask for what is not there; a person has perhaps misspelt a name of
+/// the pattern.
+std::string nothing_found(const property::Tree& tree, const std::string& pattern) {
+    std::string text = "no instances";
+    if (pattern.empty()) return text;
+    std::set<std::string> names;
+    tree.each_below(tree.root(), [&](Handle handle) {
+        names.insert(tree.name(handle));
+        for (const Property* property : tree.properties(handle)) names.insert(property->name);
+    });
+    const property::Pattern asked(pattern);
+    for (const std::string& each : asked.segments()) {
+        if (each.find('*') != std::string::npos || names.contains(each)) continue;
+        std::vector<std::string> known(names.begin(), names.end());
+        if (asked.segments().size() == 1)  // the name of a class alone is a pattern, too
+            for (const property::Class* of : tree.classes()) known.push_back(of->name());
+        return text + ": nothing has \"" + each + "\"" + property::suggestion(each, known);
+    }
+    return text;
+}
+
 std::vector<std::string> table_lines(lua_State* L, int index) {
     Machine& machine = machine_of(L);
     index = lua_absindex(L, index);
     if (const auto handles = only_instances(L, index); !handles.empty())
         return set_lines(machine.tree, handles);
-    if (is_set(L, index)) return {"no instances"};
+    if (is_set(L, index)) return {nothing_found(machine.tree, machine.recording.nothing)};
     std::string line = short_text(L, index);
     if (shown_width(line) <= 76 && line.find("…") == std::string::npos) return {line};
 

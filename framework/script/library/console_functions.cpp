@@ -1,8 +1,8 @@
 // Functions that need a console:
 //   pin(...)  unpin(text)  plot(...)  break_when(condition)  last_time(condition)
 //   selection(instances)  bind(key, command)  alias(word, command)  exec(file)  clear()
-//   export_plot(kind)  ab(path, value)  share(file)  record(on)  compare_branch(name)
-//   bookmark(name, step)  unbookmark(name)  bookmarks()  play_back(seconds)
+//   export_plot(kind)  ab(path, value)  share(file)  record(on)  restart()
+//   compare_branch(name)  bookmark(name, step)  unbookmark(name)  bookmarks()  play_back(seconds)
 
 #include <cmath>
 #include <string_view>
@@ -170,6 +170,11 @@ int record(lua_State* L) {
     return 0;
 }
 
+int restart(lua_State* L) {
+    call_console<&ConsoleFunctions::restart>(L, "restart");
+    return 0;
+}
+
 int bind(lua_State* L) {
     const std::string key = check_text(L, 1, "bind: needs the name of a key like \"f5\"");
     call_console<&ConsoleFunctions::bind>(L, "bind", key,
@@ -273,6 +278,7 @@ void open_console_functions(lua_State* L) {
     add_function<ab>(L, "ab");
     add_function<share>(L, "share");
     add_function<record>(L, "record");
+    add_function<restart>(L, "restart");
     add_function<compare_branch>(L, "compare_branch");
     add_function<bookmark>(L, "bookmark");
     add_function<unbookmark>(L, "unbookmark");

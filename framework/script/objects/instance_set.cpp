@@ -140,11 +140,16 @@ int set_index(lua_State* L) {
     return push_method(L, "a set of instances");
 }
 
+/// Whether the text is the name of a class, and not of something at the top of the tree.
+bool is_class(const property::Tree& tree, std::string_view text) {
+    return tree.find_class(text) != nullptr && !tree.child(tree.root(), text);
+}
+
 int query(lua_State* L) {
     if (lua_type(L, 1) != LUA_TSTRING)
         refuse_type(L, 1, "query: needs a pattern such as \"world.*.mass\"");
     Machine& machine = machine_of(L);
-    if (property::Condition::is_meant(string_at(L, 1))) {
+    if (property::Condition::is_meant(string_at(L, 1)) || is_class(machine.tree, string_at(L, 1))) {
         push_set(L, those_for_which(L, string_at(L, 1)));
         return 1;
     }
@@ -160,6 +165,8 @@ int query(lua_State* L) {
     });
     machine.budget.charge(L, machine.tree.size() + properties.size());
     if (properties.empty()) {
+        if (instances.empty() && machine.recording.active)
+            machine.recording.nothing = pattern.text();
         push_set(L, instances);
         return 1;
     }

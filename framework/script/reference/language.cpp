@@ -112,7 +112,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "star, which stands for every property, the result is a table of values by path: "
          "query(\"world.*.mass\"). If nothing matches, it is an empty set. Formulas in error are "
          "left out. A condition gives the set of instances for which it holds: query(\"Body and "
-         "mass > 5 and position.x < 0\"). It can compare and compute, and calls nothing."},
+         "mass > 5 and position.x < 0\"). It can compare and compute, and calls nothing. The "
+         "name of a class is one, unless something of that name is at the top: query(\"Body\")."},
         {"quit", "quit(status?: integer|boolean)",
          "Ends the game with that exit status, 0 to 255; 0 without one."},
         {"random",
@@ -136,6 +137,10 @@ const std::vector<GlobalDoc>& global_docs() {
         {"redo", "redo()", "Repeats the last edit that undo reversed."},
         {"require", "require(name: string): any",
          "Runs another file of the game once, and returns what it returned."},
+        {"restart", "restart()",
+         "A command of the console: begins the game again in its window, from its files as they "
+         "are now. Edits that were not kept are listed by tweaks() after it. bind(\"f5\", "
+         "\"restart()\") gives it a key."},
         {"restore", "restore(taken: Snapshot)",
          "Restores the whole tree from a snapshot, at the next barrier between steps. Variables "
          "of Lua are not changed; `game` emits `restored`."},

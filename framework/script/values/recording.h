@@ -27,8 +27,9 @@ struct Recording {
     std::vector<Edit> edits;
     const property::Property* last_read = nullptr;  // its unit is shown with the result
     std::vector<std::string> lines;                 // printed
-    std::size_t dropped = 0;                        // edits beyond the limit
-    std::size_t dropped_lines = 0;                  // printed lines beyond the limit
+    std::string nothing;            // the pattern of the last query that has found nothing
+    std::size_t dropped = 0;        // edits beyond the limit
+    std::size_t dropped_lines = 0;  // printed lines beyond the limit
 
     /// The record of a property, which the caller fills in; nullptr beyond the limit.
     Edit* edit_of(property::Handle of, property::Symbol written);

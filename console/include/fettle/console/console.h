@@ -70,6 +70,8 @@ struct Options {
     std::function<std::string(bool on)> record{};
     /// Whether such a file is being written.
     std::function<bool()> records{};
+    /// Begins the game again after this frame. Without it, `restart` is refused.
+    std::function<void()> restart{};
     /// Returns the text of a script of the game, "main.lua"; throws if it cannot be read. Without
     /// it, the lines that wrote a value are not shown.
     std::function<std::string(const std::string& file)> script{};

@@ -91,6 +91,9 @@ class Recorder : public Witness, public property::Observer {
     void wrote(property::Handle instance, const property::Property& property,
                const property::Value& now) override;
     void was_reset(property::Handle instance, const property::Property& property) override;
+    void removed(property::Handle instance, const property::Property& property) override;
+    void edit_begins(const std::string& name, bool scripts) override;
+    void edit_ends() override;
 
     /// The error of writing the file, "" if there is none. Such an error ends neither the run nor
     /// the recording in memory.
@@ -98,6 +101,9 @@ class Recorder : public Witness, public property::Observer {
 
   private:
     bool writes_alone() const;
+    /// "write", "reset" or "removed", with the writer, the instance and the name.
+    std::string edit_text(const char* word, property::Handle instance,
+                          const property::Property& property) const;
     void line(const std::string& text);
     void write(std::string_view text);
     void flush();
@@ -112,6 +118,7 @@ class Recorder : public Witness, public property::Observer {
     property::Tree* tree_ = nullptr;
     Loop* loop_ = nullptr;
     std::vector<property::Handle> selected_;  // as it was written last
+    std::vector<bool> edits_;                 // that are open: whether they are recorded
 };
 
 /// A recording read from a file. Throws RecordingError if the file is damaged, has a newer format,

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
 #include <fettle/property/class.h>
 #include <fettle/property/export.h>
@@ -67,6 +68,11 @@ class Observer {
     /// A read is about to update memory of a module that edits left out of date
     /// (`Tree::refreshing`).
     virtual void refreshing(SnapshotPart&, std::uint64_t /*what*/) {}
+    /// All that is written until `edit_ends` is one step of undo (`Tree::begin_edit`); edits may
+    /// be in each other.
+    virtual void edit_begins(const std::string& /*name*/, bool /*scripts*/) {}
+    /// The edit that began last has ended.
+    virtual void edit_ends() {}
     /// A snapshot was restored: everything may be different. Its changes are not reported one by
     /// one.
     virtual void restored() {}

@@ -59,6 +59,8 @@ struct ConsoleFunctions {
     std::function<std::string(const std::string& file)> share{};
     /// Begins or ends a file with the recording of the run; returns a message about the file.
     std::function<std::string(bool on)> record{};
+    /// Begins the game again.
+    std::function<void()> restart{};
     /// Runs the command when the key goes down; an empty command ends it.
     std::function<void(const std::string& key, const std::string& command)> bind{};
     /// The word stands for the command; an empty command ends it.
