@@ -33,8 +33,8 @@ std::string_view assigned(std::string_view before) {
 
 /// Whether a value may stand between the two texts that is compared or given to a function.
 bool is_used_as_value(std::string_view before, std::string_view after) {
-    const bool ends = after.empty() || after.front() == ')' || after.front() == ',' ||
-                      after.front() == '}';
+    const bool ends =
+        after.empty() || after.front() == ')' || after.front() == ',' || after.front() == '}';
     if (before.ends_with("==") || before.ends_with("~="))
         return ends || is_word(after.front());  // if key == up then
     return ends && (before.ends_with('(') || before.ends_with(','));
