@@ -25,7 +25,7 @@ constexpr float margin = 8;       // pixels around the windows
 constexpr float handle_size = 6;  // width of the edge for resizing, in pixels
 // The least sizes of the windows, in ems.
 constexpr float least_panel = 26, least_height = 8;  // the panel: its width and height
-constexpr float least_log = 5;       // the panel without overlays: title, two lines, prompt
+constexpr float least_log = 5;                       // the panel without overlays: title and prompt
 constexpr float stacked_below = 44;  // the watch list and the plot, in narrower windows
 constexpr float least_plot = 9, least_list = 4, least_frames = 7, least_inspector = 8;
 constexpr float low_plot = 5, low_list = 2, low_frames = 5;  // in low windows; below that, none
@@ -137,7 +137,8 @@ float Console::State::panel_height() {
     const float overlays = settings.flag("overlays") ? views.overlay_bar.height() : 0;
     const float whole = std::max(1.0f, screen.height - 2 * margin);
     const float least = std::min(whole, least_log * em + overlays);
-    const float usual = std::min(least_height * em, 0.3f * screen.height);
+    // A third of a low window has room for the title, one line and the prompt.
+    const float usual = std::min(least_height * em, 0.33f * screen.height);
     const float most = std::min(whole, std::max({screen.height - below, least, usual}));
     return std::clamp(settings.number("height") * screen.height, least, most);
 }

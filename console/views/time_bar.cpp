@@ -127,19 +127,29 @@ void TimeBar::draw(ImVec2 corner, float width, float opacity, ImFont* bold) {
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lanes);
     draw_play(now);
     ImGui::SameLine();
-    draw_step(now);
-    ImGui::SameLine();
-    draw_play_back(now);
-    ImGui::SameLine();
-    if (records) {
+    step_ = play_back_ = record_ = {};
+    // In a narrow window the track needs the room of the longer texts, and of buttons.
+    const float em = ImGui::GetFontSize(), short_text = text_width("00000.00 s now ") + 30;
+    const float button = play_.high.x - play_.low.x + ImGui::GetStyle().ItemSpacing.x;
+    const auto is_room = [&] {
+        return ImGui::GetContentRegionAvail().x - button >= short_text + 5 * em;
+    };
+    if (is_room()) {
+        draw_step(now);
+        ImGui::SameLine();
+    }
+    if (is_room()) {
+        draw_play_back(now);
+        ImGui::SameLine();
+    }
+    if (records && is_room()) {
         draw_record();
         ImGui::SameLine();
     }
-    // In a narrow window the track needs the room of the longer texts.
-    const float room = ImGui::GetContentRegionAvail().x, em = ImGui::GetFontSize();
+    const float room = ImGui::GetContentRegionAvail().x;
     float text = text_width("0000000 · 00000.00 s   to the present ") + 24;
     const bool narrow = room - text < 8 * em;
-    if (narrow) text = text_width("00000.00 s now ") + 30;
+    if (narrow) text = short_text;
     draw_track(now, std::max(40.0f, room - text));
     ImGui::SameLine();
     draw_text(now, bold, narrow);

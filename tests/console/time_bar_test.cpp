@@ -308,6 +308,25 @@ TEST_CASE("a button of the time bar begins and ends a recording") {
     CHECK(without.bar().record_button().empty());
 }
 
+TEST_CASE("in a narrow bar the track and the time have room, and buttons are left out") {
+    const unsigned width = GENERATE(300u, 400u, 1280u);
+    const double scale = GENERATE(1.0, 2.0);
+    INFO(width << ", scale " << scale);
+    Bar bar(300, false, nullptr,
+            {.record = [](bool) { return std::string(); }, .records = [] { return false; }});
+    bar.rig.state().settings.set("scale", Value(scale));
+    console::test::RasterSurface window(width, 300);
+    for (int i = 0; i < 3; ++i) bar.rig.console.draw(window, 1.0 / 60);
+    const console::Rect &whole = bar.bar().rect(), &track = bar.bar().track();
+    CHECK_FALSE(bar.bar().play_button().empty());
+    CHECK(track.high.x - track.low.x >= 40);
+    // The time of step 300, "5.00 s", in letters of `scale` times 14 pixels.
+    CHECK(whole.high.x - track.high.x > 60 * static_cast<float>(scale));
+    const bool all = width / scale >= 400;
+    CHECK(bar.bar().record_button().empty() == !all);
+    CHECK(bar.bar().step_button().empty() == !all);
+}
+
 TEST_CASE("bookmarks have names and each branch has its own marks") {
     Rig rig;
     console::TimeMarks& marks = rig.state().time_marks;
