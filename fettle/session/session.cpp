@@ -292,7 +292,9 @@ void Session::make_console(app::Clipboard* clipboard) {
             },
         .share = [this](const std::string& name) { return share(name); },
         .record = [this](bool on) { return record(on); },
-        .records = [this] { return recorder_ && !recorder_->writes_to().empty(); },
+        .records = keeps_recording()
+                       ? [this] { return recorder_ && !recorder_->writes_to().empty(); }
+                       : std::function<bool()>(),
         .restart = [this] { restart(); },
         .script =
             [this](const std::string& file) {

@@ -66,9 +66,9 @@ struct Options {
     /// refused.
     std::function<std::string(const std::string& file)> share{};
     /// Begins or ends a file with the recording of the run, and returns a message about it. Without
-    /// it, `record` is refused, and the time bar has no button for it.
+    /// it, `record` is refused.
     std::function<std::string(bool on)> record{};
-    /// Whether such a file is being written.
+    /// Whether such a file is being written. Without it, the time bar has no button for `record`.
     std::function<bool()> records{};
     /// Begins the game again after this frame. Without it, `restart` is refused.
     std::function<void()> restart{};
