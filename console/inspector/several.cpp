@@ -1,8 +1,9 @@
 #include <inspector/several.h>
 #include <observed/last_value.h>
 
+#include <cstdint>
 #include <functional>
-#include <set>
+#include <unordered_set>
 
 namespace fettle::console {
 
@@ -55,17 +56,16 @@ std::string command_for_each(const property::Tree& tree, const std::vector<Handl
 }  // namespace
 
 std::vector<Handle> topmost(const property::Tree& tree, const std::vector<Handle>& instances) {
-    const auto key = [](Handle h) { return std::pair(h.index, h.generation); };
-    std::set<std::pair<std::uint32_t, std::uint32_t>> wanted, taken;
+    std::unordered_set<std::uint64_t> wanted, taken;
     for (const Handle each : instances)
-        if (tree.alive(each)) wanted.insert(key(each));
+        if (tree.alive(each)) wanted.insert(each.key());
     std::vector<Handle> top;
     for (const Handle each : instances) {
         if (!tree.alive(each)) continue;
         bool below = false;
         for (Handle above = tree.parent(each); above && !below; above = tree.parent(above))
-            below = wanted.contains(key(above));
-        if (!below && taken.insert(key(each)).second) top.push_back(each);
+            below = wanted.contains(above.key());
+        if (!below && taken.insert(each.key()).second) top.push_back(each);
     }
     return top;
 }

@@ -65,7 +65,7 @@ std::string Session::record(bool on) {
         if (writing.empty()) return "the run is not being recorded";
         recorder_->close();
         if (const std::string& problem = recorder_->problem(); !problem.empty()) refuse(problem);
-        // Somebody has removed the file while it was written.
+        // The file may have been removed while it was written.
         std::error_code error;
         if (recorder_->complete() && !std::filesystem::exists(writing, error)) {
             try {
