@@ -10,14 +10,18 @@ namespace fettle::physics::detail {
 /// -k·C - d·v with the position before the sub-step and the velocity after it. This conserves
 /// energy while h·ω is small, so a spring swings with the frequency and the damping of its
 /// settings. Above that (h·ω > ½), the stiffness increasingly uses the position after the sub-step.
-/// This damps, and is stable for any stiffness.
+/// This damps, and is stable for one spring of any stiffness. Each sub-step solves a spring once,
+/// though, so springs in a row pass on what they push one after the other: from h·ω = 1.5 on, such a
+/// row flies to pieces. A stiffer spring therefore has the stiffness of `greatest_turn`.
 struct Spring {
+    static constexpr float greatest_turn = 1.25f;  ///< h·ω
+
     float push = 0.0f;
     float mass_scale = 0.0f;
     float impulse_scale = 1.0f;
 
     static Spring make(float hertz, float damping_ratio, float h) {
-        const float turn = 6.2831853f * hertz * h;  // h·ω
+        const float turn = min(6.2831853f * hertz * h, greatest_turn);  // h·ω
         const float implicit = clamp(turn - 0.5f, 0.0f, 1.0f);
         const float a = turn * (2.0f * damping_ratio + implicit * turn);
         const float rest = 1.0f / (1.0f + a);

@@ -114,7 +114,7 @@ struct DistanceConstraint {
         limit<true>(a, b, distance, step);
     }
     void relax(SolverBody& a, SolverBody& b, const JointStep& step) {
-        if (!rigid && !limited && !driven) return;
+        // A spring does not act here, but the next sub-step begins with its impulse.
         const float distance = follow(a, b);
         if (driven) {
             const float speed = motor_speed(distance, step.inverse_h);

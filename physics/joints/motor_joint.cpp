@@ -79,7 +79,11 @@ struct MotorConstraint {
     }
     void solve(SolverBody& a, SolverBody& b, const JointStep&) { drive(a, b, springy); }
     void relax(SolverBody& a, SolverBody& b, const JointStep&) {
-        if (!springy) drive(a, b, false);
+        // A spring does not act here, but the next sub-step begins with its impulse.
+        if (springy)
+            follow(a, b);
+        else
+            drive(a, b, false);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         const Vec2 gap = follow(a, b);

@@ -76,9 +76,9 @@ struct WeldConstraint {
         if (rigid_point || rigid_angle) solve_rigid<true>(a, b, step);
     }
     void relax(SolverBody& a, SolverBody& b, const JointStep& step) {
-        if (!rigid_point && !rigid_angle) return;
+        // Springs do not act here, but the next sub-step begins with their impulses.
         ends.follow(a, b);
-        solve_rigid<false>(a, b, step);
+        if (rigid_point || rigid_angle) solve_rigid<false>(a, b, step);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         ends.follow(a, b);
