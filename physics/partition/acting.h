@@ -53,12 +53,15 @@ struct ActingContact {
         reports_hits = 2,
         on_impact_path = 4,   ///< an impact may go through it: restitution, or joints of a body
         approaches_fast = 8,  ///< fast enough for an impact
-        in_impact = 16        ///< an impact may pass through it in this step
+        in_impact = 16,       ///< an impact may pass through it in this step
+        one_load = 32         ///< times the load of the joints of its bodies: two bits
     };
     bool takes_impacts() const { return (flags & on_impact_path) != 0; }
     bool meets() const { return (flags & approaches_fast) != 0; }
     /// It is solved in a group, but its share of an impact is computed for it alone.
     bool passes_impacts() const { return (flags & in_impact) != 0 && !serially; }
+    /// The load that joints of its bodies bear, as in `JointScratch`; 0: the usual one, or none.
+    size_t load() const { return flags / one_load; }
     bool touching() const { return (flags & is_touching) != 0; }
     bool hit_events() const { return (flags & reports_hits) != 0; }
 

@@ -258,6 +258,19 @@ struct Coloring {
              [](const ActingContact& c) { return c.serially; });
         list(contacts.passing, &ActingPiece::passing,
              [](const ActingContact& c) { return c.passes_impacts(); });
+        for (size_t load = 1; load < contacts.loaded.size(); ++load) list_loaded(load);
+    }
+    void list_loaded(size_t load) {
+        LoadedContacts& into = contacts.loaded[load];
+        into.nodes.clear();
+        into.serial.clear();
+        for (uint32_t i = 0; i < contacts.serial.acting.size(); ++i) {
+            const ActingContact& c = acting[contacts.serial.acting[i]];
+            if (c.load() != load) continue;
+            into.nodes.count(c.node);
+            into.serial.push_back(i);
+        }
+        into.nodes.sum_up();
     }
     void list(SingleContacts& into, uint32_t ActingPiece::*expected, auto&& belongs) {
         const auto for_each = [&](auto&& visit) {
@@ -338,19 +351,23 @@ void choose_bouncing(const ObjectState& objects, const ActiveLists& active,
     });
 }
 
-/// By solver body: whether a joint holds it. Empty if no joint acts or nothing can touch.
-std::vector<bool> jointed_bodies(const ObjectState& objects, const ActiveLists& active,
-                                 const BodyScratch& bodies) {
-    std::vector<bool> jointed;
+/// By solver body: 0, or 1 + the load that the joints which hold it bear. Empty if no joint acts or
+/// nothing can touch.
+std::vector<uint8_t> jointed_bodies(const ObjectState& objects, const ActiveLists& active,
+                                    const BodyScratch& bodies, const JointScratch& joints) {
+    std::vector<uint8_t> jointed;
     if (active.awake_contacts.empty()) return jointed;
-    for (const auto& list : active.awake_joints) {
+    const auto note = [&](const std::vector<uint32_t>& list, size_t load) {
+        if (jointed.empty() && !list.empty()) jointed.resize(bodies.solver_bodies.size());
         for (const uint32_t joint : list) {
-            if (jointed.empty()) jointed.resize(bodies.solver_bodies.size());
             for (const uint32_t body : objects.joints[joint].bodies)
                 if (bodies.solver_ends[body].moves())
-                    jointed[bodies.solver_ends[body].index()] = true;
+                    jointed[bodies.solver_ends[body].index()] = uint8_t(1 + load);
         }
-    }
+    };
+    for (const auto& list : active.awake_joints) note(list, 0);
+    for (size_t array = joint_type_count; array < JointScratch::tuned * joint_type_count; ++array)
+        note(joints.joint_arrays[array].joints, array / joint_type_count);
     return jointed;
 }
 
@@ -358,8 +375,9 @@ std::vector<bool> jointed_bodies(const ObjectState& objects, const ActiveLists& 
 
 /// The list has gaps only between the pieces of different threads.
 void find_acting(const ObjectState& objects, const ActiveLists& active, const BodyScratch& bodies,
-                 const WorldDef& settings, const ScheduleScratch& schedule, ContactScratch& scratch,
-                 float dt, ThreadPool* threads) {
+                 const JointScratch& joints, const WorldDef& settings,
+                 const ScheduleScratch& schedule, ContactScratch& scratch, float dt,
+                 ThreadPool* threads) {
     const bool groups = settings.solver == Solver::soft_step;  // other solvers have no groups
     const std::vector<uint32_t>& awake = active.awake_contacts;
     const std::vector<ContactRecord>& contacts = objects.contacts;
@@ -368,8 +386,8 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
     const size_t count = awake.size();
     const bool any_hubs = !schedule.hubs.empty();
     const bool blocks_stay = blocks.may_be_linked(active.awake_bodies);
-    const std::vector<bool> jointed =
-        groups ? jointed_bodies(objects, active, bodies) : std::vector<bool>();
+    const std::vector<uint8_t> jointed =
+        groups ? jointed_bodies(objects, active, bodies, joints) : std::vector<uint8_t>();
     acting.resize(count);
     scratch.acting_pieces.resize((count + piece_length - 1) / piece_length);
     share_out_range(threads, count, piece_length, [&](size_t begin, size_t end) {
@@ -385,15 +403,17 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
             const SolverEnd a = bodies.solver_ends[record.body_a],
                             b = bodies.solver_ends[record.body_b];
             // Most contacts are not special, and their surface is in a cache line that is not read.
-            const bool serially = !groups || record.curved ||
+            const uint8_t held =
+                jointed.empty() ? 0 : std::max(jointed[a.index()], jointed[b.index()]);
+            const bool serially = !groups || held > 1 || record.curved ||
                                   (record.special && (record.rolling_resistance != 0.0f ||
                                                       record.surface_speed != 0.0f)) ||
                                   on_locked_axis(objects, bodies, record) ||
                                   passes_corner(objects, bodies, record, dt);
             auto flags = uint8_t((record.touching ? ActingContact::is_touching : 0) |
-                                 (record.hit_events ? ActingContact::reports_hits : 0));
-            if ((record.special && record.restitution > 0.0f) ||
-                (!jointed.empty() && (jointed[a.index()] || jointed[b.index()]))) {
+                                 (record.hit_events ? ActingContact::reports_hits : 0) |
+                                 (held > 1 ? (held - 1) * ActingContact::one_load : 0));
+            if ((record.special && record.restitution > 0.0f) || held > 0) {
                 const bool meets =
                     approaches(record, bodies.solver_bodies[a.index()],
                                bodies.solver_bodies[b.index()], settings.restitution_threshold);

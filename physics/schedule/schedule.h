@@ -32,8 +32,9 @@ void find_hubs(const ObjectState& objects, std::span<const uint32_t> awake, size
 /// Lists the awake contacts that act. `groups`: the solver can solve groups of contacts; otherwise
 /// it solves each contact alone.
 void find_acting(const ObjectState& objects, const ActiveLists& active, const BodyScratch& bodies,
-                 const WorldDef& settings, const ScheduleScratch& schedule,
-                 ContactScratch& contacts, float dt, ThreadPool* threads);
+                 const JointScratch& joints, const WorldDef& settings,
+                 const ScheduleScratch& schedule, ContactScratch& contacts, float dt,
+                 ThreadPool* threads);
 
 /// Colors the acting contacts, gives each a lane, and lists those that are solved one at a time.
 /// `joints`: number of acting joints.

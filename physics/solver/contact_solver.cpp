@@ -195,36 +195,50 @@ const Corner* ContactSolver::corner_of(const ContactConstraint& c) const {
     return &extras[c.extra - 1].corner;
 }
 
-void ContactSolver::solve_biased() {
-    for (ContactConstraint& c : constraints) {
-        SolverBody& a = bodies[c.a];
-        SolverBody& b = bodies[c.b];
-        follow(c, a, b);
-        SolvedPair pair(c, a, b);
-        solve_normals<true>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
-        pair.store(a, b);
+void ContactSolver::solve_biased(ContactConstraint& c) const {
+    SolverBody& a = bodies[c.a];
+    SolverBody& b = bodies[c.b];
+    follow(c, a, b);
+    SolvedPair pair(c, a, b);
+    solve_normals<true>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
+    pair.store(a, b);
+}
+
+void ContactSolver::relax(ContactConstraint& c) const {
+    SolverBody& a = bodies[c.a];
+    SolverBody& b = bodies[c.b];
+    follow(c, a, b);
+    SolvedPair pair(c, a, b);
+    solve_normals<false>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
+    c.pushed |=
+        c.points[0].normal_impulse > 0.0f || (c.count > 1 && c.points[1].normal_impulse > 0.0f);
+    if (c.extra == 0) {
+        solve_friction(c, pair, 0.0f, {0.0f, 0.0f});
+    } else {
+        ContactExtra& extra = extras[c.extra - 1];
+        solve_rolling(c, extra, pair);
+        solve_friction(c, pair, extra.surface_speed, extra.impact);
     }
+    pair.store(a, b);
+}
+
+void ContactSolver::solve_biased() {
+    for (ContactConstraint& c : constraints) solve_biased(c);
 }
 
 void ContactSolver::relax() {
     for (ContactConstraint& c : constraints) {
-        SolverBody& a = bodies[c.a];
-        SolverBody& b = bodies[c.b];
-        follow(c, a, b);
-        SolvedPair pair(c, a, b);
-        solve_normals<false>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
-        c.pushed |=
-            c.points[0].normal_impulse > 0.0f || (c.count > 1 && c.points[1].normal_impulse > 0.0f);
-        if (c.extra == 0) {
-            solve_friction(c, pair, 0.0f, {0.0f, 0.0f});
-        } else {
-            ContactExtra& extra = extras[c.extra - 1];
-            solve_rolling(c, extra, pair);
-            solve_friction(c, pair, extra.surface_speed, extra.impact);
-            extra.record(c);
-        }
-        pair.store(a, b);
+        relax(c);
+        if (c.extra != 0) extras[c.extra - 1].record(c);
     }
+}
+
+void ContactSolver::solve_biased(std::span<const uint32_t> some) {
+    for (const uint32_t i : some) solve_biased(constraints[i]);
+}
+
+void ContactSolver::relax(std::span<const uint32_t> some) {
+    for (const uint32_t i : some) relax(constraints[i]);
 }
 
 namespace {

@@ -38,11 +38,16 @@ struct ContactSolver {
     /// Called after the positions changed: removes the bias velocity, then applies friction and
     /// rolling resistance. Friction acts in this pass only, which makes tall stacks stand.
     void relax();
+    /// The same two passes over some of the constraints, by index.
+    void solve_biased(std::span<const uint32_t> some);
+    void relax(std::span<const uint32_t> some);
     /// Called after all sub-steps, for hits that `bounce` did not predict: shapes that hit fast
     /// enough get their restitution times the approach velocity as separation velocity.
     void restitute();
 
   private:
+    void solve_biased(ContactConstraint& c) const;
+    void relax(ContactConstraint& c) const;
     void follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const;
     const Corner* corner_of(const ContactConstraint& c) const;
 };

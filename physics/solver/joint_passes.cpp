@@ -269,16 +269,25 @@ void sweep_tuned(JointPass pass, JointScratch& joints, std::span<SolverBody> bod
 
 }  // namespace
 
+int sweeps_of(size_t load, JointPass pass) {
+    const bool several = load < JointScratch::loads && pass != &JointKind::warm_start;
+    return several ? settings_of_load[load].sweeps : 1;
+}
+
+void sweep_joints(JointPass pass, size_t load, JointScratch& joints, std::span<SolverBody> bodies,
+                  const JointStep& step, const StripNodes& nodes) {
+    if (load == 0) return sweep(pass, load, joints, bodies, step, nodes);
+    if (load == JointScratch::tuned) return sweep_tuned(pass, joints, bodies, step, nodes);
+    JointStep of_load = step;
+    follow_load(load, of_load);
+    sweep(pass, load, joints, bodies, of_load, nodes);
+}
+
 void pass_joints(JointPass pass, JointScratch& joints, std::span<SolverBody> bodies,
                  const JointStep& step, const StripNodes& nodes) {
-    sweep(pass, 0, joints, bodies, step, nodes);
-    for (size_t load = 1; load < JointScratch::loads; ++load) {
-        JointStep of_load = step;
-        follow_load(load, of_load);
-        const int sweeps = pass == &JointKind::warm_start ? 1 : settings_of_load[load].sweeps;
-        for (int i = 0; i < sweeps; ++i) sweep(pass, load, joints, bodies, of_load, nodes);
-    }
-    sweep_tuned(pass, joints, bodies, step, nodes);
+    for (size_t load = 0; load <= JointScratch::tuned; ++load)
+        for (int i = 0; i < sweeps_of(load, pass); ++i)
+            sweep_joints(pass, load, joints, bodies, step, nodes);
 }
 
 void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips& strips) {

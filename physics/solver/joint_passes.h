@@ -75,6 +75,11 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
 /// Passes the bodies with joints to `JointShare`.
 void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips& strips);
 
+/// How often a pass solves the joints that bear a load.
+int sweeps_of(size_t load, JointPass pass);
+/// Solves the joints of some nodes that bear a load, or those with a stiffness of their own, once.
+void sweep_joints(JointPass pass, size_t load, JointScratch& joints, std::span<SolverBody> bodies,
+                  const JointStep& step, const StripNodes& nodes);
 /// Runs a pass over the joints of some nodes; several times over those that bear heavy loads.
 void pass_joints(JointPass pass, JointScratch& joints, std::span<SolverBody> bodies,
                  const JointStep& step, const StripNodes& nodes);

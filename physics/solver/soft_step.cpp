@@ -235,19 +235,37 @@ struct alignas(line_size) FirstBlock {
         serial_of(nodes).warm_start();
         step.pass(step.kernels.warm_start, section, wide);
     }
-    void solve_biased(uint32_t section, const StripNodes& nodes) const {
-        around_joints(nodes, [&] {
-            pass_joints(&JointKind::solve, step.input.joints, step.bodies.solver_bodies, joint_step,
-                        nodes);
+    /// A pass over the joints of some nodes. Contacts of bodies whose joints bear a heavy load are
+    /// solved in each of its sweeps. After all sweeps only, a contact of a light body would see the
+    /// speed of the heavy one that stands on it, and take away no more than the momentum of the
+    /// light one: it would be a spring without damping, and a table on light legs would never rest.
+    void pass_joints_of(const StripNodes& nodes, JointPass joints,
+                        void (ContactSolver::*contacts)(std::span<const uint32_t>)) const {
+        const auto& loaded = step.contacts.loaded;
+        JointScratch& scratch = step.input.joints;
+        std::vector<SolverBody>& bodies = step.bodies.solver_bodies;
+        const bool any = std::any_of(loaded.begin(), loaded.end(), [&](const LoadedContacts& of) {
+            return !of.of(nodes).empty();
         });
+        if (!any)
+            return around_joints(nodes,
+                                 [&] { pass_joints(joints, scratch, bodies, joint_step, nodes); });
+        ContactSolver all = serial;
+        for (size_t load = 0; load <= JointScratch::tuned; ++load) {
+            for (int i = 0; i < sweeps_of(load, joints); ++i) {
+                around_joints(
+                    nodes, [&] { sweep_joints(joints, load, scratch, bodies, joint_step, nodes); });
+                if (load < loaded.size()) (all.*contacts)(loaded[load].of(nodes));
+            }
+        }
+    }
+    void solve_biased(uint32_t section, const StripNodes& nodes) const {
+        pass_joints_of(nodes, &JointKind::solve, &ContactSolver::solve_biased);
         serial_of(nodes).solve_biased();
         step.pass(step.kernels.solve_biased, section, wide);
     }
     void relax(uint32_t section, const StripNodes& nodes) const {
-        around_joints(nodes, [&] {
-            pass_joints(&JointKind::relax, step.input.joints, step.bodies.solver_bodies, joint_step,
-                        nodes);
-        });
+        pass_joints_of(nodes, &JointKind::relax, &ContactSolver::relax);
         serial_of(nodes).relax();
         step.pass(step.kernels.relax, section, wide);
     }

@@ -13,7 +13,9 @@
 #include <state/member_list.h>
 #include <state/step_notes.h>
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace fettle::physics::detail {
@@ -117,6 +119,19 @@ struct SingleContacts {
                    s.notes)
 };
 
+/// The serial contacts of bodies whose joints bear a heavy load.
+struct LoadedContacts {
+    std::vector<uint32_t>
+        serial;  ///< indices in the list of serial contacts, in order of the nodes
+    NodeRanges nodes;
+
+    std::span<const uint32_t> of(const StripNodes& range) const {
+        return std::span(serial).subspan(nodes.begin(range), nodes.end(range) - nodes.begin(range));
+    }
+
+    FETTLE_SCRATCH(LoadedContacts, s.serial, s.nodes)
+};
+
 /// The acting contacts: those in lanes, and the serial contacts, which are solved one at a time.
 struct ContactScratch {
     std::vector<ActingContact> acting;
@@ -129,9 +144,10 @@ struct ContactScratch {
     std::vector<std::vector<ContactHitEvent>> hits;  ///< by piece
     SingleContacts serial;
     SingleContacts passing;  ///< contacts in lanes that may pass an impact on
+    std::array<LoadedContacts, JointScratch::loads> loaded;  ///< by load; the first one is empty
 
     FETTLE_SCRATCH(ContactScratch, s.acting, s.acting_pieces, s.colored_count, s.lane_contacts,
-                   s.spare_lanes, s.news, s.reported, s.hits, s.serial, s.passing)
+                   s.spare_lanes, s.news, s.reported, s.hits, s.serial, s.passing, s.loaded)
 };
 
 /// Groups of constraints that are solved together, and their order.
