@@ -84,6 +84,7 @@ PhysicsModule::PhysicsModule() = default;
 
 PhysicsModule::~PhysicsModule() {
     if (!hosting_ || hosting_->tree_life.expired()) return;
+    hosting_->require_idle();
     property::Tree& tree = hosting_->tree;
     tree.remove_part(*this);
     for (const char* name : class_names) property::end_class(tree, tree.class_named(name));
@@ -104,9 +105,11 @@ void PhysicsModule::attach(property::Tree& tree) {
     tree.create(*hosting_->classes.world, tree.root(), world_name);
 }
 
-/// Throws if the module is used before it was attached.
+/// Throws if the module is used before it was attached, or after the end of its tree.
 Hosting& PhysicsModule::hosting() const {
     if (!hosting_) throw std::logic_error("physics is attached to no tree: call attach first");
+    if (hosting_->tree_life.expired())
+        throw std::logic_error("the tree that physics was attached to was destroyed");
     return *hosting_;
 }
 
@@ -116,7 +119,7 @@ void PhysicsModule::on_problem(std::function<void(const std::string&)> tell) {
 
 void PhysicsModule::step(double dt) {
     if (!(dt >= 0) || dt > std::numeric_limits<float>::max())
-        throw std::invalid_argument("PhysicsModule::step: dt = " + std::to_string(dt) +
+        throw std::invalid_argument("PhysicsModule::step: dt = " + property::number_text(dt) +
                                     ": expected a time in seconds, at least 0");
     const Hosting::Doing step(hosting());
     if (dt > 0) hosting().last_dt = dt;

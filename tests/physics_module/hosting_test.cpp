@@ -1,10 +1,12 @@
 // A hosted world and a world of the bare library make the same steps with the same bits.
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "catch.h"
 #include "game.h"
+#include "last_words.h"
 
 namespace hosting_test {
 
@@ -167,6 +169,58 @@ TEST_CASE("a physics module that was never attached reports this") {
     REQUIRE_FALSE(module.handle(fettle::physics::Shape()));
     module.attach(tree);
     module.step(0.1);
+}
+
+TEST_CASE("a physics module whose tree has ended reports this") {
+    fettle::physics_module::PhysicsModule module;
+    std::optional<property::Tree> tree(std::in_place);
+    module.attach(*tree);
+    const property::Handle world = tree->child(tree->root(), "world");
+    property::Tree another;
+    tree.reset();
+    const auto says_so = [](const auto& call) {
+        REQUIRE_THROWS_WITH(call(),
+                            contains("the tree that physics was attached to was destroyed"));
+    };
+    says_so([&] { module.step(0.1); });
+    says_so([&] { module.report(another); });
+    says_so([&] { module.hash(); });
+    says_so([&] { module.world(world); });
+    says_so([&] { module.body(world); });
+    says_so([&] { module.shape(world); });
+    says_so([&] { module.on_problem({}); });
+    CHECK_THROWS_WITH(module.attach(another), contains("attached to a tree already"));
+}
+
+TEST_CASE("the length of a step that is refused is told with few digits") {
+    Game game;
+    CHECK_THROWS_WITH(game.physics.step(1e300),
+                      contains("dt = 1e+300:") || contains("dt = 1e300:"));
+    CHECK_THROWS_WITH(game.physics.step(-0.5), contains("dt = -0.5:"));
+}
+
+TEST_CASE(
+    "physics that is destroyed in the middle of a step or a query ends the program with words") {
+    const bool in_step = GENERATE(true, false);
+    const std::string words = last_words([&] {
+        property::Tree tree;
+        auto physics = std::make_unique<physics_module::PhysicsModule>();
+        physics->attach(tree);
+        const Handle world = tree.child(tree.root(), "world");
+        for (const Vec2 at : {Vec2(0, 0), Vec2(0, 0.5)}) {
+            const Handle body = tree.create(tree.class_named("Body"), world);
+            tree.set(body, "position", at);
+            tree.create(tree.class_named("Circle"), body);
+        }
+        if (in_step) {
+            physics->world(world).set_before_solve([&](physics::ContactEdit&) { physics.reset(); });
+            physics->step(1.0 / 60);
+        } else {
+            (void)physics->world(world).query_point(
+                {0, 0}, {.accept = [&](const physics::Shape&) { return physics.reset(), true; }});
+        }
+    });
+    CHECK_THAT(words, contains("which must not do so (see physics_module.h)"));
 }
 
 TEST_CASE("physics that ends before its tree takes its instances with it") {

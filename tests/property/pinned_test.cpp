@@ -1,7 +1,3 @@
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,6 +8,7 @@
 
 #include "catch.h"
 #include "fixture.h"
+#include "last_words.h"
 
 namespace pinned_test {
 
@@ -19,37 +16,8 @@ namespace pinned_test {
 // a message that names the function.
 
 using namespace fettle::property;
-using fettle::property::testing::message_of;
 
 namespace {
-
-/// The error output of a process in which `act` ends the program.
-std::string last_words(const std::function<void()>& act) {
-    int ends[2];
-    REQUIRE(pipe(ends) == 0);
-    const pid_t child = fork();
-    if (child == 0) {
-        static int out;
-        out = ends[1];
-        std::set_terminate([] {
-            const std::string words = message_of([] { throw; });
-            (void)!write(out, words.data(), words.size());
-            _exit(9);
-        });
-        act();
-        _exit(0);
-    }
-    close(ends[1]);
-    std::string words(1000, '\0');
-    const ssize_t size = read(ends[0], words.data(), words.size());
-    close(ends[0]);
-    int status = 0;
-    waitpid(child, &status, 0);
-    CHECK(WIFEXITED(status));
-    CHECK(WEXITSTATUS(status) == 9);
-    words.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
-    return words;
-}
 
 std::unique_ptr<Tree> tree;
 

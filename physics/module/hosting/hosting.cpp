@@ -1,5 +1,7 @@
 #include <hosting/hosting.h>
 
+#include <algorithm>
+
 namespace fettle::physics_module {
 namespace {
 
@@ -60,6 +62,14 @@ void Hosting::refresh(std::uint64_t what) {
     if (number >= max_worlds || worlds_[number] == nullptr) return;
     worlds_[number]->world.refresh({.of = static_cast<physics::Refresh::Of>(what >> 32 & 0xff),
                                     .slot = static_cast<std::uint32_t>(what)});
+}
+
+void Hosting::require_idle() const {
+    const auto calls = [](const auto& hosted) { return hosted && hosted->world.locked(); };
+    if (doing_ > 0 || std::ranges::any_of(worlds_, calls))
+        throw property::Error(property::ErrorKind::bad_structure,
+                              "physics is destroyed by a function that a step or a query of a "
+                              "world is calling, which must not do so (see physics_module.h)");
 }
 
 }  // namespace fettle::physics_module

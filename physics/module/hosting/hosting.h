@@ -228,6 +228,9 @@ class Hosting {
         physics::Owner::Acting acting_;
     };
 
+    /// Throws in a function that a step or a query calls.
+    void require_idle() const;
+
     // --- Looks (looks.cpp)
     property::Color fill_of(Row shape);
     property::Color border_of(Row shape);

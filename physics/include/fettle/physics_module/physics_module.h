@@ -18,12 +18,12 @@ namespace fettle::physics_module {
 class FETTLE_PHYSICS_MODULE_PRIVATE Hosting;
 
 /// Registers the classes World, Body, Shape, Joint and Field and all classes that derive from them,
-/// creates `game.world`, and steps every world below the root. Before `attach`, methods that need a
-/// tree throw std::logic_error; after the tree is destroyed, only the destructor may be called. The
-/// destructor of a module that ends before the tree deletes its instances, with everything below
-/// them; its classes can have no others then. It must not run inside a function that the tree or
-/// the physics calls, such as a handler or `before_solve`: it cannot refuse, so the program ends
-/// (std::terminate).
+/// creates `game.world`, and steps every world below the root. Before `attach`, and after the tree
+/// is destroyed, methods that need a tree throw std::logic_error. The destructor of a module that
+/// ends before the tree deletes its instances, with everything below them; its classes can have no
+/// others then. Where instances cannot be deleted (in a formula or a lifecycle function, for
+/// example), and in a function that a step or a query of a world calls, it cannot refuse, so the
+/// program ends (std::terminate).
 class PhysicsModule : public module::Module {
   public:
     PhysicsModule();  ///< without a tree: `attach`
