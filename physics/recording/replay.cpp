@@ -3,6 +3,7 @@
 #include <saving/seal.h>
 #include <world/world_data.h>
 
+#include <stdexcept>
 #include <utility>
 
 namespace fettle::physics {
@@ -161,16 +162,22 @@ Replay::~Replay() = default;
 Replay::Replay(Replay&& other) noexcept = default;
 Replay& Replay::operator=(Replay&& other) noexcept = default;
 
+/// Throws if it was moved away.
+Replay::Data& Replay::data() const {
+    if (!data_) throw std::invalid_argument("this replay was moved to another one");
+    return *data_;
+}
+
 uint64_t Replay::steps() const {
-    return data_->steps;
+    return data().steps;
 }
 
 const World& Replay::world() const {
-    return data_->world;
+    return data().world;
 }
 
 std::optional<ReplayedStep> Replay::step() {
-    Data& data = *data_;
+    Data& data = this->data();
     if (data.over || data.repeated == data.steps) return {};
     data.over = true;  // if this throws
     WorldData& of_world = *data.world.data_;

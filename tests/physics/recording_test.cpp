@@ -412,4 +412,21 @@ TEST_CASE("shapes of several parts that are made and destroyed in a recording ar
     CHECK(replayed(bytes, world.hash()) == uint64_t(3 + between));
 }
 
+TEST_CASE("a replay that was moved away refuses every call until it is assigned to") {
+    Bytes bytes;
+    World world;
+    world.start_recording(into(bytes));
+    world.step(frame);
+    world.stop_recording();
+    Replay from(bytes);
+    Replay to = std::move(from);
+    const auto moved = contains("was moved to another one");
+    CHECK_THROWS_WITH(from.steps(), moved);
+    CHECK_THROWS_WITH(from.world(), moved);
+    CHECK_THROWS_WITH(from.step(), moved);
+    from = std::move(to);
+    CHECK(from.steps() == 1);
+    CHECK(from.step()->same);
+}
+
 }  // namespace recording_test

@@ -52,6 +52,7 @@ class Replay {
     /// given to the sink.
     explicit Replay(std::span<const std::byte> recording);
     ~Replay();
+    /// `other` can be assigned to and destroyed then; its functions throw std::invalid_argument.
     Replay(Replay&& other) noexcept;
     Replay& operator=(Replay&& other) noexcept;  ///< the earlier replay ends
 
@@ -66,6 +67,8 @@ class Replay {
 
   private:
     struct Data;
+    Data& data() const;
+
     std::unique_ptr<Data> data_;
 };
 
