@@ -56,7 +56,8 @@ class Witness {
 
 /// **Lifetimes.** Tree and services outlive the loop; layers and the witness outlive the loop that
 /// they were given to. A runtime may be destroyed before the loop: then `stopped` is true, and
-/// `frame` and `turn` throw Error(deleted).
+/// `frame` and `turn` throw Error(deleted). Functions that the loop calls must not destroy it; this
+/// is not checked.
 ///
 /// `frame` and `turn` throw, before they change anything, Error(out_of_range) for an unusable clock
 /// (`Clock::require_usable`), and Error(bad_structure) in the middle of a step. They pass on
@@ -93,8 +94,8 @@ class Loop {
     void feed(const InputEvent& event, bool taken);
     /// Sets the witness, which is not owned; null: none.
     void witness(Witness* witness) { witness_ = witness; }
-    /// A frame, `seconds` of real time after the last one (Error(out_of_range) unless it is a
-    /// number, at least 0). Makes the steps that are due, at most `time.max_steps`; none once this
+    /// A frame, `seconds` of real time after the last one (below 0 counts as 0; Error(out_of_range)
+    /// unless it is finite). Makes the steps that are due, at most `time.max_steps`; none once this
     /// run has made `step_limit` steps.
     void frame(double seconds, std::int64_t step_limit = INT64_MAX);
     /// A frame of a headless run: one step, unless paused; real time has no effect.
