@@ -138,6 +138,7 @@ const std::vector<DividedPart>& divided_parts() {
              {"saves", {"files", "database"}},
              {"kept", {"json", "values", "scenes"}},
              {"tweaks", {"json", "files", "database", "values", "scenes", "kept"}},
+             {"keeping", {"values", "scenes", "kept", "tweaks"}},
          }},
         {"script",
          "framework/script/",

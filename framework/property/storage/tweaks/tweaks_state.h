@@ -142,7 +142,7 @@ struct Tweaks::State : EditObserver {
     /// not changed.
     std::optional<std::filesystem::path> own_file(const std::filesystem::path& named) const;
 
-    // tweaks.cpp, keep.cpp: operations on tweaks
+    // open_rows.cpp, keeping/: operations on tweaks
     std::vector<JournalRow*> matching(std::string_view pattern, bool earlier_only);
     TweakReport keep(std::string_view pattern);
     TweakReport reapply(std::string_view pattern);

@@ -1,4 +1,4 @@
-#include <tweaks/row_paths.h>
+#include <keeping/row_paths.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <tweaks/row_stages.h>
+#include <keeping/row_stages.h>
 
 #include <algorithm>
 #include <utility>

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include <keeping/row_report.h>
+#include <keeping/row_stages.h>
 #include <scenes/scene_edit.h>
-#include <tweaks/row_report.h>
-#include <tweaks/row_stages.h>
 
 namespace fettle::property {
 

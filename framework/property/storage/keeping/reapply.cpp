@@ -4,10 +4,10 @@
 #include <map>
 #include <memory>
 
+#include <keeping/row_paths.h>
+#include <keeping/scene_keeping.h>
 #include <scenes/scene_load.h>
 #include <scenes/scene_names.h>
-#include <tweaks/row_paths.h>
-#include <tweaks/scene_keeping.h>
 #include <tweaks/tweaks_state.h>
 #include <values/scene_value.h>
 

@@ -1,4 +1,4 @@
-#include <tweaks/scene_keeping.h>
+#include <keeping/scene_keeping.h>
 
 #include <algorithm>
 

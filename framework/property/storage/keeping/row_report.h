@@ -8,8 +8,8 @@
 
 #include <fettle/property/storage/tweaks.h>
 
-#include <tweaks/row_paths.h>
-#include <tweaks/row_stages.h>
+#include <keeping/row_paths.h>
+#include <keeping/row_stages.h>
 
 namespace fettle::property {
 

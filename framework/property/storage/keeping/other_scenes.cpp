@@ -1,7 +1,7 @@
-#include <tweaks/other_scenes.h>
+#include <keeping/other_scenes.h>
 
+#include <keeping/scene_keeping.h>
 #include <scenes/scene_names.h>
-#include <tweaks/scene_keeping.h>
 
 namespace fettle::property {
 

@@ -1,0 +1,71 @@
+// Finding, marking and dropping open tweaks.
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <tweaks/tweaks_state.h>
+
+namespace fettle::property {
+
+using RowState = JournalRow::State;
+
+std::vector<JournalRow*> Tweaks::State::matching(std::string_view text, bool earlier_only) {
+    const TweakPattern pattern(text);
+    std::vector<JournalRow*> rows;
+    for (JournalRow& row : earlier.rows)
+        if (row.state == RowState::open && pattern.matches(row)) rows.push_back(&row);
+    if (earlier_only) return rows;
+    for (const auto& each : entries)
+        if (each->row.state == RowState::open && visible(*each) && pattern.matches(each->row))
+            rows.push_back(&each->row);
+    return rows;
+}
+
+void Tweaks::State::refresh_earlier() {
+    if (!journal) return;
+    journal->refresh(earlier.rows);
+    for (JournalRow& row : earlier.rows)
+        if (row.state == RowState::open && !problem_of(row).empty()) row.state = RowState::dropped;
+}
+
+void Tweaks::State::set_state(JournalRow& row, RowState state) {
+    row.state = state;
+    rest = 0;
+    if (row.run == JournalRow::elsewhere) return;
+    if (row.run != 0) return earlier.changed.push_back(&row);
+    Entry& its = entry_of(row);
+    if (its.dirty) return;
+    its.dirty = true;
+    dirty.push_back(&its);
+}
+
+/// Returns the number of dropped rows. Rows without a valid path match only the pattern "**".
+std::size_t Tweaks::State::drop_left_aside(std::string_view text) {
+    const TweakPattern pattern(text);
+    return std::erase_if(earlier.left_aside, [&](JournalRow& row) {
+        try {
+            if (text != "**" && !pattern.matches(row)) return false;
+        } catch (const Error&) {
+            return false;
+        }
+        rest = 0;
+        if (row.run != JournalRow::elsewhere) earlier.removed.push_back(std::move(row));
+        return true;
+    });
+}
+
+TweakReport Tweaks::State::drop(std::string_view pattern) {
+    TweakReport report;
+    barrier();
+    refresh_earlier();
+    for (JournalRow* row : matching(pattern, false)) {
+        set_state(*row, RowState::dropped);
+        ++report.count;
+    }
+    report.count += drop_left_aside(pattern);
+    barrier();
+    return report;
+}
+
+}  // namespace fettle::property
