@@ -42,6 +42,7 @@ class Hints {
   private:
     void tell(const std::string& about, const std::string& note);
     std::string meaning(const property::Class& of, std::string_view name) const;
+    // load_hints.cpp: the parts of `game_loaded`
     void check_globals();
     void check_classes();
     void check_replaced();

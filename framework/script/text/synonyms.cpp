@@ -145,11 +145,15 @@ std::vector<std::string_view> property_synonyms(std::string_view name) {
     return look_up(properties(), plain(name));
 }
 
+std::string hint_of(std::string_view meant) {
+    return " (did you mean " + std::string(meant) + "?)";
+}
+
 std::string hint_at(const std::vector<std::string_view>& meant, std::string_view name,
                     const std::vector<std::string>& known) {
     for (const std::string_view way : meant)
         if (const auto written = way.substr(0, way.find(' ')); among(known, written))
-            return " (did you mean \"" + std::string(written) + "\"?)";
+            return hint_of("\"" + std::string(written) + "\"");
     return property::suggestion(name, known);
 }
 
