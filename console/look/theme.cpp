@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <fettle/property/text_hash.h>
+
 #include <look/extra_glyphs.h>
 #include <look/imgui_compat.h>
 #include <text/utf8.h>
@@ -132,8 +134,7 @@ ImU32 line_color(LineKind kind) {
 // Hues that differ by the golden angle are far apart for any number of classes. The hash selects
 // the index.
 ImU32 class_color(std::string_view class_name) {
-    std::uint32_t hash = 2166136261u;  // FNV-1a
-    for (char c : class_name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    std::uint32_t hash = property::text_hash(class_name);
     hash ^= hash >> 15;
     float hue = std::fmod(static_cast<float>(hash % 997) * 0.61803399f, 1.0f);
     float r = 0, g = 0, b = 0;

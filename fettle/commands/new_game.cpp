@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fettle/property/spelling.h>
+#include <fettle/property/text_hash.h>
 #include <fettle/script/reference.h>
 
 #include <command_line/exit_status.h>
@@ -63,12 +64,10 @@ std::string template_problem(const std::string& name) {
            property::suggestion(name, names);
 }
 
-/// FNV-1a; the same on every machine.
 std::string short_hash(const std::string& text) {
-    std::uint32_t hash = 2166136261u;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
     std::array<char, 9> digits{};
-    std::snprintf(digits.data(), digits.size(), "%08x", static_cast<unsigned>(hash));
+    std::snprintf(digits.data(), digits.size(), "%08x",
+                  static_cast<unsigned>(property::text_hash(text)));
     return digits.data();
 }
 

@@ -8,19 +8,13 @@
 #include <cstdlib>
 
 #include <fettle/property/storage/tweaks.h>
+#include <fettle/property/text_hash.h>
 
 namespace fettle::property {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// FNV-1a. The hash separates the folders of games with the same name.
-std::uint32_t hash_of(const std::string& text) {
-    std::uint32_t hash = 2166136261u;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
-    return hash;
-}
 
 fs::path user_data() {
     const char* data = std::getenv("XDG_DATA_HOME");
@@ -60,9 +54,9 @@ fs::path user_folder(const fs::path& game) {
     std::string readable;
     for (const char c : game_title(game))
         readable += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
-    char hash[9];
+    char hash[9];  // separates the folders of games with the same name
     std::snprintf(hash, sizeof hash, "%08x",
-                  hash_of((game_folder(game) / game_name(game)).string()));
+                  text_hash((game_folder(game) / game_name(game)).string()));
     return data / (readable + "-" + hash);
 }
 
