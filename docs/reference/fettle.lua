@@ -234,22 +234,24 @@ function fettle_Pen.radial(center, radius, colors) end
 ---@param action fun(pen: Pen)
 function fettle_Pen.screen(action) end
 
----A text, half a meter high unless a height is given, and 16 pixels inside pen.screen; the position is the middle of its height. It may have several lines, each aligned by itself, in the middle unless another alignment is given, and tabs: a line goes on at the next multiple of twice the height that leaves room for a space. Fonts are sans, bold, mono and font files of the game.
+---A text, half a meter high unless a height is given, and 16 pixels inside pen.screen; the position is the middle of its height. It may have several lines, each aligned by itself, in the middle unless another alignment is given, and tabs: a line goes on at the next multiple of twice the height that leaves room for a space. Fonts are sans, bold, mono and font files of the game. A line that would be wider than wrap goes on in the next line, at a space.
 ---@param position vec
 ---@param text any
 ---@param height? number
 ---@param fill? color|string
 ---@param align? "middle"|"left"|"right"
 ---@param font? string
-function fettle_Pen.text(position, text, height, fill, align, font) end
+---@param wrap? number
+function fettle_Pen.text(position, text, height, fill, align, font, wrap) end
 
 ---Returns the width and the height of a text.
 ---@param text any
 ---@param height? number
 ---@param font? string
+---@param wrap? number
 ---@return number
 ---@return number
-function fettle_Pen.text_size(text, height, font) end
+function fettle_Pen.text_size(text, height, font, wrap) end
 
 ---A class: Body { ... } makes an instance. Its members can be read, but not changed.
 ---@class Class

@@ -71,7 +71,8 @@ class GameMedia : public property::Media {
   private:
     Layout layout_of(std::string_view text, const property::TextStyle& style) {
         const auto user = [] { return std::string("pen.text"); };
-        return Layout::of(text, fonts_.get(user, style.font), align_of(style.align), 0);
+        return Layout::of(text, fonts_.get(user, style.font), align_of(style.align),
+                          style.size > 0 ? style.wrap / style.size : 0);
     }
 
     Images& images_;

@@ -129,28 +129,17 @@ local function draw_meter(screen, x, y, share, paint)
     if share > 0 then screen.box(vec(x + 60 * share, y), 120 * share, 8, paint) end
 end
 
--- The phrases in as few lines as fit into the width.
-local function lines_of(pen, phrases, height, width)
-    local lines = {}
-    for _, phrase in ipairs(phrases) do
-        local longer = #lines > 0 and lines[#lines] .. "    " .. phrase
-        if longer and pen.text_size(longer, height) <= width then lines[#lines] = longer else lines[#lines + 1] = phrase end
-    end
-    return lines
-end
-
-local help = { "arrow keys: drive, and lean in the air", "R: upright", "J: joints", "P: pause", "H: no help" }
+local help = "arrow keys: drive, and lean in the air    R: upright    J: joints    P: pause    H: no help"
 
 -- Beside the meter, or at the lower edge of a narrow window.
 local function draw_help(screen)
     local room = view.screen.x - 272
     local is_narrow = room < 280
-    local lines = lines_of(screen, help, 14, is_narrow and view.screen.x - 48 or room)
-    local top = is_narrow and view.screen.y - 20 * #lines - 4 or 30
-    if is_narrow then screen.box(vec(view.screen.x / 2, top + 10 * #lines - 10), view.screen.x - 32, 20 * #lines + 12, panel, edge, 1) end
-    for i, line in ipairs(lines) do
-        screen.text(vec(is_narrow and 24 or view.screen.x - 24, top + 20 * (i - 1)), line, 14, dim, is_narrow and "left" or "right")
-    end
+    local width = is_narrow and view.screen.x - 48 or room
+    local _, height = screen.text_size(help, 14, nil, width)
+    local middle = is_narrow and view.screen.y - height / 2 - 18 or 20 + height / 2
+    if is_narrow then screen.box(vec(view.screen.x / 2, middle), view.screen.x - 32, height + 16, panel, edge, 1) end
+    screen.text(vec(is_narrow and 24 or view.screen.x - 24, middle), help, 14, dim, is_narrow and "left" or "right", nil, width)
 end
 
 function draw(pen)

@@ -140,17 +140,7 @@ local function draw_hero(pen)
     pen.circle(at + vec(0.14 * look, tall - 0.4), 0.045, dark)
 end
 
--- The phrases in as few lines as fit into the width.
-local function lines_of(pen, phrases, height, width)
-    local lines = {}
-    for _, phrase in ipairs(phrases) do
-        local longer = #lines > 0 and lines[#lines] .. "    " .. phrase
-        if longer and pen.text_size(longer, height) <= width then lines[#lines] = longer else lines[#lines + 1] = phrase end
-    end
-    return lines
-end
-
-local help = { "arrow keys: walk, crouch, climb", "space: jump", "down and space: drop" }
+local help = "arrow keys: walk, crouch, climb    space: jump    down and space: drop"
 
 function draw(pen)
     for _, gem in ipairs(world:children(Gem)) do
@@ -163,7 +153,8 @@ function draw(pen)
     pen.screen(function()
         local done = quarry.found == 7
         pen.text(vec(24, 30), done and "All seven gems" or quarry.found .. " of 7 gems", 22, dark, "left")
-        local lines = lines_of(pen, help, 14, view.screen.x - 48)
-        for i, line in ipairs(lines) do pen.text(vec(24, 36 + 20 * i), line, 14, dark, "left") end
+        local width = view.screen.x - 48
+        local _, height = pen.text_size(help, 14, nil, width)
+        pen.text(vec(24, 48 + height / 2), help, 14, dark, "left", nil, width)
     end)
 end

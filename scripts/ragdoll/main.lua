@@ -149,27 +149,16 @@ local rows = {
     { "G  P  J", "gravity, pause, joints" },
 }
 
--- The phrases in as few lines as fit into the width.
-local function lines_of(pen, phrases, height, width)
-    local lines = {}
-    for _, phrase in ipairs(phrases) do
-        local longer = #lines > 0 and lines[#lines] .. "    " .. phrase
-        if longer and pen.text_size(longer, height) <= width then lines[#lines] = longer else lines[#lines + 1] = phrase end
-    end
-    return lines
-end
-
 -- At the upper right, or at the lower edge of a narrow window.
 local function draw_figures(screen)
-    local figures = { #dolls .. " dolls", world.step.bodies .. " bodies", world.step.joints .. " joints",
-        string.format("%.2f ms a step", world.step.total_ms) }
-    if ragdoll.tears then figures[5] = "tearing" end
+    local figures = string.format("%d dolls    %d bodies    %d joints    %.2f ms a step", #dolls, world.step.bodies, world.step.joints,
+        world.step.total_ms)
+    if ragdoll.tears then figures = figures .. "    tearing" end
     local is_narrow = view.screen.x < 740
-    local lines = lines_of(screen, figures, 14, view.screen.x - (is_narrow and 48 or 320))
-    local top = is_narrow and view.screen.y - 20 * #lines or 28
-    for i, line in ipairs(lines) do
-        screen.text(vec(view.screen.x - 24, top + 20 * (i - 1)), line, 14, dim, "right")
-    end
+    local width = view.screen.x - (is_narrow and 48 or 320)
+    local _, height = screen.text_size(figures, 14, nil, width)
+    local middle = is_narrow and view.screen.y - 10 - height / 2 or 18 + height / 2
+    screen.text(vec(view.screen.x - 24, middle), figures, 14, dim, "right", nil, width)
 end
 
 function draw(pen)

@@ -69,22 +69,15 @@ local function draw_wave(pen, left, width, middle, height)
     end
 end
 
--- The phrases in as few lines as fit into the width.
-local function lines_of(pen, phrases, height, width)
-    local lines = {}
-    for _, phrase in ipairs(phrases) do
-        local longer = #lines > 0 and lines[#lines] .. "    " .. phrase
-        if longer and pen.text_size(longer, height) <= width then lines[#lines] = longer else lines[#lines + 1] = phrase end
-    end
-    return lines
-end
+local help = "1-6 play    M mutate    R reset    Space again    S siren    P pause    up, down volume"
 
-local help = { "1-6 play", "M mutate", "R reset", "Space again", "S siren", "P pause", "up, down volume" }
-
-local function draw_lines(screen, phrases, height, left, top)
-    local lines = lines_of(screen, phrases, height, view.screen.x - 2 * left)
-    for i, line in ipairs(lines) do screen.text(vec(left, top + 22 * (i - 1)), line, height, dim, "left") end
-    return top + 22 * #lines
+-- Returns the lower edge of the text. Single spaces do not end a line: a key stays beside what it does.
+local function draw_text(screen, text, size, left, top)
+    text = text:gsub("(%g) (%g)", "%1\u{A0}%2")
+    local width = view.screen.x - 2 * left
+    local _, height = screen.text_size(text, size, nil, width)
+    screen.text(vec(left, top + height / 2), text, size, dim, "left", nil, width)
+    return top + height
 end
 
 function draw(pen)
@@ -92,7 +85,7 @@ function draw(pen)
         local left, first = view.screen.x < 600 and 24 or 40, view.screen.y < 400 and 28 or 44
         local width = view.screen.x - 2 * left
         screen.text(vec(left, first), "Sounds", 26, ink, "left")
-        local top = draw_lines(screen, help, 14, left, first + 30) + 16
+        local top = draw_text(screen, help, 14, left, first + 20) + 24
         local in_row = math.max(1, math.min(#names, width // 115))
         local column = math.min(140, width / in_row)
         for i, name in ipairs(names) do
@@ -103,7 +96,8 @@ function draw(pen)
         -- A wave may be somewhat higher than 1.
         local height = math.max(10, math.min(75, (view.screen.y - top - 70) / 2.8))
         draw_wave(screen, left, width, top + 1.4 * height, height)
-        draw_lines(screen, { string.format("%.2f s", synth().duration), string.format("%.0f Hz", synth().frequency), synth().wave,
-            #audio.voices .. " voices", string.format("volume %.1f", audio.volume) }, 15, left, top + 2.8 * height + 24)
+        local figures = string.format("%.2f s    %.0f Hz    %s    %d voices    volume %.1f", synth().duration, synth().frequency,
+            synth().wave, #audio.voices, audio.volume)
+        draw_text(screen, figures, 15, left, top + 2.8 * height + 14)
     end)
 end

@@ -18,13 +18,20 @@ TEST_CASE("the texts of games fit into small windows and do not cover each other
         local pen = {}
         setmetatable(pen, { __index = function() return function() end end })
         function pen.screen(action) on_screen = true action(pen) on_screen = false end
-        function pen.text_size(text, height) return #text * height / 2, height end
-        function pen.text(at, text, height, fill, align)
+        function pen.text_size(text, size, font, wrap)
+            local width, widest, lines = 0, 0, 1
+            for word, space in text:gmatch('(%S+)(%s*)') do
+                if wrap and width > 0 and width + #word * size / 2 > wrap then width, lines = 0, lines + 1 end
+                widest = math.max(widest, width + #word * size / 2)
+                width = width + #(word .. space) * size / 2
+            end
+            return widest, lines * size
+        end
+        function pen.text(at, text, size, fill, align, font, wrap)
             if not on_screen then return end
-            height = height or 16
-            local wide = pen.text_size(text, height)
+            local wide, high = pen.text_size(text, size or 16, font, wrap)
             local left = align == "left" and at.x or align == "right" and at.x - wide or at.x - wide / 2
-            local one = { left, at.y - height / 2, left + wide, at.y + height / 2, text }
+            local one = { left, at.y - high / 2, left + wide, at.y + high / 2, text }
             if one[1] < 0 or one[2] < 0 or one[3] > view.screen.x or one[4] > view.screen.y then
                 print("cut: " .. text)
             end

@@ -54,11 +54,15 @@ struct CutImage : fettle::property::Media {
     }
     void load_font(const User&, const std::string&) override {}
     bool smooth() const override { return true; }
-    stage::Vec2 text_size(std::string_view, const fettle::property::TextStyle&) override {
+    std::vector<double> wraps;
+    stage::Vec2 text_size(std::string_view, const fettle::property::TextStyle& style) override {
+        wraps.push_back(style.wrap);
         return {0, 0};
     }
     void text(fettle::property::Painter&, const stage::Vec2&, std::string_view,
-              const fettle::property::TextStyle&) override {}
+              const fettle::property::TextStyle& style) override {
+        wraps.push_back(style.wrap);
+    }
 };
 
 /// Remembers the boxes of pictures.
@@ -97,6 +101,31 @@ end
     CHECK_FALSE(s.runtime->draw(boxes));
     CHECK_THAT(s.errors.back().message,
                contains("a frame has no \"fraem\" (did you mean \"frame\"?)"));
+}
+
+TEST_CASE("a text of the pen may have a greatest width of its lines") {
+    CutImage fonts;
+    fettle::script::Options options = stage::unhurried();
+    options.media = &fonts;
+    Stage s(options);
+    Recorder recorder;
+    s.run(R"lua(
+function draw(pen)
+    pen.text(vec(0, 0), "a b", 1, "white", "left", nil, 3)
+    pen.text(vec(0, 0), "a b")
+    pen.text_size("a b", 1, "sans", 4)
+    pen.text_size("a b")
+end
+)lua");
+    REQUIRE(s.runtime->draw(recorder));
+    CHECK(fonts.wraps == std::vector<double>{3, 0, 4, 0});
+    for (const char* call : {"pen.text(vec(0, 0), 'a', 1, 'white', 'left', 'sans', -1)",
+                             "pen.text_size('a', 1, 'sans', 'wide')"}) {
+        INFO(call);
+        s.run("function draw(pen) " + std::string(call) + " end");
+        CHECK_FALSE(s.runtime->draw(recorder));
+        CHECK_THAT(s.errors.back().message, contains("pen.text"));
+    }
 }
 
 TEST_CASE("draw gets a pen that can be used only during the call") {

@@ -126,6 +126,20 @@ TEST_CASE_METHOD(Written, "lines and tabs and wrapping change the measure") {
     CHECK(height() == 0);
 }
 
+TEST_CASE_METHOD(Written,
+                 "a text without an instance is divided into lines as one of an instance") {
+    const double one = width();
+    tree.set(text, "text", Value("Hamburg Hamburg Hamburg"));
+    for (const double wrap : {0.0, 1.0, one + 0.1, 2 * one + 1, 100.0}) {
+        INFO(wrap);
+        tree.set(text, "wrap", Value(wrap));
+        const Vec2 half =
+            visuals.media().text_size("Hamburg Hamburg Hamburg", {.size = 0.5, .wrap = wrap / 2});
+        CHECK(half.x == Approx(width() / 2));
+        CHECK(half.y == Approx(height() / 2));
+    }
+}
+
 TEST_CASE_METHOD(Written, "align and anchor place the lines") {
     tree.set(text, "text", Value("Hamburg\nH"));
     tree.set(text, "anchor", Value(Vec2(0, 1)));

@@ -5,14 +5,14 @@
 //   pen.polygon(vertices [, fill [, border [, width]]])
 //   pen.line(from, to [, color [, width]])
 //   pen.point(position [, color [, size]])
-//   pen.text(position, text [, height [, color [, "middle" | "left" | "right" [, font]]]])
+//   pen.text(position, text [, height [, color [, "middle" | "left" | "right" [, font [, wrap]]]]])
 //   pen.screen(function)
 //   pen.push([position [, angle [, scale]]])   pen.pop()
 //   pen.fade(opacity)   pen.blend(mode)   pen.clip(lower, upper)      until pen.pop(), or the end
 //   pen.linear(from, to, colors)   pen.radial(center, radius, colors)     likewise, for fills
 //   pen.image(file, center [, width [, height [, angle [, tint [, smooth]]]]])
 //     the file is a name, or for a frame of it { name [, columns = n] [, rows = n] [, frame = n] }
-//   pen.text_size(text [, height [, font]]) -> width, height
+//   pen.text_size(text [, height [, font [, wrap]]]) -> width, height
 // Colors are values or names; false draws no fill, no border. Without a fill a figure is white
 // unless it has a border.
 
@@ -211,6 +211,11 @@ std::string font_at(lua_State* L, int index, const char* what) {
                 std::string(what) + ": expected a font, got " + short_text(L, index));
 }
 
+/// The greatest width of a line; 0 without an argument: no limit.
+double wrap_at(lua_State* L, int index, const char* what) {
+    return lua_isnoneornil(L, index) ? 0 : length_at(L, index, what, "wrap");
+}
+
 int text(lua_State* L) {
     drop_self(L);
     if (lua_gettop(L) < 2)
@@ -220,17 +225,18 @@ int text(lua_State* L) {
         lua_remove(L, 1);
         lua_insert(L, 2);
     }
-    lua_settop(L, 6);
+    lua_settop(L, 7);
     const Vec2 position = point_at(L, 1, "pen.text");
     const double height =
         lua_isnil(L, 3) ? on_screen(L) ? 16 : 0.5 : length_at(L, 3, "pen.text", "height");
     const Color color = color_or(L, 4, "pen.text", {1, 1, 1, 1});
     const auto align = align_at(L, 5);
     const std::string font = font_at(L, 6, "pen.text");
+    const double wrap = wrap_at(L, 7, "pen.text");
     push_tostring(L, 2);
     if (property::Media* const media = machine_of(L).options.media)
         media->text(painter(L), position, view_at(L, -1),
-                    {.font = font, .size = height, .color = color, .align = align});
+                    {.font = font, .size = height, .color = color, .align = align, .wrap = wrap});
     else
         painter(L).text(position, view_at(L, -1), height, color, align);
     return 0;
@@ -239,13 +245,14 @@ int text(lua_State* L) {
 int text_size(lua_State* L) {
     drop_self(L);
     if (lua_gettop(L) < 1) throw Error(ErrorKind::wrong_type, "pen.text_size: needs a text");
-    lua_settop(L, 3);
+    lua_settop(L, 4);
     const double height =
         lua_isnil(L, 2) ? on_screen(L) ? 16 : 0.5 : length_at(L, 2, "pen.text_size", "height");
     const std::string font = font_at(L, 3, "pen.text_size");
+    const double wrap = wrap_at(L, 4, "pen.text_size");
     push_tostring(L, 1);
-    const Vec2 size =
-        media(L, "pen.text_size").text_size(view_at(L, -1), {.font = font, .size = height});
+    const Vec2 size = media(L, "pen.text_size")
+                          .text_size(view_at(L, -1), {.font = font, .size = height, .wrap = wrap});
     lua_pushnumber(L, size.x);
     lua_pushnumber(L, size.y);
     return 2;

@@ -270,7 +270,7 @@ TypeDoc pen_type() {
           "What the function draws is measured in pixels from the upper left corner."},
          {"text",
           "text(position: vec, text: any, height?: number, fill?: color|string, align?: "
-          "\"middle\"|\"left\"|\"right\", font?: string)",
+          "\"middle\"|\"left\"|\"right\", font?: string, wrap?: number)",
           "A text, half a meter high unless a height is given, and 16 pixels inside pen.screen; "
           "the "
           "position is the middle of its height. It may have several lines, each aligned by "
@@ -278,8 +278,10 @@ TypeDoc pen_type() {
           "in the middle unless another alignment is given, and tabs: a line goes on at the next "
           "multiple of twice the height that leaves room for a space. Fonts are sans, bold, mono "
           "and "
-          "font files of the game."},
-         {"text_size", "text_size(text: any, height?: number, font?: string): number, number",
+          "font files of the game. A line that would be wider than wrap goes on in the next line, "
+          "at a space."},
+         {"text_size",
+          "text_size(text: any, height?: number, font?: string, wrap?: number): number, number",
           "Returns the width and the height of a text."}}};
     pen.by_dot = true;
     return pen;

@@ -22,6 +22,7 @@ struct TextStyle {
     double size = 0.5;          // in the units of the painter
     Color color{1, 1, 1, 1};
     TextAlign align = TextAlign::middle;
+    double wrap = 0;  // greatest width of a line of several words, in these units; 0: no limit
 };
 
 /// A frame of an image: columns and rows of equal frames, or those of an Aseprite export.
