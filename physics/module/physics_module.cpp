@@ -108,7 +108,7 @@ void PhysicsModule::attach(property::Tree& tree) {
 /// Throws if the module is used before it was attached, or after the end of its tree.
 Hosting& PhysicsModule::hosting() const {
     if (!hosting_) throw std::logic_error("physics is attached to no tree: call attach first");
-    if (hosting_->tree_life.expired())
+    if (hosting_->tree_may_end && hosting_->tree_life.expired())
         throw std::logic_error("the tree that physics was attached to was destroyed");
     return *hosting_;
 }

@@ -243,6 +243,8 @@ class Hosting {
 
     property::Tree& tree;
     const std::weak_ptr<const property::Tree*> tree_life;
+    /// False in a shared object: its tree has no lifetime, and lives longer than the module.
+    const bool tree_may_end = !tree_life.expired();
     Joints joints;
     std::array<ShapeKind, 8> kinds;
 
