@@ -70,7 +70,14 @@ TEST_CASE("a state that is assigned is entered at the next step") {
     CHECK(joined(s.printed) == "leave shut to open|enter open from shut");
     CHECK(s.get("world.door.open_for") == Value(1));
     s.errors.clear();
-    s.run("world.door.current_state = 'wide'");
+    for (const char* const write :
+         {"world.door.current_state = 'wide'", "world.door['current_state'] = 'wide'"})
+        CHECK_THAT(s.fails(write), contains("world.door.current_state: Door has no state \"wide\""));
+    CHECK_THAT(s.console("world.door.current_state = 'opne'"),
+               contains("(did you mean \"open\"?)"));
+    s.errors.clear();
+    // A write that is no script's is an error in the next step.
+    fettle::property::set(*s.tree, "world.door.current_state", Value("wide"));
     s.step(2);
     REQUIRE(s.errors.size() == 1);
     CHECK_THAT(s.errors[0].message, contains("Door has no state \"wide\""));

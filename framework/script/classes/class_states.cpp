@@ -177,6 +177,13 @@ void ScriptClasses::require_state(const Class& of, const std::string& where,
     }
 }
 
+void ScriptClasses::require_known_state(Handle self, const Property& property,
+                                        const Value& value) const {
+    if (!any_states_ || property.name != current_name || !value.is(Type::text)) return;
+    const Class& of = machine_.tree.class_of(self);
+    if (has_states(of)) require_state(of, machine_.tree.path(self, property), value.text());
+}
+
 /// Calls `leave` of the state that was entered, then `enter` of the current one.
 void ScriptClasses::enter_state(lua_State* L, Handle self) {
     property::Tree& tree = machine_.tree;

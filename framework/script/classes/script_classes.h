@@ -61,6 +61,9 @@ class ScriptClasses {
     std::vector<std::string> states_of(const property::Class& of) const;
     /// Leaves the state of the instance and enters the other, at once. Throws for an unknown one.
     void change_state(lua_State* L, property::Handle self, const std::string& name);
+    /// To be called before a script writes a property: throws for an unknown state.
+    void require_known_state(property::Handle self, const property::Property& property,
+                             const property::Value& value) const;
 
     /// Creates a detached instance with the defaults of the scripts' classes.
     property::Handle create(const property::Class& of);

@@ -224,6 +224,7 @@ void write_declared(lua_State* L, Machine& machine, Handle instance, const Prope
     if (is_formula(L, 3)) return define_formula(L, machine, 3, instance, property.name);
     const Value value = to_value(L, 3, [&] { return machine.tree.path(instance, property); });
     machine.classes.explain_integer(property, value);
+    machine.classes.require_known_state(instance, property, value);
     assign_property(machine, instance, property, value);
 }
 
