@@ -82,6 +82,8 @@ TEST_CASE("query takes the words behind it, the name of a class, and tells a mis
     s.run("Ball = class('Ball', Body) {} world.ball = Ball { mass = 2, Circle {} }");
     CHECK_THAT(s.console("query mass > 1"), contains("world.ball"));
     CHECK_THAT(s.console("#_"), contains("1"));
+    CHECK_THAT(s.console("query radius < 1"), contains("radius [m]"));
+    CHECK_THAT(s.console("query radius < 1 and friction > 0"), contains("friction"));
     CHECK_THAT(s.console("query world.*.mass"), contains("world.ball.mass"));
     CHECK_THAT(s.console("query('Body')"), contains("world.ball"));
     CHECK_THAT(s.console("query('world.bal')"),

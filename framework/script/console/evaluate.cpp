@@ -100,7 +100,8 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
                    !help.empty()) {
             for (std::string& line : help) evaluation.lines.push_back(std::move(line));
         } else {
-            for (std::string& line : long_text(L, 1)) evaluation.lines.push_back(std::move(line));
+            for (std::string& line : long_text(L, 1, command))
+                evaluation.lines.push_back(std::move(line));
         }
     } else {
         std::string line;

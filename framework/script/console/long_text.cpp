@@ -11,6 +11,7 @@
 #include <objects/instance_set.h>
 #include <reference/reference_facts.h>
 #include <text/columns.h>
+#include <text/words.h>
 #include <values/description.h>
 #include <values/short_text.h>
 #include <values/values.h>
@@ -60,12 +61,14 @@ std::vector<std::string> instance_lines(const property::Tree& tree, Handle handl
 }
 
 bool worth_a_column(const Property& property) {
-    return !property.hidden && property.type != Type::list && property.type != Type::reference;
+    return !property.hidden && property.type != Type::list && property.type != Type::reference &&
+           property.name != "class";  // has a column of its own
 }
 
-// One row for each instance: its path and the properties that all instances have. Properties with a
-// value other than the default come first.
-std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handle> handles) {
+// One row for each instance: its path, and the properties of all instances that the command names
+// or that have a value other than the default.
+std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handle> handles,
+                                   std::string_view command) {
     std::erase_if(handles, [&](Handle h) { return !tree.alive(h); });
     if (handles.empty()) return {"no instances"};
     std::vector<std::pair<std::string, Handle>> sorted;
@@ -76,7 +79,7 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
     const std::size_t total = sorted.size();
     if (sorted.size() > max_rows) sorted.resize(max_rows);
 
-    std::vector<const Property*> shared;
+    std::vector<const Property*> shared, others;
     for (const Property* property : tree.class_of(sorted.front().second).properties()) {
         if (!worth_a_column(*property)) continue;
         bool everywhere = true, special = false;
@@ -85,9 +88,14 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
             everywhere &= same == property;
             special |= same == property && !property->read_only && tree.overridden(handle, *same);
         }
-        if (everywhere && special) shared.push_back(property);
-        if (shared.size() >= max_columns) break;
+        if (!everywhere) continue;
+        if (mentions(command, property->name))
+            shared.push_back(property);
+        else if (special)
+            others.push_back(property);
     }
+    shared.insert(shared.end(), others.begin(), others.end());
+    if (shared.size() > max_columns) shared.resize(max_columns);
     std::vector<std::vector<std::string>> rows;
     std::vector<std::string> head = {"path", "class"};
     for (const Property* property : shared)
@@ -155,11 +163,11 @@ std::string nothing_found(const property::Tree& tree, const std::string& pattern
     return text;
 }
 
-std::vector<std::string> table_lines(lua_State* L, int index) {
+std::vector<std::string> table_lines(lua_State* L, int index, std::string_view command) {
     Machine& machine = machine_of(L);
     index = lua_absindex(L, index);
     if (const auto handles = only_instances(L, index); !handles.empty())
-        return set_lines(machine.tree, handles);
+        return set_lines(machine.tree, handles, command);
     if (is_set(L, index)) return {nothing_found(machine.tree, machine.recording.nothing)};
     std::string line = short_text(L, index);
     if (shown_width(line) <= 76 && line.find("…") == std::string::npos) return {line};
@@ -233,13 +241,13 @@ std::vector<std::string> description_lines(lua_State* L, int index, const Descri
 
 }  // namespace
 
-std::vector<std::string> long_text(lua_State* L, int index) {
+std::vector<std::string> long_text(lua_State* L, int index, std::string_view command) {
     Machine& machine = machine_of(L);
     if (const auto* box = instance_at(L, index)) {
         if (!machine.tree.alive(box->handle)) return {short_text(L, index)};
         return instance_lines(machine.tree, box->handle);
     }
-    if (lua_type(L, index) == LUA_TTABLE) return table_lines(L, index);
+    if (lua_type(L, index) == LUA_TTABLE) return table_lines(L, index, command);
     if (const DescriptionKind* kind = description_kind(L, index))
         return description_lines(L, index, *kind);
     if (lua_type(L, index) == LUA_TSTRING)

@@ -3,12 +3,15 @@
 // with units.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <lua/lua_api.h>
 
 namespace fettle::script {
 
-std::vector<std::string> long_text(lua_State* L, int index);
+/// `command`: the command whose result it is. A table of instances has columns for the properties
+/// that it names.
+std::vector<std::string> long_text(lua_State* L, int index, std::string_view command);
 
 }  // namespace fettle::script

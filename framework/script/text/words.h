@@ -35,6 +35,17 @@ inline bool holds_word(std::string_view words, std::string_view word) {
     return false;
 }
 
+/// Whether the name is a whole word somewhere in the text.
+inline bool mentions(std::string_view text, std::string_view name) {
+    for (std::size_t at = text.find(name); at != std::string_view::npos;
+         at = text.find(name, at + 1)) {
+        const std::size_t end = at + name.size();
+        if ((at == 0 || !is_word(text[at - 1])) && (end == text.size() || !is_word(text[end])))
+            return true;
+    }
+    return false;
+}
+
 /// The text without blanks at both ends.
 inline std::string_view trimmed(std::string_view text) {
     const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
