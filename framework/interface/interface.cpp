@@ -191,7 +191,7 @@ void Interface::frame(const Vec2& mouse, const Vec2& screen, double seconds) {
     state_->screen = screen;
     state_->framed = true;
     state_->follow_preferences();
-    state_->player.frame(mouse, screen);
+    state_->player.frame(mouse, screen, seconds);
     state_->picture.advance(seconds);
 }
 

@@ -129,6 +129,34 @@ TEST_CASE_METHOD(Menu, "keys and the gamepad go through the menu") {
     CHECK(heard() == "cancelled cancelled");
 }
 
+TEST_CASE_METHOD(Menu, "a direction that a gamepad holds is repeated") {
+    const auto values = [&](int frames) {
+        turn(frames);
+        return get("menu.column.s.value").number();
+    };
+    set("interface.focus", Value(at("menu.column.s")));
+    set("input.gamepad_1.left", Value(Vec2(1, 0)));
+    CHECK(values(1) == 0.5);
+    CHECK(values(20) == 0.5);  // a third of a second
+    const double after = values(60);
+    CHECK(after >= 3);
+    CHECK(after <= 6);
+    set("input.gamepad_1.left", Value(Vec2(0, 0)));
+    const double end = values(1);
+    CHECK(values(60) == end);
+    // From one widget to the next, and not without a menu.
+    heard();
+    set("input.gamepad_1.dpad_up", true);
+    turn();
+    CHECK(focus() == "menu.column.t");
+    turn(28);
+    CHECK(focus() == "menu.column.b");
+    set("menu.modal", Value(false));
+    set("interface.focus", Value());
+    turn(60);
+    CHECK(focus().empty());
+}
+
 TEST_CASE_METHOD(Menu, "disabled and invisible widgets are left out") {
     set("menu.column.a.disabled", true);
     turn();

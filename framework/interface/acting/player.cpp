@@ -21,7 +21,8 @@ constexpr std::array<std::string_view, 10> navigation_keys{
     "up", "down", "left", "right", "tab", "enter", "space", "escape", "home", "end"};
 constexpr std::array<std::string_view, 6> navigation_buttons{
     "a", "b", "dpad_up", "dpad_down", "dpad_left", "dpad_right"};
-constexpr double pushed = 0.5;  // of a stick
+constexpr double pushed = 0.5;                                   // of a stick
+constexpr double first_repetition = 0.4, next_repetition = 0.1;  // s, of a direction that is held
 
 }  // namespace
 
@@ -52,7 +53,7 @@ bool Player::takes(const Act& act) {
     return false;
 }
 
-void Player::frame(const Vec2& mouse, const Vec2& screen) {
+void Player::frame(const Vec2& mouse, const Vec2& screen, double seconds) {
     mouse_ = mouse;
     screen_ = screen;
     lay_out();
@@ -60,6 +61,7 @@ void Player::frame(const Vec2& mouse, const Vec2& screen) {
     keep_focus();
     // The held widget may have been deleted, or a restored snapshot may contain one that is held.
     if (widgets_.board.held && (!down_ || widgets_.find(widgets_.board.held) == nullptr)) hold({});
+    repeat_direction(seconds);
 }
 
 void Player::hold(Handle widget) {
@@ -98,29 +100,61 @@ void Player::handle(const Act& act, bool taken) {
             if (Widget* const list = list_under(at(mouse_)); taken && list != nullptr)
                 scroll(*list, -act.value.y * 1.5 * Layout::line_of(*list));
             break;
-        case Act::Kind::gamepad_button: {
-            constexpr std::array<std::string_view, 6> keys{"enter", "escape", "up",
-                                                           "down",  "left",   "right"};
-            const auto found =
-                std::find(navigation_buttons.begin(), navigation_buttons.end(), act.name);
-            if (taken && act.down && found != navigation_buttons.end())
-                key(std::string(keys[static_cast<std::size_t>(found - navigation_buttons.begin())]),
-                    false);
+        case Act::Kind::gamepad_button:
+            gamepad_button(act, taken);
             break;
-        }
-        case Act::Kind::stick: {
-            if (act.name != "left") break;
-            const Vec2 before = std::exchange(stick_, act.value);
-            for (const int axis : {0, 1})
-                for (const int sign : {1, -1})
-                    if (taken && sign * act.value[axis] > pushed && sign * before[axis] <= pushed)
-                        key(axis == 0 ? (sign > 0 ? "right" : "left") : (sign > 0 ? "up" : "down"),
-                            false);
+        case Act::Kind::stick:
+            if (act.name == "left") stick(act, taken);
             break;
-        }
         case Act::Kind::trigger:
             break;
     }
+}
+
+// --- Gamepads: their directions act as the arrow keys do, also when they are held
+
+void Player::gamepad_button(const Act& act, bool taken) {
+    constexpr std::string_view directions = "dpad_";
+    if (act.name.starts_with(directions)) {
+        const std::string arrow = act.name.substr(directions.size());
+        if (!act.down)
+            end_direction(arrow);
+        else if (taken)
+            begin_direction(arrow);
+    } else if (taken && act.down && (act.name == "a" || act.name == "b")) {
+        key(act.name == "a" ? "enter" : "escape", false);
+    }
+}
+
+void Player::stick(const Act& act, bool taken) {
+    const Vec2 before = std::exchange(stick_, act.value);
+    for (const int axis : {0, 1})
+        for (const int sign : {1, -1}) {
+            const char* const arrow =
+                axis == 0 ? (sign > 0 ? "right" : "left") : (sign > 0 ? "up" : "down");
+            const bool was = sign * before[axis] > pushed, is = sign * act.value[axis] > pushed;
+            if (was && !is) end_direction(arrow);
+            if (taken && is && !was) begin_direction(arrow);
+        }
+}
+
+void Player::begin_direction(const std::string& arrow) {
+    direction_ = arrow;
+    until_repeated_ = first_repetition;
+    key(arrow, false);
+}
+
+void Player::end_direction(std::string_view arrow) {
+    if (direction_ == arrow) direction_.clear();
+}
+
+void Player::repeat_direction(double seconds) {
+    if (direction_.empty()) return;
+    until_repeated_ -= seconds;
+    if (until_repeated_ > 0) return;
+    until_repeated_ = next_repetition;
+    if (listening() == nullptr && (modal() != nullptr || focused() != nullptr))
+        key(direction_, true);
 }
 
 // --- Keys

@@ -19,7 +19,8 @@ class Player {
 
     bool takes(const app::Act& act);
     void handle(const app::Act& act, bool taken);
-    void frame(const property::Vec2& mouse, const property::Vec2& screen);
+    /// `seconds`: since the last frame.
+    void frame(const property::Vec2& mouse, const property::Vec2& screen, double seconds);
     void lay_out() { layout_.update(screen_); }
     /// The size of the screen before the first frame, px.
     void begin_on(const property::Vec2& screen) { screen_ = screen; }
@@ -51,6 +52,13 @@ class Player {
     void activate(Widget& widget);
     void cancel();
 
+    // Gamepads.
+    void gamepad_button(const app::Act& act, bool taken);
+    void stick(const app::Act& act, bool taken);
+    void begin_direction(const std::string& key);
+    void end_direction(std::string_view key);
+    void repeat_direction(double seconds);
+
     // The mouse.
     void press(const property::Vec2& point);
     void release(const property::Vec2& point);
@@ -76,6 +84,8 @@ class Player {
     bool down_ = false;                               // the left button of the mouse
     bool drags_bar_ = false;                          // the bar of the list that is held
     property::Vec2 stick_{0, 0};
+    std::string direction_{};     // the arrow key that a gamepad holds down; "" for none
+    double until_repeated_ = 0;   // s
     property::Handle outside_{};  // has the keyboard while no modal widget is there
 };
 
