@@ -92,17 +92,33 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
 }
 
 void Console::State::connect() {
+    connect_log();
+    connect_inspector();
+    connect_context_menu();
+    connect_lists();
+    connect_time();
+}
+
+void Console::State::connect_log() {
     views.log_view.is_link = [this](std::string_view path) { return is_link(path); };
     views.log_view.follow = [this](std::string_view path, bool insert) {
         follow_link(path, insert);
     };
-    views.tweak_list.evaluate = interpreter.evaluate;
-    views.tweak_list.say = [this](const std::string& line) { log.note(line); };
-    views.tweak_list.follow = [this](std::string_view path) {
-        if (is_link(path)) follow_link(path, false);
+    views.log_view.menu = [this](std::string_view path) { context_menu.open(std::string(path)); };
+    views.log_view.take_file = [this](const std::string& file) {
+        clipboard->write(file);
+        log.note("its path is in the clipboard");
     };
+    views.log_view.unfold = [this](std::size_t index) { log.unfold(index); };
+}
+
+void Console::State::connect_inspector() {
     inspector.chosen = [this](Handle instance) { instance ? choose(instance) : choose_all({}); };
     inspector.insert = [this](const std::string& text) { prompt.edit().insert(text); };
+    inspector.run = [this](const std::string& command) { run(command); };
+    inspector.say = [this](const std::string& problem) { log.error(problem); };
+    inspector.menu =
+        inspector.editor().menu = [this](const std::string& path) { context_menu.open(path); };
     inspector.editor().fields().calculate =
         [this](const std::string& expression) -> std::optional<double> {
         if (!interpreter.evaluate) return std::nullopt;
@@ -119,18 +135,12 @@ void Console::State::connect() {
     inspector.editor().go_to_write = [this](const property::Cause& cause, const std::string& path) {
         go_to_write(cause, path);
     };
-    views.log_view.menu = [this](std::string_view path) { context_menu.open(std::string(path)); };
-    views.log_view.take_file = [this](const std::string& file) {
-        clipboard->write(file);
-        log.note("its path is in the clipboard");
-    };
-    views.log_view.unfold = [this](std::size_t index) { log.unfold(index); };
-    inspector.menu =
-        inspector.editor().menu = [this](const std::string& path) { context_menu.open(path); };
-    context_menu.run = views.watch_list.run =
-        views.plot_view.run = [this](const std::string& command) { run(command); };
-    inspector.run = context_menu.run;
-    inspector.say = [this](const std::string& problem) { log.error(problem); };
+}
+
+void Console::State::connect_context_menu() {
+    context_menu.run = [this](const std::string& command) { run(command); };
+    context_menu.insert = inspector.insert;
+    context_menu.copy = [this](const std::string& text) { clipboard->write(text); };
     context_menu.select_class = [this](const property::Class& wanted) {
         choose_all(all_of_class(tree, wanted));
     };
@@ -147,23 +157,34 @@ void Console::State::connect() {
             std::ranges::find_if(pins, [&](const Trace& pin) { return pin.what().path == path; });
         return found == pins.end() ? std::string() : found->what().text;
     };
-    context_menu.insert = inspector.insert;
-    context_menu.copy = [this](const std::string& text) { clipboard->write(text); };
-    views.watch_list.follow = views.tweak_list.follow;
+}
+
+/// The lists of tweaks and of watched values.
+void Console::State::connect_lists() {
+    views.tweak_list.evaluate = interpreter.evaluate;
+    views.tweak_list.say = [this](const std::string& line) { log.note(line); };
+    views.tweak_list.follow = views.watch_list.follow = [this](std::string_view path) {
+        if (is_link(path)) follow_link(path, false);
+    };
     views.watch_list.menu = views.log_view.menu;
+    views.watch_list.run = context_menu.run;
     observing.found = comparison.found = options.found;
-    views.compare_view.close = [this] { comparison.end(); };
-    views.time_bar.run = context_menu.run;
+}
+
+/// The time bar, plots, and the figures of frames.
+void Console::State::connect_time() {
+    views.time_bar.run = views.plot_view.run = context_menu.run;
     if (options.record) views.time_bar.records = options.records;
     views.time_bar.insert = [this](const std::string& before, const std::string& after) {
         TextEdit& edit = prompt.edit();
         edit.insert(before + after);
         edit.place(edit.cursor() - after.size(), false);
     };
-    observing.on_break = [this](const std::string& line) { time_marks.stop(line); };
     views.plot_view.go_to =
         views.frame_view.go_to = [this](std::int64_t step) { views.time_bar.go_to(step); };
     views.frame_view.close = [this] { show_overlay("timings", false); };
+    views.compare_view.close = [this] { comparison.end(); };
+    observing.on_break = [this](const std::string& line) { time_marks.stop(line); };
 }
 
 bool Console::State::shows(std::string_view overlay) const {
@@ -388,11 +409,27 @@ void Console::draw(app::Surface& surface, double seconds) {
     s.ui.draw(surface);
 }
 
+script::Evaluation Console::evaluate(std::string_view command) {
+    const State& s = *state_;
+    return s.interpreter.evaluate(s.prompt.expanded(std::string(command)));
+}
+
 bool Console::is_open() const {
     return state_->is_open();
 }
 void Console::open(bool open) {
     state_->open(open);
+}
+std::shared_ptr<const Continuation> Console::continuation() const {
+    return std::make_shared<const Continuation>(
+        Continuation{.lines = state_->log.lines(), .open = state_->is_open()});
+}
+void Console::continue_from(const Continuation& earlier) {
+    State& s = *state_;
+    s.log.put_first(earlier.lines);
+    if (!earlier.lines.empty()) s.log.note("the game begins again");
+    s.status.greeted = s.status.greeted || !earlier.lines.empty();
+    if (earlier.open) s.open(true);
 }
 bool Console::listens() const {
     return state_->settings.flag("listen");

@@ -2,6 +2,7 @@
 // State of a console, and the receivers of an event in order: the toggle key, a widget of Dear
 // ImGui, the prompt, the game.
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -90,6 +91,11 @@ struct Status {
     std::string selected_path;  // of the selected instance when it was last seen
 };
 
+struct Continuation {
+    std::deque<LogLine> lines;
+    bool open = false;
+};
+
 struct Console::State {
     State(property::Tree& tree, Interpreter interpreter, Options options);
 
@@ -130,6 +136,11 @@ struct Console::State {
     /// it anew), that is selected.
     void find_selected_again();
     void connect();
+    void connect_log();
+    void connect_inspector();
+    void connect_context_menu();
+    void connect_lists();
+    void connect_time();
     // --- Kept for the player (kept_layout.cpp)
     void take_settings(const Layout& layout);
     void restore_observed();

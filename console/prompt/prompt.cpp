@@ -356,7 +356,6 @@ void Prompt::alias(const std::string& word, const std::string& command) {
         aliases_[word] = command;
 }
 
-/// The command with the meaning of its first word, if that is an alias.
 std::string Prompt::expanded(const std::string& command) const {
     const std::size_t begin = std::min(command.find_first_not_of(" \n"), command.size());
     std::size_t end = begin;

@@ -42,6 +42,8 @@ class Prompt {
     /// From now on the word at the beginning of a command stands for `command`; if that is empty,
     /// for itself.
     void alias(const std::string& word, const std::string& command);
+    /// The command with the meaning of its first word, if that is an alias.
+    std::string expanded(const std::string& command) const;
     /// The log is emptied when the running command has ended.
     void clear_log_afterwards() { clears_ = true; }
 
@@ -75,7 +77,6 @@ class Prompt {
     void find_older(std::size_t from);
     void new_line();
     bool copy();
-    std::string expanded(const std::string& command) const;
 
     Interpreter interpreter_;
     Log& log_;

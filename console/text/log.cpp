@@ -126,6 +126,12 @@ void Log::file(std::string_view text, const std::string& file) {
     push(std::move(line));
 }
 
+void Log::put_first(const std::deque<LogLine>& earlier) {
+    const std::deque<LogLine> own = std::exchange(lines_, earlier);
+    for (const LogLine& line : own) push(line);
+    ++rearranged_;
+}
+
 void Log::clear() {
     dropped_ += lines_.size();
     lines_.clear();

@@ -58,6 +58,8 @@ class Log {
     void clear();
     /// Adds a command in front of the lines from this number on, which it has caused.
     void command(std::string_view text, std::uint64_t before);
+    /// Puts the lines of an earlier log in front of these.
+    void put_first(const std::deque<LogLine>& earlier);
     /// Puts the hidden lines in the place of the fold at that index of `lines`.
     void unfold(std::size_t index);
 

@@ -201,6 +201,7 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
             tip = trace.what().text + "\n" + (fails ? trace.problem() : tree.text(shown));
     }
     if (!tip.empty()) ImGui::SetTooltip("%s", widget_text(tip).c_str());
+    if (!run) return;  // a picture of the plot has no button
     ImGui::SetCursorScreenPos(ImVec2(right + em, at.y));
     const bool pressed = ImGui::InvisibleButton("close", ImVec2(side, side));
     close_ = item_rect();
@@ -208,7 +209,7 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
     draw_text(list, ImVec2(close_.low.x + (side - text_width("×")) / 2, at.y),
               hot ? palette::accent : palette::dim, "×");
     if (hot) ImGui::SetTooltip("end the plot");
-    if (pressed && run) run("plot()");
+    if (pressed) run("plot()");
 }
 
 void PlotView::draw(ImVec2 corner, ImVec2 size, float room, const property::Tree& tree,

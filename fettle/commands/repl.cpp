@@ -96,7 +96,7 @@ class Repl : private CommandRunner {
     /// In a terminal, Ctrl+C stops the command with an error.
     script::Evaluation evaluate(const std::string& command) {
         const EndRequest::Command stoppable;
-        return session_.runtime().evaluate(command);
+        return session_.evaluate(command);
     }
 
     std::vector<script::Completion> complete(const std::string& command,

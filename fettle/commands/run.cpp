@@ -87,6 +87,7 @@ class WindowRun {
   public:
     WindowRun(const RunOptions& options, Gallery* gallery)
         : options_(options),
+          record_(options.record),
           gallery_(gallery),
           limit_(longest_turn(options)),
           game_window_(options.game, read_settings(options.game)),
@@ -121,12 +122,20 @@ class WindowRun {
         error_screen_.hide();
         loudspeaker_.silence();
         scripts_.reset();
+        // Another game may have been opened from the gallery.
+        const bool again = session_ && game_ == options_.game;
+        const auto console = again ? session_->console_continuation() : nullptr;
+        game_ = options_.game;
         session_.reset();
+        if (again && !options_.record.empty()) options_.record = next_recording(record_);
         window().release_textures();
         window().report_gamepads();
         session_ = std::make_unique<Session>(
             options_, &window().clipboard(),
             [this](const script::ScriptError& error) { error_screen_.show(error); });
+        session_->continue_console(console);
+        if (again && !options_.record.empty())
+            session_->note("this run is recorded in " + options_.record.string());
         session_->on_error_over([this](const script::ScriptError* error) {
             if (error == nullptr) return error_screen_.hide();
             if (!error_screen_.error()) return error_screen_.show_over(*error);
@@ -253,7 +262,9 @@ class WindowRun {
     }
 
     RunOptions options_;
-    Gallery* gallery_;  // null: without one
+    std::filesystem::path game_;          // that the session plays
+    const std::filesystem::path record_;  // of the first run; each further run has its own file
+    Gallery* gallery_;                    // null: without one
     TurnLimit limit_;
     GameWindow game_window_;
     app::ErrorScreen error_screen_;

@@ -35,4 +35,9 @@ std::vector<std::filesystem::path> FileWatch::changed(
     return result;
 }
 
+void FileWatch::take(const std::filesystem::path& file) {
+    if (const auto found = known_.find(file); found != known_.end())
+        found->second = Known{state_of(file)};
+}
+
 }  // namespace fettle::program

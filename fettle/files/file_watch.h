@@ -20,6 +20,8 @@ class FileWatch {
     /// still being written is returned later: it must have stayed the same between two looks. Call
     /// it when it is `due`.
     std::vector<std::filesystem::path> changed(const std::vector<std::filesystem::path>& files);
+    /// Takes the file as it is now: earlier changes of it are not returned.
+    void take(const std::filesystem::path& file);
 
   private:
     static constexpr std::chrono::milliseconds interval{100};

@@ -93,6 +93,16 @@ void require_recording_or_nothing(const fs::path& file) {
                         ": this file is not a recording, and is not overwritten by one");
 }
 
+fs::path next_recording(const fs::path& file) {
+    for (int number = 2;; ++number) {
+        fs::path next = file;
+        next.replace_filename(file.stem().string() + "-" + std::to_string(number) +
+                              file.extension().string());
+        std::error_code error;
+        if (!fs::exists(fs::symlink_status(next, error))) return next;
+    }
+}
+
 void use_recorded_content(const app::Recording& recording, const fs::path& game,
                           property::GameFiles& files) {
     files.stay_in_memory();

@@ -33,6 +33,9 @@ std::vector<std::string> changed_since(const app::Recording& recording,
 /// Throws FileError if the file exists and is not a recording: recording would overwrite it.
 void require_recording_or_nothing(const std::filesystem::path& file);
 
+/// "run-2.recording" for "run.recording", or the next number that no file has.
+std::filesystem::path next_recording(const std::filesystem::path& file);
+
 /// Gives `files` the recorded content of the files that the run has overwritten. Later writes stay
 /// in memory; nothing is written to disk.
 void use_recorded_content(const app::Recording& recording, const std::filesystem::path& game,

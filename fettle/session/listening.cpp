@@ -35,8 +35,7 @@ void Session::begin_to_listen() {
             listener_ = std::make_unique<Listener>(
                 options_.game,
                 Listener::Answers{
-                    .evaluate =
-                        [this](std::string_view command) { return runtime_->evaluate(command); },
+                    .evaluate = [this](std::string_view command) { return evaluate(command); },
                     .complete =
                         [this](std::string_view input, std::size_t cursor) {
                             return runtime_->complete(input, cursor, most_candidates);

@@ -343,8 +343,6 @@ void Session::restart() {
     if (tree_.cause().writer != property::Writer::console)
         refuse("only a command of the console begins the game again");
     if (options_.headless) refuse("only a game in a window begins again");
-    if (!options_.record.empty())
-        refuse("the next run would replace the recording of this one, " + options_.record.string());
     run_.restart = true;
 }
 
@@ -361,11 +359,32 @@ void Session::select(const std::vector<property::Handle>& instances) {
         runtime_->set_it(instances.back());
 }
 
+script::Evaluation Session::evaluate(std::string_view command) {
+#ifdef FETTLE_WITH_CONSOLE
+    if (console_) return console_->evaluate(command);
+#endif
+    return runtime_->evaluate(command);
+}
+
 bool Session::console_is_open() const {
 #ifdef FETTLE_WITH_CONSOLE
     return console_ && console_->is_open();
 #else
     return false;
+#endif
+}
+
+std::shared_ptr<const console::Continuation> Session::console_continuation() const {
+#ifdef FETTLE_WITH_CONSOLE
+    if (console_) return console_->continuation();
+#endif
+    return nullptr;
+}
+
+void Session::continue_console(
+    [[maybe_unused]] const std::shared_ptr<const console::Continuation>& earlier) {
+#ifdef FETTLE_WITH_CONSOLE
+    if (console_ && earlier) console_->continue_from(*earlier);
 #endif
 }
 
@@ -383,7 +402,13 @@ void Session::start() {
     run_.loaded = runtime_->load(options_.game);
     if (!run_.loaded && !runtime_->interrupted()) run_.failed = true;
     if (run_.loaded) open_moment();
-    if (follows_files()) watch_.changed(watched_files());
+    if (follows_files()) {
+        watch_.changed(watched_files());
+        // What the run writes itself, such as tweaks that are kept, is in the game already.
+        files_.on_write([this](const std::filesystem::path& file) {
+            watch_.take(std::filesystem::absolute(file).lexically_normal());
+        });
+    }
     tweaks_->game_loaded();
     if (const std::size_t open = tweaks_->open_earlier(); open > 0 && replayed_ == nullptr)
         note(std::to_string(open) +
@@ -436,7 +461,7 @@ void Session::type_what_is_due() {
     for (const auto& [when, command] : options_.console) {
         if (when <= before || when > next || loop_->stopped()) continue;
         print_said("› " + command);
-        for (const std::string& line : lines_of(runtime_->evaluate(command))) print_said(line);
+        for (const std::string& line : lines_of(evaluate(command))) print_said(line);
     }
     // The output must not be lost if the run crashes.
     if (!options_.console.empty()) std::fflush(stdout);

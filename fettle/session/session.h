@@ -29,8 +29,9 @@
 #include <game/run_options.h>
 
 namespace fettle::console {
+struct Continuation;
 struct Options;
-}
+}  // namespace fettle::console
 
 namespace fettle::program {
 
@@ -62,6 +63,12 @@ class Session {
     /// Reports something that a person should know and that is not an error of the game.
     void note(const std::string& text);
     bool console_is_open() const;
+    /// For the console of the next run in the same window; null without a console.
+    std::shared_ptr<const console::Continuation> console_continuation() const;
+    /// To be called before `start`. Does nothing for null, or without a console.
+    void continue_console(const std::shared_ptr<const console::Continuation>& earlier);
+    /// Evaluates a command of a terminal, as the console does.
+    script::Evaluation evaluate(std::string_view command);
     /// Selects instances in the console; the last one becomes `it`.
     void select(const std::vector<property::Handle>& instances);
     /// The test that the run is; null if it is none.

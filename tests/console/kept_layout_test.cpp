@@ -44,6 +44,29 @@ struct Run {
 
 }  // namespace
 
+TEST_CASE("the console of the next run in a window goes on with the log") {
+    Run first;
+    first.lua->open();
+    first.frame();
+    first.lua->state().run("1 + 2");
+    const auto seen = first.lua->continuation();
+    Run next;
+    next.lua->note("a new note");
+    next.lua->continue_from(*seen);
+    next.frame();
+    CHECK(next.lua->is_open());
+    const std::string text = next.text();
+    INFO(text);
+    CHECK(text.starts_with(first.text()));
+    CHECK(text.ends_with("3\na new note\nthe game begins again\n"));
+
+    first.lua->open(false);
+    Run closed;
+    closed.lua->continue_from(*first.lua->continuation());
+    closed.frame();
+    CHECK_FALSE(closed.lua->is_open());
+}
+
 TEST_CASE("sizes and what is pinned and plotted are kept from run to run") {
     std::optional<console::Layout> kept;
     {

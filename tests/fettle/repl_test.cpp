@@ -104,6 +104,18 @@ class Terminal {
 
 }  // namespace
 
+TEST_CASE("an alias stands for a command in the terminal, too") {
+    Folder folder;
+    const Outcome done = repl(folder,
+                              "world.ball = Body { Circle {} }\n"
+                              "alias('heavy', 'world.ball.mass =')\n"
+                              "heavy 12\n"
+                              "world.ball.mass\n");
+    INFO(done.out << done.err);
+    CHECK(contains(done.out, "12 kg"));
+    CHECK_FALSE(contains(done.out, "✗"));
+}
+
 TEST_CASE("commands from a file are run one after another") {
     const Folder folder;
     const Outcome said = repl(folder,

@@ -245,8 +245,7 @@ TEST_CASE("a run in a window is recorded from its first step when somebody asks 
         const std::string all = game.printed();
         return all.find("ready") != all.rfind("ready");
     }));
-    open_console(game);
-    game.type("record()");
+    game.type("record()");  // the console is still open
     game.key("Return");
     REQUIRE(game.eventually([&] { return fs::exists(first.parent_path() / "run-2.recording"); }));
     CHECK(game.asked_to_end() == 143);

@@ -104,6 +104,10 @@ std::filesystem::path default_history_file();
 /// XDG_CONFIG_HOME nor HOME is set.
 std::filesystem::path default_autoexec_file();
 
+/// What the console of the next run in the same window goes on with: the log, and whether the
+/// player sees it.
+struct Continuation;
+
 /// The console and the inspector, as a layer over a game. The grave key opens it.
 class Console : public app::Layer {
   public:
@@ -123,8 +127,16 @@ class Console : public app::Layer {
     /// To be called between two frames: commands that wait are run, and the past is searched.
     void between_frames();
 
+    /// Evaluates a command that was not typed here, for example in a terminal. Its first word may
+    /// be an alias, as in a command that is typed. Nothing is added to the log.
+    script::Evaluation evaluate(std::string_view command);
+
     bool is_open() const;         ///< whether the player sees it
     void open(bool open = true);  ///< opens or closes it
+    /// The state of this console for that of the next run.
+    std::shared_ptr<const Continuation> continuation() const;
+    /// Goes on where the console of an earlier run ended. To be called before the first frame.
+    void continue_from(const Continuation& earlier);
     /// Whether terminals may attach (`console.listen`). The host listens then; if it cannot, it
     /// calls `listen(false)`.
     bool listens() const;

@@ -119,6 +119,7 @@ void GameFiles::write(const Path& file, std::string_view content) {
     if (in_memory_) return put(file, std::string(content));
     note_overwritten(file);
     replace_file(found, content);
+    if (on_write_) on_write_(file);
 }
 
 void GameFiles::put(const Path& file, std::optional<std::string> content) {

@@ -13,6 +13,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fettle/property/storage/export.h>
@@ -64,6 +65,10 @@ class GameFiles {
     /// Earlier ones are reported at once. Requires a call of `take_note` before anything is read.
     void tell(std::function<void(const Finding&)> listener);
     void take_note() { notes_ = true; }
+    /// Calls `listener` after each write to the disk, with the file as it was passed.
+    void on_write(std::function<void(const std::filesystem::path&)> listener) {
+        on_write_ = std::move(listener);
+    }
     /// Must be called when other code of the game reads that file, for example the loader of its
     /// module.
     void looks_at(const std::filesystem::path& file);
@@ -109,6 +114,7 @@ class GameFiles {
     std::optional<std::size_t> writable_;
     std::vector<Finding> findings_;  // not yet reported
     std::function<void(const Finding&)> listener_;
+    std::function<void(const Path&)> on_write_;
 };
 
 }  // namespace fettle::property
