@@ -26,14 +26,8 @@ void place_from_message(ScriptError& error) {
 namespace {
 
 int column_of(const std::string& line, const std::string& word) {
-    if (word.empty()) return 0;
-    for (std::size_t at = line.find(word); at != std::string::npos; at = line.find(word, at + 1)) {
-        const bool starts = at == 0 || !is_word(line[at - 1]) || !is_word(word.front());
-        const std::size_t end = at + word.size();
-        const bool ends = end >= line.size() || !is_word(line[end]) || !is_word(word.back());
-        if (starts && ends) return static_cast<int>(shown_width(line.substr(0, at))) + 1;
-    }
-    return 0;
+    const std::size_t at = find_word(line, word);
+    return at == std::string::npos ? 0 : static_cast<int>(shown_width(line.substr(0, at))) + 1;
 }
 
 }  // namespace

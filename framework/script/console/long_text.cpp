@@ -89,7 +89,7 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
             special |= same == property && !property->read_only && tree.overridden(handle, *same);
         }
         if (!everywhere) continue;
-        if (mentions(command, property->name))
+        if (find_word(command, property->name) != std::string_view::npos)
             shared.push_back(property);
         else if (special)
             others.push_back(property);

@@ -65,11 +65,8 @@ std::string quoted_at(std::string_view text, std::size_t at) {
 bool Hints::is_called(const std::string& name) const {
     for (const auto& [chunk, text] : machine_.sources.texts) {
         if (chunk == "console") continue;
-        for (std::size_t at = text.find(name); at != std::string::npos;
-             at = text.find(name, at + 1)) {
-            const std::size_t end = at + name.size();
-            if ((at > 0 && is_word(text[at - 1])) || (end < text.size() && is_word(text[end])))
-                continue;
+        for (std::size_t at = find_word(text, name); at != std::string::npos;
+             at = find_word(text, name, at + 1)) {
             const std::size_t line = text.rfind('\n', at) + 1;  // 0 in the first line
             if (text.substr(line, at - line).find("--") != std::string::npos) continue;
             // Skip "Enemy:" backwards to the word "function".

@@ -44,13 +44,10 @@ bool is_used_as_value(std::string_view before, std::string_view after) {
 
 std::string bare_word_hint(const property::Tree& tree, std::string_view line,
                            std::string_view word) {
-    for (std::size_t at = line.find(word); at != std::string_view::npos;
-         at = line.find(word, at + 1)) {
-        const std::size_t end = at + word.size();
-        if ((at > 0 && is_word(line[at - 1])) || (end < line.size() && is_word(line[end])))
-            continue;
+    for (std::size_t at = find_word(line, word); at != std::string_view::npos;
+         at = find_word(line, word, at + 1)) {
         const std::string_view before = trimmed(line.substr(0, at)),
-                               after = trimmed(line.substr(end));
+                               after = trimmed(line.substr(at + word.size()));
         const std::string_view name = assigned(before);
         if (!name.empty()) {
             const std::vector<std::string> texts = texts_for(tree, name);

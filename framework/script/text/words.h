@@ -35,15 +35,18 @@ inline bool holds_word(std::string_view words, std::string_view word) {
     return false;
 }
 
-/// Whether the name is a whole word somewhere in the text.
-inline bool mentions(std::string_view text, std::string_view name) {
-    for (std::size_t at = text.find(name); at != std::string_view::npos;
-         at = text.find(name, at + 1)) {
-        const std::size_t end = at + name.size();
-        if ((at == 0 || !is_word(text[at - 1])) && (end == text.size() || !is_word(text[end])))
-            return true;
+/// The first place from `from` on at which `word` is no part of a longer word; npos if there is
+/// none.
+inline std::size_t find_word(std::string_view text, std::string_view word, std::size_t from = 0) {
+    if (word.empty()) return std::string_view::npos;
+    for (std::size_t at = text.find(word, from); at != std::string_view::npos;
+         at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        const bool starts = at == 0 || !is_word(text[at - 1]) || !is_word(word.front());
+        const bool ends = end == text.size() || !is_word(text[end]) || !is_word(word.back());
+        if (starts && ends) return at;
     }
-    return false;
+    return std::string_view::npos;
 }
 
 /// The text without blanks at both ends.
