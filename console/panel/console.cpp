@@ -411,6 +411,7 @@ void Console::draw(app::Surface& surface, double seconds) {
 
 script::Evaluation Console::evaluate(std::string_view command) {
     const State& s = *state_;
+    if (!s.interpreter.evaluate) return {};
     return s.interpreter.evaluate(s.prompt.expanded(std::string(command)));
 }
 
