@@ -72,7 +72,8 @@ TEST_CASE("a state that is assigned is entered at the next step") {
     s.errors.clear();
     for (const char* const write :
          {"world.door.current_state = 'wide'", "world.door['current_state'] = 'wide'"})
-        CHECK_THAT(s.fails(write), contains("world.door.current_state: Door has no state \"wide\""));
+        CHECK_THAT(s.fails(write),
+                   contains("world.door.current_state: Door has no state \"wide\""));
     CHECK_THAT(s.console("world.door.current_state = 'opne'"),
                contains("(did you mean \"open\"?)"));
     s.errors.clear();
