@@ -16,8 +16,10 @@ namespace fettle::physics::detail {
 
 /// A manifold is kept while neither body has turned by more than this (rad), and its points have
 /// slipped, and come nearer or gone apart, by less than these parts of the distance between them.
-/// So a body on a plank that tilts starts to slide at most three degrees late.
-inline constexpr float kept_turn = 0.05f, kept_slip = 0.02f, kept_gap = 0.1f;
+/// So a body on a plank that tilts starts to slide at most three degrees late. A slender body is
+/// near its tipping angle before: what the turn moves its center of mass to the side is less than
+/// `kept_lean` of that distance, too.
+inline constexpr float kept_turn = 0.05f, kept_slip = 0.02f, kept_gap = 0.1f, kept_lean = 0.1f;
 
 /// Two bodies that turn faster soon need a new manifold anyway, rad per step.
 inline constexpr float slow_turn = 0.004f;
@@ -74,8 +76,11 @@ inline bool follow_bodies(const ObjectState& objects, uint32_t slot, ContactReco
     const float separation_q = pose.separations[1] + along_q;
     const float width = length_squared(q.anchor_a - p.anchor_a);
     const float turn = max(std::fabs(turn_a), std::fabs(turn_b));
+    const float lean = max(std::fabs(turn_a * dot(m.normal, p.anchor_a)),
+                           std::fabs(turn_b * dot(m.normal, p.anchor_b)));
     // Without branches: bodies that tumble would mislead their prediction.
-    const bool little = (turn <= kept_turn) & (slip * slip <= kept_slip * kept_slip * width) &
+    const bool little = (turn <= kept_turn) & (lean * lean <= kept_lean * kept_lean * width) &
+                        (slip * slip <= kept_slip * kept_slip * width) &
                         (along * along <= kept_gap * kept_gap * width) &
                         (max(separation_p, separation_q) <= speculative_margin);
     if (!little) return false;

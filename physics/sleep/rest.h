@@ -3,6 +3,9 @@
 #include <fettle/physics/world.h>
 #include <state/world_state.h>
 
+#include <cmath>
+#include <utility>
+
 // When a body is at rest. After `sleep_delay` at rest, it may fall asleep.
 
 namespace fettle::physics::detail {
@@ -15,10 +18,24 @@ inline constexpr float usual_extent = 0.07f;
 /// speed, and on average slower than this part of it.
 inline constexpr float jerk = 6.0f, mean = 0.4f;
 
+/// True if a body at rest tips over: it turns faster and faster, so a steady rotation with its
+/// speed of now would have made more than its way. `turned`: the way of its fastest point around
+/// the center of mass since it came to rest, m; `turning`: the speed of this point now, m/s; both
+/// with the sign of the rotation: a body that rocks turns back. A body that has hardly turned, or
+/// whose speed would have made many times its way, trembles in place.
+inline bool tips_over(float sleep_speed, float sleep_delay, float turned, float turning) {
+    constexpr float noticeable = 0.05f, least = 1.1f, most = 4.0f;
+    const float way = std::fabs(turned);
+    const float steady = (turned < 0.0f ? -turning : turning) * sleep_delay;
+    return way > noticeable * sleep_speed * sleep_delay && steady > least * way &&
+           steady < most * way;
+}
+
 /// Counts the time that the body is at rest: slower than `sleep_speed` (m/s). `angle`: of the body,
-/// rad. `speed`: of its fastest point, m/s.
+/// rad. `speed`: of its fastest point, m/s; `turning`: of this point around the center of mass,
+/// m/s.
 inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, RestPose& rest,
-                       float angle, float speed, float dt) {
+                       float angle, float speed, float turning, float dt) {
     // A small body that moves through its own size in the delay is not at rest.
     const float size = min(body.extent / usual_extent, 1.0f);
     const float slow = sleep_speed * size * size;
@@ -28,14 +45,16 @@ inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, R
         return;
     }
     const bool begins = body.sleep_time == 0.0f;
-    const auto way = [&] {
-        return length(body.center - rest.center) + std::fabs(angle - rest.angle) * body.extent;
-    };
+    const auto turned = [&] { return (angle - rest.angle) * body.extent; };
+    const auto way = [&] { return length(body.center - rest.center) + std::fabs(turned()); };
     if (begins || (jerks && way() > mean * slow * size * sleep_delay)) {
         rest = {body.center, angle};
         body.sleep_time = 0.0f;
     }
-    body.sleep_time += dt;
+    const float before = std::exchange(body.sleep_time, body.sleep_time + dt);
+    if (before < sleep_delay && body.sleep_time >= sleep_delay &&
+        tips_over(slow, sleep_delay, turned(), turning))
+        body.sleep_time = 0.0f;
 }
 
 }  // namespace fettle::physics::detail

@@ -58,12 +58,13 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
         stop_or_list(in, slot, shift, turn, piece);
     }
 
-    float speed = max(length(state.velocity), std::fabs(state.angular_velocity) * record.extent);
+    const float turning = state.angular_velocity * record.extent;
+    float speed = max(length(state.velocity), std::fabs(turning));
     // Joints close a gap without a velocity: a body that they draw is not at rest.
     if (record.lists.first_joint != none && dt > 0.0f)
         speed = max(speed, max(length(shift), std::fabs(turn) * record.extent) / dt);
     count_rest(in.objects.sleep_speed_of(settings, record), settings.sleep_delay, record,
-               in.objects.rest_poses[slot], state.angle, speed, dt);
+               in.objects.rest_poses[slot], state.angle, speed, turning, dt);
     piece.sleep_candidates += record.sleep_time >= settings.sleep_delay;
 }
 
