@@ -51,8 +51,9 @@ fettle_status fettle_game_step(fettle_game* game, double seconds) {
     using fettle::property::Writer;
     return game->host.guarded([&](Tree& tree) {
         if (!(seconds >= 0) || seconds > std::numeric_limits<float>::max())
-            throw std::invalid_argument("fettle_game_step: seconds = " + std::to_string(seconds) +
-                                        ": expected a time of at least 0");
+            throw std::invalid_argument(
+                "fettle_game_step: seconds = " + fettle::property::number_text(seconds) +
+                ": expected a time of at least 0");
         tree.set_step(++game->steps);
         {
             const Tree::CauseScope cause(tree, Writer::simulation);

@@ -77,6 +77,13 @@ TEST_CASE("a callback of an untrusted game cannot run without end") {
     CHECK(s.prints("print(1 + 1)") == "2");
 }
 
+TEST_CASE("a chunk that the host runs has the limit of instructions of a callback") {
+    Stage s(limited());
+    CHECK_FALSE(s.runtime->run("while true do end", "main.lua"));
+    REQUIRE(s.errors.size() == 1);
+    CHECK_THAT(s.errors.front().message, contains("main.lua:1: ") && contains("instructions"));
+}
+
 TEST_CASE("an untrusted game cannot take more memory than it may") {
     const std::string attack = GENERATE(
         as<std::string>{}, "return ('x'):rep(1e10)", "local s = 'x' while true do s = s .. s end",

@@ -50,6 +50,22 @@ TEST_CASE("a runtime refuses invalid times") {
     CHECK(stage.runtime->step(1, 0.1));
 }
 
+TEST_CASE("a wrong time is written without superfluous digits") {
+    Stage stage;
+    CHECK_THAT(error_of([&] { stage.runtime->limit_calls(-1, {}); }),
+               contains("limit_calls: seconds = -1: expected a time in seconds, at least 0"));
+}
+
+TEST_CASE("too little memory for a command is reported with the required amount") {
+    Tree tree;
+    Options options;
+    options.console_memory = 0;
+    CHECK_THAT(error_of([&] { Runtime runtime(tree, options); }),
+               contains("Options::console_memory = 0 bytes: a command needs 65536 at least"));
+    options.console_memory = std::size_t{1} << 16;
+    CHECK(Runtime(tree, options).evaluate("x = {1, 2, 3}").ok);
+}
+
 TEST_CASE("too little memory for Lua is reported with the required amount") {
     Tree tree;
     Options options;

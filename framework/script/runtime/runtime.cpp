@@ -55,7 +55,8 @@ void require_tree(const Machine& machine) {
 
 void require_seconds(const char* what, double seconds) {
     if (!(seconds >= 0) || std::isinf(seconds))
-        throw Error(ErrorKind::out_of_range, std::string(what) + " = " + std::to_string(seconds) +
+        throw Error(ErrorKind::out_of_range, std::string(what) + " = " +
+                                                 property::number_text(seconds) +
                                                  ": expected a time in seconds, at least 0");
 }
 
@@ -70,6 +71,12 @@ Options checked(const property::Tree& tree, Options options) {
         throw Error(ErrorKind::out_of_range,
                     "Options::memory_limit = " + std::to_string(options.memory_limit) +
                         " bytes: Lua with its library needs " + std::to_string(minimum) +
+                        " at least");
+    constexpr std::size_t smallest_command = std::size_t{1} << 16;
+    if (options.console_memory < smallest_command)
+        throw Error(ErrorKind::out_of_range,
+                    "Options::console_memory = " + std::to_string(options.console_memory) +
+                        " bytes: a command needs " + std::to_string(smallest_command) +
                         " at least");
     return options;
 }
@@ -230,8 +237,8 @@ Reloaded Runtime::reload(const std::vector<std::string>& files) {
 bool Runtime::run(std::string_view chunk, const std::string& name) {
     Machine& machine = live();
     const Life::Use use(machine.life);
-    const Budget::Scope budget(machine.budget,
-                               {.memory = machine.options.memory_limit, .who = "a chunk"});
+    const Limits usual{.memory = machine.options.memory_limit, .who = "a chunk"};
+    const Budget::Scope budget(machine.budget, machine.budget.of_call().value_or(usual));
     const bool ok = run_chunk(machine, std::string(chunk), name, "chunk");
     return machine.classes.deliver_ready() && ok;
 }

@@ -48,11 +48,11 @@ struct GameLimits {
 struct Options {
     std::uint64_t seed = 0;                             ///< of random()
     std::size_t memory_limit = std::size_t{512} << 20;  // bytes, whole Lua state
-    // Bytes that one console command may add, in Lua and in the tree. For a chunk of `run`:
-    // memory_limit.
-    std::size_t console_memory = std::size_t{128} << 20;  ///< bytes that a command may add
-    std::uint64_t console_budget = 50'000'000;            // Lua instructions of one console command
-    GameLimits limits{};                                  ///< for games that are not trusted
+    /// Bytes that one console command may add, in Lua and in the tree; at least 65536. For a chunk
+    /// of `run`: memory_limit.
+    std::size_t console_memory = std::size_t{128} << 20;
+    std::uint64_t console_budget = 50'000'000;  // Lua instructions of one console command
+    GameLimits limits{};                        ///< for games that are not trusted
     /// Seconds that a call into the scripts may take; then it is stopped, as by an error. 0: no
     /// limit. `limit_calls` can change it.
     double call_seconds = 10;
@@ -156,8 +156,8 @@ class Runtime {
     Reloaded reload(const std::vector<std::string>& files);
     /// Runs a chunk as part of the game (`--eval`). It is stopped if it adds more than
     /// `Options::memory_limit` bytes, in Lua and in the tree, or, like every call, takes longer
-    /// than `Options::call_seconds`. Returns false if it raised an error or was stopped; the error
-    /// is given to `on_error`.
+    /// than `Options::call_seconds` or passes a limit of `Options::limits`. Returns false if it
+    /// raised an error or was stopped; the error is given to `on_error`.
     bool run(std::string_view chunk, const std::string& name);
 
     /// Adds functions that a part above gives to scripts: the chunk runs now, and again before each
