@@ -2,6 +2,7 @@
 #include <csignal>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include <fettle/property/exception_text.h>
 
@@ -43,16 +44,18 @@ int run_command(int argc, char** argv) {
         app.footer("The guide: " + first_page.string());
     const Command commands[] = {add_run(app),     add_test(app), add_new_game(app), add_where(app),
                                 add_package(app), add_repl(app), add_docs(app)};
-    if (argc < 2) return refuse("expected a command, as in fettle run");
-    if (const std::string wrong = command_problem(app, argv[1]); !wrong.empty())
+    // Without arguments, the program opens the gallery.
+    const std::vector<const char*> given(argv, argv + argc), gallery = {"fettle", "run"};
+    const std::vector<const char*>& line = given.size() < 2 ? gallery : given;
+    if (const std::string wrong = command_problem(app, line[1]); !wrong.empty())
         return refuse(wrong);
     try {
-        app.parse(argc, argv);
+        app.parse(static_cast<int>(line.size()), line.data());
     } catch (const CLI::ParseError& error) {
         // A request for help or the version.
         if (error.get_exit_code() == 0) return app.exit(error);
-        const auto given = app.get_subcommands();
-        return refuse(message_of(error), given.empty() ? nullptr : given.front());
+        const auto named = app.get_subcommands();
+        return refuse(message_of(error), named.empty() ? nullptr : named.front());
     }
     if (const std::string wrong = left_over_problem(app); !wrong.empty()) return refuse(wrong);
     for (const Command& command : commands) {

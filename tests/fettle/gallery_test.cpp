@@ -71,6 +71,14 @@ TEST_CASE("the gallery chooses the game from which the player comes back") {
     CHECK(contains(run_gallery(folder, "print(gallery.chosen)").out, "2\n"));
 }
 
+TEST_CASE("the program without arguments opens the gallery, which needs a display") {
+    const Folder folder;
+    const Outcome run = fettle(folder, {});
+    CHECK(run.status == 2);
+    CHECK(contains(run.err, "there is no display for a window"));
+    CHECK(contains(run.err, "fettle --help"));
+}
+
 TEST_CASE("no other game has the functions of the gallery") {
     const Folder folder;
     const Outcome run =

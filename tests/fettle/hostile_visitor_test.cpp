@@ -62,7 +62,6 @@ TEST_CASE("an invalid argument is reported in one line with the expected form") 
          "mean \"run\"?)"},
         {{""}, "\"\" is not a command"},
         {{"\x1b[31m"}, "\"\\x1b[31m\" is not a command"},
-        {{}, "expected a command"},
         {{"--steps", "3"}, "\"--steps\" is not an option of fettle"},
         {{"run", game, "--stesp", "3"},
          "\"--stesp\" is not an option of run (did you mean \"--steps\"?)"},

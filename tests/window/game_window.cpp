@@ -35,8 +35,9 @@ GameWindow::GameWindow(const fs::path& game, const std::map<std::string, std::st
     environment_["XDG_DATA_HOME"] = (folder_ / "data").string();
     environment_["WAYLAND_DISPLAY"] = "";
     environment_["LIBGL_ALWAYS_SOFTWARE"] = "1";
-    std::vector<std::string> command = {FETTLE_PROGRAM, "run"};
+    std::vector<std::string> command = {FETTLE_PROGRAM};
     if (!game.empty()) {
+        command.push_back("run");
         // A copy, because the journal of tweaks is written beside the game.
         fs::copy(game, folder_ / "game", fs::copy_options::recursive);
         command.push_back((folder_ / "game").string());

@@ -19,7 +19,8 @@ std::string missing_tools();
 
 class GameWindow {
   public:
-    /// Starts a virtual display and `fettle run GAME` in it; without a game, the gallery.
+    /// Starts a virtual display and `fettle run GAME` in it; without a game, `fettle`, which
+    /// opens the gallery.
     /// `environment` is added to that of the program. Throws std::runtime_error if either does not
     /// start.
     explicit GameWindow(const std::filesystem::path& game,
