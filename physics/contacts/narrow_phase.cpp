@@ -1,5 +1,6 @@
 #include <collision/collide_solids.h>
 #include <contacts/kept_manifold.h>
+#include <contacts/moving_point.h>
 #include <contacts/narrow_phase.h>
 #include <contacts/pairs.h>
 #include <geometry/growth.h>
@@ -72,18 +73,25 @@ class Collision {
         : in_(input),
           arrays_{input.objects.pool.vertices.data(), input.objects.pool.directions.data(),
                   input.objects.pool.offsets.data()},
-          keeps_(input.settings.solver == Solver::soft_step) {}
+          keeps_(input.settings.solver == Solver::soft_step),
+          moment_(moment_of_geometry(input.settings.substeps)) {}
 
     /// Computes the manifolds of some awake contacts, and notes which contacts need more work.
     void run(std::span<const uint32_t> slots, size_t begin, size_t end, CollidedPiece& piece) {
-        uint64_t over = 0, computed = 0;
+        uint64_t over = 0, computed = 0, known = 0;
+        uint32_t features[run_length];
         for (size_t i = begin; i < end; ++i) {
             if (i + contacts_ahead < slots.size())
                 in_.objects.contacts[slots[i + contacts_ahead]].prefetch();
             ContactRecord& c = in_.objects.contacts[slots[i]];
             const bool ends = is_over(c);
             over |= uint64_t{ends} << (i - begin);
-            if (c.kept && keeps_ && !ends && follow_bodies(in_.objects, slots[i], c)) continue;
+            if (c.kept && c.manifold.count == 1) {
+                known |= uint64_t{1} << (i - begin);
+                features[i - begin] = c.manifold.points[0].feature;
+            } else if (c.kept && keeps_ && !ends && follow_bodies(in_.objects, slots[i], c)) {
+                continue;
+            }
             c.kept = false;
             if (ends || !is_near(c)) {
                 c.manifold.count = 0;
@@ -97,8 +105,15 @@ class Collision {
             note_pose(in_.objects, slots[begin + size_t(std::countr_zero(computed))]);
         for (size_t i = begin; i < end; ++i) {
             const uint32_t slot = slots[i];
-            if ((over >> (i - begin) & 1) != 0) piece.over.push_back(slot);
-            if (needs_more(in_.objects.contacts[slot])) piece.more.push_back(slot);
+            const uint64_t bit = uint64_t{1} << (i - begin);
+            if ((over & bit) != 0) piece.over.push_back(slot);
+            const ContactRecord& c = in_.objects.contacts[slot];
+            if (keeps_ && has_moving_point(c))
+                continue_point(
+                    in_.objects, slot,
+                    (known & bit) != 0 && features[i - begin] == c.manifold.points[0].feature,
+                    moment_);
+            if (needs_more(c)) piece.more.push_back(slot);
         }
     }
 
@@ -155,7 +170,8 @@ class Collision {
 
     const NarrowPhaseInput in_;  ///< a copy: one indirection less in the loops
     const ConvexArrays arrays_;
-    const bool keeps_;  ///< the contacts of the other solvers are rigid
+    const bool keeps_;    ///< the contacts of the other solvers are rigid
+    const float moment_;  ///< of the geometry of moving points
     CollisionBatch batch_ = {};
     ContactRecord* records_[CollisionBatch::size] = {};
     Manifold unused_;

@@ -255,7 +255,9 @@ struct alignas(64) ContactRecord {
     bool hit_events = false;
     bool disabled = false;  ///< disabled in this step by a callback
     bool curved = false;    ///< a contact of an ellipse: it moves along the rim within the step
-    bool kept = false;      ///< the manifold may be kept; edits of a body or its shapes forbid it
+    /// Two points: the manifold may be kept; one: its geometry is stored. Edits of a body or its
+    /// shapes reset it.
+    bool kept = false;
     bool begin_reported = false;  ///< the begin of its touch was reported, and its end will be
     float friction = 0.0f;
     Manifold manifold;
@@ -269,7 +271,8 @@ struct alignas(64) ContactRecord {
 };
 static_assert(sizeof(ContactRecord) == 128);
 
-/// How a manifold was when it was computed: contacts/kept_manifold.h.
+/// How a manifold of two points was when it was computed: contacts/kept_manifold.h. For one point the
+/// same bytes hold a PointGeometry: contacts/moving_point.h.
 struct ManifoldPose {
     float angle_a = 0.0f, angle_b = 0.0f;  ///< of the bodies
     float separations[2] = {};
