@@ -119,7 +119,7 @@ class Mover:
 
     @climbing.setter
     def climbing(self, climbing):
-        self._state.climbing = bool(climbing)
+        self._state.climbing = to_number("_Bool", climbing, "climbing")
 
     @property
     def state(self):
@@ -135,7 +135,8 @@ class Mover:
             vector = getattr(made, name)
             vector.x, vector.y = pair(getattr(state, name), name)
         made.ground, made.dropped = id_of(state.ground, Shape), id_of(state.dropped, Shape)
-        made.on_ground, made.climbing = bool(state.on_ground), bool(state.climbing)
+        for name in ("on_ground", "climbing"):
+            setattr(made, name, to_number("_Bool", getattr(state, name), name))
         self._try({}, made)
 
     def move(self, velocity, dt):
@@ -192,3 +193,26 @@ def _restored(world, settings, state):
     mover = Mover(world, **settings)
     mover.state = state
     return mover
+
+
+def _planes_to_c(planes):
+    made = ffi.new("fettle_mover_plane[]", len(planes))
+    for told, plane in zip(made, planes):
+        told.normal.x, told.normal.y = pair(plane.normal, "normal")
+        told.separation = to_number("float", plane.separation, "separation")
+    return made, len(made)
+
+
+def solve_planes(motion, planes, distance=0.0):
+    """For movers of the program's own: the motion nearest to a wanted one (m) after which all planes, each with `normal` and
+    `separation`, are at least `distance` (m) away. If there is none, one that divides the overlap among them."""
+    out = ffi.new("fettle_vec2*")
+    check(lib.fettle_solve_planes(*pair(motion, "motion"), *_planes_to_c(planes), to_number("float", distance, "distance"), out))
+    return vec2(out)
+
+
+def clip_velocity(velocity, planes):
+    """A velocity without the parts that go into the planes."""
+    out = ffi.new("fettle_vec2*")
+    check(lib.fettle_clip_velocity(*pair(velocity, "velocity"), *_planes_to_c(planes), out))
+    return vec2(out)

@@ -14,6 +14,7 @@ class ContactPoint(NamedTuple):
     separation: float  # m, negative: overlap
     normal_impulse: float  # N s in one sub-step
     tangent_impulse: float
+    feature: int  # identifies the vertex and edge between steps
 
 
 class Contact(NamedTuple):
@@ -27,6 +28,10 @@ class Contact(NamedTuple):
     friction: float
     restitution: float
     normal_force: float
+    part_a: int  # segment of a chain or piece of a concave polygon, from 0
+    part_b: int
+    material_a: int  # of the shapes, or of the segments of chains
+    material_b: int
 
 
 class SegmentSurface(NamedTuple):
@@ -49,10 +54,10 @@ def _surface_to_c(surface):
 
 def contact_of(world, c):
     from .body import Body
-    points = [ContactPoint(vec2(p.point), p.separation, p.normal_impulse, p.tangent_impulse)
+    points = [ContactPoint(vec2(p.point), p.separation, p.normal_impulse, p.tangent_impulse, p.feature)
               for p in c.points[0:c.point_count]]
     return Contact(Body(world, c.body_a), Body(world, c.body_b), Shape(world, c.shape_a), Shape(world, c.shape_b),
-                   vec2(c.normal), points, c.friction, c.restitution, c.normal_force)
+                   vec2(c.normal), points, c.friction, c.restitution, c.normal_force, c.part_a, c.part_b, c.material_a, c.material_b)
 
 
 _members = {m[0]: m[1].type.cname for m in ffi.typeof("fettle_shape_def").fields if m[0] != "size"}

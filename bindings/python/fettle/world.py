@@ -3,6 +3,7 @@
 from collections import deque
 
 from . import _callbacks, fields, geometry as geometries, joints
+from ._accounts import account_of
 from ._call import Invalid, Locked, check, definition, ffi, lib, list_of, unknown
 from ._columns import Columns
 from ._drawing import drawing_of
@@ -143,7 +144,7 @@ class World(Queries):
         check(lib.fettle_world_create_field(self._pointer, fields.to_c(force), made))
         return fields.Field(self, made[0])
 
-    def joint(self, type, a=None, b=None, anchor_a=(0, 0), anchor_b=(0, 0), **properties):
+    def joint(self, type, body_a=None, body_b=None, anchor_a=(0, 0), anchor_b=(0, 0), **properties):
         """A new joint of one of the types of `fettle.joints.classes`: `world.joint("revolute", None, wheel, (0, 2))`. None stands
         for the world, whose anchors are in world coordinates; the other anchors are in body coordinates. What its definition in C
         leaves open is measured: `world.joint("pulley", a, b, ground_a=(0, 5), ground_b=(2, 5))` is taut."""
@@ -151,11 +152,11 @@ class World(Queries):
         made = ffi.new("fettle_id*")
         if type == "mouse":
             joint_def = definition("fettle_mouse_joint_def")
-            joint_def.body = id_of(b, Body)
+            joint_def.body = id_of(body_b, Body)
             joint_def.target = pair(anchor_a, "target")
         else:
             joint_def = definition(f"fettle_{type}_joint_def")
-            joint_def.body_a, joint_def.body_b = id_of(a, Body), id_of(b, Body)
+            joint_def.body_a, joint_def.body_b = id_of(body_a, Body), id_of(body_b, Body)
             joint_def.anchor_a, joint_def.anchor_b = pair(anchor_a, "anchor_a"), pair(anchor_b, "anchor_b")
         set_members(joint_def, properties)
         check(getattr(lib, f"fettle_world_create_{type}_joint")(self._pointer, joint_def, made))
@@ -272,6 +273,16 @@ class World(Queries):
         """Events of the last step and of the edits before it."""
         return events_of(self)
 
+    def keep_account(self, body):
+        """From the next step on, adds up what changes the velocity of a body. A world keeps eight accounts: with one more, the one
+        that began first ends."""
+        check(lib.fettle_world_keep_account(self._pointer, id_of(body, Body)))
+
+    def account(self, body):
+        """What changed the velocity of a body in the last step: a `VelocityAccount`. None if it was not kept, or if the body was
+        asleep or does not move by forces."""
+        return account_of(self, body)
+
     # --- Arrays: row `body.slot` belongs to a body; they show every step and cannot be written ------
 
     @property
@@ -375,9 +386,10 @@ class World(Queries):
 
     def draw(self, target, **options):
         """Calls `target.polygon(points, closed, color)`, `circle(center, radius, angle, color)`, `segment(begin, end, color)` and
-        `point(at, color)` for all that is to be drawn; those that it has not are left out. `options`: `shapes`, `joints`,
+        `point(at, color)` for all that is to be drawn; those that it has not are left out. `target.color_of(body, shape)`, if it has
+        that, gives the color of a shape. `options`: `shapes`, `joints`,
         `contacts`, `boxes`, `centers`, `region`, `fraction`. Colors are 0xRRGGBB."""
-        made, kept = drawing_of(target, options)
+        made, kept = drawing_of(self, target, options)
         check(lib.fettle_world_draw(self._pointer, made))
 
     # --- Recordings: `Replay` repeats them ---------------------------------------------------------

@@ -262,9 +262,56 @@ class Functions(unittest.TestCase):
         self.assertEqual(picture.drawn, [])
         with self.assertRaisesRegex(fettle.Invalid, "no colours"):
             world.draw(picture, colours=True)
+        with self.assertRaisesRegex(fettle.Invalid, "joints = 'no': expected True or False"):
+            world.draw(picture, joints="no")
         picture.circle = lambda *_: 1 / 0
         with self.assertRaises(ZeroDivisionError):
             world.draw(picture)
+
+    def test_a_target_colors_what_is_drawn(self):
+        class Picture:
+            def __init__(self):
+                self.colors = set()
+
+            def circle(self, center, radius, angle, color):
+                self.colors.add(color)
+
+            def color_of(self, body, shape):
+                return 0x123456 if shape in body.shapes else "red"
+
+        world, _, _ = a_world()
+        picture = Picture()
+        world.draw(picture)
+        self.assertEqual(picture.colors, {0x123456})
+        picture.color_of = lambda body, shape: "red"
+        with self.assertRaisesRegex(fettle.Invalid, "color_of = 'red': expected a whole number"):
+            world.draw(picture)
+
+    def test_an_account_tells_what_changed_a_velocity(self):
+        world, ground, ball = a_world()
+        self.assertIsNone(world.account(ball))
+        world.keep_account(ball)
+        run(world, 120)
+        ball.awake = True
+        ball.apply_force((3, 0))
+        world.step(1 / 60)
+        account = world.account(ball)
+        self.assertAlmostEqual(account.gravity.y, -10 / 60, delta=1e-5)
+        self.assertGreater(account.applied.x, 0)
+        share, = account.contacts
+        self.assertEqual((share.own.body, share.body), (ball, ground))
+        sum = account.gravity.y + account.force.y + account.applied.y + account.fields.y + account.damping.y + share.change.y
+        self.assertAlmostEqual(account.before.y + sum + account.rest.y, account.after.y, delta=1e-6)
+        self.assertEqual(account.joints, [])
+        self.assertEqual(account.turn.damping, 0)
+        pin = world.joint("revolute", body_a=ground, body_b=ball)
+        world.step(1 / 60)
+        self.assertEqual([share.joint for share in world.account(ball).joints], [pin])
+        with self.assertRaises(fettle.Invalid):
+            world.keep_account("ball")
+        ball.destroy()
+        with self.assertRaises(fettle.Stale):
+            world.account(ball)
 
     def test_the_log_of_the_process(self):
         lines = []
