@@ -50,6 +50,7 @@ class World(Queries):
         made = ffi.new("fettle_world**")
         check(lib.fettle_world_create(ffi.NULL, made))
         self._begin(made[0])
+        self.reserve(bodies=room)
         for body in [self.body() for _ in range(room)]:
             body.destroy()
         for name, value in settings.items():
@@ -260,7 +261,7 @@ class World(Queries):
         """Makes room for so many objects at least."""
         self._columns.may_move("reserve")
         counts = dict(bodies=bodies, shapes=shapes, contacts=contacts, joints=joints)
-        check(lib.fettle_world_reserve(self._pointer, *(to_number("uint32_t", n, name) for name, n in counts.items())))
+        check(lib.fettle_world_reserve(self._pointer, *(to_number("uint32_t", n, f"reserve: {name}") for name, n in counts.items())))
 
     @property
     def memory(self):

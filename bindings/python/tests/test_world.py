@@ -193,6 +193,9 @@ class Queries(unittest.TestCase):
 
 class Arrays(unittest.TestCase):
     def test_arrays_show_the_world_itself(self):
+        for room in (1 << 40, -1, "four"):
+            with self.assertRaisesRegex(fettle.Invalid, "bodies"):
+                fettle.World(room=room)
         world = fettle.World(room=4)
         ball = world.body(position=(1, 5))
         poses, velocities = world.poses, world.velocities

@@ -81,8 +81,7 @@ export function begin() {
   while (passing.length > passingFrom) passing.pop()();
 }
 
-/** Calls a function of the program inside a call. What it throws, the outer call throws when it is over. Gives 1 or 0, `otherwise` after an
-    error. */
+/** Calls a function of the program inside a call. What it throws, the outer call throws when it is over; then it gives `otherwise`. */
 export function nested(otherwise, act) {
   const outer = [bottom, top, passingFrom], before = raised;
   let result = otherwise, error;
@@ -96,7 +95,7 @@ export function nested(otherwise, act) {
   begin();
   [bottom, top, passingFrom] = outer;
   raised = before ?? error;
-  return result ? 1 : 0;
+  return result;
 }
 /** The address of `size` bytes, aligned to 8, with anything in them. */
 export function room(size) {
@@ -285,12 +284,13 @@ export class WorldBase {
     this.handles = [, [], [], [], []];
   }
   draw(target, options = {}) {
+    const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
     begin();
     const { size, write, functions } = classes.debugDraw;
     const def = struct(options, size, "options", write, (p) => c.fettle_debug_draw_init(p, size));
     const [, number] = lent(target, "target");
     for (const [name, offset] of Object.entries(functions))
-      view.u32[(def + offset) >> 2] = name === "user" ? number : typeof target?.[name] === "function" ? addressOf(name) : 0;
+      view.u32[(def + offset) >> 2] = name === "user" ? number : typeof target?.[camel(name)] === "function" ? addressOf(name) : 0;
     done(c.fettle_world_draw(this.pointer, def));
   }
   column(offset, floats) {

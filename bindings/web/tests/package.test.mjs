@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as fettle from "fettle-physics";
 
-const { BodyType, Invalid, Locked, ShapeType, Stale, World, box, circle, load, polygon } = fettle;
+const { BodyType, Invalid, Locked, ShapeType, Stale, World, box, circle, clipVelocity, load, polygon, solvePlanes } = fettle;
 await load();
 
 const near = (value, expected, most) => assert.ok(Math.abs(value - expected) <= most, `${value} is not ${expected}`);
@@ -274,6 +274,9 @@ test("a mover crouches where there is no room to stand", () => {
   near(hero.height, 1.8, 1e-6);
   assert.throws(() => hero.setHeight(0.1), Invalid);
   const [below] = hero.planes(0.5);
+  near(clipVelocity({ x: 1, y: -2 }, [below]).y, 0, 1e-6);
+  near(solvePlanes({ x: 1, y: -2 }, hero.planes(0.5), 0.1).y, 0.1 - below.separation, 1e-4);
+  assert.throws(() => clipVelocity({ x: 1, y: -2 }, [{ ...below, normal: { x: 0, y: 3 } }]), /planes\[0\]: expected a normal of length 1/);
   near(below.normal.y, 1, 1e-4);
   assert.ok(below.shape instanceof fettle.Shape);
 });
