@@ -1,7 +1,7 @@
 """Functions of Python that a world calls."""
 
 from ._call import Stale, ffi, keep_exception
-from ._properties import to_number
+from ._properties import to_number, to_pose
 from ._values import Pose, pair, vec2
 from .body import Body
 from .shape import Shape
@@ -41,8 +41,7 @@ class Edit:
         elif ffi.typeof(member).cname == "struct fettle_vec2":
             member.x, member.y = pair(value, name)
         else:
-            position, angle = value
-            (member.position.x, member.position.y), member.angle = pair(position, name), to_number("float", angle, name)
+            member.position.x, member.position.y, member.angle = to_pose(value, name)
 
 
 class ContactEdit(Edit):

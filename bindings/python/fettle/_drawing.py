@@ -1,6 +1,6 @@
 """Drawing of a world by functions of Python."""
 
-from ._call import definition, ffi, keep_exception, unknown
+from ._call import Invalid, definition, ffi, keep_exception, unknown
 from ._properties import to_number
 from ._values import to_aabb, vec2
 from .body import Body
@@ -26,9 +26,12 @@ def _functions(world, target):
     def color_of(user, pointer, body, shape):
         return to_number("uint32_t", target.color_of(Body(world, body), Shape(world, shape)), "color_of")
 
+    calls = dict(polygon=polygon, circle=circle, segment=segment, point=point, color_of=color_of)
+    if not any(callable(getattr(target, name, None)) for name in calls):
+        raise Invalid(f"expected a target with some of the methods {', '.join(calls)}, got {target!r}")
     members = dict(ffi.typeof("fettle_debug_draw").fields)
     return {name: ffi.callback(members[name].type, call, onerror=keep_exception)
-            for name, call in dict(polygon=polygon, circle=circle, segment=segment, point=point, color_of=color_of).items()
+            for name, call in calls.items()
             if callable(getattr(target, name, None))}
 
 

@@ -1,7 +1,7 @@
 """Properties of Python from the getters and setters of the interface in C."""
 
 from ._call import Invalid, check, ffi, lib
-from ._values import Pose, aabb, pair, vec2
+from ._values import Pose, aabb, pair, two, vec2
 
 _convert = {
     "float": None,
@@ -48,6 +48,12 @@ def set_members(made, values):
             vector.x, vector.y = pair(value, name)
         else:
             setattr(made, name, to_number(ctype, value, name))
+
+
+def to_pose(value, what):
+    """x, y and angle of a pose."""
+    position, angle = two(value, what, "a pose: (position, angle)")
+    return *pair(position, "position"), to_number("float", angle, "angle")
 
 
 def to_function(value, name):

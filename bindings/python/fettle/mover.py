@@ -2,10 +2,10 @@
 
 from typing import NamedTuple, Optional
 
-from ._call import check, definition, ffi, lib, list_of, unknown
+from ._call import Invalid, check, definition, ffi, lib, list_of, unknown
 from ._handle import id_of
 from ._properties import to_number
-from ._values import Vec2, pair, vec2
+from ._values import Vec2, pair, to_list, vec2
 from .body import Body, body_or_none
 from .shape import Shape
 
@@ -76,6 +76,9 @@ class Mover:
     __slots__ = ("world", "_definition", "_state")
 
     def __init__(self, world, position=(0, 0), **settings):
+        from .world import World
+        if not isinstance(world, World):
+            raise Invalid(f"expected a World, got {world!r}")
         self.world = world
         self._definition = definition("fettle_mover_def")
         state = definition("fettle_mover_state")
@@ -130,6 +133,8 @@ class Mover:
 
     @state.setter
     def state(self, state):
+        if not isinstance(state, MoverState):
+            raise Invalid(f"state: expected a MoverState, got {state!r}")
         made = definition("fettle_mover_state")
         for name in ("position", "ground_normal"):
             vector = getattr(made, name)
@@ -196,8 +201,11 @@ def _restored(world, settings, state):
 
 
 def _planes_to_c(planes):
+    planes = to_list(planes, "planes")
     made = ffi.new("fettle_mover_plane[]", len(planes))
     for told, plane in zip(made, planes):
+        if not isinstance(plane, MoverPlane):
+            raise Invalid(f"planes: expected a MoverPlane, got {plane!r}")
         told.normal.x, told.normal.y = pair(plane.normal, "normal")
         told.separation = to_number("float", plane.separation, "separation")
     return made, len(made)

@@ -3,10 +3,10 @@
 from typing import NamedTuple
 
 from . import geometry as geometries
-from ._call import check, definition, ffi, lib, list_of, unknown
-from ._handle import Handle
+from ._call import Invalid, check, definition, ffi, lib, list_of, unknown
+from ._handle import Handle, id_of
 from ._properties import bind, to_number
-from ._values import Vec2, hull_statuses, pair, points, shape_types, vec2
+from ._values import Vec2, hull_statuses, to_list, pair, points, shape_types, vec2
 
 
 class ContactPoint(NamedTuple):
@@ -49,7 +49,14 @@ def _surface_of(c):
 
 def _surface_to_c(surface):
     types = {name: member.type.cname for name, member in ffi.typeof("fettle_segment_surface").fields}
+    if not isinstance(surface, SegmentSurface):
+        raise Invalid(f"expected a SegmentSurface, got {surface!r}")
     return {name: to_number(types[name], getattr(surface, name), name) for name in SegmentSurface._fields}
+
+
+def _id_of_body(body):
+    from .body import Body
+    return id_of(body, Body)
 
 
 def contact_of(world, c):
@@ -102,7 +109,7 @@ class Shape(Handle):
         return body_or_none(self.world, out[0])
 
     def attach(self, body):
-        check(lib.fettle_shape_attach(self._pointer, self.id, body.id))
+        check(lib.fettle_shape_attach(self._pointer, self.id, _id_of_body(body)))
 
     def detach(self):
         check(lib.fettle_shape_detach(self._pointer, self.id))
@@ -157,7 +164,7 @@ class Shape(Handle):
 
     def set_segment_surfaces(self, surfaces):
         """Chain: the surfaces of all segments in order; an empty list: all have that of the shape."""
-        made = [_surface_to_c(surface) for surface in surfaces]
+        made = [_surface_to_c(surface) for surface in to_list(surfaces, "surfaces")]
         given = ffi.new("fettle_segment_surface[]", made) if made else ffi.NULL
         check(lib.fettle_shape_set_segment_surfaces(self._pointer, self.id, given, len(made)))
 
@@ -190,6 +197,8 @@ class Shape(Handle):
 
     def distance(self, other):
         """Distance to another shape (m), and the nearest points on this and on the other one."""
+        if not isinstance(other, Shape):
+            raise Invalid(f"expected a Shape, got {other!r}")
         out = ffi.new("fettle_separation*")
         check(lib.fettle_distance(self._pointer, self.id, other._pointer, other.id, out))
         return out.distance, vec2(out.point_a), vec2(out.point_b)

@@ -397,7 +397,9 @@ class World(Queries):
 
     def start_recording(self, write):
         """Records the world: `write(bytes)` gets its state now and the changes in every step, as `file.write` does."""
-        callback = _callbacks.recording_sink(self, to_function(write, "start_recording"))
+        if to_function(write, "start_recording") is None:
+            raise Invalid("start_recording: expected a function, got None")
+        callback = _callbacks.recording_sink(self, write)
         self._give("recording", lib.fettle_world_start_recording, callback)
 
     def stop_recording(self):

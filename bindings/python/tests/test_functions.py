@@ -4,6 +4,8 @@ import gc
 import math
 import unittest
 
+import numpy
+
 import fettle
 
 
@@ -267,6 +269,29 @@ class Functions(unittest.TestCase):
         picture.circle = lambda *_: 1 / 0
         with self.assertRaises(ZeroDivisionError):
             world.draw(picture)
+
+    def test_values_of_another_kind_are_refused_by_name(self):
+        world, ground, ball = a_world()
+        shape = ball.shapes[0]
+        for refused, expected in (
+                (lambda: setattr(world, "bounds", 3), "bounds: expected \\(\\(left, bottom\\)"),
+                (lambda: world.query_aabb(None), "box: expected"),
+                (lambda: setattr(ball, "pose", 3), "pose: expected a pose: \\(position, angle\\), got 3"),
+                (lambda: ball.set_target(None, 1), "pose: expected"),
+                (lambda: shape.attach("ground"), "expected a Body"),
+                (lambda: shape.distance(ball), "expected a Shape"),
+                (lambda: shape.set_segment_surfaces(None), "surfaces: expected a list"),
+                (lambda: shape.set_segment_surface(0, 3), "expected a SegmentSurface"),
+                (lambda: fettle.Mover(ball), "expected a World"),
+                (lambda: setattr(fettle.Mover(world), "state", 3), "expected a MoverState"),
+                (lambda: fettle.join_lines(3), "lines: expected a list"),
+                (lambda: fettle.clip_velocity((1, 0), [3]), "expected a MoverPlane"),
+                (lambda: world.query_overlap(shape, pose=((0, 0), 0)), "a shape is where its body is"),
+                (lambda: world.draw(ball), "expected a target with some of the methods polygon"),
+                (lambda: world.start_recording(None), "expected a function"),
+                (lambda: world.joint(numpy.array([1, 2])), "type = array")):
+            with self.subTest(expected=expected), self.assertRaisesRegex(fettle.Invalid, expected):
+                refused()
 
     def test_a_target_colors_what_is_drawn(self):
         class Picture:
