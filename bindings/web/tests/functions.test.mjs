@@ -195,6 +195,17 @@ test("a world is drawn by the methods that a target has", () => {
   assert.throws(() => world.draw({ polygon() { throw new RangeError("full"); } }), RangeError);
 });
 
+test("what has no defaults must be there", () => {
+  const { world, floor } = standing(), min = { x: -1, y: -1 };
+  assert.throws(() => world.queryAabb({ min }), /^Error: box has no "max": expected min, max$/);
+  assert.throws(() => { world.bounds = {}; }, /bounds has no "min"/);
+  assert.throws(() => floor.setSegmentSurface(0, { friction: 1 }), /surface has no "restitution"/);
+  assert.throws(() => fettle.joinLines(() => {}), /points = .*: expected an array/);
+  assert.throws(() => { new fettle.Mover(world).position = undefined; }, /position = undefined/);
+  assert.throws(() => world.draw({ polygons() {} }), /expected an object with some of the methods polygon, circle/);
+  assert.throws(() => world.draw(null), Invalid);
+});
+
 test("a target colors what is drawn", () => {
   const { world, ball, shape } = standing();
   const colors = [];
@@ -236,7 +247,7 @@ test("segments of a chain have surfaces", () => {
   const world = new World();
   const ground = world.createBody({ type: BodyType.STATIC }).add(chain([{ x: 0, y: 0 }, { x: 10, y: 0 }, { x: 20, y: 0 }]), { friction: 0.5 });
   assert.equal(ground.segmentSurfaceOverride(1), null);
-  ground.setSegmentSurface(1, { friction: 0, material: 4 });
+  ground.setSegmentSurface(1, { friction: 0, restitution: 0, rollingResistance: 0, surfaceSpeed: 0, material: 4 });
   assert.equal(ground.segmentSurface(1).friction, 0);
   assert.equal(ground.segmentSurfaceOverride(1).material, 4);
   assert.equal(ground.segmentSurface(0).friction, 0.5);
