@@ -4,7 +4,7 @@ from collections import deque
 
 from . import _callbacks, fields, geometry as geometries, joints
 from ._accounts import account_of
-from ._call import Invalid, Locked, check, definition, ffi, lib, list_of, unknown
+from ._call import Invalid, Locked, check, close_world, closed, definition, ffi, lib, list_of, open_world, unknown
 from ._columns import Columns
 from ._drawing import drawing_of
 from ._events import events_of
@@ -40,10 +40,11 @@ def _restored(state):
 class World(Queries):
     """A world of rigid bodies. Its settings are properties with the names of fettle/physics_c/world_settings.h, and may be
     given at creation: `World(gravity=(0, 0), substeps=8)`. `room`: number of bodies for which there is room, so that arrays of
-    it stay valid while they are created. A world belongs to one thread at a time. Copies by `copy` and `pickle` are as those by
+    it stay valid while they are created. A world belongs to one thread at a time: a call
+    raises `Locked` while another thread is in one. Copies by `copy` and `pickle` are as those by
     `clone`; of a world and its handles together, both are copied."""
 
-    __slots__ = ("_pointer", "_columns", "_callbacks", "_waiting", "_closed", "__weakref__")
+    __slots__ = ("_pointer", "_columns", "_callbacks", "_waiting", "__weakref__")
 
     def __init__(self, room=0, **settings):
         self._pointer = ffi.NULL
@@ -61,9 +62,9 @@ class World(Queries):
 
     def _begin(self, pointer):
         self._pointer = pointer
+        open_world(pointer)
         self._columns = Columns(self)
         self._callbacks = {}
-        self._closed = False
         self._waiting = deque()  # functions for the end of the step
 
     @classmethod
@@ -75,15 +76,21 @@ class World(Queries):
 
     def __del__(self):
         if getattr(self, "_pointer", ffi.NULL) != ffi.NULL:
-            lib.fettle_world_destroy(self._pointer)
+            self._end(lambda code: None)
 
     def close(self):
         """Destroys the world now; it and its objects raise `Stale` from then on. A second time it does nothing."""
-        if self._closed:
+        if self._pointer != closed:
+            self._columns.may_move("close")
+            self._end(check)
+
+    def _end(self, check):
+        if self._pointer == closed:
             return
-        self._columns.may_move("close")
-        check(lib.fettle_world_destroy(self._pointer))
-        self._closed = True
+        pointer = self._pointer
+        check(lib.fettle_world_destroy(pointer))
+        self._pointer = closed
+        close_world(pointer)
 
     friction_mix = _named("friction_mix", mix_rules)
     restitution_mix = _named("restitution_mix", mix_rules)
@@ -381,7 +388,7 @@ class World(Queries):
         """Calls `function()` once when the running step has ended, or after the next one. It may edit the world."""
         if to_function(function, "after_step") is None:
             raise Invalid("after_step: expected a function, got None")
-        callback = self._callbacks.setdefault("after_step", _callbacks.after_step(self._waiting))
+        callback = self._callbacks.setdefault("after_step", _callbacks.after_step(self))
         check(lib.fettle_world_after_step(self._pointer, callback, ffi.NULL))
         self._waiting.append(function)
 

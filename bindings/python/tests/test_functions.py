@@ -2,6 +2,7 @@
 
 import gc
 import math
+import threading
 import unittest
 
 import numpy
@@ -104,6 +105,72 @@ class Functions(unittest.TestCase):
             kept[0].friction
         with self.assertRaises(fettle.Stale):
             kept[0].friction = 1
+
+    def test_another_thread_is_refused_during_a_call(self):
+        world, _, ball = a_world()
+        other, errors = fettle.World(), []
+
+        def elsewhere(function):
+            def act():
+                try:
+                    function()
+                except fettle.Error as error:
+                    errors.append(error)
+
+            thread = threading.Thread(target=act)
+            thread.start()
+            thread.join()
+
+        def inside(edit):
+            elsewhere(lambda: world.step(1))
+            elsewhere(lambda: ball.velocity)
+            elsewhere(lambda: other.take(world))
+            elsewhere(lambda: other.step(1))
+            self.assertEqual(ball.position.x, 0)
+
+        ball.set_velocity_function(inside)
+        world.step(1 / 60)
+        self.assertEqual([type(error) for error in errors], [fettle.Locked] * 3)
+        self.assertRegex(str(errors[1]), "fettle_body_velocity: another thread is in a call with this world")
+        ball.set_velocity_function(None)
+        elsewhere(lambda: world.step(1 / 60))
+        self.assertEqual(len(errors), 3)
+
+    def test_threads_that_race_leave_a_whole_world(self):
+        world, ground, ball = a_world()
+
+        def act():
+            for i in range(300):
+                try:
+                    world.body(position=(0, 3)).add(fettle.Circle(0.1))
+                    world.step(1 / 60)
+                    world.bodies[-1].destroy()
+                except fettle.Error:
+                    pass
+
+        threads = [threading.Thread(target=act) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertIsNone(world.fault)
+
+    def test_a_closed_world_is_not_the_one_that_has_its_memory(self):
+        closed = fettle.World()
+        ball = closed.body()
+        closed.close()
+        worlds = []
+        for _ in range(1500):  # the library keeps the memory of a thousand
+            worlds.append(fettle.World())
+            fettle.World().close()
+        with self.assertRaises(fettle.Stale):
+            closed.step(1)
+        self.assertFalse(ball.is_valid)
+        closed.close()
+        del closed, ball
+        gc.collect()
+        for world in worlds:
+            world.step(1)
 
     def test_callbacks_may_run_on_several_threads(self):
         world, ground, ball = a_world()
