@@ -230,7 +230,9 @@ TEST_CASE("each value of the definition of a mouse joint in C comes into the joi
     def.enabled = false;
     def.user_data = 77;
     REQUIRE(fettle_world_create_mouse_joint(in.world, &def, &id) == FETTLE_DONE);
-    CHECK_READ(mouse_joint, fettle_vec2, anchor)
+    fettle_position anchor = {};
+    REQUIRE(fettle_mouse_joint_anchor(in.world, id, &anchor) == FETTLE_DONE);
+    CHECK((anchor.x == def.anchor.x && anchor.y == def.anchor.y));
     CHECK_READ(mouse_joint, fettle_position, target)
     CHECK_READ(mouse_joint, float, hertz)
     CHECK_READ(mouse_joint, float, damping_ratio)
