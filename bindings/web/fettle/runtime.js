@@ -218,7 +218,7 @@ export class Handle {
   }
   /** Where it is in the columns of its world. */
   get slot() { return this.low & slotMask; }
-  get isValid() { return c[`fettle_${kindNames[this.low >>> slotBits]}_is_valid`](this.world.pointer, this.id) !== 0; }
+  get isValid() { return c[`fettle_${kindNames[this.low >>> slotBits]}_is_valid`](this.world.address, this.id) !== 0; }
   toString() { return `${this.constructor.name} ${this.slot}`; }
 }
 const kindNames = [, "body", "shape", "joint", "field"];
@@ -274,16 +274,20 @@ export class WorldBase {
     return Object.preventExtensions(world);
   }
   own(pointer) {
-    this.pointer = pointer;
+    this.address = pointer;  // 0: destroyed; a later world may get the memory
     this.handles = [, [], [], [], []];
     know(this);
     forgotten.register(this, pointer, this);
   }
+  get pointer() {
+    if (this.address === 0) throw new Stale("world: it was destroyed");
+    return this.address;
+  }
   /** Destroys the world and all in it; it can be called again. */
   destroy() {
-    const code = c.fettle_world_destroy(this.pointer);
-    if (errors[code] === Stale) return;
-    done(code);
+    if (this.address === 0) return;
+    done(c.fettle_world_destroy(this.address));
+    this.address = 0;
     forgotten.unregister(this);
     this.handles = [, [], [], [], []];
   }

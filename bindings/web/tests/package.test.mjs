@@ -319,3 +319,20 @@ test("the library in C is there as a whole", () => {
   assert.equal(fettle.simdWidth(), 4);
   assert.ok(new Locked("locked") instanceof fettle.FettleError);
 });
+
+test("a destroyed world is not the one that has its memory", () => {
+  const { world, ball } = standing(), others = [];
+  world.destroy();
+  for (let i = 0; i < 1500; ++i) {  // the library keeps the memory of a thousand
+    others.push(new World());
+    new World().destroy();
+  }
+  assert.throws(() => world.step(1), Stale);
+  assert.throws(() => others[0].assign(world), Stale);
+  assert.equal(ball.isValid, false);
+  world.destroy();
+  for (const other of others) {
+    other.step(1);
+    other.destroy();
+  }
+});
