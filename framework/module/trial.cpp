@@ -2,7 +2,6 @@
 
 #include <poll.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,6 +19,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr std::chrono::seconds limit(10);  // for a trial
+
 void write_all(int to, std::string_view text) {
     while (!text.empty()) {
         const ssize_t n = ::write(to, text.data(), text.size());
@@ -36,13 +37,13 @@ constexpr std::string_view success_line = "=\n";
 /// finally "!" with an error message, or `success_line`.
 [[noreturn]] void run_copy(
     int to, const std::function<void(const std::function<void(std::string_view)>&)>& body) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);  // a crash is reported as text, so no core file is needed
     // The program's crash handlers must not run in the copy.
     for (const int number :
          {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGINT, SIGTERM, SIGHUP, SIGALRM})
         signal(number, SIG_DFL);
+    alarm(2 * unsigned(limit.count()));  // ends it also where the program has ended meanwhile
     try {
         body([&](std::string_view phase) { write_all(to, "@" + std::string(phase) + "\n"); });
         write_all(to, success_line);
@@ -89,7 +90,6 @@ bool wait_until_end(pid_t copy, Clock::time_point deadline, int& status) {
 
 std::string run_trial(
     const std::function<void(const std::function<void(std::string_view)>&)>& body) {
-    constexpr std::chrono::seconds limit(10);
     int ends[2];
     if (pipe(ends) != 0) throw std::runtime_error(std::string("no pipe: ") + strerror(errno));
     const pid_t copy = fork();

@@ -396,6 +396,17 @@ Violations unportable_names(const SourceTree& tree) {
     return found;
 }
 
+Violations headers_of_linux(const SourceTree& tree) {
+    static const std::regex include(R"(#include <(linux/|sys/prctl\.h|sys/epoll\.h).*)");
+    Violations found;
+    const auto is_of_a_part = [](const SourceFile& file) { return part_of(file.path) != nullptr; };
+    each_line(tree, is_of_a_part, [&](const SourceFile& file, int line, const std::string& text) {
+        if (std::regex_match(text, include))
+            found.push_back(at(file, line, "only Linux has this header"));
+    });
+    return found;
+}
+
 Violations careless_headers(const SourceTree& tree) {
     static const std::regex opens("^using namespace .*");  // inside a function it would be indented
     Violations found;

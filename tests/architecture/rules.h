@@ -56,6 +56,9 @@ Violations overlong_files(const SourceTree& tree);
 /// systems lack (docs/design/testing.md).
 Violations unportable_names(const SourceTree& tree);
 
+/// No part includes a header that only Linux has.
+Violations headers_of_linux(const SourceTree& tree);
+
 /// Headers have `#pragma once`. Headers of a part contain no `using namespace`, which would affect
 /// every file that includes them.
 Violations careless_headers(const SourceTree& tree);

@@ -92,6 +92,10 @@ TEST_CASE("physics uses only what every standard library has") {
     CHECK(listed(unportable_names(project())) == "");
 }
 
+TEST_CASE("no part needs a header of Linux") {
+    CHECK(listed(headers_of_linux(project())) == "");
+}
+
 TEST_CASE("headers have pragma once and contain no using namespace") {
     CHECK(listed(careless_headers(project())) == "");
 }

@@ -169,6 +169,12 @@ TEST_CASE("a function that some standard libraries lack is reported in physics a
     CHECK(of(unportable_names, "physics/module/drawing/forms.cpp", text).empty());
 }
 
+TEST_CASE("a header that only Linux has is reported") {
+    CHECK(of(headers_of_linux, "framework/module/trial.cpp", "#include <sys/prctl.h>\n").size() ==
+          1);
+    CHECK(of(headers_of_linux, "framework/module/trial.cpp", "#include <sys/wait.h>\n").empty());
+}
+
 TEST_CASE("a header without pragma once or with using namespace is reported") {
     const char* path = "console/panel.h";
     CHECK(of(careless_headers, path, "#pragma once\n    using namespace std;\n").empty());

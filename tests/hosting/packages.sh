@@ -24,7 +24,7 @@ rm -f -- "$build"/*.deb
 version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$build/CMakeCache.txt")
 packages=("$build"/fettle_"$version"_*.deb "$build"/fettle-dev_"$version"_*.deb)
 python=$build/python3-fettle_${version}_all.deb  # where cffi was there
-[[ ! -e $python ]] || packages+=("$python")
+if [[ -e $python ]]; then packages+=("$python"); else echo "python3-fettle was not made: it needs cffi, and the shared libraries"; fi
 for package in "${packages[@]}"; do
     dpkg-deb --show --showformat '${Package} ${Version}, ${Installed-Size} kB; depends on ${Depends}\n' "$package"
     if command -v lintian >/dev/null; then lintian --fail-on error --tag-display-limit 0 "$package"; fi
@@ -90,7 +90,7 @@ for game in "$root"/usr/share/fettle/scripts/*/main.lua; do
     game=${game#"$root"}
     expect 'at[[:space:]]+29' somebody fettle run "${game%/main.lua}" --headless --steps 60 --at '30:print("at", time.step)'
 done
-expect '^The guide: /usr/share/doc/fettle/guide/README.md' somebody fettle --help
+expect 'The guide: /usr/share/doc/fettle/guide/README.md' somebody fettle --help
 expect 'physics' somebody fettle run --headless --steps 2 --module physics --eval 'print(modules.physics.file)'
 
 # --- Building ----------------------------------------------------------------------------------------------------------------

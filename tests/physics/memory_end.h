@@ -2,6 +2,10 @@
 
 #include <cstdint>
 
+#ifndef __linux__
+#error "CMakeLists.txt leaves out what includes this, except on Linux"
+#endif
+
 namespace scenes {
 
 /// While it lives, the program gets memory so many times, then once none, and then some again.

@@ -1,8 +1,7 @@
 #include "catch.h"
-#include "memory_end.h"
 #include "scenes.h"
 
-// Visitors of queries: they get what the lists have, without memory, and end a query.
+// Visitors of queries: they get what the lists have, and end a query.
 
 namespace visitor_test {
 
@@ -83,30 +82,6 @@ TEST_CASE("a visitor ends a query and may begin others") {
     });
     CHECK(outside == 20);
     CHECK(inside == 20 * 20);
-}
-
-TEST_CASE("a visitor allocates nothing") {
-    World world;
-    fill(world);
-    int finds = 0;
-    const auto query = [&] {
-        const auto count = [&finds, &world](const Shape& shape) {
-            finds += &shape.world() == &world;
-        };
-        world.visit_aabb(all, count);
-        world.visit_point({0, 3.5f}, count);
-        world.visit_ray(left, right, [&](const RayHit& hit) { finds += hit.fraction < 1; });
-        finds += world.cast_ray(left, right).has_value();
-        finds += world.closest({0, 9}).has_value();
-    };
-    query();  // the memory of the thread for outlines
-    const int once = finds;
-    {
-        const MemoryEnd end(0);
-        query();
-    }
-    CHECK(finds == 2 * once);
-    CHECK(once > 25);
 }
 
 TEST_CASE("a visitor that edits or throws or destroys the world is an error without damage") {

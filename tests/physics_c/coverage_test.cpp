@@ -16,9 +16,10 @@ using namespace fettle::physics;
 
 namespace {
 
-const char* const headers[] = {"body.h",           "shape.h",           "joint.h", "field.h",
-                               "sliding_joints.h", "coupling_joints.h", "owner.h", "world.h",
-                               "mover.h",          "recording.h"};
+const std::vector<std::string>& headers() {
+    static const std::vector<std::string> all = header_text::files_of_physics();
+    return all;
+}
 
 /// What stands for a method that has no function with its name, or for its overloads.
 const std::map<std::string, std::vector<std::string>> other_names = {
@@ -58,8 +59,6 @@ const std::map<std::string, std::string> exceptions = {
     {"World::field", "makes a handle, which is an id in C"},
     {"World::joint_generation",
      "its bounds cannot be asked for; fettle_world_joints lists the ids"},
-    {"World::keep_account", "for tools that explain a world, as the console does"},
-    {"World::account", "for tools that explain a world, as the console does"},
     {"Shape::segment_surface_overrides",
      "a list; fettle_shape_segment_surface_override gives each of its elements"},
     {"Owner::tell_unlocked", "the library calls it"},
@@ -74,6 +73,115 @@ const std::map<std::string, std::string> exceptions = {
     {"Mover::ground", "a member of the state in C"},
     {"Mover::climbing", "a member of the state in C"},
     {"Mover::set_climbing", "a member of the state in C"},
+    {"Form::type", "in C a geometry is a structure of the caller"},
+    {"Form::parts", "fettle_geometry_parts"},
+    {"TaskScheduler::start", "an argument of fettle_world_set_scheduler"},
+    {"TaskScheduler::finish", "an argument of fettle_world_set_scheduler"},
+    {"DebugDraw::polygon", "a member of fettle_debug_draw"},
+    {"DebugDraw::circle", "a member of fettle_debug_draw"},
+    {"DebugDraw::segment", "a member of fettle_debug_draw"},
+    {"DebugDraw::point", "a member of fettle_debug_draw"},
+    {"DebugDraw::color_of", "a member of fettle_debug_draw"},
+};
+
+/// Structures without one in C, and why.
+const std::map<std::string, std::string> other_structures = {
+    {"BodyId", "fettle_id"},
+    {"ShapeId", "fettle_id"},
+    {"JointId", "fettle_id"},
+    {"FieldId", "fettle_id"},
+    {"ContactId", "two ids of shapes"},
+    {"Position", "fettle_position"},
+    {"Capacity", "the arguments of fettle_world_reserve"},
+    {"Refresh", "the arguments of its functions"},
+    {"Columns", "fettle_columns has pointers to what a host reads"},
+    {"JointDef", "the definition of each type of joint has its members"},
+    {"Polygon", "fettle_geometry has its points"},
+    {"Concave", "fettle_geometry has its points"},
+    {"FieldDef", "fettle_field_def has its members and those of its force"},
+};
+
+/// Functions outside of classes that have another name in C, or none, and why.
+const std::map<std::string, std::string> other_functions = {
+    {"convex_pieces", "fettle_geometry_parts of a concave geometry"},
+    {"check", "each function that takes a definition checks it"},
+    {"hash_of", "a number is its own hash"},
+    {"version", "fettle_physics_version"},
+};
+
+struct Pair {
+    const char* file;
+    const char* structure;
+    const char* in_c;
+};
+/// A structure of the library with what has its members in C.
+const Pair pairs[] = {
+    {"account.h", "ContactShare", "contact_share"},
+    {"account.h", "JointShare", "joint_share"},
+    {"account.h", "TurnAccount", "turn_account"},
+    {"account.h", "VelocityAccount", "velocity_account"},
+    {"debug_draw.h", "DebugDrawOptions", "debug_draw"},
+    {"definitions.h", "WorldDef", "world_def"},
+    {"definitions.h", "BodyDef", "body_def"},
+    {"definitions.h", "ShapeDef", "shape_def"},
+    {"definitions.h", "MouseJointDef", "mouse_joint_def"},
+    {"joint_definitions.h", "DistanceJointDef", "distance_joint_def"},
+    {"joint_definitions.h", "RevoluteJointDef", "revolute_joint_def"},
+    {"joint_definitions.h", "PrismaticJointDef", "prismatic_joint_def"},
+    {"joint_definitions.h", "WheelJointDef", "wheel_joint_def"},
+    {"joint_definitions.h", "WeldJointDef", "weld_joint_def"},
+    {"joint_definitions.h", "MotorJointDef", "motor_joint_def"},
+    {"joint_definitions.h", "PulleyJointDef", "pulley_joint_def"},
+    {"joint_definitions.h", "GearJointDef", "gear_joint_def"},
+    {"joint_definitions.h", "GrooveJointDef", "groove_joint_def"},
+    {"joint_definitions.h", "PinSlotJointDef", "pin_slot_joint_def"},
+    {"joint_definitions.h", "RatchetJointDef", "ratchet_joint_def"},
+    {"joint_definitions.h", "FilterJointDef", "filter_joint_def"},
+    {"joint_definitions.h", "RotaryLimitJointDef", "rotary_limit_joint_def"},
+    {"definitions.h", "Circle", "geometry"},
+    {"definitions.h", "Box", "geometry"},
+    {"definitions.h", "Segment", "geometry"},
+    {"definitions.h", "Ellipse", "geometry"},
+    {"definitions.h", "Chain", "geometry"},
+    {"field.h", "WindField", "field_def"},
+    {"field.h", "DragField", "field_def"},
+    {"field.h", "BuoyancyField", "field_def"},
+    {"field.h", "AttractorField", "field_def"},
+    {"contact.h", "ContactPoint", "contact_point"},
+    {"contact.h", "Contact", "contact"},
+    {"callbacks.h", "ContactEdit", "contact_edit"},
+    {"callbacks.h", "VelocityEdit", "velocity_edit"},
+    {"callbacks.h", "PositionEdit", "position_edit"},
+    {"definitions.h", "SegmentSurface", "segment_surface"},
+    {"recording.h", "ReplayedStep", "replayed_step"},
+    {"events.h", "ContactBeginEvent", "contact_event"},
+    {"events.h", "ContactPersistEvent", "contact_event"},
+    {"events.h", "ContactHitEvent", "contact_event"},
+    {"events.h", "ContactEndEvent", "contact_end_event"},
+    {"events.h", "SensorEvent", "sensor_event"},
+    {"events.h", "JointBreakEvent", "joint_break_event"},
+    {"events.h", "JointLoadEvent", "joint_load_event"},
+    {"events.h", "Events", "events"},
+    {"query.h", "QueryFilter", "query_filter"},
+    {"query.h", "RayHit", "ray_hit"},
+    {"query.h", "PointHit", "point_hit"},
+    {"query.h", "Separation", "separation"},
+    {"query.h", "ExplosionDef", "explosion_def"},
+    {"geometry.h", "MassProperties", "mass_properties"},
+    {"geometry.h", "SurfaceHit", "surface_hit"},
+    {"geometry.h", "ContactManifold", "contact_manifold"},
+    {"geometry.h", "Movement", "movement"},
+    {"outlines.h", "JoinOptions", "join_options"},
+    {"outlines.h", "GridLayout", "grid_layout"},
+    {"mover.h", "MoverDef", "mover_def"},
+    {"mover.h", "MoverState", "mover_state"},
+    {"mover.h", "MoverPlane", "mover_plane"},
+    {"mover.h", "Moved", "moved"},
+    {"statistics.h", "StepStatistics", "statistics"},
+    {"statistics.h", "MemoryShare", "memory_share"},
+    {"types.h", "BodyState", "body_state"},
+    {"types.h", "Pose", "pose"},
+    {"types.h", "Aabb", "aabb"},
 };
 
 std::string snake_case(const std::string& name) {
@@ -89,7 +197,9 @@ std::string snake_case(const std::string& name) {
 std::map<std::string, int> methods_in(const std::string& file) {
     std::map<std::string, int> found;
     const std::string text = header_text::of_physics(file);
-    const std::regex method("([\\w~]+)\\(([^()]|\\([^()]*\\))*\\)\\s*(const)?\\s*(;|\\{)");
+    const std::regex method(
+        "([\\w~]+)\\(([^()]|\\([^()]*\\))*\\)\\s*(const)?\\s*(noexcept)?\\s*(override)?\\s*(= "
+        "0)?\\s*(;|\\{)");
     for (size_t at = text.find("\nclass "); at != std::string::npos;
          at = text.find("\nclass ", at + 1)) {
         const size_t end = text.find("\n};", at), begin = text.find("public:", at);
@@ -124,6 +234,19 @@ std::set<std::string> names_in(const std::string& structure) {
     return names;
 }
 
+std::vector<std::string> words_of(const std::string& text) {
+    const std::regex word("[A-Za-z_]\\w*");
+    std::vector<std::string> words;
+    for (std::sregex_iterator it(text.begin(), text.end(), word), end; it != end; ++it)
+        words.push_back(it->str());
+    return words;
+}
+
+std::string upper_case(std::string text) {
+    for (char& c : text) c = char(std::toupper(c));
+    return text;
+}
+
 bool has_word(const std::string& text, const std::string& word) {
     return std::regex_search(text, std::regex("\\b" + word + "\\b"));
 }
@@ -132,19 +255,20 @@ bool has_word(const std::string& text, const std::string& word) {
 
 TEST_CASE("every method of the library has a function in C") {
     const std::set<std::string> in_c = header_text::functions_in_c();
-    size_t seen = 0, excepted = 0;
-    for (const char* file : headers) {
+    size_t seen = 0;
+    std::set<std::string> excepted;
+    for (const std::string& file : headers()) {
         for (const auto& [method, overloads] : methods_in(file)) {
             const std::string type = method.substr(0, method.find(':')),
                               name = method.substr(method.rfind(':') + 1);
             // Constructors, comparison, and what the patterns take for a name.
             if (name == type || name == "~" + type || name == "operator" || name == "bool" ||
                 name == "self" || name == "uint32_t" || name == "Acting" || name == "~Acting" ||
-                name.ends_with('_'))
+                name == "Form" || name.ends_with('_'))
                 continue;
             INFO(method);
             if (exceptions.contains(method)) {
-                ++excepted;
+                excepted.insert(method);
                 continue;
             }
             ++seen;
@@ -158,8 +282,91 @@ TEST_CASE("every method of the library has a function in C") {
             CHECK((forwarded || in_c.contains("fettle_" + snake_case(type) + "_" + name)));
         }
     }
-    CHECK(excepted >= exceptions.size() - 1);
+    for (const auto& [method, reason] : exceptions) {
+        INFO(method);
+        CHECK(excepted.contains(method));
+    }
     REQUIRE(seen > 330);
+}
+
+TEST_CASE("every structure of the library has one in C") {
+    std::set<std::string> compared;
+    for (const Pair& pair : pairs) compared.insert(pair.structure);
+    const std::regex structure("\nstruct (\\w+)[^;{:]*\\{");
+    size_t seen = 0;
+    for (const std::string& file : headers()) {
+        const std::string text = header_text::of_physics(file);
+        for (std::sregex_iterator it(text.begin(), text.end(), structure), end; it != end; ++it) {
+            const std::string name = (*it)[1].str();
+            INFO(file << ": " << name);
+            CHECK((compared.contains(name) || other_structures.contains(name)));
+            ++seen;
+        }
+    }
+    CHECK(seen == compared.size() + other_structures.size());
+}
+
+TEST_CASE("every function outside of classes has one in C") {
+    const std::set<std::string> in_c = header_text::functions_in_c();
+    const std::regex function(
+        "\n(?:\\[\\[nodiscard\\]\\] )?(?!template|using|inline "
+        "(?:Body|Shape|Joint|Field)::)[A-Za-z_][\\w:<>,&* ]*? "
+        "(\\w+)\\(");
+    std::set<std::string> seen;
+    for (const std::string& file : headers()) {
+        const std::string text = header_text::of_physics(file);
+        for (std::sregex_iterator it(text.begin(), text.end(), function), end; it != end; ++it) {
+            const std::string name = (*it)[1].str();
+            INFO(file << ": " << name);
+            seen.insert(name);
+            CHECK((in_c.contains("fettle_" + name) || in_c.contains("fettle_geometry_" + name) ||
+                   other_functions.contains(name)));
+        }
+    }
+    CHECK(seen.size() > 18);
+    for (const auto& [name, reason] : other_functions) {
+        INFO(name);
+        CHECK(seen.contains(name));
+    }
+}
+
+TEST_CASE("every enumerator of the library has one in C, with the same number") {
+    const std::regex enumeration("enum class (\\w+)[^{;]*\\{([^}]*)\\}");
+    size_t seen = 0;
+    for (const std::string& file : headers()) {
+        const std::string text = header_text::of_physics(file);
+        for (std::sregex_iterator it(text.begin(), text.end(), enumeration), end; it != end; ++it) {
+            const std::string name = (*it)[1].str();
+            const std::string type = name == "Of" ? "refresh_of" : snake_case(name);
+            const std::string values = members_of(header_text::in_c(), "enum fettle_" + type);
+            std::vector<std::string> in_c;
+            for (const std::string& word : words_of(values))
+                if (word.starts_with("FETTLE_")) in_c.push_back(word);
+            const std::vector<std::string> own = words_of((*it)[2].str());
+            INFO(file << ": " << name);
+            REQUIRE(own.size() == in_c.size());
+            for (size_t i = 0; i < own.size(); ++i) {
+                INFO(own[i]);
+                // FETTLE_BODY_STATIC is `static_body`, since `static` is a word of C++.
+                const std::string plain = own[i].substr(0, own[i].find("_body"));
+                CHECK(in_c[i].ends_with("_" + upper_case(plain)));
+                CHECK(std::regex_search(
+                    values, std::regex("\\b" + in_c[i] + "\\s*=\\s*" + std::to_string(i) + "\\b")));
+                ++seen;
+            }
+        }
+    }
+    CHECK(seen > 50);
+}
+
+TEST_CASE("every method of DebugDraw is a member in C") {
+    const std::string in_c = members_of(header_text::in_c(), "typedef struct fettle_debug_draw");
+    for (const auto& [method, overloads] : methods_in("debug_draw.h")) {
+        const std::string name = method.substr(method.rfind(':') + 1);
+        if (name == "DebugDraw" || name == "~DebugDraw" || name == "operator") continue;
+        INFO(name);
+        CHECK(in_c.find("(*" + name + ")") != std::string::npos);
+    }
 }
 
 TEST_CASE("every other name of another function exists in C") {
@@ -192,75 +399,7 @@ TEST_CASE("every function on a geometry exists in C") {
 }
 
 TEST_CASE("every member of a structure of the library is one in C") {
-    struct Pair {
-        const char* file;
-        const char* structure;
-        const char* in_c;
-    };
-    const Pair pairs[] = {
-        {"debug_draw.h", "DebugDrawOptions", "debug_draw"},
-        {"definitions.h", "WorldDef", "world_def"},
-        {"definitions.h", "BodyDef", "body_def"},
-        {"definitions.h", "ShapeDef", "shape_def"},
-        {"definitions.h", "MouseJointDef", "mouse_joint_def"},
-        {"joint_definitions.h", "DistanceJointDef", "distance_joint_def"},
-        {"joint_definitions.h", "RevoluteJointDef", "revolute_joint_def"},
-        {"joint_definitions.h", "PrismaticJointDef", "prismatic_joint_def"},
-        {"joint_definitions.h", "WheelJointDef", "wheel_joint_def"},
-        {"joint_definitions.h", "WeldJointDef", "weld_joint_def"},
-        {"joint_definitions.h", "MotorJointDef", "motor_joint_def"},
-        {"joint_definitions.h", "PulleyJointDef", "pulley_joint_def"},
-        {"joint_definitions.h", "GearJointDef", "gear_joint_def"},
-        {"joint_definitions.h", "GrooveJointDef", "groove_joint_def"},
-        {"joint_definitions.h", "PinSlotJointDef", "pin_slot_joint_def"},
-        {"joint_definitions.h", "RatchetJointDef", "ratchet_joint_def"},
-        {"joint_definitions.h", "FilterJointDef", "filter_joint_def"},
-        {"joint_definitions.h", "RotaryLimitJointDef", "rotary_limit_joint_def"},
-        {"definitions.h", "Circle", "geometry"},
-        {"definitions.h", "Box", "geometry"},
-        {"definitions.h", "Segment", "geometry"},
-        {"definitions.h", "Ellipse", "geometry"},
-        {"definitions.h", "Chain", "geometry"},
-        {"field.h", "WindField", "field_def"},
-        {"field.h", "DragField", "field_def"},
-        {"field.h", "BuoyancyField", "field_def"},
-        {"field.h", "AttractorField", "field_def"},
-        {"contact.h", "ContactPoint", "contact_point"},
-        {"contact.h", "Contact", "contact"},
-        {"callbacks.h", "ContactEdit", "contact_edit"},
-        {"callbacks.h", "VelocityEdit", "velocity_edit"},
-        {"callbacks.h", "PositionEdit", "position_edit"},
-        {"definitions.h", "SegmentSurface", "segment_surface"},
-        {"recording.h", "ReplayedStep", "replayed_step"},
-        {"events.h", "ContactBeginEvent", "contact_event"},
-        {"events.h", "ContactPersistEvent", "contact_event"},
-        {"events.h", "ContactHitEvent", "contact_event"},
-        {"events.h", "ContactEndEvent", "contact_end_event"},
-        {"events.h", "SensorEvent", "sensor_event"},
-        {"events.h", "JointBreakEvent", "joint_break_event"},
-        {"events.h", "JointLoadEvent", "joint_load_event"},
-        {"events.h", "Events", "events"},
-        {"query.h", "QueryFilter", "query_filter"},
-        {"query.h", "RayHit", "ray_hit"},
-        {"query.h", "PointHit", "point_hit"},
-        {"query.h", "Separation", "separation"},
-        {"query.h", "ExplosionDef", "explosion_def"},
-        {"geometry.h", "MassProperties", "mass_properties"},
-        {"geometry.h", "SurfaceHit", "surface_hit"},
-        {"geometry.h", "ContactManifold", "contact_manifold"},
-        {"geometry.h", "Movement", "movement"},
-        {"outlines.h", "JoinOptions", "join_options"},
-        {"outlines.h", "GridLayout", "grid_layout"},
-        {"mover.h", "MoverDef", "mover_def"},
-        {"mover.h", "MoverState", "mover_state"},
-        {"mover.h", "MoverPlane", "mover_plane"},
-        {"mover.h", "Moved", "moved"},
-        {"statistics.h", "StepStatistics", "statistics"},
-        {"statistics.h", "MemoryShare", "memory_share"},
-        {"types.h", "BodyState", "body_state"},
-        {"types.h", "Pose", "pose"},
-        {"types.h", "Aabb", "aabb"},
-    };
+    const std::set<std::string> functions = header_text::functions_in_c();
     for (const Pair& pair : pairs) {
         const std::string own =
             members_of(header_text::of_physics(pair.file), std::string("struct ") + pair.structure);
@@ -269,7 +408,8 @@ TEST_CASE("every member of a structure of the library is one in C") {
         REQUIRE(names_in(own).size() > 1);
         for (const std::string& member : names_in(own)) {
             INFO(pair.structure << "::" << member);
-            CHECK(has_word(in_c, member));
+            const std::string list = std::string("fettle_world_account_") + member;
+            CHECK((has_word(in_c, member) || functions.contains(list)));
         }
     }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <regex>
 #include <set>
@@ -22,6 +24,15 @@ inline std::string text_of(const std::string& path) {
 inline std::string of_physics(const std::string& file) {
     return std::regex_replace(text_of("physics/include/fettle/physics/" + file),
                               std::regex("//[^\n]*"), "");
+}
+
+/// Names of all headers of the physics library.
+inline std::vector<std::string> files_of_physics() {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator("physics/include/fettle/physics"))
+        files.push_back(entry.path().filename().string());
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 /// All headers in C, in the order of fettle_physics.h, without comments and lines with #.

@@ -17,6 +17,7 @@ struct named_c_test {
 extern const struct named_c_test worlds_in_c[];
 extern const struct named_c_test callbacks_in_c[];
 extern const struct named_c_test positions_in_c[];
+extern const struct named_c_test accounts_in_c[];
 
 #ifdef __cplusplus
 }

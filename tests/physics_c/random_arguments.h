@@ -221,6 +221,13 @@ class Arguments {
         for (auto& one : surfaces_) one = {number(), number(), number(), number(), below(70000)};
         return surfaces_;
     }
+    const fettle_mover_plane* pointer(const fettle_mover_plane*) {
+        for (auto& one : planes_) {
+            const float angle = number();
+            one = {{std::cos(angle), std::sin(angle)}, {number(), number()}, number(), id()};
+        }
+        return planes_;
+    }
     const fettle_pose* pointer(const fettle_pose*) {
         return store(fettle_pose{{number(), number()}, number()});
     }
@@ -327,6 +334,12 @@ class Arguments {
     }
     void mend(fettle_debug_draw& draw) {
         draw.polygon = nullptr;
+        draw.color_of = nullptr;
+        if (below(2) == 0)
+            draw.color_of = [](void*, const fettle_world* world, fettle_id body, fettle_id) {
+                refuse_step(world);
+                return uint32_t(fettle_body_is_valid(world, body));
+            };
         draw.circle = [](void*, fettle_position, float, float, uint32_t) {};
         draw.segment = [](void*, fettle_position, fettle_position, uint32_t) {};
         draw.point = [](void*, fettle_position, uint32_t) {};
@@ -386,6 +399,7 @@ class Arguments {
     fettle_replay* new_replay_ = nullptr;
     std::vector<std::byte> recording_;
     fettle_segment_surface surfaces_[16] = {};
+    fettle_mover_plane planes_[16] = {};
     std::vector<fettle_id> ids_;
     std::vector<std::byte> scratch_;
     fettle_vec2 points_[64] = {};

@@ -272,7 +272,9 @@ constexpr Call every_call[] = {
     CALL(fettle_world_create_filter_joint), CALL(fettle_world_create_rotary_limit_joint),
     CALL(fettle_mover_def_init), CALL(fettle_mover_state_init), CALL(fettle_mover_move),
     CALL(fettle_mover_drop), CALL(fettle_mover_fits), CALL(fettle_mover_set_height),
-    CALL(fettle_mover_planes),
+    CALL(fettle_mover_planes), CALL(fettle_solve_planes), CALL(fettle_clip_velocity),
+    CALL(fettle_world_keep_account), CALL(fettle_world_account),
+    CALL(fettle_world_account_contacts), CALL(fettle_world_account_joints),
 };
 // clang-format on
 

@@ -143,6 +143,8 @@ fettle_contact converted(const physics::Contact& contact);
 fettle_ray_hit converted(const physics::RayHit& hit);
 fettle_point_hit converted(const physics::PointHit& hit);
 fettle_memory_share converted(const physics::MemoryShare& share);
+fettle_contact_share converted(const physics::ContactShare& share);
+fettle_joint_share converted(const physics::JointShare& share);
 void write_geometry(const physics::Shape& shape, fettle_geometry* geometry);
 
 // --- From C

@@ -1,6 +1,6 @@
 #include <fettle/physics_c/definitions.h>
 
-#include <calls/calls.h>
+#include <calls/members.h>
 
 namespace fettle::physics_c {
 
@@ -18,155 +18,104 @@ void refuse_enumerator(const char* name, int32_t value, int32_t last) {
                                       ": expected an enumerator, 0 to " + std::to_string(last)};
 }
 
-namespace {
-
-fettle_world_def defaults(const WorldDef& def) {
-    fettle_world_def result{};
-    result.substeps = def.substeps;
-    result.gravity = converted(def.gravity);
-    result.sleeping = def.sleeping;
-    result.continuous = def.continuous;
-    result.persist_events = def.persist_events;
-    result.bounds_friction = def.bounds_friction;
-    result.bounds_restitution = def.bounds_restitution;
-    result.restitution_threshold = def.restitution_threshold;
-    result.hit_threshold = def.hit_threshold;
-    result.sleep_speed = def.sleep_speed;
-    result.sleep_delay = def.sleep_delay;
-    result.contact_hertz = def.contact_hertz;
-    result.contact_damping = def.contact_damping;
-    result.push_speed = def.push_speed;
-    result.friction_mix = converted(def.friction_mix);
-    result.restitution_mix = converted(def.restitution_mix);
-    result.solver = converted(def.solver);
-    return result;
+template <class InC, class Each>
+void each_member(InC& c, WorldDef& def, const Each& each) {
+    each(c.gravity, def.gravity);
+    each(c.substeps, def.substeps);
+    each(c.has_bounds, c.bounds, def.bounds);
+    each(c.bounds_friction, def.bounds_friction);
+    each(c.bounds_restitution, def.bounds_restitution);
+    each(c.sleeping, def.sleeping);
+    each(c.continuous, def.continuous);
+    each(c.restitution_threshold, def.restitution_threshold);
+    each(c.hit_threshold, def.hit_threshold);
+    each(c.sleep_speed, def.sleep_speed);
+    each(c.sleep_delay, def.sleep_delay);
+    each(c.contact_hertz, def.contact_hertz);
+    each(c.contact_damping, def.contact_damping);
+    each(c.push_speed, def.push_speed);
+    each(FETTLE_ENUMERATOR(friction_mix, MixRule::geometric), def.friction_mix);
+    each(FETTLE_ENUMERATOR(restitution_mix, MixRule::geometric), def.restitution_mix);
+    each(FETTLE_ENUMERATOR(solver, Solver::direct), def.solver);
+    each(c.persist_events, def.persist_events);
 }
 
-fettle_body_def defaults(const BodyDef& def) {
-    fettle_body_def result{};
-    result.type = converted(def.type);
-    result.gravity_scale = def.gravity_scale;
-    result.awake = def.awake;
-    result.can_sleep = def.can_sleep;
-    result.enabled = def.enabled;
-    result.max_speed = def.max_speed;
-    return result;
+/// All but the name, which is a pointer in C.
+template <class InC, class Each>
+void each_member(InC& c, BodyDef& def, const Each& each) {
+    each(FETTLE_ENUMERATOR(type, BodyType::dynamic_body), def.type);
+    each(c.position, def.position);
+    each(c.angle, def.angle);
+    each(c.velocity, def.velocity);
+    each(c.angular_velocity, def.angular_velocity);
+    each(c.force, def.force);
+    each(c.torque, def.torque);
+    each(c.gravity_scale, def.gravity_scale);
+    each(c.linear_damping, def.linear_damping);
+    each(c.angular_damping, def.angular_damping);
+    each(c.has_mass, c.mass, def.mass);
+    each(c.has_inertia, c.inertia, def.inertia);
+    each(c.has_center, c.center, def.center);
+    each(c.awake, def.awake);
+    each(c.can_sleep, def.can_sleep);
+    each(c.bullet, def.bullet);
+    each(c.locked_x, def.locked_x);
+    each(c.locked_y, def.locked_y);
+    each(c.locked_rotation, def.locked_rotation);
+    each(c.enabled, def.enabled);
+    each(c.has_sleep_speed, c.sleep_speed, def.sleep_speed);
+    each(c.max_speed, def.max_speed);
+    each(c.user_data, def.user_data);
 }
 
-fettle_shape_def defaults(const ShapeDef& def) {
-    fettle_shape_def result{};
-    result.density = def.density;
-    result.friction = def.friction;
-    result.contact_events = def.contact_events;
-    result.sensor_events = def.sensor_events;
-    result.before_solve = def.before_solve;
-    result.category = def.category;
-    result.mask = def.mask;
-    return result;
+template <class InC, class Each>
+void each_member(InC& c, ShapeDef& def, const Each& each) {
+    each(c.density, def.density);
+    each(c.friction, def.friction);
+    each(c.restitution, def.restitution);
+    each(c.rolling_resistance, def.rolling_resistance);
+    each(c.surface_speed, def.surface_speed);
+    each(c.sensor, def.sensor);
+    each(c.hit_events, def.hit_events);
+    each(c.contact_events, def.contact_events);
+    each(c.sensor_events, def.sensor_events);
+    each(c.category, def.category);
+    each(c.mask, def.mask);
+    each(c.group, def.group);
+    each(c.material, def.material);
+    each(c.before_solve, def.before_solve);
+    each(c.user_data, def.user_data);
 }
 
-fettle_mouse_joint_def defaults(const MouseJointDef& def) {
-    fettle_mouse_joint_def result{};
-    result.enabled = def.enabled;
-    result.hertz = def.hertz;
-    result.damping_ratio = def.damping_ratio;
-    result.max_force = def.max_force;
-    return result;
+/// All but the body, whose id needs the world.
+template <class InC, class Each>
+void each_member(InC& c, MouseJointDef& def, const Each& each) {
+    each(c.target, def.target);
+    each(c.has_anchor, c.anchor, def.anchor);
+    each(c.hertz, def.hertz);
+    each(c.damping_ratio, def.damping_ratio);
+    each(c.max_force, def.max_force);
+    each(c.enabled, def.enabled);
+    each(c.user_data, def.user_data);
 }
-
-}  // namespace
 
 WorldDef definition_of(const fettle_world_def* def) {
-    if (def == nullptr) return {};
-    check_size(def->size, sizeof *def);
-    WorldDef result;
-    result.gravity = vector_of(def->gravity);
-    result.substeps = def->substeps;
-    if (flag(def->has_bounds)) result.bounds = box_of(def->bounds);
-    result.bounds_friction = def->bounds_friction;
-    result.bounds_restitution = def->bounds_restitution;
-    result.sleeping = flag(def->sleeping);
-    result.continuous = flag(def->continuous);
-    result.restitution_threshold = def->restitution_threshold;
-    result.hit_threshold = def->hit_threshold;
-    result.sleep_speed = def->sleep_speed;
-    result.sleep_delay = def->sleep_delay;
-    result.contact_hertz = def->contact_hertz;
-    result.contact_damping = def->contact_damping;
-    result.push_speed = def->push_speed;
-    result.friction_mix = enumerator("friction_mix", def->friction_mix, MixRule::geometric);
-    result.restitution_mix =
-        enumerator("restitution_mix", def->restitution_mix, MixRule::geometric);
-    result.solver = enumerator("solver", def->solver, Solver::direct);
-    result.persist_events = flag(def->persist_events);
-    return result;
+    return from_c_or_defaults<WorldDef>(def);
 }
 
 BodyDef definition_of(const fettle_body_def* def) {
-    if (def == nullptr) return {};
-    check_size(def->size, sizeof *def);
-    BodyDef result;
-    result.type = enumerator("type", def->type, BodyType::dynamic_body);
-    result.position = position_of(def->position);
-    result.angle = def->angle;
-    result.velocity = vector_of(def->velocity);
-    result.angular_velocity = def->angular_velocity;
-    result.force = vector_of(def->force);
-    result.torque = def->torque;
-    result.gravity_scale = def->gravity_scale;
-    result.linear_damping = def->linear_damping;
-    result.angular_damping = def->angular_damping;
-    if (flag(def->has_mass)) result.mass = def->mass;
-    if (flag(def->has_inertia)) result.inertia = def->inertia;
-    if (flag(def->has_center)) result.center = vector_of(def->center);
-    result.awake = flag(def->awake);
-    result.can_sleep = flag(def->can_sleep);
-    result.bullet = flag(def->bullet);
-    result.locked_x = flag(def->locked_x);
-    result.locked_y = flag(def->locked_y);
-    result.locked_rotation = flag(def->locked_rotation);
-    result.enabled = flag(def->enabled);
-    if (flag(def->has_sleep_speed)) result.sleep_speed = def->sleep_speed;
-    result.max_speed = def->max_speed;
-    if (def->name != nullptr) result.name = def->name;
-    result.user_data = def->user_data;
+    BodyDef result = from_c_or_defaults<BodyDef>(def);
+    if (def != nullptr && def->name != nullptr) result.name = def->name;
     return result;
 }
 
 ShapeDef definition_of(const fettle_shape_def* def) {
-    if (def == nullptr) return {};
-    check_size(def->size, sizeof *def);
-    ShapeDef result;
-    result.density = def->density;
-    result.friction = def->friction;
-    result.restitution = def->restitution;
-    result.rolling_resistance = def->rolling_resistance;
-    result.surface_speed = def->surface_speed;
-    result.sensor = flag(def->sensor);
-    result.hit_events = flag(def->hit_events);
-    result.contact_events = flag(def->contact_events);
-    result.sensor_events = flag(def->sensor_events);
-    result.before_solve = flag(def->before_solve);
-    result.material = checked(Material{def->material});
-    result.category = def->category;
-    result.mask = def->mask;
-    result.group = def->group;
-    result.user_data = def->user_data;
-    return result;
+    return from_c_or_defaults<ShapeDef>(def);
 }
 
 MouseJointDef definition_of(const fettle_world* world, const fettle_mouse_joint_def* def) {
-    const fettle_mouse_joint_def& given = needed("def", def);
-    check_size(given.size, sizeof given);
-    MouseJointDef result;
-    result.body = body_named([] { return "body"; }, world, given.body).id();
-    result.target = position_of(given.target);
-    if (flag(given.has_anchor)) result.anchor = vector_of(given.anchor);
-    result.hertz = given.hertz;
-    result.damping_ratio = given.damping_ratio;
-    result.max_force = given.max_force;
-    result.enabled = flag(given.enabled);
-    result.user_data = given.user_data;
+    MouseJointDef result = from_c<MouseJointDef>(needed("def", def));
+    result.body = body_named([] { return "body"; }, world, def->body).id();
     return result;
 }
 
@@ -175,17 +124,17 @@ MouseJointDef definition_of(const fettle_world* world, const fettle_mouse_joint_
 using namespace fettle::physics_c;
 
 fettle_code fettle_world_def_init(fettle_world_def* def, size_t size) {
-    return init(__func__, def, size, defaults(fettle::physics::WorldDef()));
+    return init_as<fettle::physics::WorldDef>(__func__, def, size);
 }
 
 fettle_code fettle_body_def_init(fettle_body_def* def, size_t size) {
-    return init(__func__, def, size, defaults(fettle::physics::BodyDef()));
+    return init_as<fettle::physics::BodyDef>(__func__, def, size);
 }
 
 fettle_code fettle_shape_def_init(fettle_shape_def* def, size_t size) {
-    return init(__func__, def, size, defaults(fettle::physics::ShapeDef()));
+    return init_as<fettle::physics::ShapeDef>(__func__, def, size);
 }
 
 fettle_code fettle_mouse_joint_def_init(fettle_mouse_joint_def* def, size_t size) {
-    return init(__func__, def, size, defaults(fettle::physics::MouseJointDef()));
+    return init_as<fettle::physics::MouseJointDef>(__func__, def, size);
 }

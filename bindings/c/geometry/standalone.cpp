@@ -5,9 +5,30 @@
 #include <algorithm>
 #include <span>
 
-#include <calls/calls.h>
+#include <calls/members.h>
 
 // Geometry without a world.
+
+namespace fettle::physics_c {
+
+using namespace physics;
+
+template <class InC, class Each>
+void each_member(InC& c, JoinOptions& options, const Each& each) {
+    each(c.reach, options.reach);
+    each(c.straight, options.straight);
+    each(FETTLE_ENUMERATOR(closed, Winding::counter_clockwise), options.closed);
+}
+
+template <class InC, class Each>
+void each_member(InC& c, GridLayout& layout, const Each& each) {
+    each(c.columns, layout.columns);
+    each(c.rows, layout.rows);
+    each(c.origin, layout.origin);
+    each(c.cell, layout.cell);
+}
+
+}  // namespace fettle::physics_c
 
 using namespace fettle::physics;
 using namespace fettle::physics_c;
@@ -52,13 +73,6 @@ Movement movement_of(const char* name, const fettle_movement* movement) {
     return {pose_of(&given.from), pose_of(&given.to), vector_of(given.center)};
 }
 
-JoinOptions options_of(const fettle_join_options* options) {
-    if (options == nullptr) return {};
-    check_size(options->size, sizeof *options);
-    return {options->reach, options->straight,
-            enumerator("closed", options->closed, Winding::counter_clockwise)};
-}
-
 void check_number(const char* name, uint32_t count) {
     constexpr uint32_t most = 1u << 24;
     if (count > most)
@@ -70,13 +84,11 @@ void check_number(const char* name, uint32_t count) {
 }  // namespace
 
 fettle_code fettle_join_options_init(fettle_join_options* options, size_t size) {
-    const JoinOptions none;
-    return init(__func__, options, size,
-                fettle_join_options{0, none.reach, none.straight, int32_t(none.closed)});
+    return init_as<JoinOptions>(__func__, options, size);
 }
 
 fettle_code fettle_grid_layout_init(fettle_grid_layout* layout, size_t size) {
-    return init(__func__, layout, size, fettle_grid_layout{0, 0, 0, {0, 0}, GridLayout().cell});
+    return init_as<GridLayout>(__func__, layout, size);
 }
 
 fettle_code fettle_geometry_mass_properties(const fettle_geometry* geometry, float density,
@@ -179,7 +191,8 @@ fettle_code fettle_join_lines(const fettle_line_point* points, uint32_t point_co
             if (i == 0 || points[i].line != points[i - 1].line) lines.emplace_back();
             lines.back().push_back(vector_of(points[i].point));
         }
-        write_all(points_of_chains(join_lines(lines, options_of(options))), out, room, count);
+        write_all(points_of_chains(join_lines(lines, from_c_or_defaults<JoinOptions>(options))),
+                  out, room, count);
     });
 }
 
@@ -198,11 +211,9 @@ fettle_code fettle_grid_outlines(const float* values, uint32_t value_count,
     return guarded(__func__, [&] {
         check_number("values", value_count);
         if (value_count > 0) needed("values", values);
-        const fettle_grid_layout& given = needed("layout", layout);
-        check_size(given.size, sizeof given);
-        const auto chains = grid_outlines(
-            std::span(values, value_count),
-            {given.columns, given.rows, vector_of(given.origin), given.cell}, threshold, straight);
+        const auto grid = from_c<GridLayout>(needed("layout", layout));
+        const auto chains =
+            grid_outlines(std::span(values, value_count), grid, threshold, straight);
         write_all(points_of_chains(chains), out, room, count);
     });
 }

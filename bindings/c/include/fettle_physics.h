@@ -31,6 +31,7 @@
 #include <fettle/physics_c/coupling_joints.h>
 #include <fettle/physics_c/field.h>
 #include <fettle/physics_c/events.h>
+#include <fettle/physics_c/account.h>
 #include <fettle/physics_c/callbacks.h>
 #include <fettle/physics_c/query.h>
 #include <fettle/physics_c/geometry.h>

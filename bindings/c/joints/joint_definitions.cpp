@@ -1,44 +1,16 @@
 #include <fettle/physics_c/joint_definitions.h>
 #include <fettle/physics_c/world.h>
 
-#include <calls/calls.h>
+#include <calls/members.h>
 
-// Definitions of joints. The members in C have the names of those of the library; a value that may
-// be missing there has a `has_...` here.
+// Definitions of joints.
 
-using namespace fettle::physics;
-using namespace fettle::physics_c;
+namespace fettle::physics_c {
 
-namespace {
+using namespace physics;
 
-// From the library to C, and back.
-struct ToC {
-    template <class InC, class Value>
-    void operator()(InC& result, const Value& value) const {
-        result = converted(value);
-    }
-    void operator()(bool& has, float& result, const std::optional<float>& value) const {
-        has = value.has_value();
-        result = value.value_or(0.0f);
-    }
-};
-struct FromC {
-    void operator()(const bool& given, bool& result) const { result = flag(given); }
-    void operator()(const float& given, float& result) const { result = given; }
-    void operator()(const uint64_t& given, uint64_t& result) const { result = given; }
-    void operator()(const fettle_vec2& given, Vec2& result) const { result = vector_of(given); }
-#ifdef FETTLE_PHYSICS_DOUBLE
-    void operator()(const fettle_position& given, Position& result) const {
-        result = position_of(given);
-    }
-#endif
-    void operator()(const bool& has, const float& given, std::optional<float>& result) const {
-        if (flag(has)) result = given;
-    }
-};
-
-/// Calls `each` with each member of a definition in C but its bodies, and the one of the library.
-template <class InC, class Def, class Each>
+/// All but the bodies, whose ids need the world.
+template <class InC, JointDefinition Def, class Each>
 void each_member(InC& c, Def& def, const Each& each) {
     each(c.anchor_a, def.anchor_a);
     each(c.anchor_b, def.anchor_b);
@@ -92,34 +64,29 @@ void each_member(InC& c, Def& def, const Each& each) {
 #undef FETTLE_OPTIONAL_MEMBER
 }
 
-template <class Def, class InC>
-fettle_code init_joint(const char* function, InC* def, size_t size) {
-    InC result{};
-    Def defaults;
-    each_member(result, defaults, ToC());
-    return init(function, def, size, result);
-}
+namespace {
 
 template <class Def, auto create, class InC>
 fettle_code create_joint(const char* function, fettle_world* world, const InC* def,
                          fettle_id* joint) {
     return guarded(function, [&] {
         World& in = editable(world);
-        const InC& given = needed("def", def);
-        check_size(given.size, sizeof given);
-        Def result;
-        result.body_a = body_or_world("body_a", world, given.body_a).id();
-        result.body_b = body_or_world("body_b", world, given.body_b).id();
-        each_member(given, result, FromC());
+        Def result = from_c<Def>(needed("def", def));
+        result.body_a = body_or_world("body_a", world, def->body_a).id();
+        result.body_b = body_or_world("body_b", world, def->body_b).id();
         give(joint, (in.*create)(result).id());
     });
 }
 
 }  // namespace
+}  // namespace fettle::physics_c
+
+using namespace fettle::physics;
+using namespace fettle::physics_c;
 
 #define FETTLE_JOINT(name, Def)                                                                 \
     fettle_code fettle_##name##_def_init(fettle_##name##_def* def, size_t size) {               \
-        return init_joint<Def>(__func__, def, size);                                            \
+        return init_as<Def>(__func__, def, size);                                               \
     }                                                                                           \
     fettle_code fettle_world_create_##name(fettle_world* world, const fettle_##name##_def* def, \
                                            fettle_id* joint) {                                  \

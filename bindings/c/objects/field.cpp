@@ -1,10 +1,50 @@
 #include <fettle/physics_c/field.h>
 
-#include <calls/calls.h>
+#include <calls/members.h>
 
 namespace fettle::physics_c {
 
 using namespace physics;
+
+template <class InC, class Each>
+void each_member(InC& c, WindField& wind, const Each& each) {
+    each(c.velocity, wind.velocity);
+    each(c.density, wind.density);
+}
+
+template <class InC, class Each>
+void each_member(InC& c, DragField& drag, const Each& each) {
+    each(c.flow, drag.flow);
+    each(c.linear, drag.linear);
+    each(c.quadratic, drag.quadratic);
+}
+
+template <class InC, class Each>
+void each_member(InC& c, BuoyancyField& liquid, const Each& each) {
+    each(c.level, liquid.level);
+    each(c.normal, liquid.normal);
+    each(c.density, liquid.density);
+    each(c.drag, liquid.drag);
+    each(c.flow, liquid.flow);
+}
+
+template <class InC, class Each>
+void each_member(InC& c, AttractorField& attractor, const Each& each) {
+    each(c.center, attractor.center);
+    each(c.strength, attractor.strength);
+    each(c.falloff, attractor.falloff);
+    each(c.core, attractor.core);
+}
+
+/// The type says which force `def` has; it is set before.
+template <class InC, class Each>
+void each_member(InC& c, FieldDef& def, const Each& each) {
+    std::visit([&](auto& force) { each_member(c, force, each); }, def.force);
+    each(c.has_region, c.region, def.region);
+    each(c.mask, def.mask);
+    each(c.enabled, def.enabled);
+    each(c.user_data, def.user_data);
+}
 
 namespace {
 
@@ -23,39 +63,14 @@ decltype(FieldDef::force) default_force(FieldType type) {
     }
 }
 
-fettle_field_def in_c(const FieldDef& def) {
-    fettle_field_def result{};
-    result.size = sizeof result;
-    result.type = int32_t(def.force.index());
-    result.has_region = def.region.has_value();
-    if (def.region) result.region = converted(*def.region);
-    result.enabled = def.enabled;
-    result.mask = def.mask;
-    result.user_data = def.user_data;
-    if (const auto* wind = std::get_if<WindField>(&def.force)) {
-        result.velocity = converted(wind->velocity);
-        result.density = wind->density;
-    } else if (const auto* drag = std::get_if<DragField>(&def.force)) {
-        result.flow = converted(drag->flow);
-        result.linear = drag->linear;
-        result.quadratic = drag->quadratic;
-    } else if (const auto* liquid = std::get_if<BuoyancyField>(&def.force)) {
-        result.level = liquid->level;
-        result.normal = converted(liquid->normal);
-        result.density = liquid->density;
-        result.drag = liquid->drag;
-        result.flow = converted(liquid->flow);
-    } else if (const auto* attractor = std::get_if<AttractorField>(&def.force)) {
-        result.center = converted(attractor->center);
-        result.strength = attractor->strength;
-        result.falloff = attractor->falloff;
-        result.core = attractor->core;
-    }
-    return result;
-}
-
 FieldType field_type(int32_t type) {
     return enumerator("type", type, FieldType::attractor);
+}
+
+fettle_field_def definition_in_c(const FieldDef& def) {
+    fettle_field_def result = in_c<fettle_field_def>(def);
+    result.type = int32_t(def.force.index());
+    return result;
 }
 
 }  // namespace
@@ -64,26 +79,8 @@ FieldDef definition_of(const fettle_field_def* def) {
     const fettle_field_def& given = needed("def", def);
     check_size(given.size, sizeof given);
     FieldDef result;
-    switch (field_type(given.type)) {
-        case FieldType::wind:
-            result.force = WindField{vector_of(given.velocity), given.density};
-            break;
-        case FieldType::drag:
-            result.force = DragField{vector_of(given.flow), given.linear, given.quadratic};
-            break;
-        case FieldType::buoyancy:
-            result.force = BuoyancyField{given.level, vector_of(given.normal), given.density,
-                                         given.drag, vector_of(given.flow)};
-            break;
-        case FieldType::attractor:
-            result.force = AttractorField{position_of(given.center), given.strength, given.falloff,
-                                          given.core};
-            break;
-    }
-    if (flag(given.has_region)) result.region = box_of(given.region);
-    result.mask = given.mask;
-    result.enabled = flag(given.enabled);
-    result.user_data = given.user_data;
+    result.force = default_force(field_type(given.type));
+    each_member(given, result, FromC());
     return result;
 }
 
@@ -98,7 +95,7 @@ fettle_code fettle_field_def_init(fettle_field_def* def, size_t size, int32_t ty
         check_size(size, sizeof result);
         fettle::physics::FieldDef defaults;
         defaults.force = default_force(field_type(type));
-        result = in_c(defaults);
+        result = definition_in_c(defaults);
     });
 }
 
@@ -115,7 +112,7 @@ fettle_code fettle_field_definition(const fettle_world* world, fettle_id field,
     return on<Field>(__func__, world, field, [&](Field it) {
         fettle_field_def& result = needed("def", def);
         check_size(result.size, sizeof result);
-        result = in_c(it.definition());
+        result = definition_in_c(it.definition());
     });
 }
 

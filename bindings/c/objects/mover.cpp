@@ -2,11 +2,38 @@
 
 #include <fettle/physics/mover.h>
 
-#include <calls/calls.h>
+#include <calls/members.h>
 
 namespace fettle::physics_c {
 
 using namespace physics;
+
+/// All but the body, whose id needs the world.
+template <class InC, class Each>
+void each_member(InC& c, MoverDef& def, const Each& each) {
+    each(c.radius, def.radius);
+    each(c.height, def.height);
+    each(c.up, def.up);
+    each(c.max_slope, def.max_slope);
+    each(c.step_height, def.step_height);
+    each(c.snap, def.snap);
+    each(c.skin, def.skin);
+    each(c.mass, def.mass);
+    each(c.push_force, def.push_force);
+    each(c.category, def.category);
+    each(c.mask, def.mask);
+    each(c.group, def.group);
+    each(c.ledges, def.ledges);
+}
+
+/// All but the shapes, of which those that were destroyed count as none.
+template <class InC, class Each>
+void each_member(InC& c, MoverState& state, const Each& each) {
+    each(c.position, state.position);
+    each(c.ground_normal, state.ground_normal);
+    each(c.on_ground, state.on_ground);
+    each(c.climbing, state.climbing);
+}
 
 namespace {
 
@@ -19,70 +46,44 @@ ShapeId shape_or_none(const fettle_world* world, fettle_id id) {
     return lives<ShapeId>(world, id) ? handle<Shape>(world, id).id() : ShapeId{};
 }
 
-fettle_mover_def defaults(const MoverDef& def) {
-    fettle_mover_def result{};
-    result.group = def.group;
-    result.category = def.category;
-    result.mask = def.mask;
-    result.ledges = def.ledges;
-    result.up = converted(def.up);
-    result.radius = def.radius;
-    result.height = def.height;
-    result.max_slope = def.max_slope;
-    result.step_height = def.step_height;
-    result.snap = def.snap;
-    result.skin = def.skin;
-    result.mass = def.mass;
-    result.push_force = def.push_force;
-    return result;
-}
-
-MoverDef definition_of(const fettle_world* world, const fettle_mover_def* given) {
-    const fettle_mover_def& def = needed("def", given);
-    check_size(def.size, sizeof def);
-    MoverDef result;
-    result.group = def.group;
-    result.category = def.category;
-    result.mask = def.mask;
-    result.ledges = def.ledges;
-    if (def.body != 0) result.body = handle<Body>(world, def.body).id();
-    result.up = vector_of(def.up);
-    result.radius = def.radius;
-    result.height = def.height;
-    result.max_slope = def.max_slope;
-    result.step_height = def.step_height;
-    result.snap = def.snap;
-    result.skin = def.skin;
-    result.mass = def.mass;
-    result.push_force = def.push_force;
+MoverDef definition_of(const fettle_world* world, const fettle_mover_def* def) {
+    MoverDef result = from_c<MoverDef>(needed("def", def));
+    if (def->body != 0) result.body = handle<Body>(world, def->body).id();
     return result;
 }
 
 /// The mover that the two structures describe.
 Mover mover_of(const fettle_world* world, const fettle_mover_def* def,
                const fettle_mover_state* given) {
-    const fettle_mover_state& state = needed("state", given);
-    check_size(state.size, sizeof state);
+    MoverState state = from_c<MoverState>(needed("state", given));
+    state.ground = shape_or_none(world, given->ground);
+    state.dropped = shape_or_none(world, given->dropped);
     Mover mover(definition_of(world, def));
-    MoverState result;
-    result.on_ground = flag(state.on_ground);
-    result.climbing = flag(state.climbing);
-    result.position = position_of(state.position);
-    result.ground_normal = vector_of(state.ground_normal);
-    result.ground = shape_or_none(world, state.ground);
-    result.dropped = shape_or_none(world, state.dropped);
-    mover.set_state(result);
+    mover.set_state(state);
     return mover;
 }
 
 void write(const MoverState& state, fettle_mover_state* result) {
-    result->size = sizeof *result;
-    result->on_ground = state.on_ground;
-    result->climbing = state.climbing;
-    result->position = converted(state.position);
-    result->ground_normal = converted(state.ground_normal);
+    *result = in_c<fettle_mover_state>(state);
     result->ground = id_or_none(state.ground);
     result->dropped = id_or_none(state.dropped);
+}
+
+std::vector<MoverPlane> planes_of(const fettle_mover_plane* planes, uint32_t count) {
+    if (count > 0) needed("planes", planes);
+    std::vector<MoverPlane> result(count);
+    for (uint32_t i = 0; i < count; ++i) {
+        const auto fault = [&](const char* expected) {
+            return Failure{FETTLE_INVALID,
+                           "planes[" + std::to_string(i) + "]: expected " + expected};
+        };
+        result[i].normal = vector_of(planes[i].normal);
+        result[i].separation = planes[i].separation;
+        if (!(std::fabs(result[i].normal.length() - 1.0f) < 1e-3f))
+            throw fault("a normal of length 1");
+        if (!std::isfinite(result[i].separation)) throw fault("a finite separation");
+    }
+    return result;
 }
 
 fettle_moved in_c(const Moved& moved) {
@@ -109,11 +110,11 @@ using namespace fettle::physics;
 using namespace fettle::physics_c;
 
 fettle_code fettle_mover_def_init(fettle_mover_def* def, size_t size) {
-    return init(__func__, def, size, defaults(MoverDef()));
+    return init_as<MoverDef>(__func__, def, size);
 }
 
 fettle_code fettle_mover_state_init(fettle_mover_state* state, size_t size) {
-    return init(__func__, state, size, fettle_mover_state{});
+    return init_as<MoverState>(__func__, state, size);
 }
 
 fettle_code fettle_mover_move(fettle_world* world, const fettle_mover_def* def,
@@ -168,5 +169,25 @@ fettle_code fettle_mover_planes(const fettle_world* world, const fettle_mover_de
         if (room > 0) needed("out", out);
         for (uint32_t i = 0; i < planes.size() && i < room; ++i) out[i] = planes[i];
         result = uint32_t(planes.size());
+    });
+}
+
+fettle_code fettle_solve_planes(float motion_x, float motion_y, const fettle_mover_plane* planes,
+                                uint32_t plane_count, float distance, fettle_vec2* motion) {
+    return guarded(__func__, [&] {
+        fettle_vec2& result = needed("motion", motion);
+        const Vec2 wanted = checked(FiniteVector{motion_x, motion_y});
+        const float away = checked(Finite{"distance", distance});
+        result = converted(solve_planes(wanted, planes_of(planes, plane_count), away));
+    });
+}
+
+fettle_code fettle_clip_velocity(float velocity_x, float velocity_y,
+                                 const fettle_mover_plane* planes, uint32_t plane_count,
+                                 fettle_vec2* velocity) {
+    return guarded(__func__, [&] {
+        fettle_vec2& result = needed("velocity", velocity);
+        const Vec2 wanted = checked(FiniteVector{velocity_x, velocity_y});
+        result = converted(clip_velocity(wanted, planes_of(planes, plane_count)));
     });
 }

@@ -1,17 +1,29 @@
 #include <fettle/physics_c/drawing.h>
 
-#include <calls/calls.h>
+#include <calls/members.h>
 
 namespace fettle::physics_c {
 
 using namespace physics;
+
+/// All but the functions.
+template <class InC, class Each>
+void each_member(InC& c, DebugDrawOptions& options, const Each& each) {
+    each(c.shapes, options.shapes);
+    each(c.joints, options.joints);
+    each(c.contacts, options.contacts);
+    each(c.boxes, options.boxes);
+    each(c.centers, options.centers);
+    each(c.fraction, options.fraction);
+    each(c.has_region, c.region, options.region);
+}
 
 namespace {
 
 /// Draws with the functions of a caller. Null functions draw nothing.
 class Pen : public DebugDraw {
   public:
-    explicit Pen(const fettle_debug_draw& draw) : draw_(draw) {}
+    Pen(const fettle_world* world, const fettle_debug_draw& draw) : world_(world), draw_(draw) {}
 
     void polygon(std::span<const Position> points, bool closed, uint32_t color) override {
         if (draw_.polygon == nullptr) return;
@@ -31,22 +43,16 @@ class Pen : public DebugDraw {
         if (draw_.point != nullptr) draw_.point(draw_.user, converted(at), color);
     }
 
+    uint32_t color_of(const Body& body, const Shape& shape) const override {
+        if (draw_.color_of == nullptr) return DebugDraw::color_of(body, shape);
+        return draw_.color_of(draw_.user, world_, converted(body), converted(shape));
+    }
+
   private:
+    const fettle_world* world_;
     const fettle_debug_draw& draw_;
     std::vector<fettle_position> placed_;
 };
-
-DebugDrawOptions options_of(const fettle_debug_draw& draw) {
-    DebugDrawOptions options;
-    options.shapes = flag(draw.shapes);
-    options.joints = flag(draw.joints);
-    options.contacts = flag(draw.contacts);
-    options.boxes = flag(draw.boxes);
-    options.centers = flag(draw.centers);
-    options.fraction = draw.fraction;
-    if (flag(draw.has_region)) options.region = box_of(draw.region);
-    return options;
-}
 
 }  // namespace
 }  // namespace fettle::physics_c
@@ -54,20 +60,16 @@ DebugDrawOptions options_of(const fettle_debug_draw& draw) {
 using namespace fettle::physics_c;
 
 fettle_code fettle_debug_draw_init(fettle_debug_draw* draw, size_t size) {
-    fettle_debug_draw defaults{};
-    defaults.shapes = true;
-    defaults.joints = true;
-    defaults.fraction = 1.0f;
-    return init(__func__, draw, size, defaults);
+    return init_as<fettle::physics::DebugDrawOptions>(__func__, draw, size);
 }
 
 fettle_code fettle_world_draw(fettle_world* world, const fettle_debug_draw* draw) {
     return guarded(__func__, [&] {
         const fettle::physics::World& drawn = live(world);
         const fettle_debug_draw& how = needed("draw", draw);
-        check_size(how.size, sizeof how);
+        const auto options = from_c<fettle::physics::DebugDrawOptions>(how);
         const Visiting visiting(*world);
-        Pen pen(how);
-        drawn.draw(pen, options_of(how));
+        Pen pen(world, how);
+        drawn.draw(pen, options);
     });
 }

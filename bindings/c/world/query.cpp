@@ -1,19 +1,31 @@
 #include <fettle/physics_c/query.h>
 
-#include <calls/calls.h>
+#include <calls/members.h>
 
 namespace fettle::physics_c {
 
 using namespace physics;
 
+/// All but the function.
+template <class InC, class Each>
+void each_member(InC& c, QueryFilter& filter, const Each& each) {
+    each(c.category, filter.category);
+    each(c.mask, filter.mask);
+    each(c.group, filter.group);
+    each(c.sensors, filter.sensors);
+}
+
+template <class InC, class Each>
+void each_member(InC& c, ExplosionDef& def, const Each& each) {
+    each(c.point, def.point);
+    each(c.radius, def.radius);
+    each(c.falloff, def.falloff);
+    each(c.impulse_per_length, def.impulse_per_length);
+}
+
 QueryFilter filter_of(const fettle_world* world, const fettle_query_filter* filter) {
-    QueryFilter result;
-    if (filter == nullptr) return result;
-    check_size(filter->size, sizeof *filter);
-    result.category = filter->category;
-    result.mask = filter->mask;
-    result.group = filter->group;
-    result.sensors = flag(filter->sensors);
+    if (filter == nullptr) return {};
+    QueryFilter result = from_c<QueryFilter>(*filter);
     if (const fettle_accept accept = filter->accept; accept != nullptr) {
         result.accept = [world, accept, user = filter->user](const Shape& shape) {
             return accept(user, world, converted(shape));
@@ -44,10 +56,7 @@ using namespace fettle::physics;
 using namespace fettle::physics_c;
 
 fettle_code fettle_query_filter_init(fettle_query_filter* filter, size_t size) {
-    fettle_query_filter defaults{};
-    defaults.category = QueryFilter().category;
-    defaults.mask = QueryFilter().mask;
-    return init(__func__, filter, size, defaults);
+    return init_as<QueryFilter>(__func__, filter, size);
 }
 
 fettle_code fettle_world_query_point(const fettle_world* world, fettle_coordinate x,
@@ -216,19 +225,13 @@ fettle_code fettle_world_explode(fettle_world* world, fettle_coordinate x, fettl
 }
 
 fettle_code fettle_explosion_def_init(fettle_explosion_def* def, size_t size) {
-    const ExplosionDef none;
-    return init(__func__, def, size,
-                fettle_explosion_def{0, converted(none.point), none.radius, none.falloff,
-                                     none.impulse_per_length});
+    return init_as<ExplosionDef>(__func__, def, size);
 }
 
 fettle_code fettle_world_explode_surfaces(fettle_world* world, const fettle_explosion_def* def,
                                           const fettle_query_filter* filter) {
     return guarded(__func__, [&] {
-        const fettle_explosion_def& given = needed("def", def);
-        check_size(given.size, sizeof given);
-        editable(world).explode(
-            {position_of(given.point), given.radius, given.falloff, given.impulse_per_length},
-            filter_of(world, filter));
+        const ExplosionDef explosion = from_c<ExplosionDef>(needed("def", def));
+        editable(world).explode(explosion, filter_of(world, filter));
     });
 }

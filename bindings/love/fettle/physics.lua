@@ -48,6 +48,7 @@ end
 function World:isDestroyed() return self.destroyed or false end
 function World:destroy()
     check(lib.fettle_world_destroy(ffi.gc(self.pointer, nil)), 2)
+    self.pointer = ffi.cast("fettle_world*", nil)  -- a later world may get the memory
     self.destroyed = true
 end
 

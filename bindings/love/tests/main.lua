@@ -228,6 +228,13 @@ function tests.what_was_destroyed_is_an_error()
     assert(body:isDestroyed() and not pcall(body.getPosition, body) and not pcall(body.setAngle, body, 1))
     world:destroy()
     assert(world:isDestroyed() and not pcall(world.update, world, 1))
+    local others = {}
+    for i = 1, 1020 do  -- Fettle keeps the memory of a thousand destroyed worlds
+        if i > 980 then others[#others + 1] = love.physics.newWorld(0, 0) end
+        love.physics.newWorld(0, 0):destroy()
+    end
+    assert(not pcall(world.update, world, 1) and not pcall(world.getGravity, world))
+    for _, other in ipairs(others) do other:update(1) end
 end
 
 function love.load(arguments)

@@ -1,5 +1,6 @@
 """Calls of the library in C, and its errors."""
 
+import contextlib
 import difflib
 import os
 import pathlib
@@ -17,7 +18,7 @@ def _open():
         raise ImportError(f"{error}; the environment variable FETTLE_LIBRARY may name libfettle_physics_c.so") from None
 
 
-lib = _open()
+_library = _open()
 
 
 class Error(Exception):
@@ -36,6 +37,105 @@ class Locked(Error, RuntimeError):
     """The world is calling a function, which must not edit it."""
 
 
+# --- One thread at a time
+
+# Calls in C run beside other threads of Python. A world belongs to one of them at a time: a lock for each that is open, by its pointer.
+_locks = {}
+closed = ffi.cast("fettle_world*", 1)  # in place of the pointer of a world that is destroyed, which a later one may get
+_inside = threading.local()  # the worlds that have called this thread, and hold their lock themselves
+
+
+def open_world(pointer):
+    _locks[pointer] = threading.RLock()
+
+
+def close_world(pointer):
+    del _locks[pointer]
+
+
+@contextlib.contextmanager
+def called_by(world):
+    """What a world calls may use it, on a thread of its own too."""
+    outer = getattr(_inside, "pointers", ())
+    _inside.pointers = (*outer, world._pointer)
+    try:
+        yield
+    finally:
+        _inside.pointers = outer
+
+
+def _held(name, pointer):
+    """The lock of a world, held for a call; None where the world itself has called this thread."""
+    lock = _locks.get(pointer)
+    if lock is None:
+        raise Stale(f"{name}: world: it was destroyed")
+    if lock.acquire(blocking=False):
+        return lock
+    if pointer in getattr(_inside, "pointers", ()):
+        return None
+    raise Locked(f"{name}: another thread is in a call with this world, which belongs to one thread at a time")
+
+
+def _alone(function, name, places):
+    """`function`, which raises `Locked` while another thread is in a call with one of the worlds at these places of the arguments."""
+    def call(*arguments):
+        with contextlib.ExitStack() as held:
+            for place in places:
+                if (lock := _held(name, arguments[place])) is not None:
+                    held.callback(lock.release)
+            return function(*arguments)
+
+    def call_with_one(*arguments):
+        lock = _held(name, arguments[places[0]])
+        try:
+            return function(*arguments)
+        finally:
+            if lock is not None:
+                lock.release()
+
+    return call_with_one if len(places) == 1 else call
+
+
+def hold(worlds):
+    """Several worlds, for a `with`: no other thread may use them."""
+    with contextlib.ExitStack() as held:
+        for world in worlds:
+            if (lock := _held("step", world._pointer)) is not None:
+                held.callback(lock.release)
+        return held.pop_all()
+
+
+def _if_open(is_valid):
+    return lambda pointer, id: pointer in _locks and is_valid(pointer, id)
+
+
+class _Library:
+    """The library in C."""
+
+    def __getattr__(self, name):
+        found = getattr(_library, name)
+        if name.startswith("fettle_"):
+            places = [i for i, given in enumerate(type_of(name).args) if given.cname in _worlds]
+            if name.endswith("_is_valid"):
+                found = _if_open(found)
+            elif places:
+                found = _alone(found, name, places)
+        setattr(self, name, found)
+        return found
+
+    def __dir__(self):
+        return dir(_library)
+
+
+_worlds = [ffi.typeof(name).cname for name in ("fettle_world*", "const fettle_world*")]
+
+
+def type_of(name):
+    """The type of a function in C."""
+    return ffi.typeof(getattr(_library, name))
+
+
+lib = _Library()
 _errors = {lib.FETTLE_INVALID: Invalid, lib.FETTLE_STALE: Stale, lib.FETTLE_LOCKED: Locked,
            lib.FETTLE_NO_MEMORY: MemoryError}
 

@@ -1,7 +1,9 @@
 """Functions of Python that a world calls."""
 
-from ._call import Stale, ffi, keep_exception
-from ._properties import to_number
+import weakref
+
+from ._call import Stale, called_by, ffi, keep_exception
+from ._properties import to_number, to_pose
 from ._values import Pose, pair, vec2
 from .body import Body
 from .shape import Shape
@@ -41,8 +43,7 @@ class Edit:
         elif ffi.typeof(member).cname == "struct fettle_vec2":
             member.x, member.y = pair(value, name)
         else:
-            position, angle = value
-            (member.position.x, member.position.y), member.angle = pair(position, name), to_number("float", angle, name)
+            member.position.x, member.position.y, member.angle = to_pose(value, name)
 
 
 class ContactEdit(Edit):
@@ -71,7 +72,8 @@ def _edits(ctype, kind):
         def call(user, pointer, c):
             edit = kind(world, c)
             try:
-                function(edit)
+                with called_by(world):
+                    function(edit)
             finally:
                 object.__setattr__(edit, "_c", None)
 
@@ -86,8 +88,11 @@ position_function = _edits("fettle_position_function", PositionEdit)
 
 
 def pair_filter(world, function):
-    return ffi.callback("fettle_pair_filter", lambda user, pointer, a, b: bool(function(Shape(world, a), Shape(world, b))),
-                        error=True, onerror=keep_exception)
+    def call(user, pointer, a, b):
+        with called_by(world):
+            return bool(function(Shape(world, a), Shape(world, b)))
+
+    return ffi.callback("fettle_pair_filter", call, error=True, onerror=keep_exception)
 
 
 def accept(world, function):
@@ -106,10 +111,19 @@ def ray_visitor(function, hit_of):
 
 
 def recording_sink(world, function):
-    return ffi.callback("fettle_recording_sink",
-                        lambda user, pointer, begin, size: function(ffi.buffer(begin, size)[:]) and None, onerror=keep_exception)
+    def call(user, pointer, begin, size):
+        with called_by(world):
+            function(ffi.buffer(begin, size)[:])
+
+    return ffi.callback("fettle_recording_sink", call, onerror=keep_exception)
 
 
-def after_step(waiting):
+def after_step(world):
     """Calls the first of the functions that wait."""
-    return ffi.callback("fettle_after_step", lambda user, pointer: waiting.popleft()() and None, onerror=keep_exception)
+    known = weakref.ref(world)
+
+    def call(user, pointer):
+        with called_by(known()):
+            known()._waiting.popleft()()
+
+    return ffi.callback("fettle_after_step", call, onerror=keep_exception)

@@ -21,6 +21,10 @@ class ContactEvent(NamedTuple):
     impulse: float  # N s
     friction: float
     restitution: float
+    part_a: int  # segment of a chain or piece of a concave polygon, from 0
+    part_b: int
+    material_a: int  # of the shapes, or of the segments of chains
+    material_b: int
 
 
 class ContactEndEvent(NamedTuple):
@@ -79,7 +83,8 @@ def events_of(world):
         return Shape(world, e.shape_a), Shape(world, e.shape_b), Body(world, e.body_a), Body(world, e.body_b)
 
     def contact(e):
-        return ContactEvent(*shapes_and_bodies(e), vec2(e.point), vec2(e.normal), e.speed, e.impulse, e.friction, e.restitution)
+        return ContactEvent(*shapes_and_bodies(e), vec2(e.point), vec2(e.normal), e.speed, e.impulse, e.friction, e.restitution,
+                            e.part_a, e.part_b, e.material_a, e.material_b)
 
     def end(e):
         return ContactEndEvent(*shapes_and_bodies(e))

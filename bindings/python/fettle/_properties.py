@@ -1,7 +1,7 @@
 """Properties of Python from the getters and setters of the interface in C."""
 
-from ._call import Invalid, check, ffi, lib
-from ._values import Pose, aabb, pair, vec2
+from ._call import Invalid, check, ffi, lib, type_of
+from ._values import Pose, aabb, pair, two, vec2
 
 _convert = {
     "float": None,
@@ -48,6 +48,12 @@ def set_members(made, values):
             vector.x, vector.y = pair(value, name)
         else:
             setattr(made, name, to_number(ctype, value, name))
+
+
+def to_pose(value, what):
+    """x, y and angle of a pose."""
+    position, angle = two(value, what, "a pose: (position, angle)")
+    return *pair(position, "position"), to_number("float", angle, "angle")
 
 
 def to_function(value, name):
@@ -102,7 +108,7 @@ def bind(prefix, has_id=True):
     def decorate(cls):
         functions = {name: getattr(lib, name) for name in dir(lib) if name.startswith(begin)}
         for full, function in functions.items():
-            name, types = full[len(begin):], ffi.typeof(function).args
+            name, types = full[len(begin):], type_of(full).args
             if name in cls.__dict__ or name.startswith("set_") or len(types) != first + 1:
                 continue
             out = types[first]
@@ -110,7 +116,7 @@ def bind(prefix, has_id=True):
                 continue
             setter = None
             if (set_name := begin + "set_" + name) in functions:
-                values = [value.cname for value in ffi.typeof(functions[set_name]).args[first:]]
+                values = [value.cname for value in type_of(set_name).args[first:]]
                 if all(value in _convert for value in values):
                     setter = _setter(functions[set_name], values, has_id, name)
                     bound.add(set_name)

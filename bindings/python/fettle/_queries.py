@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from . import _callbacks, geometry as geometries
-from ._call import check, definition, ffi, lib, list_of, unknown
+from ._call import Invalid, check, definition, ffi, lib, list_of, unknown
 from ._properties import to_number
 from ._values import Vec2, pair, to_aabb, vec2
 from .shape import Shape
@@ -21,6 +21,11 @@ class PointHit(NamedTuple):
     point: Vec2
     normal: Vec2
     distance: float
+
+
+def _no_pose(pose):
+    if pose is not None:
+        raise Invalid(f"pose = {pose!r}: expected none, because a shape is where its body is")
 
 
 class Queries:
@@ -65,6 +70,7 @@ class Queries:
         """Shapes that overlap a shape, or a geometry at a pose: (position, angle)."""
         given, kept = self._filter(only)
         if isinstance(shape, Shape):
+            _no_pose(pose)
             return self._shapes(lambda *a: lib.fettle_world_query_overlap(self._pointer, shape._pointer, shape.id, given, *a))
         geometry, points = geometries.to_c(shape)
         at = geometries.to_pose(pose)
@@ -90,6 +96,7 @@ class Queries:
         found, hit = ffi.new("bool*"), ffi.new("fettle_ray_hit*")
         way = pair(motion, "motion")
         if isinstance(shape, Shape):
+            _no_pose(pose)
             check(lib.fettle_world_cast_shape(self._pointer, shape._pointer, shape.id, *way, given, found, hit))
         else:
             geometry, points = geometries.to_c(shape)
@@ -112,6 +119,7 @@ class Queries:
         """Calls `function(shape)` for shapes that overlap a shape, or a geometry at a pose."""
         (given, kept), visitor = self._filter(only), _callbacks.shape_visitor(self, function)
         if isinstance(shape, Shape):
+            _no_pose(pose)
             check(lib.fettle_world_visit_overlap(self._pointer, shape._pointer, shape.id, given, visitor, ffi.NULL))
             return
         geometry, points = geometries.to_c(shape)

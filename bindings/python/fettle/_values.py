@@ -39,7 +39,7 @@ solvers = names_of("fettle_solver", "FETTLE_SOLVER_")
 def number_of(names, text, what):
     """The number of a name."""
     for number, name in names.items():
-        if name == text:
+        if isinstance(text, str) and name == text:
             return number
     raise Invalid(f"{what} = {text!r}: expected one of {', '.join(names.values())}")
 
@@ -53,6 +53,23 @@ def pair(value, what="a vector"):
         raise Invalid(f"{what}: expected two numbers, got {value!r}") from None
 
 
+def to_list(values, what):
+    """A list of anything that can be iterated."""
+    try:
+        return list(values)
+    except TypeError:
+        raise Invalid(f"{what}: expected a list, got {values!r}") from None
+
+
+def two(value, what, expected):
+    """The two parts of a value."""
+    try:
+        first, second = value
+    except (TypeError, ValueError):
+        raise Invalid(f"{what}: expected {expected}, got {value!r}") from None
+    return first, second
+
+
 def vec2(v):
     return Vec2(v.x, v.y)
 
@@ -62,7 +79,7 @@ def aabb(box):
 
 
 def to_aabb(box, what):
-    low, high = box
+    low, high = two(box, what, "((left, bottom), (right, top))")
     made = ffi.new("fettle_aabb*")
     (made.min.x, made.min.y), (made.max.x, made.max.y) = pair(low, what), pair(high, what)
     return made

@@ -3,7 +3,7 @@
 from . import geometry as geometries
 from ._call import check, ffi, lib, list_of
 from ._handle import Handle
-from ._properties import bind, to_number, to_text
+from ._properties import bind, to_number, to_pose, to_text
 from ._values import Pose, body_types, number_of, pair, vec2
 from .shape import Shape, contact_of
 
@@ -39,9 +39,7 @@ class Body(Handle):
 
     @pose.setter
     def pose(self, pose):
-        position, angle = pose
-        x, y = pair(position, "position")
-        check(lib.fettle_body_set_pose(self._pointer, self.id, x, y, to_number("float", angle, "angle")))
+        check(lib.fettle_body_set_pose(self._pointer, self.id, *to_pose(pose, "pose")))
 
     def _override(self, name, value):
         given = ffi.NULL if value is None else ffi.new("float*", to_number("float", value, name))
@@ -131,10 +129,7 @@ class Body(Handle):
 
     def set_target(self, pose, dt):
         """Sets both velocities so that steps of `dt` seconds in all bring the body to a pose: (position, angle)."""
-        position, angle = pose
-        x, y = pair(position, "position")
-        check(lib.fettle_body_set_target(self._pointer, self.id, x, y, to_number("float", angle, "angle"),
-                                         to_number("float", dt, "dt")))
+        check(lib.fettle_body_set_target(self._pointer, self.id, *to_pose(pose, "pose"), to_number("float", dt, "dt")))
 
     def set_velocity_function(self, function):
         """`function(edit)` may set `velocity` and `angular_velocity` in every step, before contacts and joints act. None: none."""

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import NamedTuple, Sequence
 
 from ._call import Invalid, check, definition, ffi, lib, list_of
+from . import _properties
 from ._properties import to_number
 from ._values import Pose, Vec2, aabb, pair, points, vec2
 from .outlines import lines_of
@@ -45,9 +46,7 @@ def to_pose(pose):
 
 
 def _set_pose(made, pose):
-    position, angle = pose
-    made.position.x, made.position.y = pair(position, "position")
-    made.angle = to_number("float", angle, "angle")
+    made.position.x, made.position.y, made.angle = _properties.to_pose(pose, "pose")
 
 
 def _to_movement(movement):

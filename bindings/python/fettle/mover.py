@@ -2,10 +2,10 @@
 
 from typing import NamedTuple, Optional
 
-from ._call import check, definition, ffi, lib, list_of, unknown
+from ._call import Invalid, check, definition, ffi, lib, list_of, unknown
 from ._handle import id_of
 from ._properties import to_number
-from ._values import Vec2, pair, vec2
+from ._values import Vec2, pair, to_list, vec2
 from .body import Body, body_or_none
 from .shape import Shape
 
@@ -76,6 +76,9 @@ class Mover:
     __slots__ = ("world", "_definition", "_state")
 
     def __init__(self, world, position=(0, 0), **settings):
+        from .world import World
+        if not isinstance(world, World):
+            raise Invalid(f"expected a World, got {world!r}")
         self.world = world
         self._definition = definition("fettle_mover_def")
         state = definition("fettle_mover_state")
@@ -119,7 +122,7 @@ class Mover:
 
     @climbing.setter
     def climbing(self, climbing):
-        self._state.climbing = bool(climbing)
+        self._state.climbing = to_number("_Bool", climbing, "climbing")
 
     @property
     def state(self):
@@ -130,12 +133,15 @@ class Mover:
 
     @state.setter
     def state(self, state):
+        if not isinstance(state, MoverState):
+            raise Invalid(f"state: expected a MoverState, got {state!r}")
         made = definition("fettle_mover_state")
         for name in ("position", "ground_normal"):
             vector = getattr(made, name)
             vector.x, vector.y = pair(getattr(state, name), name)
         made.ground, made.dropped = id_of(state.ground, Shape), id_of(state.dropped, Shape)
-        made.on_ground, made.climbing = bool(state.on_ground), bool(state.climbing)
+        for name in ("on_ground", "climbing"):
+            setattr(made, name, to_number("_Bool", getattr(state, name), name))
         self._try({}, made)
 
     def move(self, velocity, dt):
@@ -192,3 +198,29 @@ def _restored(world, settings, state):
     mover = Mover(world, **settings)
     mover.state = state
     return mover
+
+
+def _planes_to_c(planes):
+    planes = to_list(planes, "planes")
+    made = ffi.new("fettle_mover_plane[]", len(planes))
+    for told, plane in zip(made, planes):
+        if not isinstance(plane, MoverPlane):
+            raise Invalid(f"planes: expected a MoverPlane, got {plane!r}")
+        told.normal.x, told.normal.y = pair(plane.normal, "normal")
+        told.separation = to_number("float", plane.separation, "separation")
+    return made, len(made)
+
+
+def solve_planes(motion, planes, distance=0.0):
+    """For movers of the program's own: the motion nearest to a wanted one (m) after which all planes, each with `normal` and
+    `separation`, are at least `distance` (m) away. If there is none, one that divides the overlap among them."""
+    out = ffi.new("fettle_vec2*")
+    check(lib.fettle_solve_planes(*pair(motion, "motion"), *_planes_to_c(planes), to_number("float", distance, "distance"), out))
+    return vec2(out)
+
+
+def clip_velocity(velocity, planes):
+    """A velocity without the parts that go into the planes."""
+    out = ffi.new("fettle_vec2*")
+    check(lib.fettle_clip_velocity(*pair(velocity, "velocity"), *_planes_to_c(planes), out))
+    return vec2(out)

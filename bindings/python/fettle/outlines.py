@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from ._call import Invalid, definition, ffi, lib, list_of
 from ._properties import to_number
-from ._values import Vec2, number_of, pair, points, vec2, windings
+from ._values import Vec2, number_of, pair, points, to_list, vec2, windings
 
 
 class Line(NamedTuple):
@@ -26,7 +26,7 @@ def join_lines(lines, reach=0.001, straight=0.0, closed="as_given"):
     """Joins lines, each a list of points in any order and direction, into a list of `Line`. Ends nearer than `reach` (m) are
     joined, points that are at most `straight` (m) from the line are dropped. `closed`: the direction of closed lines,
     "as_given", "clockwise" or "counter_clockwise"."""
-    given = [(pair(point, "a point"), number) for number, line in enumerate(lines) for point in line]
+    given = [(pair(point, "a point"), number) for number, line in enumerate(to_list(lines, "lines")) for point in to_list(line, "a line")]
     made = ffi.new("fettle_line_point[]", len(given))
     for out, ((x, y), number) in zip(made, given):
         out.point.x, out.point.y, out.line = x, y, number
@@ -39,8 +39,8 @@ def join_lines(lines, reach=0.001, straight=0.0, closed="as_given"):
 def without_straight_points(line, straight, closed=False):
     """The points without those that are at most `straight` (m) from the line through the others."""
     given, count = points(line)
-    distance = to_number("float", straight, "straight")
-    found = list_of("fettle_vec2", lambda *a: lib.fettle_without_straight_points(given, count, bool(closed), distance, *a))
+    distance, is_closed = to_number("float", straight, "straight"), to_number("_Bool", closed, "closed")
+    found = list_of("fettle_vec2", lambda *a: lib.fettle_without_straight_points(given, count, is_closed, distance, *a))
     return [vec2(p) for p in found]
 
 

@@ -3,10 +3,10 @@
 from typing import NamedTuple
 
 from . import geometry as geometries
-from ._call import check, definition, ffi, lib, list_of, unknown
-from ._handle import Handle
+from ._call import Invalid, check, definition, ffi, lib, list_of, unknown
+from ._handle import Handle, id_of
 from ._properties import bind, to_number
-from ._values import Vec2, hull_statuses, pair, points, shape_types, vec2
+from ._values import Vec2, hull_statuses, to_list, pair, points, shape_types, vec2
 
 
 class ContactPoint(NamedTuple):
@@ -14,6 +14,7 @@ class ContactPoint(NamedTuple):
     separation: float  # m, negative: overlap
     normal_impulse: float  # N s in one sub-step
     tangent_impulse: float
+    feature: int  # identifies the vertex and edge between steps
 
 
 class Contact(NamedTuple):
@@ -27,6 +28,10 @@ class Contact(NamedTuple):
     friction: float
     restitution: float
     normal_force: float
+    part_a: int  # segment of a chain or piece of a concave polygon, from 0
+    part_b: int
+    material_a: int  # of the shapes, or of the segments of chains
+    material_b: int
 
 
 class SegmentSurface(NamedTuple):
@@ -44,15 +49,22 @@ def _surface_of(c):
 
 def _surface_to_c(surface):
     types = {name: member.type.cname for name, member in ffi.typeof("fettle_segment_surface").fields}
+    if not isinstance(surface, SegmentSurface):
+        raise Invalid(f"expected a SegmentSurface, got {surface!r}")
     return {name: to_number(types[name], getattr(surface, name), name) for name in SegmentSurface._fields}
+
+
+def _id_of_body(body):
+    from .body import Body
+    return id_of(body, Body)
 
 
 def contact_of(world, c):
     from .body import Body
-    points = [ContactPoint(vec2(p.point), p.separation, p.normal_impulse, p.tangent_impulse)
+    points = [ContactPoint(vec2(p.point), p.separation, p.normal_impulse, p.tangent_impulse, p.feature)
               for p in c.points[0:c.point_count]]
     return Contact(Body(world, c.body_a), Body(world, c.body_b), Shape(world, c.shape_a), Shape(world, c.shape_b),
-                   vec2(c.normal), points, c.friction, c.restitution, c.normal_force)
+                   vec2(c.normal), points, c.friction, c.restitution, c.normal_force, c.part_a, c.part_b, c.material_a, c.material_b)
 
 
 _members = {m[0]: m[1].type.cname for m in ffi.typeof("fettle_shape_def").fields if m[0] != "size"}
@@ -97,7 +109,7 @@ class Shape(Handle):
         return body_or_none(self.world, out[0])
 
     def attach(self, body):
-        check(lib.fettle_shape_attach(self._pointer, self.id, body.id))
+        check(lib.fettle_shape_attach(self._pointer, self.id, _id_of_body(body)))
 
     def detach(self):
         check(lib.fettle_shape_detach(self._pointer, self.id))
@@ -152,7 +164,7 @@ class Shape(Handle):
 
     def set_segment_surfaces(self, surfaces):
         """Chain: the surfaces of all segments in order; an empty list: all have that of the shape."""
-        made = [_surface_to_c(surface) for surface in surfaces]
+        made = [_surface_to_c(surface) for surface in to_list(surfaces, "surfaces")]
         given = ffi.new("fettle_segment_surface[]", made) if made else ffi.NULL
         check(lib.fettle_shape_set_segment_surfaces(self._pointer, self.id, given, len(made)))
 
@@ -185,6 +197,8 @@ class Shape(Handle):
 
     def distance(self, other):
         """Distance to another shape (m), and the nearest points on this and on the other one."""
+        if not isinstance(other, Shape):
+            raise Invalid(f"expected a Shape, got {other!r}")
         out = ffi.new("fettle_separation*")
         check(lib.fettle_distance(self._pointer, self.id, other._pointer, other.id, out))
         return out.distance, vec2(out.point_a), vec2(out.point_b)

@@ -4,7 +4,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 
-from ._call import Invalid, check, ffi, lib
+from ._call import Invalid, check, ffi, hold, lib
 from .body import Body
 from .world import World
 
@@ -71,10 +71,11 @@ class VectorWorld:
         """Makes `steps` steps, each with these forces (N): an array for (copies, bodies, 2). Returns the observation."""
         if forces is not None:
             self._forces[...] = forces
-        if self._pool is None:
-            self._step_part((0, len(self.worlds)), forces is not None, steps)
-        else:
-            list(self._pool.map(lambda part: self._step_part(part, forces is not None, steps), self._parts))
+        with hold(self.worlds):
+            if self._pool is None:
+                self._step_part((0, len(self.worlds)), forces is not None, steps)
+            else:
+                list(self._pool.map(lambda part: self._step_part(part, forces is not None, steps), self._parts))
         return self._observe()
 
     def _step_part(self, part, pushed, steps):

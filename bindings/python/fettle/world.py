@@ -3,7 +3,8 @@
 from collections import deque
 
 from . import _callbacks, fields, geometry as geometries, joints
-from ._call import Invalid, Locked, check, definition, ffi, lib, list_of, unknown
+from ._accounts import account_of
+from ._call import Invalid, Locked, check, close_world, closed, definition, ffi, lib, list_of, open_world, unknown
 from ._columns import Columns
 from ._drawing import drawing_of
 from ._events import events_of
@@ -39,16 +40,18 @@ def _restored(state):
 class World(Queries):
     """A world of rigid bodies. Its settings are properties with the names of fettle/physics_c/world_settings.h, and may be
     given at creation: `World(gravity=(0, 0), substeps=8)`. `room`: number of bodies for which there is room, so that arrays of
-    it stay valid while they are created. A world belongs to one thread at a time. Copies by `copy` and `pickle` are as those by
+    it stay valid while they are created. A world belongs to one thread at a time: a call
+    raises `Locked` while another thread is in one. Copies by `copy` and `pickle` are as those by
     `clone`; of a world and its handles together, both are copied."""
 
-    __slots__ = ("_pointer", "_columns", "_callbacks", "_waiting", "_closed", "__weakref__")
+    __slots__ = ("_pointer", "_columns", "_callbacks", "_waiting", "__weakref__")
 
     def __init__(self, room=0, **settings):
         self._pointer = ffi.NULL
         made = ffi.new("fettle_world**")
         check(lib.fettle_world_create(ffi.NULL, made))
         self._begin(made[0])
+        self.reserve(bodies=room)
         for body in [self.body() for _ in range(room)]:
             body.destroy()
         for name, value in settings.items():
@@ -59,9 +62,9 @@ class World(Queries):
 
     def _begin(self, pointer):
         self._pointer = pointer
+        open_world(pointer)
         self._columns = Columns(self)
         self._callbacks = {}
-        self._closed = False
         self._waiting = deque()  # functions for the end of the step
 
     @classmethod
@@ -73,15 +76,21 @@ class World(Queries):
 
     def __del__(self):
         if getattr(self, "_pointer", ffi.NULL) != ffi.NULL:
-            lib.fettle_world_destroy(self._pointer)
+            self._end(lambda code: None)
 
     def close(self):
         """Destroys the world now; it and its objects raise `Stale` from then on. A second time it does nothing."""
-        if self._closed:
+        if self._pointer != closed:
+            self._columns.may_move("close")
+            self._end(check)
+
+    def _end(self, check):
+        if self._pointer == closed:
             return
-        self._columns.may_move("close")
-        check(lib.fettle_world_destroy(self._pointer))
-        self._closed = True
+        pointer = self._pointer
+        check(lib.fettle_world_destroy(pointer))
+        self._pointer = closed
+        close_world(pointer)
 
     friction_mix = _named("friction_mix", mix_rules)
     restitution_mix = _named("restitution_mix", mix_rules)
@@ -143,7 +152,7 @@ class World(Queries):
         check(lib.fettle_world_create_field(self._pointer, fields.to_c(force), made))
         return fields.Field(self, made[0])
 
-    def joint(self, type, a=None, b=None, anchor_a=(0, 0), anchor_b=(0, 0), **properties):
+    def joint(self, type, body_a=None, body_b=None, anchor_a=(0, 0), anchor_b=(0, 0), **properties):
         """A new joint of one of the types of `fettle.joints.classes`: `world.joint("revolute", None, wheel, (0, 2))`. None stands
         for the world, whose anchors are in world coordinates; the other anchors are in body coordinates. What its definition in C
         leaves open is measured: `world.joint("pulley", a, b, ground_a=(0, 5), ground_b=(2, 5))` is taut."""
@@ -151,11 +160,11 @@ class World(Queries):
         made = ffi.new("fettle_id*")
         if type == "mouse":
             joint_def = definition("fettle_mouse_joint_def")
-            joint_def.body = id_of(b, Body)
+            joint_def.body = id_of(body_b, Body)
             joint_def.target = pair(anchor_a, "target")
         else:
             joint_def = definition(f"fettle_{type}_joint_def")
-            joint_def.body_a, joint_def.body_b = id_of(a, Body), id_of(b, Body)
+            joint_def.body_a, joint_def.body_b = id_of(body_a, Body), id_of(body_b, Body)
             joint_def.anchor_a, joint_def.anchor_b = pair(anchor_a, "anchor_a"), pair(anchor_b, "anchor_b")
         set_members(joint_def, properties)
         check(getattr(lib, f"fettle_world_create_{type}_joint")(self._pointer, joint_def, made))
@@ -259,7 +268,7 @@ class World(Queries):
         """Makes room for so many objects at least."""
         self._columns.may_move("reserve")
         counts = dict(bodies=bodies, shapes=shapes, contacts=contacts, joints=joints)
-        check(lib.fettle_world_reserve(self._pointer, *(to_number("uint32_t", n, name) for name, n in counts.items())))
+        check(lib.fettle_world_reserve(self._pointer, *(to_number("uint32_t", n, f"reserve: {name}") for name, n in counts.items())))
 
     @property
     def memory(self):
@@ -271,6 +280,16 @@ class World(Queries):
     def events(self):
         """Events of the last step and of the edits before it."""
         return events_of(self)
+
+    def keep_account(self, body):
+        """From the next step on, adds up what changes the velocity of a body. A world keeps eight accounts: with one more, the one
+        that began first ends."""
+        check(lib.fettle_world_keep_account(self._pointer, id_of(body, Body)))
+
+    def account(self, body):
+        """What changed the velocity of a body in the last step: a `VelocityAccount`. None if it was not kept, or if the body was
+        asleep or does not move by forces."""
+        return account_of(self, body)
 
     # --- Arrays: row `body.slot` belongs to a body; they show every step and cannot be written ------
 
@@ -369,22 +388,25 @@ class World(Queries):
         """Calls `function()` once when the running step has ended, or after the next one. It may edit the world."""
         if to_function(function, "after_step") is None:
             raise Invalid("after_step: expected a function, got None")
-        callback = self._callbacks.setdefault("after_step", _callbacks.after_step(self._waiting))
+        callback = self._callbacks.setdefault("after_step", _callbacks.after_step(self))
         check(lib.fettle_world_after_step(self._pointer, callback, ffi.NULL))
         self._waiting.append(function)
 
     def draw(self, target, **options):
         """Calls `target.polygon(points, closed, color)`, `circle(center, radius, angle, color)`, `segment(begin, end, color)` and
-        `point(at, color)` for all that is to be drawn; those that it has not are left out. `options`: `shapes`, `joints`,
+        `point(at, color)` for all that is to be drawn; those that it has not are left out. `target.color_of(body, shape)`, if it has
+        that, gives the color of a shape. `options`: `shapes`, `joints`,
         `contacts`, `boxes`, `centers`, `region`, `fraction`. Colors are 0xRRGGBB."""
-        made, kept = drawing_of(target, options)
+        made, kept = drawing_of(self, target, options)
         check(lib.fettle_world_draw(self._pointer, made))
 
     # --- Recordings: `Replay` repeats them ---------------------------------------------------------
 
     def start_recording(self, write):
         """Records the world: `write(bytes)` gets its state now and the changes in every step, as `file.write` does."""
-        callback = _callbacks.recording_sink(self, to_function(write, "start_recording"))
+        if to_function(write, "start_recording") is None:
+            raise Invalid("start_recording: expected a function, got None")
+        callback = _callbacks.recording_sink(self, write)
         self._give("recording", lib.fettle_world_start_recording, callback)
 
     def stop_recording(self):

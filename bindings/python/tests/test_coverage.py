@@ -6,7 +6,7 @@ import unittest
 
 import fettle
 from fettle import _properties
-from fettle._call import lib
+from fettle._call import ffi, lib
 
 # Functions of which the package says only a part of the name, and where.
 spelled = {
@@ -51,6 +51,22 @@ class Coverage(unittest.TestCase):
         self.assertEqual(unexplained, [])
         for pattern in left_out:
             self.assertTrue(any(re.fullmatch(pattern, name) for name in missing), f"{pattern} is not missing")
+
+    def test_what_a_call_gives_has_all_members_in_c(self):
+        from fettle import _events, _queries, shape
+        for cls, structure, others in (
+                (_events.ContactEvent, "contact_event", ()), (_events.ContactEndEvent, "contact_end_event", ()),
+                (_events.SensorEvent, "sensor_event", ()), (_events.JointBreakEvent, "joint_break_event", ()),
+                (_events.JointLoadEvent, "joint_load_event", ()), (shape.Contact, "contact", {"point_count"}),
+                (shape.ContactPoint, "contact_point", ()), (fettle.SegmentSurface, "segment_surface", ()),
+                (_queries.RayHit, "ray_hit", ()), (_queries.PointHit, "point_hit", ()),
+                (fettle.Moved, "moved", ()), (fettle.MoverState, "mover_state", {"size"}),
+                (fettle.MoverPlane, "mover_plane", ()), (fettle.ContactShare, "contact_share", ()),
+                (fettle.JointShare, "joint_share", ()), (fettle.TurnAccount, "turn_account", ()),
+                (fettle.VelocityAccount, "velocity_account", ()), (fettle.ReplayedStep, "replayed_step", {"has_recorded_hash"})):
+            with self.subTest(structure=structure):
+                in_c = {name for name, _ in ffi.typeof("fettle_" + structure).fields}
+                self.assertEqual(in_c - set(cls._fields), set(others))
 
     def test_every_property_can_be_read_and_set_to_what_it_is(self):
         world = fettle.World()

@@ -2,7 +2,10 @@
 
 import gc
 import math
+import threading
 import unittest
+
+import numpy
 
 import fettle
 
@@ -102,6 +105,72 @@ class Functions(unittest.TestCase):
             kept[0].friction
         with self.assertRaises(fettle.Stale):
             kept[0].friction = 1
+
+    def test_another_thread_is_refused_during_a_call(self):
+        world, _, ball = a_world()
+        other, errors = fettle.World(), []
+
+        def elsewhere(function):
+            def act():
+                try:
+                    function()
+                except fettle.Error as error:
+                    errors.append(error)
+
+            thread = threading.Thread(target=act)
+            thread.start()
+            thread.join()
+
+        def inside(edit):
+            elsewhere(lambda: world.step(1))
+            elsewhere(lambda: ball.velocity)
+            elsewhere(lambda: other.take(world))
+            elsewhere(lambda: other.step(1))
+            self.assertEqual(ball.position.x, 0)
+
+        ball.set_velocity_function(inside)
+        world.step(1 / 60)
+        self.assertEqual([type(error) for error in errors], [fettle.Locked] * 3)
+        self.assertRegex(str(errors[1]), "fettle_body_velocity: another thread is in a call with this world")
+        ball.set_velocity_function(None)
+        elsewhere(lambda: world.step(1 / 60))
+        self.assertEqual(len(errors), 3)
+
+    def test_threads_that_race_leave_a_whole_world(self):
+        world, ground, ball = a_world()
+
+        def act():
+            for i in range(300):
+                try:
+                    world.body(position=(0, 3)).add(fettle.Circle(0.1))
+                    world.step(1 / 60)
+                    world.bodies[-1].destroy()
+                except fettle.Error:
+                    pass
+
+        threads = [threading.Thread(target=act) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertIsNone(world.fault)
+
+    def test_a_closed_world_is_not_the_one_that_has_its_memory(self):
+        closed = fettle.World()
+        ball = closed.body()
+        closed.close()
+        worlds = []
+        for _ in range(1500):  # the library keeps the memory of a thousand
+            worlds.append(fettle.World())
+            fettle.World().close()
+        with self.assertRaises(fettle.Stale):
+            closed.step(1)
+        self.assertFalse(ball.is_valid)
+        closed.close()
+        del closed, ball
+        gc.collect()
+        for world in worlds:
+            world.step(1)
 
     def test_callbacks_may_run_on_several_threads(self):
         world, ground, ball = a_world()
@@ -262,9 +331,79 @@ class Functions(unittest.TestCase):
         self.assertEqual(picture.drawn, [])
         with self.assertRaisesRegex(fettle.Invalid, "no colours"):
             world.draw(picture, colours=True)
+        with self.assertRaisesRegex(fettle.Invalid, "joints = 'no': expected True or False"):
+            world.draw(picture, joints="no")
         picture.circle = lambda *_: 1 / 0
         with self.assertRaises(ZeroDivisionError):
             world.draw(picture)
+
+    def test_values_of_another_kind_are_refused_by_name(self):
+        world, ground, ball = a_world()
+        shape = ball.shapes[0]
+        for refused, expected in (
+                (lambda: setattr(world, "bounds", 3), "bounds: expected \\(\\(left, bottom\\)"),
+                (lambda: world.query_aabb(None), "box: expected"),
+                (lambda: setattr(ball, "pose", 3), "pose: expected a pose: \\(position, angle\\), got 3"),
+                (lambda: ball.set_target(None, 1), "pose: expected"),
+                (lambda: shape.attach("ground"), "expected a Body"),
+                (lambda: shape.distance(ball), "expected a Shape"),
+                (lambda: shape.set_segment_surfaces(None), "surfaces: expected a list"),
+                (lambda: shape.set_segment_surface(0, 3), "expected a SegmentSurface"),
+                (lambda: fettle.Mover(ball), "expected a World"),
+                (lambda: setattr(fettle.Mover(world), "state", 3), "expected a MoverState"),
+                (lambda: fettle.join_lines(3), "lines: expected a list"),
+                (lambda: fettle.clip_velocity((1, 0), [3]), "expected a MoverPlane"),
+                (lambda: world.query_overlap(shape, pose=((0, 0), 0)), "a shape is where its body is"),
+                (lambda: world.draw(ball), "expected a target with some of the methods polygon"),
+                (lambda: world.start_recording(None), "expected a function"),
+                (lambda: world.joint(numpy.array([1, 2])), "type = array")):
+            with self.subTest(expected=expected), self.assertRaisesRegex(fettle.Invalid, expected):
+                refused()
+
+    def test_a_target_colors_what_is_drawn(self):
+        class Picture:
+            def __init__(self):
+                self.colors = set()
+
+            def circle(self, center, radius, angle, color):
+                self.colors.add(color)
+
+            def color_of(self, body, shape):
+                return 0x123456 if shape in body.shapes else "red"
+
+        world, _, _ = a_world()
+        picture = Picture()
+        world.draw(picture)
+        self.assertEqual(picture.colors, {0x123456})
+        picture.color_of = lambda body, shape: "red"
+        with self.assertRaisesRegex(fettle.Invalid, "color_of = 'red': expected a whole number"):
+            world.draw(picture)
+
+    def test_an_account_tells_what_changed_a_velocity(self):
+        world, ground, ball = a_world()
+        self.assertIsNone(world.account(ball))
+        world.keep_account(ball)
+        run(world, 120)
+        ball.awake = True
+        ball.apply_force((3, 0))
+        world.step(1 / 60)
+        account = world.account(ball)
+        self.assertAlmostEqual(account.gravity.y, -10 / 60, delta=1e-5)
+        self.assertGreater(account.applied.x, 0)
+        share, = account.contacts
+        self.assertEqual((share.own.body, share.body), (ball, ground))
+        sum = account.gravity.y + account.force.y + account.applied.y + account.fields.y + account.damping.y + share.change.y
+        self.assertAlmostEqual(account.before.y + sum + account.rest.y, account.after.y, delta=1e-6)
+        self.assertEqual(account.joints, [])
+        self.assertEqual(account.turn.damping, 0)
+        pin = world.joint("revolute", body_a=ground, body_b=ball)
+        world.step(1 / 60)
+        self.assertEqual([share.joint for share in world.account(ball).joints], [pin])
+        with self.assertRaises(fettle.Invalid):
+            world.keep_account("ball")
+        ball.destroy()
+        with self.assertRaises(fettle.Stale):
+            world.account(ball)
 
     def test_the_log_of_the_process(self):
         lines = []

@@ -193,6 +193,9 @@ class Queries(unittest.TestCase):
 
 class Arrays(unittest.TestCase):
     def test_arrays_show_the_world_itself(self):
+        for room in (1 << 40, -1, "four"):
+            with self.assertRaisesRegex(fettle.Invalid, "bodies"):
+                fettle.World(room=room)
         world = fettle.World(room=4)
         ball = world.body(position=(1, 5))
         poses, velocities = world.poses, world.velocities
@@ -379,7 +382,15 @@ class Movers(unittest.TestCase):
         hero.position = (-5, 0.02)
         self.assertTrue(hero.set_height(1.8))
         self.assertAlmostEqual(hero.height, 1.8, delta=1e-6)
-        self.assertAlmostEqual(hero.planes(0.5)[0].normal.y, 1, delta=1e-4)
+        planes = hero.planes(0.5)
+        self.assertAlmostEqual(planes[0].normal.y, 1, delta=1e-4)
+        self.assertAlmostEqual(fettle.solve_planes((1, -2), planes).y, -planes[0].separation, delta=1e-4)
+        self.assertAlmostEqual(fettle.clip_velocity((1, -2), planes).y, 0, delta=1e-6)
+        self.assertEqual(fettle.clip_velocity((1, -2), []), (1, -2))
+        with self.assertRaisesRegex(fettle.Invalid, "length 1"):
+            fettle.solve_planes((1, -2), [planes[0]._replace(normal=(0, 3))])
+        with self.assertRaisesRegex(fettle.Invalid, "climbing"):
+            hero.climbing = "yes"
 
     def test_its_state_is_kept_and_copied(self):
         world, _ = self.course()

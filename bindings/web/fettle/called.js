@@ -1,7 +1,7 @@
 // Functions of the program that the library calls. The library has one function for each kind of call, which is called with a number; here
 // are the functions by number.
 
-import { c, classes, copyOf, done, handle, Invalid, nested, passing, readList, room, Stale, text, view } from "./runtime.js";
+import { c, classes, copyOf, done, handle, Invalid, nested, passing, readList, room, Stale, text, view, whole } from "./runtime.js";
 
 /** Those of the process, and those of a call that has not ended. A world has those that it keeps. */
 const functions = { byNumber: new Map(), byKey: new Map() };
@@ -15,6 +15,8 @@ export function know(world) {
 export function forget(pointer) {
   if (worlds.get(pointer)?.deref() === undefined) worlds.delete(pointer);
 }
+
+const worldAt = (pointer) => worlds.get(pointer >>> 0)?.deref();
 
 function checked(value, name) {
   if (typeof value !== "function") throw new Invalid(`${name} = ${String(value)}: expected a function`);
@@ -57,7 +59,8 @@ export class Edit {
   end() { this.#at = 0; }
 }
 
-function shapeOf(world, id) {
+/** The handle of an id that C passes as an argument. */
+function handleOf(world, id) {
   const p = room(8);
   view.u64[p >> 3] = id;
   return handle(world, p);
@@ -72,14 +75,14 @@ const edits = (name) => (call, world, p) => {
 };
 const point = (p) => classes.readVec2(p);
 
-// The arguments of the function of the program, by kind. The result is 1 where the library is to go on.
+// The arguments of the function of the program, by kind. The result is true where the library is to go on.
 const ofWorlds = {
-  pair_filter: (call, world, a, b) => call(shapeOf(world, a), shapeOf(world, b)),
+  pair_filter: (call, world, a, b) => call(handleOf(world, a), handleOf(world, b)),
   contact_callback: edits("ContactEdit"),
   velocity_function: edits("VelocityEdit"),
   position_function: edits("PositionEdit"),
-  accept: (call, world, shape) => call(shapeOf(world, shape)),
-  shape_visitor: (call, world, shape) => call(shapeOf(world, shape)) !== false,
+  accept: (call, world, shape) => call(handleOf(world, shape)),
+  shape_visitor: (call, world, shape) => call(handleOf(world, shape)) !== false,
   ray_visitor: (call, world, hit) => call(classes.readRayHit(hit, world)) !== false,
   recording_sink: (call, world, p, size) => call(copyOf(p, size)),
   after_step: (call) => call(),
@@ -91,6 +94,10 @@ const ofOthers = {
   circle: (target, center, radius, angle, color) => target.circle(point(center), radius, angle, color >>> 0),
   segment: (target, from, to, color) => target.segment(point(from), point(to), color >>> 0),
   point: (target, at, color) => target.point(point(at), color >>> 0),
+  color_of: (target, pointer, body, shape) => {
+    const world = worldAt(pointer);
+    return whole(target.colorOf(handleOf(world, body), handleOf(world, shape)), "colorOf", 0, 4294967295);
+  },
 };
 /** In the order of the numbers of `fettle_called`. */
 export const kinds = [...Object.keys(ofWorlds), ...Object.keys(ofOthers)];
@@ -99,14 +106,14 @@ export const kinds = [...Object.keys(ofWorlds), ...Object.keys(ofOthers)];
 export const imports = {};
 for (const [kind, act] of Object.entries(ofWorlds))
   imports[kind] = (user, pointer, ...values) => nested(kind === "pair_filter", () => {
-    const world = worlds.get(pointer >>> 0)?.deref();
+    const world = worldAt(pointer);
     const call = functions.byNumber.get(user) ?? world?.functions.byNumber.get(user);
     if (call === undefined) return kind === "pair_filter";
     if (kind === "after_step") world.functions.byNumber.delete(user);
     return act(call, world, ...values);
-  });
+  }) ? 1 : 0;
 for (const [kind, act] of Object.entries(ofOthers))
-  imports[kind] = (user, ...values) => nested(false, () => {
+  imports[kind] = (user, ...values) => nested(0, () => {
     const call = functions.byNumber.get(user);
     return call && act(call, ...values);
   });

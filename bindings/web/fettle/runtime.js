@@ -81,8 +81,7 @@ export function begin() {
   while (passing.length > passingFrom) passing.pop()();
 }
 
-/** Calls a function of the program inside a call. What it throws, the outer call throws when it is over. Gives 1 or 0, `otherwise` after an
-    error. */
+/** Calls a function of the program inside a call. What it throws, the outer call throws when it is over; then it gives `otherwise`. */
 export function nested(otherwise, act) {
   const outer = [bottom, top, passingFrom], before = raised;
   let result = otherwise, error;
@@ -96,7 +95,7 @@ export function nested(otherwise, act) {
   begin();
   [bottom, top, passingFrom] = outer;
   raised = before ?? error;
-  return result ? 1 : 0;
+  return result;
 }
 /** The address of `size` bytes, aligned to 8, with anything in them. */
 export function room(size) {
@@ -134,7 +133,7 @@ export function chars(value, name) {
 }
 /** Writes an element at a time; the address of the first. */
 export function list(values, size, name, write) {
-  if (typeof values?.length !== "number") throw new Invalid(`${name} = ${shown(values)}: expected an array`);
+  if (typeof values !== "object" || typeof values?.length !== "number") throw new Invalid(`${name} = ${shown(values)}: expected an array`);
   const p = room(values.length * size);
   view.u8.fill(0, p, p + values.length * size);
   for (let i = 0; i < values.length; ++i) write(p + i * size, values[i], `${name}[${i}]`);
@@ -175,12 +174,16 @@ function meant(wrong, names) {
   const nearest = names.reduce((a, b) => (how(b) < how(a) ? b : a));
   return how(nearest) <= Math.max(1, wrong.length / 3) ? ` (did you mean "${nearest}"?)` : "";
 }
-export function members(p, value, name, known) {
+/** Writes the members of an object. All of them must be there where there are no defaults. */
+export function members(p, value, name, known, all = false) {
   if (typeof value !== "object" || value === null) throw new Invalid(`${name} = ${shown(value)}: expected an object`);
   for (const key of Object.keys(value)) {
     if (!Object.hasOwn(known, key)) throw new Invalid(`${name} has no member "${key}"${meant(key, Object.keys(known))}; it has ${Object.keys(known).join(", ")}`);
     if (value[key] !== undefined) known[key](p, value[key], name);
   }
+  if (!all) return;
+  const missing = Object.keys(known).find((key) => value[key] === undefined);
+  if (missing !== undefined) throw new Invalid(`${name} has no "${missing}": expected ${Object.keys(known).join(", ")}`);
 }
 export function readList(p, count, size, read) {
   const found = new Array(count);
@@ -215,7 +218,7 @@ export class Handle {
   }
   /** Where it is in the columns of its world. */
   get slot() { return this.low & slotMask; }
-  get isValid() { return c[`fettle_${kindNames[this.low >>> slotBits]}_is_valid`](this.world.pointer, this.id) !== 0; }
+  get isValid() { return c[`fettle_${kindNames[this.low >>> slotBits]}_is_valid`](this.world.address, this.id) !== 0; }
   toString() { return `${this.constructor.name} ${this.slot}`; }
 }
 const kindNames = [, "body", "shape", "joint", "field"];
@@ -271,26 +274,34 @@ export class WorldBase {
     return Object.preventExtensions(world);
   }
   own(pointer) {
-    this.pointer = pointer;
+    this.address = pointer;  // 0: destroyed; a later world may get the memory
     this.handles = [, [], [], [], []];
     know(this);
     forgotten.register(this, pointer, this);
   }
+  get pointer() {
+    if (this.address === 0) throw new Stale("world: it was destroyed");
+    return this.address;
+  }
   /** Destroys the world and all in it; it can be called again. */
   destroy() {
-    const code = c.fettle_world_destroy(this.pointer);
-    if (errors[code] === Stale) return;
-    done(code);
+    if (this.address === 0) return;
+    done(c.fettle_world_destroy(this.address));
+    this.address = 0;
     forgotten.unregister(this);
     this.handles = [, [], [], [], []];
   }
   draw(target, options = {}) {
+    const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
     begin();
     const { size, write, functions } = classes.debugDraw;
     const def = struct(options, size, "options", write, (p) => c.fettle_debug_draw_init(p, size));
+    const has = (name) => name !== "user" && typeof target?.[camel(name)] === "function";
+    if (!Object.keys(functions).some(has))
+      throw new Invalid(`target = ${shown(target)}: expected an object with some of the methods ${Object.keys(functions).filter((name) => name !== "user").map(camel).join(", ")}`);
     const [, number] = lent(target, "target");
     for (const [name, offset] of Object.entries(functions))
-      view.u32[(def + offset) >> 2] = name === "user" ? number : typeof target?.[name] === "function" ? addressOf(name) : 0;
+      view.u32[(def + offset) >> 2] = name === "user" ? number : has(name) ? addressOf(name) : 0;
     done(c.fettle_world_draw(this.pointer, def));
   }
   column(offset, floats) {
@@ -360,6 +371,7 @@ export class MoverBase {
   }
   get position() { return this.state.position; }
   set position(position) {
+    xOf(position, "position");
     const { climbing, dropped } = this.state;
     this.state = { climbing, dropped, position };
   }

@@ -26,6 +26,8 @@ export interface DrawTarget {
   circle?(center: Vec2, radius: number, angle: number, color: number): void;
   segment?(from: Vec2, to: Vec2, color: number): void;
   point?(at: Vec2, color: number): void;
+  /** The color of a shape. Without this method it shows whether the shape is a sensor, and otherwise the state of its body. */
+  colorOf?(body: Body, shape: Shape): number;
 }
 
 /** Repeats a recording of `world.startRecording`, step by step. */

@@ -74,7 +74,7 @@ function structCode(struct, structs) {
     if (member.has) code = `view.u8[${at(member.has.offset)}] = v === null ? 0 : 1; if (v !== null) { ${code} }`;
     return `  ${camel(member.name)}: (p, v, name) => { ${code} },\n`;
   });
-  return `function read_${name}(p, world) {\n  return {\n${fields.join("")}  };\n}\nconst members_${name} = {\n${writers.join("")}};\nfunction write_${name}(p, value, name) {\n  members(p, value, name, members_${name});\n}\n\n`;
+  return `function read_${name}(p, world) {\n  return {\n${fields.join("")}  };\n}\nconst members_${name} = {\n${writers.join("")}};\nfunction write_${name}(p, value, name) {\n  members(p, value, name, members_${name}${struct.members[0].name === "size" ? "" : ", true"});\n}\n\n`;
 }
 
 /** The code that makes the argument in C of one of JavaScript. */

@@ -31,7 +31,7 @@ export function handleOf(name, inFunction = "") {
   if (/sensor_body|visitor_body|bod(y|ies)|slept|woke/.test(plain)) return "Body";
   if (/joint/.test(plain)) return "Joint";
   if (/field/.test(plain)) return "Field";
-  if (/shape|sensor|visitor|query|^(ground|wall|dropped)$/.test(plain)) return "Shape";
+  if (/shape|sensor|visitor|query|^(ground|wall|dropped|own|other)$/.test(plain)) return "Shape";
   return kinds[plain] ?? "Body";
 }
 

@@ -195,11 +195,59 @@ test("a world is drawn by the methods that a target has", () => {
   assert.throws(() => world.draw({ polygon() { throw new RangeError("full"); } }), RangeError);
 });
 
+test("what has no defaults must be there", () => {
+  const { world, floor } = standing(), min = { x: -1, y: -1 };
+  assert.throws(() => world.queryAabb({ min }), /^Error: box has no "max": expected min, max$/);
+  assert.throws(() => { world.bounds = {}; }, /bounds has no "min"/);
+  assert.throws(() => floor.setSegmentSurface(0, { friction: 1 }), /surface has no "restitution"/);
+  assert.throws(() => fettle.joinLines(() => {}), /points = .*: expected an array/);
+  assert.throws(() => { new fettle.Mover(world).position = undefined; }, /position = undefined/);
+  assert.throws(() => world.draw({ polygons() {} }), /expected an object with some of the methods polygon, circle/);
+  assert.throws(() => world.draw(null), Invalid);
+});
+
+test("a target colors what is drawn", () => {
+  const { world, ball, shape } = standing();
+  const colors = [];
+  const target = {
+    circle(center, radius, angle, color) { colors.push(color); },
+    colorOf(body, of) { return body === ball && of === shape ? 0x123456 : 1; },
+  };
+  world.draw(target);
+  assert.deepEqual(colors, [0x123456]);
+  assert.throws(() => world.draw({ ...target, colorOf: () => "red" }), /colorOf = "red": expected a whole number/);
+  assert.throws(() => world.draw({ ...target, colorOf() { throw new RangeError("none"); } }), RangeError);
+});
+
+test("an account tells what changed a velocity", () => {
+  const { world, ground, floor, ball, shape } = standing(1);
+  assert.equal(world.account(ball), null);
+  assert.deepEqual(world.accountContacts(ball), []);
+  world.keepAccount(ball);
+  ball.applyForce({ x: 3, y: 0 });
+  run(world, 1);
+  const account = world.account(ball);
+  near(account.gravity.y, -10 / 60, 1e-5);
+  assert.ok(account.applied.x > 0);
+  assert.equal(account.turn.damping, 0);
+  const [share] = world.accountContacts(ball);
+  assert.equal(share.own, shape);
+  assert.equal(share.other, floor);
+  assert.equal(share.body, ground);
+  near(account.before.y + account.gravity.y + share.change.y + account.rest.y, account.after.y, 1e-6);
+  const pin = world.createRevoluteJoint({ bodyA: ground, bodyB: ball });
+  run(world, 1);
+  assert.deepEqual(world.accountJoints(ball).map(({ joint }) => joint), [pin]);
+  ball.destroy();
+  assert.throws(() => world.account(ball), Stale);
+  assert.throws(() => world.keepAccount("ball"), Invalid);
+});
+
 test("segments of a chain have surfaces", () => {
   const world = new World();
   const ground = world.createBody({ type: BodyType.STATIC }).add(chain([{ x: 0, y: 0 }, { x: 10, y: 0 }, { x: 20, y: 0 }]), { friction: 0.5 });
   assert.equal(ground.segmentSurfaceOverride(1), null);
-  ground.setSegmentSurface(1, { friction: 0, material: 4 });
+  ground.setSegmentSurface(1, { friction: 0, restitution: 0, rollingResistance: 0, surfaceSpeed: 0, material: 4 });
   assert.equal(ground.segmentSurface(1).friction, 0);
   assert.equal(ground.segmentSurfaceOverride(1).material, 4);
   assert.equal(ground.segmentSurface(0).friction, 0.5);

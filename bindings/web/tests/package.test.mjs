@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as fettle from "fettle-physics";
 
-const { BodyType, Invalid, Locked, ShapeType, Stale, World, box, circle, load, polygon } = fettle;
+const { BodyType, Invalid, Locked, ShapeType, Stale, World, box, circle, clipVelocity, load, polygon, solvePlanes } = fettle;
 await load();
 
 const near = (value, expected, most) => assert.ok(Math.abs(value - expected) <= most, `${value} is not ${expected}`);
@@ -274,6 +274,9 @@ test("a mover crouches where there is no room to stand", () => {
   near(hero.height, 1.8, 1e-6);
   assert.throws(() => hero.setHeight(0.1), Invalid);
   const [below] = hero.planes(0.5);
+  near(clipVelocity({ x: 1, y: -2 }, [below]).y, 0, 1e-6);
+  near(solvePlanes({ x: 1, y: -2 }, hero.planes(0.5), 0.1).y, 0.1 - below.separation, 1e-4);
+  assert.throws(() => clipVelocity({ x: 1, y: -2 }, [{ ...below, normal: { x: 0, y: 3 } }]), /planes\[0\]: expected a normal of length 1/);
   near(below.normal.y, 1, 1e-4);
   assert.ok(below.shape instanceof fettle.Shape);
 });
@@ -315,4 +318,21 @@ test("the library in C is there as a whole", () => {
   assert.match(fettle.physicsVersion(), /^\d+\.\d+\.\d+$/);
   assert.equal(fettle.simdWidth(), 4);
   assert.ok(new Locked("locked") instanceof fettle.FettleError);
+});
+
+test("a destroyed world is not the one that has its memory", () => {
+  const { world, ball } = standing(), others = [];
+  world.destroy();
+  for (let i = 0; i < 1500; ++i) {  // the library keeps the memory of a thousand
+    others.push(new World());
+    new World().destroy();
+  }
+  assert.throws(() => world.step(1), Stale);
+  assert.throws(() => others[0].assign(world), Stale);
+  assert.equal(ball.isValid, false);
+  world.destroy();
+  for (const other of others) {
+    other.step(1);
+    other.destroy();
+  }
 });

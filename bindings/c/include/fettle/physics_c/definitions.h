@@ -142,8 +142,8 @@ typedef struct fettle_field_def {
     float density;        /* wind: 1.2 kg/m2; buoyancy: 2 kg/m2; at least 0 */
     float linear;         /* drag: 1 N s/m for each m2; at least 0 */
     float quadratic;      /* drag: 0 N s2/m2 for each m2; at least 0 */
-    float level;          /* buoyancy: 0 m; points with normal * point below it are submerged */
-    fettle_vec2 normal;   /* buoyancy: (0, 1); upwards, of any length but 0 */
+    fettle_coordinate level; /* buoyancy: 0 m; points with normal * point below it are submerged */
+    fettle_vec2 normal;      /* buoyancy: (0, 1); upwards, of any length but 0 */
     float drag; /* buoyancy: 2 1/s; share of the displaced mass that resists; at least 0 */
     fettle_position center; /* attractor: (0, 0) m, world */
     float strength;         /* attractor: 10 m/s2 at a distance of 1 m; negative repels */

@@ -6,8 +6,8 @@
 
 FETTLE_PHYSICS_C_BEGIN
 
-/** How to draw, and what. Colors are 0xRRGGBB and show whether a body is static, kinematic, awake
-   or asleep. A null function: this is not drawn. callbacks.h describes what a function may do. */
+/** How to draw, and what. Colors are 0xRRGGBB. A null function: this is not drawn. callbacks.h
+   describes what a function may do. */
 typedef struct fettle_debug_draw {
     uint32_t size;
     bool shapes;        /* true */
@@ -28,6 +28,9 @@ typedef struct fettle_debug_draw {
     void (*segment)(void* user, fettle_position from, fettle_position to, uint32_t color);
     /** A point, to be drawn in a size of the host. */
     void (*point)(void* user, fettle_position at, uint32_t color);
+    /** The color of a shape of a body. Null: it shows whether the shape is a sensor, and otherwise
+        whether the body is static, kinematic, awake or asleep. */
+    uint32_t (*color_of)(void* user, const fettle_world* world, fettle_id body, fettle_id shape);
 } fettle_debug_draw;
 
 /** Writes the defaults and `size`; all functions are null. FETTLE_INVALID unless `size` is the size

@@ -94,4 +94,15 @@ fettle_code fettle_mover_planes(const fettle_world* world, const fettle_mover_de
                                 const fettle_mover_state* state, float distance,
                                 fettle_mover_plane* out, uint32_t room, uint32_t* count);
 
+/** For movers of the host's own: the motion (m) nearest to a wanted one after which all planes are
+    at least `distance` (m) away; if there is none, one that divides the overlap among them. It uses
+    the normals, whose length is 1, and the separations; the other members may be anything. */
+fettle_code fettle_solve_planes(float motion_x, float motion_y, const fettle_mover_plane* planes,
+                                uint32_t plane_count, float distance, fettle_vec2* motion);
+
+/** A velocity (m/s) without the parts that go into the planes, of which it uses the normals. */
+fettle_code fettle_clip_velocity(float velocity_x, float velocity_y,
+                                 const fettle_mover_plane* planes, uint32_t plane_count,
+                                 fettle_vec2* velocity);
+
 FETTLE_PHYSICS_C_END

@@ -1,0 +1,39 @@
+#include "catch.h"
+#include "memory_end.h"
+#include "scenes.h"
+
+namespace visitor_memory_test {
+
+using namespace scenes;
+
+TEST_CASE("a visitor allocates nothing") {
+    World world;
+    world.create_body({.type = BodyType::static_body}).add(Box{40, 1});
+    for (int i = 0; i < 20; ++i) add_ball(world, {2.0f * float(i) - 20.0f, 1});
+    const std::vector<Vec2> angle = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
+    world.create_body({.position = {-1, 3}}).add(Concave{angle});
+    run(world, 0.5f);
+    const Aabb all = {{-30, -5}, {30, 20}};
+    const Position left = {-30, 0.5f}, right = {30, 0.9f};
+    int finds = 0;
+    const auto query = [&] {
+        const auto count = [&finds, &world](const Shape& shape) {
+            finds += &shape.world() == &world;
+        };
+        world.visit_aabb(all, count);
+        world.visit_point({0, 3.5f}, count);
+        world.visit_ray(left, right, [&](const RayHit& hit) { finds += hit.fraction < 1; });
+        finds += world.cast_ray(left, right).has_value();
+        finds += world.closest({0, 9}).has_value();
+    };
+    query();  // the memory of the thread for outlines
+    const int once = finds;
+    {
+        const MemoryEnd end(0);
+        query();
+    }
+    CHECK(finds == 2 * once);
+    CHECK(once > 25);
+}
+
+}  // namespace visitor_memory_test
