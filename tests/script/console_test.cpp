@@ -281,6 +281,7 @@ TEST_CASE("completion includes paths and keys and methods and enumerators") {
     Stage s;
     s.run(
         "world.ball = Body { mass = 2 }; world[\"my ball\"] = Body {}; lives = 3; "
+        "world['球と箱'] = Body {} "
         "Ball = class('Ball', Body) {} function Ball:hurt() end world.b2 = Ball {}");
     CHECK(taken(s, "wor") == "world");
     CHECK(taken(s, "print(world.ba") == "print(world.ball");
@@ -292,6 +293,11 @@ TEST_CASE("completion includes paths and keys and methods and enumerators") {
     CHECK(taken(s, "world.b2:hu") == "world.b2:hurt");
     CHECK(taken(s, "world.my") == "world[\"my ball\"]");
     CHECK(taken(s, "world[\"my ball\"].mas") == "world[\"my ball\"].mass");
+    CHECK(taken(s, "world[\"my") == "world[\"my ball\"]");
+    CHECK(taken(s, "world['ba") == "world.ball");
+    CHECK(has(labels(s, "print(world[\""), "my ball"));
+    CHECK(labels(s, "nothing[\"").empty());
+    CHECK(taken(s, "world.球") == "world[\"球と箱\"]");
     CHECK(taken(s, "world.ball.type = \"ki") == "world.ball.type = \"kinematic");
     CHECK(has(labels(s, "world.ball.type = "), "static"));
     CHECK(taken(s, "world.ball.awake = f") == "world.ball.awake = false");

@@ -24,6 +24,7 @@
 #include <reference/reference_facts.h>
 #include <reference/signature.h>
 #include <text/columns.h>
+#include <text/words.h>
 #include <values/description.h>
 #include <values/members.h>
 #include <values/short_text.h>
@@ -142,10 +143,11 @@ void add_functions(Machine& machine, const Class& of, Candidates& out) {
                 Group::function);
 }
 
-/// `separator`: where the dot is, which a name that is not an identifier replaces.
+/// `separator`: where the dot is, which a name that is not an identifier replaces, or the bracket
+/// before a quoted name, which each name replaces.
 void add_named(const std::string& name, std::size_t separator, Describe describe, Group group,
                Candidates& out) {
-    if (property::is_identifier(name))
+    if (property::is_identifier(name) && separator + 1 == out.replace_from())
         out.add(name, std::move(describe), group);
     else
         out.add_as(name, property::path_suffix(name), separator, std::move(describe), group);
@@ -395,6 +397,20 @@ void add_enumerators(const Property& property, bool quoted, Candidates& out) {
             out.add(word, described(property.name), Group::value);
 }
 
+// Completes the quoted name behind `path[`: names of children, and of the entries of a table. The
+// brackets give way to a dot where the name allows one.
+void add_in_brackets(lua_State* L, Machine& machine, std::string_view before, Candidates& out) {
+    const std::size_t start = path_start(before, before.size());
+    const Property* read = nullptr;
+    if (!push_path(L, machine, before.substr(start), &read)) return;
+    if (const auto* box = instance_at(L, -1)) {
+        if (machine.tree.alive(box->handle))
+            add_children(machine.tree, box->handle, before.size(), out);
+    } else if (lua_type(L, -1) == LUA_TTABLE) {
+        add_table(L, -1, before.size(), out);
+    }
+}
+
 // Completes inside quotes: texts that the function or property before them accepts.
 void add_in_string(lua_State* L, Machine& machine, std::string_view before, const Scan& scanned,
                    Candidates& out) {
@@ -404,6 +420,8 @@ void add_in_string(lua_State* L, Machine& machine, std::string_view before, cons
         return;
     }
     std::size_t end = skip_blanks_back(before, quote);
+    if (end > 0 && before[end - 1] == '[')
+        return add_in_brackets(L, machine, before.substr(0, end - 1), out);
     if (end == 0 || before[end - 1] != '(') return;
     end = skip_blanks_back(before, end - 1);
     const std::size_t name_at = word_start(before, end);
@@ -460,14 +478,22 @@ void add_all(lua_State* L, Machine& machine, std::string_view before, const Scan
     add_globals(L, machine, out);
 }
 
+/// Where the name before the cursor begins. It may have letters that need brackets.
+std::size_t name_start(std::string_view before) {
+    std::size_t at = before.size();
+    while (at > 0 &&
+           (is_word(before[at - 1]) || static_cast<unsigned char>(before[at - 1]) >= 0x80))
+        --at;
+    return at;
+}
+
 }  // namespace
 
 std::vector<Completion> complete(Machine& machine, std::string_view input, std::size_t cursor,
                                  std::size_t most) {
     const std::string_view before = input.substr(0, std::min(cursor, input.size()));
     const Scan scanned = scan(before);
-    const std::size_t token =
-        scanned.in_string ? scanned.string_start : word_start(before, before.size());
+    const std::size_t token = scanned.in_string ? scanned.string_start : name_start(before);
     Candidates out(before.substr(token), token);
     std::vector<Completion> found;
     protected_run(
