@@ -137,8 +137,10 @@ float Console::State::panel_height() {
     const float overlays = settings.flag("overlays") ? views.overlay_bar.height() : 0;
     const float whole = std::max(1.0f, screen.height - 2 * margin);
     const float least = std::min(whole, least_log * em + overlays);
-    // A third of a low window has room for the title, one line and the prompt.
-    const float usual = std::min(least_height * em, 0.33f * screen.height);
+    // A third of a low window has room for the title, one line and the prompt; overlays take none
+    // of it.
+    const float usual =
+        std::min(whole, std::min(least_height * em, 0.33f * screen.height) + overlays);
     const float most = std::min(whole, std::max({screen.height - below, least, usual}));
     return std::clamp(settings.number("height") * screen.height, least, most);
 }
@@ -369,10 +371,13 @@ void Console::State::draw_title(float cell) {
     if (tree.alive(inspector.selected())) {
         // In a narrow window the inspector below says it.
         constexpr float least_cells = 12;
-        const std::string it = "it = " + tree.path(inspector.selected());
-        const float room = right - x - cell, wide = std::min(text_width(it), room);
+        constexpr std::string_view it = "it = ";
+        const std::string path = tree.path(inspector.selected());
+        const float before = text_width(it), room = right - x - cell;
+        const float wide = std::min(before + text_width(path), room);
         if (wide < room || room >= least_cells * cell) {
-            draw_text_fit(list, ImVec2(x, at.y + 1), palette::accent, it, wide);
+            draw_text(list, ImVec2(x, at.y + 1), palette::accent, it);
+            draw_path_fit(list, ImVec2(x + before, at.y + 1), palette::accent, path, wide - before);
             x += wide + 3 * cell;
         }
     }
