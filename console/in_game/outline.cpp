@@ -35,16 +35,43 @@ std::vector<Vec2> points_of(const Value& list) {
     return points;
 }
 
+/// Leaves out all but an instance and what is below it.
+class Only : public property::Drawer {
+  public:
+    Only(const property::Tree& tree, Handle instance) : tree_(tree), instance_(instance) {}
+    bool draws(const property::Class&) override { return false; }
+    bool begins(Handle at) override {
+        while (at && at != instance_) at = tree_.parent(at);
+        return static_cast<bool>(at);
+    }
+    void draw(Handle, property::Painter&) override {}
+
+  private:
+    const property::Tree& tree_;
+    Handle instance_;
+};
+
+/// The outermost layer around an instance, which places it on the screen; without one, itself.
+Handle outermost_layer(const property::Tree& tree, Handle instance) {
+    Handle found = instance;
+    for (Handle at = tree.parent(instance); at; at = tree.parent(at))
+        if (tree.class_of(at).lifecycle().begin_below != nullptr) found = at;
+    return found;
+}
+
 }  // namespace
 
 void draw_outline(ImDrawList& list, const property::Tree& tree, Handle instance,
-                  const ToPixels& to_pixels, double seconds) {
+                  const ToPixels& to_pixels, const property::Seen& seen, double seconds) {
     // A body is drawn by its shapes. A whole world gets no outline.
     const auto box = read(tree, instance, "aabb", Type::list);
     if (!box && tree.find(instance, "position") == nullptr) return;
     const float glow = 0.22f + 0.08f * static_cast<float>(std::sin(seconds * 4));
     Pen pen(list, to_pixels, {.color = palette::accent, .glow = with_alpha(palette::accent, glow)});
-    tree.draw(instance, pen, property::Drawing::alpha());
+    pen.show(seen);
+    Only only(tree, instance);
+    tree.draw(outermost_layer(tree, instance), pen, property::Drawing::alpha(), &only);
+    if (!pen.drew_anything()) pen.outline_pictures();
     if (pen.drew_anything() || !box) return;
     const std::vector<Vec2> corners = points_of(*box);
     if (corners.size() != 2) return;

@@ -42,6 +42,12 @@ class Pen : public property::Painter {
         : list_(list), to_pixels_(to_pixels), style_(style), map_(map) {}
 
     bool drew_anything() const { return drew_anything_; }
+    /// Draws a line around the pictures, which have no outlines of their own: letters, particles
+    /// and tiles get one box together.
+    void outline_pictures();
+    /// The visible part of the world, for layers that move with it.
+    void show(const property::Seen& seen) { seen_ = seen; }
+    property::Seen seen() const override { return seen_; }
 
     void circle(const property::Vec2& center, double radius, const property::Paint& paint) override;
     void ellipse(const property::Vec2& center, const property::Vec2& radii, double angle,
@@ -81,8 +87,10 @@ class Pen : public property::Painter {
     const ToPixels& to_pixels_;
     PenStyle style_;
     property::Transform map_;
+    property::Seen seen_{};
     bool drew_anything_ = false;
     std::vector<ImVec2> points_;
+    std::vector<ImVec2> pictures_;  // corners, four for each
 };
 
 }  // namespace fettle::console

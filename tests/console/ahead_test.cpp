@@ -311,8 +311,9 @@ TEST_CASE_METHOD(AheadRig, "in a low window the row of overlays leaves the log i
     console::test::RasterSurface small(400, 300);
     for (int i = 0; i < 3; ++i) console.draw(small, 1.0 / 60);
     const auto& bar = state().views.overlay_bar;
-    const float free = state().views.prompt_view.rect().low.y - bar.button("timings").high.y;
-    CHECK(free >= 1.5f * state().views.log_view.line_height());
+    const auto& lines = state().views.log_view;
+    CHECK(lines.text_end().y - lines.line_height() >= bar.button("timings").high.y);
+    CHECK(lines.text_end().y <= state().views.prompt_view.rect().low.y);
 }
 
 // --- Small windows
