@@ -25,7 +25,7 @@ constexpr float margin = 8;       // pixels around the windows
 constexpr float handle_size = 6;  // width of the edge for resizing, in pixels
 // The least sizes of the windows, in ems.
 constexpr float least_panel = 26, least_height = 8.5f;  // the panel: its width and height
-constexpr float least_log = 5;       // the panel without overlays: title and prompt
+constexpr float least_log = 6.5f;    // the panel without overlays: title, a line and prompt
 constexpr float stacked_below = 44;  // the watch list and the plot, in narrower windows
 constexpr float least_plot = 9, least_list = 4, least_frames = 7, least_inspector = 8;
 constexpr float low_plot = 4.5f, low_list = 2, low_frames = 5;  // in low windows; below that, none

@@ -308,6 +308,7 @@ TEST_CASE_METHOD(AheadRig,
 TEST_CASE_METHOD(AheadRig, "in a low window the row of overlays leaves the log its last lines") {
     property::set(tree, "view.show.timings", Value(true));
     edit("console.overlays", true, property::Writer::console);
+    edit("console.height", GENERATE(0.15, 0.45), property::Writer::console);
     console::test::RasterSurface small(400, 300);
     for (int i = 0; i < 3; ++i) console.draw(small, 1.0 / 60);
     const auto& bar = state().views.overlay_bar;

@@ -108,7 +108,7 @@ struct Evaluation {
     bool incomplete = false;         // the chunk needs more lines; nothing has run
     std::vector<std::string> lines;  // printed text, results and old and new values of assignments,
                                      // in order
-    std::vector<TableLines> tables;  ///< which of the lines are tables of instances
+    std::vector<TableLines> tables{};  ///< which of the lines are tables of instances
     std::optional<ScriptError> error;  ///< none if it is ok
     property::Value result;            // the last result; nil if it is not a value of the tree
 };
