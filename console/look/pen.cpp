@@ -108,7 +108,7 @@ void Pen::picture(const property::Picture& picture, const property::PictureArea&
     if (tint.a <= 0) return;
     if (!style_.as_drawn) {
         for (const Vec2& corner : {lower, Vec2(upper.x, lower.y), upper, Vec2(lower.x, upper.y)})
-            pictures_.push_back(pixel(corner));
+            pictures_[owner_].push_back(pixel(corner));
         return;
     }
     if (picture.on_pixels()) return letter(picture, lower, upper, tint);
@@ -122,17 +122,20 @@ void Pen::picture(const property::Picture& picture, const property::PictureArea&
 
 void Pen::outline_pictures() {
     constexpr std::size_t corners = 4;
-    if (pictures_.empty()) return;
-    points_ = std::exchange(pictures_, {});
-    if (points_.size() > corners) {
-        ImVec2 low = points_.front(), high = low;
-        for (const ImVec2& at : points_) {
-            low = ImVec2(std::min(low.x, at.x), std::min(low.y, at.y));
-            high = ImVec2(std::max(high.x, at.x), std::max(high.y, at.y));
+    for (auto& [owner, all] : std::exchange(pictures_, {})) {
+        if (owners_.contains(owner)) continue;
+        points_ = all;
+        if (points_.size() > corners) {
+            ImVec2 low = points_.front(), high = low;
+            for (const ImVec2& at : points_) {
+                low = ImVec2(std::min(low.x, at.x), std::min(low.y, at.y));
+                high = ImVec2(std::max(high.x, at.x), std::max(high.y, at.y));
+            }
+            points_ = {low, ImVec2(high.x, low.y), high, ImVec2(low.x, high.y)};
         }
-        points_ = {low, ImVec2(high.x, low.y), high, ImVec2(low.x, high.y)};
+        owner_ = owner;
+        stroke(true, {});
     }
-    stroke(true, {});
 }
 
 ImVec2 Pen::pixel(const Vec2& at) const {
@@ -178,6 +181,7 @@ void Pen::stroke(bool closed, const property::Paint& paint) {
     }
     points_.clear();
     drew_anything_ = true;
+    owners_.insert(owner_);
 }
 
 }  // namespace fettle::console

@@ -77,14 +77,12 @@ property::Seen Console::State::seen() const {
 void Console::State::draw_outlines() {
     constexpr std::size_t most = 300;  // more outlines could not be distinguished
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const auto outline = [&](property::Handle instance) {
-        if (tree.alive(instance))
-            draw_outline(list, tree, instance, options.to_pixels, seen(), ImGui::GetTime());
-    };
     const std::vector<property::Handle>& others = inspector.selected_instances().others();
-    for (std::size_t i = others.size() > most ? others.size() - most : 0; i < others.size(); ++i)
-        outline(others[i]);
-    outline(inspector.selected());
+    const std::size_t shown = std::min(others.size(), most);
+    std::vector<property::Handle> all(others.end() - static_cast<std::ptrdiff_t>(shown),
+                                      others.end());
+    all.push_back(inspector.selected());
+    console::draw_outlines(list, tree, all, options.to_pixels, seen(), ImGui::GetTime());
 }
 
 void Console::State::draw_box() {

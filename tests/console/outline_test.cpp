@@ -120,6 +120,7 @@ namespace {
 struct Cards : Rig {
     property::Picture image{2, 1, {255, 255, 255, 0, 255, 255, 255, 255}};
     Handle card;
+    int walks = 0;  // through the layer
 
     Cards() {
         property::ClassDescriptor descriptor;
@@ -138,9 +139,11 @@ struct Cards : Rig {
         const property::Class& made = tree.define(descriptor);
         property::ClassDescriptor shifted;
         shifted.name = "Shifted";
-        shifted.lifecycle.begin_below = [](void*, const property::Tree&, Handle, property::Row,
+        shifted.lifecycle.context = this;
+        shifted.lifecycle.begin_below = [](void* c, const property::Tree&, Handle, property::Row,
                                            property::Painter& painter, int pass) {
             if (pass > 0) return false;
+            ++static_cast<Cards*>(c)->walks;
             painter.push(property::Transform::moved({3, 0}));
             return true;
         };
@@ -191,6 +194,16 @@ TEST_CASE_METHOD(Cards, "the outline of a picture is where its layer places it")
         CHECK(lit(side));
     CHECK_FALSE(lit({0, -3.5}));
     CHECK_FALSE(lit({3, -4}));
+}
+
+TEST_CASE_METHOD(Cards, "all that are selected in a layer are outlined in one walk") {
+    std::vector<Handle> all{card};
+    for (int i = 1; i < 20; ++i) all.push_back(tree.create(tree.class_of(card), tree.parent(card)));
+    console.select(all);
+    draw(3);
+    walks = 0;
+    draw();
+    CHECK(walks == 1);
 }
 
 }  // namespace outline_test
