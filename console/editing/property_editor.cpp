@@ -363,7 +363,7 @@ void PropertyEditor::reference(Handle to, float width) {
         ImGui::InvisibleButton("link", ImVec2(std::max(1.0f, width), ImGui::GetFrameHeight()));
     bool hovered = alive && ImGui::IsItemHovered();
     ImVec2 text(at.x, at.y + ImGui::GetStyle().FramePadding.y);
-    draw_text_fit(*ImGui::GetWindowDrawList(), text, alive ? palette::path : palette::dim, name,
+    draw_path_fit(*ImGui::GetWindowDrawList(), text, alive ? palette::path : palette::dim, name,
                   width);
     if (hovered) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

@@ -45,9 +45,11 @@ const ImWchar* ExtraGlyphs::always() {
 }
 
 const std::vector<const char*>& ExtraGlyphs::fallbacks() {
-    static const std::vector<const char*> files = {"DejaVuSans.ttf",  "DroidSansFallbackFull.ttf",
-                                                   "wqy-zenhei.ttc",  "NotoSansCJK-Regular.ttc",
-                                                   "NanumGothic.ttf", "Symbola_hint.ttf"};
+    static const std::vector<const char*> files = [] {
+        std::vector<const char*> all = {"DejaVuSans.ttf"};
+        all.insert(all.end(), property::fallback_fonts.begin(), property::fallback_fonts.end());
+        return all;
+    }();
     return files;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace fettle::console {
 
@@ -104,7 +105,12 @@ void Pen::letter(const property::Picture& picture, const Vec2& lower, const Vec2
 
 void Pen::picture(const property::Picture& picture, const property::PictureArea&, const Vec2& lower,
                   const Vec2& upper, property::Color tint, bool) {
-    if (!style_.as_drawn || tint.a <= 0) return;
+    if (tint.a <= 0) return;
+    if (!style_.as_drawn) {
+        for (const Vec2& corner : {lower, Vec2(upper.x, lower.y), upper, Vec2(lower.x, upper.y)})
+            pictures_[owner_].push_back(pixel(corner));
+        return;
+    }
     if (picture.on_pixels()) return letter(picture, lower, upper, tint);
     for (const Vec2& corner : {lower, Vec2(upper.x, lower.y), upper, Vec2(lower.x, upper.y)})
         points_.push_back(pixel(corner));
@@ -112,6 +118,24 @@ void Pen::picture(const property::Picture& picture, const property::PictureArea&
         return property::Color{tint.r, tint.g, tint.b, tint.a * share};
     };
     stroke(true, {.fill = faint(0.08f), .border = faint(0.8f), .border_width = 1});
+}
+
+void Pen::outline_pictures() {
+    constexpr std::size_t corners = 4;
+    for (auto& [owner, all] : std::exchange(pictures_, {})) {
+        if (owners_.contains(owner)) continue;
+        points_ = all;
+        if (points_.size() > corners) {
+            ImVec2 low = points_.front(), high = low;
+            for (const ImVec2& at : points_) {
+                low = ImVec2(std::min(low.x, at.x), std::min(low.y, at.y));
+                high = ImVec2(std::max(high.x, at.x), std::max(high.y, at.y));
+            }
+            points_ = {low, ImVec2(high.x, low.y), high, ImVec2(low.x, high.y)};
+        }
+        owner_ = owner;
+        stroke(true, {});
+    }
 }
 
 ImVec2 Pen::pixel(const Vec2& at) const {
@@ -157,6 +181,7 @@ void Pen::stroke(bool closed, const property::Paint& paint) {
     }
     points_.clear();
     drew_anything_ = true;
+    owners_.insert(owner_);
 }
 
 }  // namespace fettle::console

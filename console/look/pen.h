@@ -4,7 +4,10 @@
 
 #include <imgui.h>
 
+#include <cstdint>
 #include <functional>
+#include <map>
+#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -42,6 +45,15 @@ class Pen : public property::Painter {
         : list_(list), to_pixels_(to_pixels), style_(style), map_(map) {}
 
     bool drew_anything() const { return drew_anything_; }
+    /// What is drawn from now on belongs to this one: a number for each instance.
+    void draw_for(std::uint64_t owner) { owner_ = owner; }
+    bool drew_for(std::uint64_t owner) const { return owners_.contains(owner); }
+    /// Draws lines around the pictures of those that drew no figures: letters, particles and tiles
+    /// of one get one box together.
+    void outline_pictures();
+    /// The visible part of the world, for layers that move with it.
+    void show(const property::Seen& seen) { seen_ = seen; }
+    property::Seen seen() const override { return seen_; }
 
     void circle(const property::Vec2& center, double radius, const property::Paint& paint) override;
     void ellipse(const property::Vec2& center, const property::Vec2& radii, double angle,
@@ -81,8 +93,12 @@ class Pen : public property::Painter {
     const ToPixels& to_pixels_;
     PenStyle style_;
     property::Transform map_;
+    property::Seen seen_{};
     bool drew_anything_ = false;
     std::vector<ImVec2> points_;
+    std::uint64_t owner_ = 0;
+    std::set<std::uint64_t> owners_;                         // that drew something
+    std::map<std::uint64_t, std::vector<ImVec2>> pictures_;  // by owner; four corners for each
 };
 
 }  // namespace fettle::console

@@ -251,14 +251,16 @@ bool Console::State::selection_key(const InputEvent& event) {
     return false;
 }
 
-/// The game never gets the left button here, and gets the right button only where no body is.
+/// The game never gets the left button here, and gets the right button only where nothing is.
 bool Console::State::click_game(float x, float y, bool menu) {
     if (!menu && input.shift_held) {
         input.box = DrawnBox{x, y, x, y};
         return true;
     }
     try {
-        const property::Handle found = pick(tree, options.to_world(x, y));
+        property::Handle found = pick(tree, options.to_world(x, y));
+        if (!found && options.to_pixels)
+            found = pick_picture(tree, {x, y}, options.to_pixels, seen());
         if (!found) return !menu;
         input.keys_to_selection = true;
         if (!menu && input.control_held) {

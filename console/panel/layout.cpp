@@ -24,11 +24,11 @@ constexpr int panel_flags =
 constexpr float margin = 8;       // pixels around the windows
 constexpr float handle_size = 6;  // width of the edge for resizing, in pixels
 // The least sizes of the windows, in ems.
-constexpr float least_panel = 26, least_height = 8;  // the panel: its width and height
-constexpr float least_log = 5;                       // the panel without overlays: title and prompt
+constexpr float least_panel = 26, least_height = 8.5f;  // the panel: its width and height
+constexpr float least_log = 6.5f;    // the panel without overlays: title, a line and prompt
 constexpr float stacked_below = 44;  // the watch list and the plot, in narrower windows
 constexpr float least_plot = 9, least_list = 4, least_frames = 7, least_inspector = 8;
-constexpr float low_plot = 5, low_list = 2, low_frames = 5;  // in low windows; below that, none
+constexpr float low_plot = 4.5f, low_list = 2, low_frames = 5;  // in low windows; below that, none
 constexpr float least_beside = 15;      // the inspector: its width beside the panel
 constexpr float useful_inspector = 14;  // its height below the panel, with some properties
 constexpr float least_legend = 80;      // in pixels: the legend of `view.show.blame`
@@ -65,17 +65,24 @@ void Console::State::frame(double seconds) {
     screen.building = false;
 }
 
+/// The visible part of the world; empty without a view.
+property::Seen Console::State::seen() const {
+    if (!options.to_world) return {};
+    const property::Vec2 size(screen.width, screen.height);
+    const property::Vec2 a = options.to_world(0, screen.height),
+                         b = options.to_world(screen.width, 0);
+    return {(a + b) / 2, a.min(b), a.max(b), size};
+}
+
 void Console::State::draw_outlines() {
     constexpr std::size_t most = 300;  // more outlines could not be distinguished
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const auto outline = [&](property::Handle instance) {
-        if (tree.alive(instance))
-            draw_outline(list, tree, instance, options.to_pixels, ImGui::GetTime());
-    };
     const std::vector<property::Handle>& others = inspector.selected_instances().others();
-    for (std::size_t i = others.size() > most ? others.size() - most : 0; i < others.size(); ++i)
-        outline(others[i]);
-    outline(inspector.selected());
+    const std::size_t shown = std::min(others.size(), most);
+    std::vector<property::Handle> all(others.end() - static_cast<std::ptrdiff_t>(shown),
+                                      others.end());
+    all.push_back(inspector.selected());
+    console::draw_outlines(list, tree, all, options.to_pixels, seen(), ImGui::GetTime());
 }
 
 void Console::State::draw_box() {
@@ -137,8 +144,10 @@ float Console::State::panel_height() {
     const float overlays = settings.flag("overlays") ? views.overlay_bar.height() : 0;
     const float whole = std::max(1.0f, screen.height - 2 * margin);
     const float least = std::min(whole, least_log * em + overlays);
-    // A third of a low window has room for the title, one line and the prompt.
-    const float usual = std::min(least_height * em, 0.33f * screen.height);
+    // A good third of a low window has room for the title, one line and the prompt; overlays take
+    // none of it.
+    const float usual =
+        std::min(whole, std::min(least_height * em, 0.35f * screen.height) + overlays);
     const float most = std::min(whole, std::max({screen.height - below, least, usual}));
     return std::clamp(settings.number("height") * screen.height, least, most);
 }
@@ -369,10 +378,13 @@ void Console::State::draw_title(float cell) {
     if (tree.alive(inspector.selected())) {
         // In a narrow window the inspector below says it.
         constexpr float least_cells = 12;
-        const std::string it = "it = " + tree.path(inspector.selected());
-        const float room = right - x - cell, wide = std::min(text_width(it), room);
+        constexpr std::string_view it = "it = ";
+        const std::string path = tree.path(inspector.selected());
+        const float before = text_width(it), room = right - x - cell;
+        const float wide = std::min(before + text_width(path), room);
         if (wide < room || room >= least_cells * cell) {
-            draw_text_fit(list, ImVec2(x, at.y + 1), palette::accent, it, wide);
+            draw_text(list, ImVec2(x, at.y + 1), palette::accent, it);
+            draw_path_fit(list, ImVec2(x + before, at.y + 1), palette::accent, path, wide - before);
             x += wide + 3 * cell;
         }
     }

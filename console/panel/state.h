@@ -162,6 +162,7 @@ struct Console::State {
 
     // --- Appearance (layout.cpp)
     void frame(double seconds);
+    property::Seen seen() const;
     void draw_outlines();
     void draw_box();
     void draw_part(const std::function<void()>& part);

@@ -53,7 +53,8 @@ property::ClassDescriptor console_class() {
     list.push_back(
         flag_property("tweaks", false, "Whether tweaks are listed in place of the log."));
     list.push_back(flag_property(
-        "picks", true, "Whether a click on a body selects it while the console is open."));
+        "picks", true,
+        "Whether a click on a body or a picture selects it while the console is open."));
     list.push_back(flag_property(
         "listen", false,
         "Whether `fettle repl --attach` may attach to this game: only this user, on this computer, "

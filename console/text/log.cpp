@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <utility>
 
 #include <text/highlight.h>
@@ -138,10 +139,36 @@ void Log::clear() {
     ++rearranged_;
 }
 
-void Log::output(const std::vector<std::string>& lines) {
+void Log::table(std::span<const std::string> rows, const script::TableLines& of) {
+    const auto shape = std::make_shared<LogTable>();
+    const std::string_view head = rows.front();
+    for (const std::size_t begin : of.cells.front())
+        shape->begins.push_back(cell_count(head.substr(0, begin)));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::size_t last = of.cells[i].back();
+        if (last < rows[i].size())
+            shape->end =
+                std::max(shape->end,
+                         shape->begins.back() + cell_count(std::string_view(rows[i]).substr(last)));
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        push(LogLine{LineKind::output, rows[i], 1, {}, {}, shape, of.cells[i]});
+}
+
+void Log::output(const std::vector<std::string>& lines,
+                 const std::vector<script::TableLines>& tables) {
     const bool folds = lines.size() > max_unfolded;
     const std::size_t shown = folds ? shown_of_folded : lines.size();
-    for (std::size_t i = 0; i < shown; ++i) output(lines[i]);
+    auto next = tables.begin();
+    for (std::size_t i = 0; i < shown; ++i) {
+        if (next == tables.end() || next->first != i) {
+            output(lines[i]);
+            continue;
+        }
+        const std::size_t rows = std::min(next->cells.size(), shown - i);
+        table(std::span(lines).subspan(i, rows), *next++);
+        i += rows - 1;
+    }
     if (!folds) return;
     LogLine fold{LineKind::fold, "… " + std::to_string(lines.size() - shown) + " more lines"};
     for (std::size_t i = shown; i < lines.size(); ++i) fold.hidden.push_back(lines[i]);

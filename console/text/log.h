@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,12 +28,20 @@ enum class LineKind : std::uint8_t {
     fold     // stands for the lines in `hidden`
 };
 
+/// Where the columns of a table are, in cells.
+struct LogTable {
+    std::vector<std::size_t> begins;
+    std::size_t end = 0;  // of the last column
+};
+
 struct LogLine {
     LineKind kind;
     std::string text;
-    std::size_t count = 1;              // how often in succession it was printed
-    std::vector<std::string> hidden{};  // of a fold
-    std::string file{};                 // that the line names
+    std::size_t count = 1;                    // how often in succession it was printed
+    std::vector<std::string> hidden{};        // of a fold
+    std::string file{};                       // that the line names
+    std::shared_ptr<const LogTable> table{};  // whose row it is
+    std::vector<std::size_t> cells{};         // of a row, the bytes where its cells begin
 };
 
 class Log {
@@ -47,7 +57,8 @@ class Log {
     void output(std::string_view text) { add(LineKind::output, text); }
     void game(std::string_view text) { add(LineKind::game, text); }
     /// The output of a command.
-    void output(const std::vector<std::string>& lines);
+    void output(const std::vector<std::string>& lines,
+                const std::vector<script::TableLines>& tables = {});
     void note(std::string_view text) { add(LineKind::note, text); }
     /// A note that ends with the path of a file.
     void file(std::string_view text, const std::string& file);
@@ -75,6 +86,7 @@ class Log {
     void add(LineKind kind, std::string_view text);
     void push(LineKind kind, std::string text);
     void push(LogLine line);
+    void table(std::span<const std::string> rows, const script::TableLines& cells);
 
     std::deque<LogLine> lines_;
     std::uint64_t dropped_ = 0;

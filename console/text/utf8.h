@@ -6,26 +6,24 @@
 #include <string>
 #include <string_view>
 
+#include <fettle/script/cells.h>
+
 namespace fettle::console {
+
+using script::cell_count;
+using script::cells_of;
+using script::code_point_at;
+using script::next_code_point;
 
 inline bool continuation_byte(char c) {
     return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
 }
 
-/// Offset of the code point after the one at `offset`.
-std::size_t next_code_point(std::string_view text, std::size_t offset);
 /// Offset of the code point before `offset`.
 std::size_t previous_code_point(std::string_view text, std::size_t offset);
 /// The nearest boundary at or before `offset`.
 std::size_t code_point_boundary(std::string_view text, std::size_t offset);
 std::size_t code_point_count(std::string_view text);
-/// The code point at `offset`; U+FFFD for a sequence that is not complete.
-char32_t code_point_at(std::string_view text, std::size_t offset);
-/// How many cells of a font of fixed width a character takes: two for Chinese characters and emoji,
-/// zero for a character that only joins or changes its neighbors.
-int cells_of(char32_t character);
-/// How many cells a text takes.
-std::size_t cell_count(std::string_view text);
 /// Offset of the character in the cell number `index` (from 0), or the length of the text if it has
 /// fewer cells.
 std::size_t cell_offset(std::string_view text, std::size_t index);

@@ -15,6 +15,20 @@ namespace {
 
 constexpr std::size_t gutter = 2;  // columns
 
+constexpr std::size_t column_gap = 2;  // cells between the columns of a table
+constexpr std::size_t row_indent = 4;  // cells, of the rows of a table behind the first
+
+/// Whether a step of a path begins at the byte: ".name" behind a name, or what follows a slash.
+bool is_step(std::string_view text, std::size_t at) {
+    const auto letter = [&](std::size_t i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        return c == '_' || c >= 0x80 || (c | 32u) - 'a' < 26u;
+    };
+    if (at + 1 >= text.size() || at == 0) return false;
+    if (text[at] == '.') return letter(at + 1) && text[at - 1] != ' ';
+    return text[at - 1] == '/' && letter(at);
+}
+
 std::vector<Span> spans_of(const LogLine& line) {
     switch (line.kind) {
         case LineKind::command:
@@ -37,6 +51,25 @@ std::size_t last_column(std::string_view text, std::size_t from, std::size_t end
     const std::size_t gap = text.substr(0, end).rfind("  ");
     if (gap == std::string_view::npos || gap < from) return end;
     return std::min(text.find_first_not_of(' ', gap), end);
+}
+
+/// Where a row that begins at `begin` and has room up to `end` ends best: behind a blank outside of
+/// brackets and texts, behind another blank, before a step of a path, or at `end`. No row is less
+/// than half full.
+std::size_t break_in(std::string_view text, std::size_t begin, std::size_t end) {
+    const std::size_t half = begin + (end - begin) / 2, late = begin + (end - begin) * 2 / 3;
+    std::size_t outside = 0, blank = 0, step = 0, open = 0;
+    bool quoted = false;
+    for (std::size_t i = begin; i < end; ++i) {
+        const char c = text[i];
+        if (c == '"') quoted = !quoted;
+        if (!quoted && (c == '(' || c == '[' || c == '{')) ++open;
+        if (!quoted && (c == ')' || c == ']' || c == '}') && open > 0) --open;
+        if (c == ' ' && i > half) blank = i + 1;
+        if (c == ' ' && i > late && open == 0 && !quoted) outside = i + 1;
+        if (i > half && i > begin && is_step(text, i)) step = i;
+    }
+    return outside > 0 ? outside : blank > 0 ? blank : step > 0 ? step : end;
 }
 
 bool colored(LineKind kind) {
@@ -82,32 +115,60 @@ void LogView::mark_row(std::uint64_t number, const Row& source) {
     rows_.push_back({number, begin, end, begin == 0, source.indent});
 }
 
+/// Breaks a part of a line. `part`: its first row if it did not need more than one; `hang`: how far
+/// the others are indented.
+void LogView::wrap_part(std::uint64_t number, const LogLine& whole, Row part, std::size_t hang) {
+    const std::string_view text = std::string_view(whole.text).substr(0, part.end);
+    const std::size_t first = part.begin;
+    do {
+        const std::size_t wide = columns_ - part.indent;
+        part.end = part.begin + cell_offset(text.substr(part.begin), wide);
+        if (part.end < text.size()) {
+            const std::size_t column = last_column(text, part.begin + wide / 2, part.end);
+            if (column < part.end) {
+                part.end = column;
+                if (part.begin == first) hang = std::min(hang + 2, columns_ / 2);
+            } else {
+                part.end = break_in(text, part.begin, part.end);
+            }
+        }
+        rows_.push_back(part);
+        if (whole.kind == LineKind::source) mark_row(number + 1, Row(rows_.back()));
+        part = {number, part.end, text.size(), false, hang};
+    } while (part.begin < text.size());
+}
+
+/// Breaks the row of a table. All its rows break before the same cells, so that their columns stay
+/// columns.
+void LogView::wrap_cells(std::uint64_t number, const LogLine& whole) {
+    const LogTable& table = *whole.table;
+    const std::size_t count = whole.cells.size();
+    const auto offset = [&](std::size_t cell) {
+        return cell < count ? std::min(whole.cells[cell], whole.text.size()) : whole.text.size();
+    };
+    const auto end_of = [&](std::size_t cell) {
+        return cell + 1 < table.begins.size() ? table.begins[cell + 1] - column_gap : table.end;
+    };
+    for (std::size_t from = 0, indent = 0; from < count; indent = row_indent) {
+        std::size_t to = from + 1;
+        while (to < count && end_of(to) - table.begins[from] + indent <= columns_) ++to;
+        // Without the blanks in front of the next cell.
+        const std::size_t last =
+            std::string_view(whole.text).substr(0, offset(to)).find_last_not_of(' ');
+        const std::size_t begin = offset(from), end = std::max(begin, last + 1);
+        if (from == 0 || begin < end)
+            wrap_part(number, whole, {number, begin, end, from == 0, indent},
+                      std::min(indent + row_indent, columns_ / 2));
+        from = to;
+    }
+}
+
 void LogView::wrap_line(std::uint64_t number, const LogLine& whole) {
     // Carets are added below the row with the place that they mark.
     if (whole.kind == LineKind::caret) return;
-    const std::string& text = whole.text;
-    std::size_t hang = hanging_indent(text);
-    std::size_t begin = 0;
-    do {
-        const std::size_t indent = begin == 0 ? 0 : hang;
-        std::size_t end =
-            begin + cell_offset(std::string_view(text).substr(begin), columns_ - indent);
-        if (end < text.size()) {
-            const std::size_t middle = begin + (columns_ - indent) / 2;
-            const std::size_t column = last_column(text, middle, end);
-            // Break after a blank, unless the row would be less than half full.
-            const std::size_t space = text.rfind(' ', end - 1);
-            if (column < end) {
-                end = column;
-                if (begin == 0) hang = std::min(hang + 2, columns_ / 2);
-            } else if (space != std::string::npos && space > middle) {
-                end = space + 1;
-            }
-        }
-        rows_.push_back({number, begin, end, begin == 0, indent});
-        if (whole.kind == LineKind::source) mark_row(number + 1, Row(rows_.back()));
-        begin = end;
-    } while (begin < text.size());
+    if (whole.table && whole.cells.size() == whole.table->begins.size())
+        return wrap_cells(number, whole);
+    wrap_part(number, whole, {number, 0, whole.text.size(), true}, hanging_indent(whole.text));
 }
 
 void LogView::filter(std::string_view text) {

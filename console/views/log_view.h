@@ -71,6 +71,8 @@ class LogView {
     };
     void wrap(std::size_t columns);
     void wrap_line(std::uint64_t number, const LogLine& line);
+    void wrap_cells(std::uint64_t number, const LogLine& line);
+    void wrap_part(std::uint64_t number, const LogLine& line, Row part, std::size_t hang);
     std::size_t hanging_indent(std::string_view text) const;
     void mark_row(std::uint64_t number, const Row& source);
     void scroll(float line_height);

@@ -77,6 +77,11 @@ constexpr std::array<Named, 15> icons{{
 }};
 // clang-format on
 
+/// Half the side of the square that an icon fills.
+float icon_size() {
+    return ImGui::GetFontSize() * 0.42f;
+}
+
 std::string label_of(const Property& property) {
     std::string label = property.name;
     for (char& c : label)
@@ -107,12 +112,31 @@ Rect OverlayBar::button(const std::string& name) const {
     return found == buttons_.end() ? Rect() : found->second;
 }
 
-bool OverlayBar::draw_button(const Property& property, bool on) {
+float OverlayBar::button_width(const Property& property, bool worded) {
+    const float pad = ImGui::GetStyle().FramePadding.x, icon = 2 * icon_size();
+    return worded ? text_width(label_of(property)) + 3 * pad + icon : 2 * pad + icon;
+}
+
+std::size_t OverlayBar::rows_of_words(const std::vector<const Property*>& shown) {
     const FontScope font(fonts().sans);
-    const float em = ImGui::GetFontSize(), pad = ImGui::GetStyle().FramePadding.x;
-    const std::string label = label_of(property);
-    const float icon = em * 0.42f;
-    const ImVec2 size(text_width(label) + 3 * pad + 2 * icon, ImGui::GetTextLineHeight() + 4);
+    const float room = ImGui::GetContentRegionAvail().x;
+    float used = 0;
+    std::size_t rows = 1;
+    for (const Property* each : shown) {
+        const float wide = button_width(*each, true);
+        if (used > 0 && used + wide > room) {
+            used = 0;
+            ++rows;
+        }
+        used += wide + ImGui::GetStyle().ItemInnerSpacing.x;
+    }
+    return rows;
+}
+
+bool OverlayBar::draw_button(const Property& property, bool on, bool worded) {
+    const FontScope font(fonts().sans);
+    const float pad = ImGui::GetStyle().FramePadding.x, icon = icon_size();
+    const ImVec2 size(button_width(property, worded), ImGui::GetTextLineHeight() + 4);
     const float left = ImGui::GetCursorPosX();
     if (left > ImGui::GetStyle().WindowPadding.x + 1 && ImGui::GetContentRegionAvail().x < size.x)
         ImGui::NewLine();
@@ -130,7 +154,9 @@ bool OverlayBar::draw_button(const Property& property, bool on) {
     Icon drawn(list, ImVec2(place.low.x + pad + icon, place.middle().y), icon, color);
     for (const Named& each : icons)
         if (each.name == property.name) each.draw(drawn);
-    draw_text(list, ImVec2(place.low.x + 2 * pad + 2 * icon, place.low.y + 2), color, label);
+    if (worded)
+        draw_text(list, ImVec2(place.low.x + 2 * pad + 2 * icon, place.low.y + 2), color,
+                  label_of(property));
     if (hovered) ImGui::SetTooltip("view.show.%s\n%s", property.name.c_str(), property.doc.c_str());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     return pressed;
@@ -142,10 +168,14 @@ void OverlayBar::draw() {
     const Handle of = show();
     if (!of) return;
     const float top = ImGui::GetCursorPosY();
-    for (const Property* each : tree_.class_of(of).properties()) {
-        if (each->type != Type::boolean || each->read_only) continue;
+    std::vector<const Property*> shown;
+    for (const Property* each : tree_.class_of(of).properties())
+        if (each->type == Type::boolean && !each->read_only) shown.push_back(each);
+    constexpr std::size_t most_rows = 2;
+    const bool worded = rows_of_words(shown) <= most_rows;
+    for (const Property* each : shown) {
         const bool on = last_value(tree_, of, *each).boolean();
-        if (!draw_button(*each, on)) continue;
+        if (!draw_button(*each, on, worded)) continue;
         const property::Tree::CauseScope cause(tree_, property::Writer::inspector);
         tree_.set(of, *each, Value(!on));
     }

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include <fettle/property/tree.h>
 
@@ -20,7 +21,8 @@ class OverlayBar {
     bool available() const { return static_cast<bool>(show()); }
     /// Number of overlays that are shown now.
     int lit() const;
-    /// Draws the buttons into the current window, in as many rows as they need.
+    /// Draws the buttons into the current window, in as many rows as they need. Where words would
+    /// need more than two rows, the buttons have icons alone, so that the log keeps its room.
     void draw();
     /// In the last picture, in pixels.
     float height() const { return height_; }
@@ -29,7 +31,9 @@ class OverlayBar {
 
   private:
     property::Handle show() const;
-    bool draw_button(const property::Property& property, bool on);
+    bool draw_button(const property::Property& property, bool on, bool worded);
+    static float button_width(const property::Property& property, bool worded);
+    static std::size_t rows_of_words(const std::vector<const property::Property*>& shown);
 
     property::Tree& tree_;
     std::map<std::string, Rect> buttons_;

@@ -1,7 +1,8 @@
 -- Keep your lantern burning while a thousand creatures of the night come for it. Three arenas, three bosses, ten gifts that grow.
 Night = class("Night", Object) {
     running = false, menu = "", choices = { "sparks" }, arena = 1, first = 1, clock = 0.0, score = 0, kills = 0, crowd = 0, boss = false,
-    rest = 0.0, streak = 0, streak_at = 0.0, won = false, rank = 0, open = 0.0, curtain = 0.0, title = "", subtitle = "", said = -9.0,
+    rest = 0.0, streak = 0, streak_at = 0.0, won = false, rank = 0, open = 0.0, curtain = 0.0,
+    slowed = false, title = "", subtitle = "", said = -9.0,
 }
 game.night, game.settings = Night {}, Object { shake = true }
 audio.buses.effects.volume, audio.buses.music.volume = 0.8, 0.5      -- until the player moves the sliders, which are bound to them

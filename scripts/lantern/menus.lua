@@ -38,13 +38,17 @@ function menu.opened()
     night.open = 0
 end
 
--- Once a frame. A menu over a running game slows time down until it stands still, and the music with it.
+-- Once a frame. A menu over a running game slows time down until it stands still, and the music with it. Between menus,
+-- time is left as it is: the console may have stopped it or slowed it down.
 function menu.update(_, real_dt)
     local open = night.running and night.menu ~= ""
     night.open = night.open + real_dt
     if input.pause.pressed and night.running and not open then go("pause") end
-    time.scale = math.max(0, math.min(1, time.scale + (open and -5 or 3) * real_dt))
-    time.paused = open and time.scale == 0
+    if open or night.slowed then
+        time.scale = math.max(0, math.min(1, time.scale + (open and -5 or 3) * real_dt))
+        time.paused = open and time.scale == 0
+        night.slowed = open or time.scale < 1
+    end
 end
 
 -- What lies over the world and under the widgets: the dark, and a glow behind the chosen item.

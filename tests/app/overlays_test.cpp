@@ -3,6 +3,7 @@
 #include <catch.h>
 
 #include <loop/blame.h>
+#include <loop/tint_painter.h>
 #include <loop/wires.h>
 
 #include "game.h"
@@ -66,6 +67,69 @@ TEST_CASE("physics counts for what it moves a second after other writers") {
     game.runtime.run("crate.awake = false", "sleep");
     for (int i = 0; i < 61; ++i) game.loop.turn();
     CHECK(writer_of(game, "crate") == "script");
+}
+
+TEST_CASE("light that is added is tinted by blame as light, and faint pictures stay faint") {
+    struct Pictures : app::NotingPainter {
+        std::vector<std::pair<property::Blend, property::Color>> all;
+        void picture(const property::Picture&, const property::PictureArea&, const Vec2&,
+                     const Vec2&, property::Color tint, bool) override {
+            all.emplace_back(state().blend, tint);
+        }
+    } pictures;
+    app::TintPainter tinted(pictures, {1, 0, 0, 0.75f});
+    const property::Picture picture{};
+    tinted.push({});
+    tinted.blend(property::Blend::add);
+    tinted.picture(picture, {}, Vec2(0, 0), Vec2(1, 1), {1, 1, 1, 0.25f}, true);
+    tinted.pop();
+    tinted.picture(picture, {}, Vec2(0, 0), Vec2(1, 1), {1, 1, 1, 1}, true);
+    REQUIRE(pictures.all.size() == 2);
+    CHECK(pictures.all[0].first == property::Blend::add);
+    CHECK(pictures.all[0].second == property::Color{1, 0, 0, 0.25f});
+    CHECK(pictures.all[1].first == property::Blend::normal);
+    CHECK(pictures.all[1].second == property::Color{1, 0, 0, 1});
+}
+
+TEST_CASE("blame draws what is in a layer where the layer places it") {
+    Game game;
+    property::ClassDescriptor dot{.name = "Dot"};
+    dot.properties = {{.name = "position", .type = property::Type::vec2}};
+    dot.lifecycle.draw = [](void*, const property::Tree&, property::Handle, property::Row,
+                            property::Painter& painter,
+                            double) { painter.circle(Vec2(1, 0), 1, {}); };
+    game.tree.define(std::move(dot));
+    property::ClassDescriptor far{.name = "Far"};
+    far.lifecycle.begin_below = [](void*, const property::Tree&, property::Handle, property::Row,
+                                   property::Painter& painter, int pass) {
+        if (pass > 1) return false;
+        painter.push(property::Transform::moved({10.0 * pass, 0}));
+        return true;
+    };
+    far.lifecycle.end_below = [](void*, const property::Tree&, property::Handle, property::Row,
+                                 property::Painter& painter) { painter.pop(); };
+    game.tree.define(std::move(far));
+    property::ClassDescriptor plain{.name = "Plain"};
+    plain.lifecycle.draw = [](void*, const property::Tree&, property::Handle, property::Row,
+                              property::Painter& painter, double) {
+        painter.circle(Vec2(5, 5), 1, {.fill = {0, 0, 1, 1}});
+    };
+    game.tree.define(std::move(plain));
+    game.runtime.run(
+        "game.far = Far {}\ngame.far.dot = Dot { position = vec(0, 0) }\ngame.plain = Plain {}",
+        "main.lua");
+    struct Circles : app::NotingPainter {
+        std::vector<Vec2> centers;
+        void circle(const Vec2& center, double, const property::Paint& paint) override {
+            centers.push_back(transform()(center));
+            if (center == Vec2(5, 5))
+                CHECK(paint.fill == property::Color{0, 0, 1, 1});
+            else
+                CHECK(paint.fill.a == 0.75f);
+        }
+    } circles;
+    app::Blame(game.tree, app::tick).draw(circles, 1);
+    CHECK(circles.centers == std::vector{Vec2(1, 0), Vec2(11, 0), Vec2(5, 5)});
 }
 
 TEST_CASE("the legend of writers is in the part of the screen that layers leave free") {

@@ -277,6 +277,21 @@ TEST_CASE_METHOD(AheadRig, "the buttons of overlays stay inside of a narrow pane
     }
 }
 
+TEST_CASE_METHOD(AheadRig, "where words need more than two rows, overlays are icons") {
+    edit("console.overlays", true, property::Writer::console);
+    draw(3);
+    const auto& bar = state().views.overlay_bar;
+    const auto wide = [&](const char* name) {
+        return bar.button(name).high.x - bar.button(name).low.x;
+    };
+    CHECK(wide("onion_skins") > wide("timings") + 10);
+    edit("console.scale", 4.0, property::Writer::console);
+    console::test::RasterSurface small(400, 700);
+    for (int i = 0; i < 3; ++i) console.draw(small, 1.0 / 60);
+    CHECK(wide("onion_skins") == Approx(wide("timings")));
+    CHECK(wide("timings") >= 16);
+}
+
 TEST_CASE_METHOD(AheadRig,
                  "a panel that is low grows by the row of overlays, which hides no prompt") {
     edit("console.height", 0.15, property::Writer::console);
@@ -288,6 +303,18 @@ TEST_CASE_METHOD(AheadRig,
     const console::Rect prompt = state().views.prompt_view.rect();
     CHECK(prompt.low.y > bar.button("timings").high.y);
     CHECK(prompt.high.y <= state().screen.panel_rect.high.y);
+}
+
+TEST_CASE_METHOD(AheadRig, "in a low window the row of overlays leaves the log its last lines") {
+    property::set(tree, "view.show.timings", Value(true));
+    edit("console.overlays", true, property::Writer::console);
+    edit("console.height", GENERATE(0.15, 0.45), property::Writer::console);
+    console::test::RasterSurface small(400, 300);
+    for (int i = 0; i < 3; ++i) console.draw(small, 1.0 / 60);
+    const auto& bar = state().views.overlay_bar;
+    const auto& lines = state().views.log_view;
+    CHECK(lines.text_end().y - lines.line_height() >= bar.button("timings").high.y);
+    CHECK(lines.text_end().y <= state().views.prompt_view.rect().low.y);
 }
 
 // --- Small windows

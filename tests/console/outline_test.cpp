@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <fettle/property/drawing.h>
+#include <fettle/property/picture.h>
 
 #include "rig.h"
 
@@ -111,6 +112,98 @@ TEST_CASE("an instance that is hidden from the player is outlined, too") {
     CHECK(rig.lined(Vec2(-3, -2)));
     CHECK(rig.lined(Vec2(-4, -1)));
     CHECK_FALSE(rig.lined(Vec2(-4, -2)));
+}
+
+namespace {
+
+/// Draws a picture of 2 m × 1 m around its position, of which the left half is transparent.
+struct Cards : Rig {
+    property::Picture image{2, 1, {255, 255, 255, 0, 255, 255, 255, 255}};
+    Handle card;
+    int walks = 0;  // through the layer
+
+    Cards() {
+        property::ClassDescriptor descriptor;
+        descriptor.name = "Card";
+        descriptor.properties = {
+            {.name = "position", .type = property::Type::vec2},
+            {.name = "size", .type = property::Type::number, .default_value = 1.0}};
+        descriptor.lifecycle.context = this;
+        descriptor.lifecycle.draw = [](void* c, const property::Tree& in, Handle self,
+                                       property::Row, property::Painter& painter, double) {
+            const Vec2 at = property::get(in, in.path(self) + ".position").vec2();
+            const double size = property::get(in, in.path(self) + ".size").number();
+            painter.picture(static_cast<Cards*>(c)->image, {0, 0, 2, 1}, at - size * Vec2(1, 0.5),
+                            at + size * Vec2(1, 0.5), {1, 1, 1, 1}, true);
+        };
+        const property::Class& made = tree.define(descriptor);
+        property::ClassDescriptor shifted;
+        shifted.name = "Shifted";
+        shifted.lifecycle.context = this;
+        shifted.lifecycle.begin_below = [](void* c, const property::Tree&, Handle, property::Row,
+                                           property::Painter& painter, int pass) {
+            if (pass > 0) return false;
+            ++static_cast<Cards*>(c)->walks;
+            painter.push(property::Transform::moved({3, 0}));
+            return true;
+        };
+        shifted.lifecycle.end_below = [](void*, const property::Tree&, Handle, property::Row,
+                                         property::Painter& painter) { painter.pop(); };
+        const Handle layer = tree.create(tree.define(shifted), tree.root(), "layer");
+        card = tree.create(made, layer, "card");
+        tree.set(card, "position", property::Value(Vec2(0, -4)));
+        key("grave");
+        draw(2);
+    }
+    Handle clicked(const Vec2& world) {
+        console.select(std::vector<Handle>{});
+        const Vec2 at = state().options.to_pixels(world);
+        click(static_cast<float>(at.x), static_cast<float>(at.y));
+        draw(2);
+        return console.selected();
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Cards,
+                 "a click selects what is drawn with a picture, where the picture is opaque") {
+    CHECK(clicked({3.5, -4}) == card);
+    CHECK_FALSE(clicked({2.5, -4}));
+    CHECK_FALSE(clicked({0.5, -4}));
+    tree.set(card, "size", property::Value(1000.0));
+    CHECK_FALSE(clicked({3.5, -4}));  // a background
+}
+
+TEST_CASE_METHOD(Cards, "the outline of a picture is where its layer places it") {
+    console.select(card);
+    draw(3);
+    save("selected_picture");
+    const auto lit = [&](const Vec2& world) {
+        const Vec2 p = state().options.to_pixels(world);
+        for (int y = -1; y <= 1; ++y)
+            for (int x = -1; x <= 1; ++x) {
+                const auto& pixel =
+                    surface.pixels().at(static_cast<std::size_t>(std::lround(p.y) + y) * 1280 +
+                                        static_cast<std::size_t>(std::lround(p.x) + x));
+                if (pixel[0] > 180 && pixel[2] < 120) return true;
+            }
+        return false;
+    };
+    for (const Vec2& side : {Vec2(2, -4), Vec2(4, -4), Vec2(3, -3.5), Vec2(3, -4.5)})
+        CHECK(lit(side));
+    CHECK_FALSE(lit({0, -3.5}));
+    CHECK_FALSE(lit({3, -4}));
+}
+
+TEST_CASE_METHOD(Cards, "all that are selected in a layer are outlined in one walk") {
+    std::vector<Handle> all{card};
+    for (int i = 1; i < 20; ++i) all.push_back(tree.create(tree.class_of(card), tree.parent(card)));
+    console.select(all);
+    draw(3);
+    walks = 0;
+    draw();
+    CHECK(walks == 1);
 }
 
 }  // namespace outline_test

@@ -133,51 +133,29 @@ TEST_CASE("long lines are wrapped and any text can be drawn") {
     CHECK(rig.surface.triangle_count() > 1000);
 }
 
-TEST_CASE("the caret is below the place that it marks where the source line is wrapped") {
+TEST_CASE("a long path of a reference is shown by its end") {
     Rig rig;
+    rig.draw(3);
+    const property::Class& body = *rig.tree.find_class("Body");
+    property::Handle at = rig.tree.child(rig.tree.root(), "world");
+    for (int i = 0; i < 12; ++i)
+        at = rig.tree.create(body, at, "a_rather_long_name_" + std::to_string(i));
+    const property::Handle leaf = rig.tree.create(body, at, "leaf");
     rig.key("grave");
-    rig.draw(3);
-    script::ScriptError error;
-    error.message = "main.lua:1: world.boll: no such name";
-    error.file = "main.lua";
-    error.line = 1;
-    error.source_line = "local sum = " + std::string(200, '1') + " + world.boll";
-    error.column = static_cast<int>(error.source_line.find("boll")) + 1;
-    rig.console.report(error);
-    rig.draw(3);
-    const auto rows = rig.state().views.log_view.shown_rows();
-    std::string above, marked;
-    for (std::size_t i = 1; i < rows.size(); ++i)
-        if (rows[i].find('^') != std::string::npos) {
-            above = rows[i - 1];
-            marked = rows[i];
-        }
-    INFO(above << '\n' << marked);
-    REQUIRE(marked.find("^^^^") != std::string::npos);
-    CHECK(above.substr(marked.find('^'), 4) == "boll");
-}
-
-TEST_CASE("wrapped rows of a table begin below its last column") {
-    Rig rig;
-    rig.key("grave");
-    rig.draw(3);
-    rig.console.print("  :apply_force   " + std::string(40, 'a') + " " + std::string(60, 'b'));
-    rig.draw(3);
-    const auto rows = rig.state().views.log_view.shown_rows();
-    CHECK(rows.back().find("bbb") == rows[rows.size() - 2].find("aaa"));
-}
-
-TEST_CASE("a column of a table that begins behind the middle of the log has rows of its own") {
-    Rig rig;
-    rig.key("grave");
-    rig.draw(3);
-    rig.console.print("  " + std::string(70, 'n') + "   " + std::string(60, 'a') + " " +
-                      std::string(60, 'b'));
-    rig.draw(3);
-    const auto rows = rig.state().views.log_view.shown_rows();
-    CHECK(rows[rows.size() - 3] == "  " + std::string(70, 'n') + "   ");
-    CHECK(rows[rows.size() - 2] == "    " + std::string(60, 'a') + " ");
-    CHECK(rows.back() == "    " + std::string(60, 'b'));
+    rig.state().choose(leaf);
+    const ImVec2 middle = rig.widget("parent");
+    const auto picture = [&] {
+        rig.draw(3);
+        auto seen = rig.surface.pixels();
+        const auto wide = static_cast<std::ptrdiff_t>(rig.surface.width());
+        const auto row = static_cast<std::ptrdiff_t>(middle.y) * wide;
+        seen.erase(seen.begin() + row + static_cast<std::ptrdiff_t>(middle.x) + 60, seen.end());
+        seen.erase(seen.begin(), seen.begin() + row + static_cast<std::ptrdiff_t>(middle.x) - 60);
+        return seen;
+    };
+    const auto before = picture();
+    rig.tree.rename(at, "another_name_at_the_end");
+    CHECK(picture() != before);
 }
 
 TEST_CASE("a click opens folded output") {

@@ -69,6 +69,28 @@ struct Stage {
 
 }  // namespace
 
+TEST_CASE_METHOD(Stage, "a drawer leaves out instances, and the layers around the others stay") {
+    struct Chooser : property::Drawer {
+        Tree& tree;
+        std::string asked;
+        explicit Chooser(Tree& of) : tree(of) {}
+        bool draws(const Class&) override { return false; }
+        bool begins(Handle instance) override {
+            asked += tree.name(instance);
+            return tree.name(instance) != "b";
+        }
+        void draw(Handle, Painter&) override {}
+    } chooser(tree);
+    const Handle layer = tree.create(*curtain, tree.root(), "layer");
+    add("a", layer);
+    add("b", layer);
+    add("c");
+    NoPainter painter;
+    tree.draw(tree.root(), painter, 1, &chooser);
+    CHECK(log == "(a)c");
+    CHECK(chooser.asked == "abc");
+}
+
 TEST_CASE_METHOD(Stage, "without z the order of the tree is the order of drawing") {
     const Handle a = add("a");
     add("b", a);

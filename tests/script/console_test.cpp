@@ -1,5 +1,9 @@
 // Console commands: output, echo and completion.
 
+#include <set>
+
+#include <fettle/script/cells.h>
+
 #include "stage.h"
 
 namespace console_test {
@@ -129,6 +133,24 @@ TEST_CASE("the console says what the name of a new property may mean") {
     // Names that are meant as they are.
     CHECK(s.console("world.ball.lives = 3") == "world.ball.lives: nil → 3");
     CHECK(s.console("world.ball.hq = 3") == "world.ball.hq: nil → 3");
+}
+
+TEST_CASE("a table of instances says where its cells begin, and wide letters move no column") {
+    Stage s;
+    s.run("world.a = Body { mass = 2 } world['日本語'] = Body {} world['a b'] = Body {}");
+    const stage::Evaluation typed = s.runtime->evaluate("print('first') return world:children()");
+    REQUIRE(typed.tables.size() == 1);
+    CHECK(typed.tables[0].first == 1);
+    std::set<std::size_t> columns;
+    for (std::size_t row = 0; row < typed.tables[0].cells.size(); ++row) {
+        const std::string& line = typed.lines[1 + row];
+        const std::size_t begin = typed.tables[0].cells[row].at(1);
+        INFO(line);
+        CHECK(line.substr(begin - 2, 2) == "  ");
+        CHECK(line[begin] != ' ');
+        columns.insert(fettle::script::cell_count(std::string_view(line).substr(0, begin)));
+    }
+    CHECK(columns.size() == 1);
 }
 
 TEST_CASE("an error in an expression is at its token and not at its beginning") {
@@ -281,6 +303,7 @@ TEST_CASE("completion includes paths and keys and methods and enumerators") {
     Stage s;
     s.run(
         "world.ball = Body { mass = 2 }; world[\"my ball\"] = Body {}; lives = 3; "
+        "world['球と箱'] = Body {} "
         "Ball = class('Ball', Body) {} function Ball:hurt() end world.b2 = Ball {}");
     CHECK(taken(s, "wor") == "world");
     CHECK(taken(s, "print(world.ba") == "print(world.ball");
@@ -292,6 +315,11 @@ TEST_CASE("completion includes paths and keys and methods and enumerators") {
     CHECK(taken(s, "world.b2:hu") == "world.b2:hurt");
     CHECK(taken(s, "world.my") == "world[\"my ball\"]");
     CHECK(taken(s, "world[\"my ball\"].mas") == "world[\"my ball\"].mass");
+    CHECK(taken(s, "world[\"my") == "world[\"my ball\"]");
+    CHECK(taken(s, "world['ba") == "world.ball");
+    CHECK(has(labels(s, "print(world[\""), "my ball"));
+    CHECK(labels(s, "nothing[\"").empty());
+    CHECK(taken(s, "world.球") == "world[\"球と箱\"]");
     CHECK(taken(s, "world.ball.type = \"ki") == "world.ball.type = \"kinematic");
     CHECK(has(labels(s, "world.ball.type = "), "static"));
     CHECK(taken(s, "world.ball.awake = f") == "world.ball.awake = false");

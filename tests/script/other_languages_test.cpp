@@ -30,6 +30,10 @@ TEST_CASE("words of other languages and of older versions of Lua have a hint") {
         {"while true: x = 1", "near ':' (write do ... end)"},
         {"var y = 1", "near 'y' (write local name = value)"},
         {"x = true && false", "near '&' (write and)"},
+        {"x = 1 ≥ 2", "near '≥' (write >=)"},
+        {"x = “text”", "near '“text”' (write \" around a text)"},
+        {"x = world.球.mass", "near '球' (write [\"球\"]: a name behind a point"},
+        {"x = world.naïve", "near 'naïve' (write [\"naïve\"]: a name behind a point"},
         {"// a comment", "(write -- before a comment)"},
     }));
     CAPTURE(code);

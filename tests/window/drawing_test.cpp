@@ -292,6 +292,27 @@ TEST_CASE("a polygon of twenty thousand vertices is drawn with its border") {
     CHECK(changes == 80);
 }
 
+TEST_CASE("letters that the font lacks are drawn with another font") {
+    // The font of Debian's package fonts-droid-fallback.
+    if (skipped() || !fs::exists("/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf"))
+        return;
+    const Picture picture = picture_of("other letters", R"(
+        function draw(pen)
+            pen.text(vec(-8, 0), "球", 6, "black")
+            pen.text(vec(8, 0), "一", 6, "black")
+        end
+    )");
+    // Without the other font both would be the same box.
+    int left = 0, right = 0;
+    for (int y = 200; y < 600; ++y)
+        for (int x = 0; x < 640; ++x) {
+            left += ink(picture, x, y) > 0.5;
+            right += ink(picture, x + 640, y) > 0.5;
+        }
+    CHECK(left > 3 * right);
+    CHECK(right > 100);
+}
+
 TEST_CASE("a text breaks at its newlines and each line is aligned") {
     if (skipped()) return;
     const Picture picture = picture_of("text", R"(

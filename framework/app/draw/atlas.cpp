@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -114,6 +115,34 @@ const sf::Font* Atlas::font(Face face) const {
     return nullptr;
 }
 
+namespace {
+
+/// Whether the font has a glyph of its own for the character, and not that of all missing ones.
+bool has_glyph(const sf::Font& font, char32_t character, unsigned size) {
+    constexpr char32_t never = 0xffff;  // no character
+    const sf::Glyph& missing = font.getGlyph(never, size, false);
+    const sf::Glyph& found = font.getGlyph(character, size, false);
+    return found.advance != missing.advance || found.bounds != missing.bounds;
+}
+
+}  // namespace
+
+const sf::Font& Atlas::font_with(char32_t character, unsigned size, Face face) {
+    const sf::Font& usual = *font(face);
+    if (character < 0x80 || has_glyph(usual, character, size)) return usual;
+    if (!fallbacks_) {
+        fallbacks_.emplace();
+        for (const char* const name : property::fallback_fonts) {
+            auto other = std::make_unique<sf::Font>();
+            const std::string file = property::font_file(name);
+            if (!file.empty() && sfml::load(*other, file)) fallbacks_->push_back(std::move(other));
+        }
+    }
+    for (const auto& other : *fallbacks_)
+        if (has_glyph(*other, character, size)) return *other;
+    return usual;
+}
+
 bool Atlas::has_font(Face face) const {
     return font(face) != nullptr;
 }
@@ -124,18 +153,20 @@ std::uint64_t Atlas::key(char32_t character, unsigned size, Face face) {
 }
 
 bool Atlas::prepare(const std::u32string& line, unsigned size, Face face) {
-    const sf::Font& source = *font(face);
-    std::vector<char32_t> missing;
+    std::map<char32_t, const sf::Font*> missing;
     for (const char32_t c : line)
-        if (!glyphs_.contains(key(c, size, face))) missing.push_back(c);
-    if (missing.empty()) return true;
-    for (const char32_t c : missing) (void)source.getGlyph(c, size, false);
-    // The font draws into its own texture for each size; each glyph is copied from there once.
-    const sf::Image image = source.getTexture(size).copyToImage();
-    const std::uint8_t* from = image.getPixelsPtr();
-    for (const char32_t c : missing) {
-        if (glyphs_.contains(key(c, size, face))) continue;
-        const sf::Glyph& drawn = source.getGlyph(c, size, false);
+        if (!glyphs_.contains(key(c, size, face))) missing.emplace(c, &font_with(c, size, face));
+    // A font draws into its own texture for each size; each glyph is copied from there once.
+    std::map<const sf::Font*, sf::Image> images;
+    for (const auto& [c, source] : missing) {
+        (void)source->getGlyph(c, size, false);
+        images.try_emplace(source);
+    }
+    for (auto& [source, image] : images) image = source->getTexture(size).copyToImage();
+    for (const auto& [c, source] : missing) {
+        const sf::Image& image = images.at(source);
+        const std::uint8_t* from = image.getPixelsPtr();
+        const sf::Glyph& drawn = source->getGlyph(c, size, false);
         Glyph glyph{sfml::left(drawn.bounds), sfml::top(drawn.bounds), drawn.advance};
         const auto width = static_cast<unsigned>(sfml::width(drawn.textureRect));
         const auto height = static_cast<unsigned>(sfml::height(drawn.textureRect));

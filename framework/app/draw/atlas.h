@@ -71,12 +71,14 @@ class Atlas {
     void draw_discs();
     void load_fonts();
     const sf::Font* font(Face face) const;
+    const sf::Font& font_with(char32_t character, unsigned size, Face face);
 
     sf::Texture texture_;
     std::vector<Disc> discs_;
     Shelf shelf_{};
     unsigned glyphs_from_ = 0;  // row below the discs
     std::array<std::unique_ptr<sf::Font>, 3> fonts_;
+    std::optional<std::vector<std::unique_ptr<sf::Font>>> fallbacks_;  // none until one is needed
     std::unordered_map<std::uint64_t, Glyph> glyphs_;
 };
 

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <unordered_map>
+
+#include <fettle/property/drawing.h>
 
 #include <loop/filled_box.h>
 #include <loop/tint_painter.h>
@@ -121,14 +124,45 @@ std::vector<Blamed> blamed(const Tree& tree, double dt) {
 Blame::Blame(const Tree& tree, double dt)
     : tree_(tree), all_(blamed(tree, dt)), legend_(legend_of(all_)), color_(colors_of(legend_)) {}
 
+namespace {
+
+/// Gives each instance its color before it is drawn; those without one keep their own.
+class Tints : public property::Drawer {
+  public:
+    Tints(const Tree& tree, TintPainter& painter) : tree_(tree), painter_(painter) {}
+    void add(Handle instance, Color color) { colors_[instance.key()] = color; }
+    bool draws(const property::Class&) override { return false; }
+    bool begins(Handle instance) override {
+        for (Handle at = instance; at; at = tree_.parent(at)) {
+            const auto found = colors_.find(at.key());
+            if (found == colors_.end()) continue;
+            painter_.tint(found->second);
+            return true;
+        }
+        painter_.keep_colors();
+        return true;
+    }
+    void draw(Handle, property::Painter&) override {}
+
+  private:
+    const Tree& tree_;
+    TintPainter& painter_;
+    std::unordered_map<std::uint64_t, Color> colors_;
+};
+
+}  // namespace
+
 void Blame::draw(property::Painter& painter, double alpha) const {
+    TintPainter tinted(painter, unknown_color);
+    Tints tints(tree_, tinted);
     for (const Blamed& each : all_) {
-        if (!tree_.alive(each.instance)) continue;  // a script has deleted it while it was drawn
         Color tint = color_.at(each.writer);
         tint.a = 0.75f;
-        TintPainter tinted(painter, tint);
-        tree_.draw(each.instance, tinted, alpha);
+        tints.add(each.instance, tint);
     }
+    // The whole tree, so that layers place what is in them, and nothing covers what is before it.
+    const property::DrawingPart part(property::DrawingPart::Part::instances);
+    tree_.draw(tree_.root(), tinted, alpha, &tints);
 }
 
 void Blame::draw_legend(Surface& surface, const ClipRectangle& room) const {

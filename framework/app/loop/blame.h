@@ -27,7 +27,7 @@ std::vector<Blamed> blamed(const property::Tree& tree, double dt);
 class Blame {
   public:
     Blame(const property::Tree& tree, double dt);
-    /// Draws the instances again in these colors.
+    /// Draws all instances again, these in their colors and the others as they are.
     void draw(property::Painter& painter, double alpha) const;
     /// Draws how many instances each writer wrote, at the lower left of `room`; as many writers as
     /// have room, and the others together.

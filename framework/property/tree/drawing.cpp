@@ -48,6 +48,8 @@ class Sheet {
 
     void draw_instances() {
         draw_all(drawn_, [this](const Item& item) {
+            const Node* const at = instances_.nodes.find(item.self);
+            if (at != nullptr && also_ != nullptr && !also_->begins(item.self)) return;
             if (const Node* node = instances_.nodes.find(item.self)) {
                 const Lifecycle& lifecycle = instances_.class_of(*node).lifecycle();
                 if (lifecycle.draw)

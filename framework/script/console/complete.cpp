@@ -1,18 +1,13 @@
 #include <algorithm>
 #include <cctype>
-#include <deque>
-#include <functional>
-#include <tuple>
-#include <unordered_set>
 
-#include <fettle/property/natural_order.h>
 #include <fettle/property/path.h>
-#include <fettle/script/fuzzy.h>
 #include <fettle/script/runtime.h>
 
 #include <calls/errors.h>
 #include <calls/protected.h>
 #include <classes/script_classes.h>
+#include <console/candidates.h>
 #include <console/complete.h>
 #include <console/expression.h>
 #include <library/globals.h>
@@ -24,6 +19,7 @@
 #include <reference/reference_facts.h>
 #include <reference/signature.h>
 #include <text/columns.h>
+#include <text/words.h>
 #include <values/description.h>
 #include <values/members.h>
 #include <values/short_text.h>
@@ -36,91 +32,6 @@ namespace {
 // Children of one instance, or entries of one table, that are compared: a letter that is typed,
 // here or in an attached terminal, must not delay the game.
 constexpr std::size_t max_compared = 2'000;
-
-// Order of completions while no letter is typed: values, then functions, then the rest.
-enum class Group : int { value, function, other };
-
-// Adds detail and documentation to a candidate that has its text and its label. Called for those
-// that are listed, after all have been compared.
-using Describe = std::function<void(Completion& candidate)>;
-
-Describe described(std::string detail, std::string doc = {}) {
-    return [detail = std::move(detail), doc = std::move(doc)](Completion& candidate) mutable {
-        candidate.detail = std::move(detail);
-        candidate.doc = std::move(doc);
-    };
-}
-
-class Candidates {
-  public:
-    Candidates(std::string_view typed, std::size_t replace_from)
-        : typed_(typed), replace_from_(replace_from) {}
-
-    void add(std::string_view label, Describe describe, Group group) {
-        add_as(label, {}, replace_from_, std::move(describe), group);
-    }
-    /// `text`: what is typed for it; "" for its label.
-    void add_as(std::string_view label, std::string_view text, std::size_t from, Describe describe,
-                Group group) {
-        // Thousands are compared, and few fit.
-        const std::optional<int> fits = fuzzy_score(typed_, label);
-        if (!fits) return;
-        entries_.push_back({.score = *fits + (expected_ ? 10'000 : 0),
-                            .group = group,
-                            .order = entries_.size(),
-                            .from = from,
-                            .label = std::string(label),
-                            .text = std::string(text),
-                            .describe = std::move(describe)});
-    }
-    /// Entries that are added after `expect(true)` fit this place best and come first.
-    void expect(bool expected) { expected_ = expected; }
-    std::string_view typed() const { return typed_; }
-    std::size_t replace_from() const { return replace_from_; }
-
-    /// The best ones, `most` at most. Of those with the same label, the best one, or else the
-    /// first.
-    std::vector<Completion> take(std::size_t most) {
-        // Of many, few are listed: a heap need not order the others.
-        std::vector<Entry*> heap;
-        for (Entry& entry : entries_) heap.push_back(&entry);
-        const auto worse = [](const Entry* a, const Entry* b) {
-            if (std::tie(a->score, b->group) != std::tie(b->score, a->group))
-                return std::tie(a->score, b->group) < std::tie(b->score, a->group);
-            if (a->label != b->label) return property::NaturalOrder{}(b->label, a->label);
-            return b->order < a->order;
-        };
-        std::ranges::make_heap(heap, worse);
-        std::vector<Completion> result;
-        std::unordered_set<std::string> labels;
-        for (; !heap.empty() && result.size() < most; heap.pop_back()) {
-            std::ranges::pop_heap(heap, worse);
-            Entry& best = *heap.back();
-            if (!labels.insert(best.label).second) continue;
-            Completion& taken = result.emplace_back(
-                Completion{.text = best.text.empty() ? best.label : std::move(best.text),
-                           .label = std::move(best.label),
-                           .detail = {},
-                           .doc = {},
-                           .replace_from = best.from});
-            if (best.describe) best.describe(taken);
-        }
-        return result;
-    }
-
-  private:
-    struct Entry {
-        int score;
-        Group group;
-        std::size_t order, from;
-        std::string label, text;
-        Describe describe;
-    };
-    std::string_view typed_;
-    std::size_t replace_from_;
-    std::deque<Entry> entries_;  // grows without moving what it has
-    bool expected_ = false;
-};
 
 // --- Candidates
 
@@ -142,10 +53,11 @@ void add_functions(Machine& machine, const Class& of, Candidates& out) {
                 Group::function);
 }
 
-/// `separator`: where the dot is, which a name that is not an identifier replaces.
+/// `separator`: where the dot is, which a name that is not an identifier replaces, or the bracket
+/// before a quoted name, which each name replaces.
 void add_named(const std::string& name, std::size_t separator, Describe describe, Group group,
                Candidates& out) {
-    if (property::is_identifier(name))
+    if (property::is_identifier(name) && separator + 1 == out.replace_from())
         out.add(name, std::move(describe), group);
     else
         out.add_as(name, property::path_suffix(name), separator, std::move(describe), group);
@@ -395,6 +307,20 @@ void add_enumerators(const Property& property, bool quoted, Candidates& out) {
             out.add(word, described(property.name), Group::value);
 }
 
+// Completes the quoted name behind `path[`: names of children, and of the entries of a table. The
+// brackets give way to a dot where the name allows one.
+void add_in_brackets(lua_State* L, Machine& machine, std::string_view before, Candidates& out) {
+    const std::size_t start = path_start(before, before.size());
+    const Property* read = nullptr;
+    if (!push_path(L, machine, before.substr(start), &read)) return;
+    if (const auto* box = instance_at(L, -1)) {
+        if (machine.tree.alive(box->handle))
+            add_children(machine.tree, box->handle, before.size(), out);
+    } else if (lua_type(L, -1) == LUA_TTABLE) {
+        add_table(L, -1, before.size(), out);
+    }
+}
+
 // Completes inside quotes: texts that the function or property before them accepts.
 void add_in_string(lua_State* L, Machine& machine, std::string_view before, const Scan& scanned,
                    Candidates& out) {
@@ -404,6 +330,8 @@ void add_in_string(lua_State* L, Machine& machine, std::string_view before, cons
         return;
     }
     std::size_t end = skip_blanks_back(before, quote);
+    if (end > 0 && before[end - 1] == '[')
+        return add_in_brackets(L, machine, before.substr(0, end - 1), out);
     if (end == 0 || before[end - 1] != '(') return;
     end = skip_blanks_back(before, end - 1);
     const std::size_t name_at = word_start(before, end);
@@ -460,14 +388,22 @@ void add_all(lua_State* L, Machine& machine, std::string_view before, const Scan
     add_globals(L, machine, out);
 }
 
+/// Where the name before the cursor begins. It may have letters that need brackets.
+std::size_t name_start(std::string_view before) {
+    std::size_t at = before.size();
+    while (at > 0 &&
+           (is_word(before[at - 1]) || static_cast<unsigned char>(before[at - 1]) >= 0x80))
+        --at;
+    return at;
+}
+
 }  // namespace
 
 std::vector<Completion> complete(Machine& machine, std::string_view input, std::size_t cursor,
                                  std::size_t most) {
     const std::string_view before = input.substr(0, std::min(cursor, input.size()));
     const Scan scanned = scan(before);
-    const std::size_t token =
-        scanned.in_string ? scanned.string_start : word_start(before, before.size());
+    const std::size_t token = scanned.in_string ? scanned.string_start : name_start(before);
     Candidates out(before.substr(token), token);
     std::vector<Completion> found;
     protected_run(

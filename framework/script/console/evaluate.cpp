@@ -100,8 +100,10 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
                    !help.empty()) {
             for (std::string& line : help) evaluation.lines.push_back(std::move(line));
         } else {
-            for (std::string& line : long_text(L, 1, command))
+            TableLines table{evaluation.lines.size(), {}};
+            for (std::string& line : long_text(L, 1, command, table))
                 evaluation.lines.push_back(std::move(line));
+            if (!table.cells.empty()) evaluation.tables.push_back(std::move(table));
         }
     } else {
         std::string line;

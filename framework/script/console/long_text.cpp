@@ -4,6 +4,7 @@
 #include <fettle/property/natural_order.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
+#include <fettle/script/cells.h>
 
 #include <console/long_text.h>
 #include <lua/machine.h>
@@ -68,7 +69,7 @@ bool worth_a_column(const Property& property) {
 // One row for each instance: its path, and the properties of all instances that the command names
 // or that have a value other than the default.
 std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handle> handles,
-                                   std::string_view command) {
+                                   std::string_view command, TableLines& table) {
     std::erase_if(handles, [&](Handle h) { return !tree.alive(h); });
     if (handles.empty()) return {"no instances"};
     std::vector<std::pair<std::string, Handle>> sorted;
@@ -108,7 +109,7 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
             row.push_back(cut(listed_value(tree, handle, *property, false), 28));
         rows.push_back(std::move(row));
     }
-    std::vector<std::string> lines = columns(rows);
+    std::vector<std::string> lines = columns(rows, &table.cells);
     add_count(lines, total, "instances");
     return lines;
 }
@@ -163,14 +164,15 @@ std::string nothing_found(const property::Tree& tree, const std::string& pattern
     return text;
 }
 
-std::vector<std::string> table_lines(lua_State* L, int index, std::string_view command) {
+std::vector<std::string> table_lines(lua_State* L, int index, std::string_view command,
+                                     TableLines& table) {
     Machine& machine = machine_of(L);
     index = lua_absindex(L, index);
     if (const auto handles = only_instances(L, index); !handles.empty())
-        return set_lines(machine.tree, handles, command);
+        return set_lines(machine.tree, handles, command, table);
     if (is_set(L, index)) return {nothing_found(machine.tree, machine.recording.nothing)};
     std::string line = short_text(L, index);
-    if (shown_width(line) <= 76 && line.find("…") == std::string::npos) return {line};
+    if (cell_count(line) <= 76 && line.find("…") == std::string::npos) return {line};
 
     const auto length = static_cast<lua_Integer>(lua_rawlen(L, index));
     std::vector<std::vector<std::string>> rows;
@@ -241,13 +243,14 @@ std::vector<std::string> description_lines(lua_State* L, int index, const Descri
 
 }  // namespace
 
-std::vector<std::string> long_text(lua_State* L, int index, std::string_view command) {
+std::vector<std::string> long_text(lua_State* L, int index, std::string_view command,
+                                   TableLines& table) {
     Machine& machine = machine_of(L);
     if (const auto* box = instance_at(L, index)) {
         if (!machine.tree.alive(box->handle)) return {short_text(L, index)};
         return instance_lines(machine.tree, box->handle);
     }
-    if (lua_type(L, index) == LUA_TTABLE) return table_lines(L, index, command);
+    if (lua_type(L, index) == LUA_TTABLE) return table_lines(L, index, command, table);
     if (const DescriptionKind* kind = description_kind(L, index))
         return description_lines(L, index, *kind);
     if (lua_type(L, index) == LUA_TSTRING)

@@ -6,12 +6,15 @@
 #include <string_view>
 #include <vector>
 
+#include <fettle/script/runtime.h>
+
 #include <lua/lua_api.h>
 
 namespace fettle::script {
 
 /// `command`: the command whose result it is. A table of instances has columns for the properties
-/// that it names.
-std::vector<std::string> long_text(lua_State* L, int index, std::string_view command);
+/// that it names. `table`: gets the cells of such a table; its lines are the first ones.
+std::vector<std::string> long_text(lua_State* L, int index, std::string_view command,
+                                   TableLines& table);
 
 }  // namespace fettle::script

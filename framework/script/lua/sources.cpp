@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cctype>
+#include <cstdlib>
 #include <string_view>
 
 #include <lua/budget.h>
@@ -35,6 +37,36 @@ std::string_view without_last(std::string_view read) {
     return read.substr(0, read.size() - std::min<std::size_t>(read.size(), 1));
 }
 
+bool is_letter(char c) {
+    return static_cast<unsigned char>(c) >= 0x80 || std::isalnum(static_cast<unsigned char>(c)) ||
+           c == '_';
+}
+
+/// Lua names a byte that it does not know by its number, as in "near '<\\231>'". Puts the whole
+/// word with that byte in its place.
+void name_foreign_letters(lua_State* L, std::string_view code, const char* name) {
+    constexpr std::string_view before_byte = " near '<\\";
+    const std::string message = string_at(L, -1);
+    const std::size_t near = message.rfind(before_byte);
+    if (near == std::string::npos || !message.ends_with(">'")) return;
+    const auto byte = static_cast<char>(std::atoi(message.c_str() + near + before_byte.size()));
+    if (static_cast<unsigned char>(byte) < 0x80) return;
+    std::string_view left = code;
+    (void)lua_load(L, read_byte, &left, name, "t");
+    lua_pop(L, 1);
+    const std::size_t at = code.substr(0, code.size() - left.size()).rfind(byte);
+    if (at == std::string_view::npos) return;
+    std::size_t begin = at, end = at;
+    while (begin > 0 && is_letter(code[begin - 1])) --begin;
+    while (end < code.size() && is_letter(code[end])) ++end;
+    const std::string word(code.substr(begin, end - begin));
+    std::string text = message.substr(0, near) + " near '" + word + "'";
+    if (begin > 0 && code[begin - 1] == '.')
+        text += " (write [\"" + word + "\"]: a name behind a point has the letters a to z)";
+    lua_pop(L, 1);
+    push_text(L, text);
+}
+
 }  // namespace
 
 int load_text(lua_State* L, std::string_view code, const char* name) {
@@ -43,7 +75,9 @@ int load_text(lua_State* L, std::string_view code, const char* name) {
     };
     std::string_view left = code;
     const int status = lua_load(L, read, &left, name, "t");
-    if (status != LUA_OK) place_overflow(L, code, name, read_byte);
+    if (status == LUA_OK || lua_type(L, -1) != LUA_TSTRING) return status;
+    place_overflow(L, code, name, read_byte);
+    name_foreign_letters(L, code, name);
     return status;
 }
 
@@ -107,8 +141,9 @@ void Sources::note_stop(lua_State* L, std::string_view code, const char* name) {
     (void)lua_load(L, read_byte, &left, name, "t");
     lua_pop(L, 1);
     const std::string_view read = code.substr(0, code.size() - left.size());
-    const std::size_t at =
-        is_overflow ? without_last(without_last(read)).size() : read.rfind(token);
+    std::size_t at = is_overflow ? without_last(without_last(read)).size() : read.rfind(token);
+    // Of a word with foreign letters Lua reads the first byte.
+    if (at == std::string_view::npos) at = code.rfind(token, read.size());
     if ((token.empty() && !is_overflow) || at == std::string_view::npos) return;
     const std::size_t line_end = code.substr(0, at).rfind('\n');
     const std::size_t begins = line_end == std::string_view::npos ? 0 : line_end + 1;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <fettle/property/value.h>
+#include <fettle/script/cells.h>
 
 #include <text/columns.h>
 
@@ -43,26 +44,30 @@ std::size_t column_width(std::vector<std::size_t> cells) {
 
 }  // namespace
 
-std::vector<std::string> columns(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::vector<std::size_t>> cells;
+std::vector<std::string> columns(const std::vector<std::vector<std::string>>& rows,
+                                 std::vector<std::vector<std::size_t>>* cells) {
+    std::vector<std::vector<std::size_t>> wide;
     for (const auto& row : rows) {
-        cells.resize(std::max(cells.size(), row.size()));
-        for (std::size_t i = 0; i < row.size(); ++i) cells[i].push_back(shown_width(row[i]));
+        wide.resize(std::max(wide.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i) wide[i].push_back(cell_count(row[i]));
     }
     std::vector<std::size_t> widths;
-    for (std::vector<std::size_t>& column : cells) widths.push_back(column_width(column));
+    for (std::vector<std::size_t>& column : wide) widths.push_back(column_width(column));
     std::vector<std::string> lines;
     for (const auto& row : rows) {
         std::string line;
+        std::vector<std::size_t> begins;
         for (std::size_t i = 0; i < row.size(); ++i) {
             if (i) line += "  ";
+            begins.push_back(line.size());
             line += row[i];
-            if (const std::size_t width = shown_width(row[i]);
+            if (const std::size_t width = cell_count(row[i]);
                 i + 1 < row.size() && width < widths[i])
                 line.append(widths[i] - width, ' ');
         }
         while (!line.empty() && line.back() == ' ') line.pop_back();
         lines.push_back(std::move(line));
+        if (cells != nullptr) cells->push_back(std::move(begins));
     }
     return lines;
 }

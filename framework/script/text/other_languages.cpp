@@ -82,6 +82,13 @@ constexpr Foreign foreign_signs[] = {
     {"=>", "function(...) ... end"},
     {"->", "a.b or a:b()"},
     {"/* */", "--[[ ... ]] for comments"},
+    {"≠", "~= for \"not equal\""},
+    {"≤", "<="},
+    {"≥", ">="},
+    {"× ·", "*"},
+    {"÷", "/"},
+    {"− –", "- for minus"},
+    {"“ ” „ ‘ ’ « »", "\" around a text"},
     {"!", "not"},
     {"?", "a and b or c"},
 };

@@ -152,6 +152,17 @@ test("keys, the mouse and a gamepad walk", function(t)
     expect(world.hero.position.x):above(x + 2)
 end)
 
+test("between menus, a pause and a scale of time that the console sets stay", function(t)
+    begin(t)
+    t:steps(60)
+    time.scale = 0.5
+    t:steps(30)
+    expect(time.scale):is(0.5)
+    time.scale, time.paused = 1, true
+    t:steps(5)
+    expect(time.paused):is(true)
+end)
+
 test("a pause stands still, and its settings are kept", function(t)
     begin(t)
     t:steps(60)

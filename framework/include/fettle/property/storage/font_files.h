@@ -12,6 +12,11 @@ FETTLE_STORAGE_BEGIN
 
 namespace fettle::property {
 
+/// Fonts with letters and signs that DejaVu lacks, the first ones first.
+inline constexpr std::array fallback_fonts{"DroidSansFallbackFull.ttf", "wqy-zenhei.ttc",
+                                           "NotoSansCJK-Regular.ttc", "NanumGothic.ttf",
+                                           "Symbola_hint.ttf"};
+
 /// The file of a font by its name, such as "DejaVuSans.ttf"; "" if it is not installed. A packaged
 /// game brings its fonts along, in the folder FETTLE_FONTS.
 inline std::string font_file(const std::string& name) {

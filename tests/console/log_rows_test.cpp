@@ -1,0 +1,110 @@
+// The rows of the log: where lines, paths and tables break.
+
+#include <string>
+#include <vector>
+
+#include "catch.h"
+#include "rig.h"
+
+namespace log_rows_test {
+
+using namespace fettle;
+using console::test::Rig;
+
+TEST_CASE("wrapped rows of a table begin below its last column") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    rig.console.print("  :apply_force   " + std::string(40, 'a') + " " + std::string(60, 'b'));
+    rig.draw(3);
+    const auto rows = rig.state().views.log_view.shown_rows();
+    CHECK(rows.back().find("bbb") == rows[rows.size() - 2].find("aaa"));
+}
+
+TEST_CASE("a column of a table that begins behind the middle of the log has rows of its own") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    rig.console.print("  " + std::string(70, 'n') + "   " + std::string(60, 'a') + " " +
+                      std::string(60, 'b'));
+    rig.draw(3);
+    const auto rows = rig.state().views.log_view.shown_rows();
+    CHECK(rows[rows.size() - 3] == "  " + std::string(70, 'n') + "   ");
+    CHECK(rows[rows.size() - 2] == "    " + std::string(60, 'a') + " ");
+    CHECK(rows.back() == "    " + std::string(60, 'b'));
+}
+
+TEST_CASE("the rows of a table that is wider than the log break before the same column") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    script::TableLines table{1, {}};
+    std::vector<std::string> lines = {"printed before the table"};
+    for (const std::string word : {"head", "x", "longer"}) {
+        std::string line;
+        table.cells.emplace_back();
+        for (const char column : {'1', '2', '3', '4'}) {
+            table.cells.back().push_back(line.size());
+            const std::string cell = word + column;
+            line += cell + (column == '4' ? "" : std::string(42 - cell.size(), ' '));
+        }
+        lines.push_back(line);
+    }
+    rig.state().log.output(lines, {table});
+    rig.draw(3);
+    const auto rows = rig.state().views.log_view.shown_rows();
+    REQUIRE(rows.size() >= 6);
+    for (const std::size_t row : {rows.size() - 6, rows.size() - 4, rows.size() - 2}) {
+        INFO(rows[row] << '\n' << rows[row + 1]);
+        CHECK(rows[row].find('2') != std::string::npos);
+        CHECK(rows[row].find('3') == std::string::npos);
+        CHECK(rows[row + 1].find_first_not_of(' ') == 4);
+        CHECK(rows[row + 1].find('4') > 42);
+        CHECK(rows[row + 1].find(' ', rows[row + 1].find('4')) == std::string::npos);
+    }
+    CHECK(rows.back().find("longer4") == rows[rows.size() - 5].find("head4"));
+}
+
+TEST_CASE("a long path breaks before one of its names, and a vector stays whole") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    std::string path = "world";
+    for (int i = 0; i < 12; ++i) path += ".a_rather_long_name_" + std::to_string(i);
+    rig.console.print(path);
+    rig.draw(3);
+    const auto& view = rig.state().views.log_view;
+    const std::vector<std::string> rows = view.shown_rows();
+    CHECK(rows.back().starts_with(".a_rather_long_name_"));
+    const auto columns = static_cast<std::size_t>(
+        (rig.state().screen.panel_rect.high.x - view.text_end().x) / view.cell());
+    rig.console.print(std::string(columns - 20, 'x') + " impulse vec(-0.18891177, 3.119492) N s");
+    rig.draw(3);
+    CHECK(view.shown_rows().back() == "vec(-0.18891177, 3.119492) N s");
+}
+
+TEST_CASE("the caret is below the place that it marks where the source line is wrapped") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    script::ScriptError error;
+    error.message = "main.lua:1: world.boll: no such name";
+    error.file = "main.lua";
+    error.line = 1;
+    error.source_line = "local sum = " + std::string(200, '1') + " + world.boll";
+    error.column = static_cast<int>(error.source_line.find("boll")) + 1;
+    rig.console.report(error);
+    rig.draw(3);
+    const auto rows = rig.state().views.log_view.shown_rows();
+    std::string above, marked;
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        if (rows[i].find('^') != std::string::npos) {
+            above = rows[i - 1];
+            marked = rows[i];
+        }
+    INFO(above << '\n' << marked);
+    REQUIRE(marked.find("^^^^") != std::string::npos);
+    CHECK(above.substr(marked.find('^'), 4) == "boll");
+}
+
+}  // namespace log_rows_test
