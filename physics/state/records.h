@@ -271,8 +271,8 @@ struct alignas(64) ContactRecord {
 };
 static_assert(sizeof(ContactRecord) == 128);
 
-/// How a manifold of two points was when it was computed: contacts/kept_manifold.h. For one point the
-/// same bytes hold a PointGeometry: contacts/moving_point.h.
+/// How a manifold of two points was when it was computed: contacts/kept_manifold.h. For one point
+/// the same bytes hold a PointGeometry: contacts/moving_point.h.
 struct ManifoldPose {
     float angle_a = 0.0f, angle_b = 0.0f;  ///< of the bodies
     float separations[2] = {};
