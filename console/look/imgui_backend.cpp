@@ -192,9 +192,11 @@ void ImGuiBackend::draw(app::Surface& surface) {
     ImDrawData* data = ImGui::GetDrawData();
     if (data == nullptr) return;
     compat::update_textures(*data, surface, textures_on_ != &surface || fonts_changed_);
+    if (textures_on_ != &surface) pictures_.leave_surface();
     textures_on_ = &surface;
     fonts_changed_ = false;
     for (int i = 0; i < data->CmdListsCount; ++i) draw_list(*data->CmdLists[i], surface);
+    pictures_.end_frame(surface);
 }
 
 // Each command gets only the vertices that it uses, with indices from 0, because a surface may copy
@@ -221,7 +223,8 @@ void ImGuiBackend::draw_list(const ImDrawList& list, app::Surface& surface) {
         indices_.clear();
         for (const ImDrawIdx* i = first; i != end; ++i)
             indices_.push_back(static_cast<std::uint16_t>(*i - *lowest));
-        surface.triangles(vertices_, indices_, compat::texture_of(command),
+        const auto picture = pictures_.texture(surface, command.GetTexID());
+        surface.triangles(vertices_, indices_, picture ? *picture : compat::texture_of(command),
                           {low.x, low.y, high.x - low.x, high.y - low.y});
     }
 }

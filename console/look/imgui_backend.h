@@ -13,6 +13,7 @@ struct ImGuiContext;
 struct ImDrawList;
 
 #include <look/extra_glyphs.h>
+#include <look/game_pictures.h>
 
 namespace fettle::console {
 
@@ -42,6 +43,8 @@ class ImGuiBackend {
     /// Draws the last finished frame.
     void draw(app::Surface& surface);
 
+    /// For draw lists with pictures of the game.
+    GamePictures& pictures() { return pictures_; }
     ImFont* regular() const { return regular_; }
     ImFont* bold() const { return bold_; }
     float font_size() const { return font_size_; }
@@ -51,6 +54,7 @@ class ImGuiBackend {
     void draw_list(const ImDrawList& list, app::Surface& surface);
 
     ExtraGlyphs extra_;
+    GamePictures pictures_;
     ImGuiContext* context_;
     app::Clipboard* clipboard_;
     std::string clipboard_text_;  // owner of the text that the last read returned

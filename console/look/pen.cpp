@@ -103,8 +103,37 @@ void Pen::letter(const property::Picture& picture, const Vec2& lower, const Vec2
     drew_anything_ = true;
 }
 
-void Pen::picture(const property::Picture& picture, const property::PictureArea&, const Vec2& lower,
-                  const Vec2& upper, property::Color tint, bool) {
+void Pen::textured(const property::Picture& picture, const property::PictureArea& area,
+                   const Vec2& lower, const Vec2& upper, const property::Color& tint) {
+    drew_anything_ = true;
+    owners_.insert(owner_);
+    const property::Blend blend = state().blend;
+    if (blend == property::Blend::multiply) return;
+    constexpr float pale = 0.5f;
+    const float opacity =
+        style_.opacity * state().opacity * (blend == property::Blend::add ? pale : 1);
+    // On the screen, y points down.
+    const double top = on_screen() ? lower.y : upper.y, bottom = on_screen() ? upper.y : lower.y;
+    const auto at = [&](double x, double y) {
+        return ImVec2(static_cast<float>(x / picture.width()),
+                      static_cast<float>(y / picture.height()));
+    };
+    // Half a pixel within the area, so that its neighbors in the picture are not seen.
+    const auto margin = [](double size, std::uint32_t all) {
+        return size < all ? std::min(0.5, 0.5 * size) : 0;
+    };
+    const double in_x = margin(area.width, picture.width()),
+                 in_y = margin(area.height, picture.height());
+    const double left = area.left + in_x, right = area.left + area.width - in_x;
+    const double high = area.top + in_y, low = area.top + area.height - in_y;
+    list_.AddImageQuad(style_.pictures->number(picture), pixel({lower.x, top}),
+                       pixel({upper.x, top}), pixel({upper.x, bottom}), pixel({lower.x, bottom}),
+                       at(left, high), at(right, high), at(right, low), at(left, low),
+                       color_of(tint, opacity));
+}
+
+void Pen::picture(const property::Picture& picture, const property::PictureArea& area,
+                  const Vec2& lower, const Vec2& upper, property::Color tint, bool) {
     if (tint.a <= 0) return;
     if (!style_.as_drawn) {
         for (const Vec2& corner : {lower, Vec2(upper.x, lower.y), upper, Vec2(lower.x, upper.y)})
@@ -112,6 +141,8 @@ void Pen::picture(const property::Picture& picture, const property::PictureArea&
         return;
     }
     if (picture.on_pixels()) return letter(picture, lower, upper, tint);
+    if (style_.pictures != nullptr && GamePictures::fits(picture))
+        return textured(picture, area, lower, upper, tint);
     for (const Vec2& corner : {lower, Vec2(upper.x, lower.y), upper, Vec2(lower.x, upper.y)})
         points_.push_back(pixel(corner));
     const auto faint = [&](float share) {

@@ -14,6 +14,8 @@
 
 #include <fettle/property/painter.h>
 
+#include <look/game_pictures.h>
+
 namespace fettle::console {
 
 using ToPixels = std::function<property::Vec2(property::Vec2 world)>;
@@ -29,12 +31,13 @@ inline property::Transform inverse(const property::Transform& map) {
 }
 
 struct PenStyle {
-    ImU32 color = IM_COL32_WHITE;  // of the outline
-    float width = 2;               // px
-    ImU32 glow = 0;                // of a wide line below the outline; 0: none
-    float glow_width = 7;          // px
-    bool as_drawn = false;         // fills and borders as the game draws them
-    float opacity = 1;             // of figures that are `as_drawn`
+    ImU32 color = IM_COL32_WHITE;      // of the outline
+    float width = 2;                   // px
+    ImU32 glow = 0;                    // of a wide line below the outline; 0: none
+    float glow_width = 7;              // px
+    bool as_drawn = false;             // fills and borders as the game draws them
+    float opacity = 1;                 // of figures that are `as_drawn`
+    GamePictures* pictures = nullptr;  // for pictures that are `as_drawn`; null: as boxes
 };
 
 class Pen : public property::Painter {
@@ -44,6 +47,8 @@ class Pen : public property::Painter {
         const property::Transform& map = {})
         : list_(list), to_pixels_(to_pixels), style_(style), map_(map) {}
 
+    /// From now on the points of the world are drawn there.
+    void place(const property::Transform& map) { map_ = map; }
     bool drew_anything() const { return drew_anything_; }
     /// What is drawn from now on belongs to this one: a number for each instance.
     void draw_for(std::uint64_t owner) { owner_ = owner; }
@@ -63,8 +68,8 @@ class Pen : public property::Painter {
     void line(const property::Vec2& from, const property::Vec2& to, property::Color color,
               float width) override;
     double pixels_per_unit() const override;
-    /// As drawn: its box, because the pictures of the game are not textures of the console; a
-    /// letter as its pixels.
+    /// As drawn: the picture, or its box if there are no textures for it; a letter as its pixels.
+    /// What multiplies the colors below it is left out, and what adds to them is pale.
     void picture(const property::Picture& picture, const property::PictureArea& area,
                  const property::Vec2& lower, const property::Vec2& upper, property::Color tint,
                  bool smooth) override;
@@ -72,9 +77,10 @@ class Pen : public property::Painter {
     void text(const property::Vec2&, std::string_view, double, property::Color,
               property::TextAlign) override {}
     void part_of(std::uint64_t) override {}
-    /// Shapes that are hidden have outlines: the game draws something else in their place.
+    /// Shapes that are hidden have outlines, unless the pictures that the game draws in their place
+    /// are seen.
     bool shows(property::Overlay overlay) const override {
-        return overlay == property::Overlay::shapes;
+        return overlay == property::Overlay::shapes && style_.pictures == nullptr;
     }
     bool sees(const property::Vec2&, const property::Vec2&) const override { return true; }
     void begin_screen() override { push_screen(); }
@@ -86,6 +92,9 @@ class Pen : public property::Painter {
     void arc(const property::Vec2& center, const property::Vec2& a, const property::Vec2& b,
              double start, double end);
     void stroke(bool closed, const property::Paint& paint);
+    void textured(const property::Picture& picture, const property::PictureArea& area,
+                  const property::Vec2& lower, const property::Vec2& upper,
+                  const property::Color& tint);
     void letter(const property::Picture& picture, const property::Vec2& lower,
                 const property::Vec2& upper, const property::Color& tint);
 

@@ -205,11 +205,9 @@ void Console::State::draw_comparison(float right, double seconds) {
     if (!comparison.shown() || !options.to_world) return views.compare_view.hide();
     const float low = free_above();
     if (screen.inspector_rect.high.y < screen.panel_rect.high.y + 2 * margin) right = 0;
-    const property::Vec2 a = options.to_world(0, screen.height),
-                         b = options.to_world(screen.width, 0);
     views.compare_view.draw({ImVec2(margin, screen.panel_rect.high.y + margin),
                              ImVec2(screen.width - margin - right, low)},
-                            tree, comparison, {a.min(b), a.max(b)}, seconds,
+                            tree, comparison, seen(), ui.pictures(), seconds,
                             views.time_bar.available() ? views.time_bar.times().dt : 1.0 / 60);
 }
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <unordered_map>
 
+#include <fettle/property/drawing.h>
 #include <fettle/property/pose.h>
 
 #include <look/theme.h>
@@ -25,7 +27,7 @@ constexpr double rest = 0.8;  // s that the last moment stays
 /// The map of the world into a rectangle, as large as it fits.
 class Window {
   public:
-    Window(const Rect& place, const CompareView::Seen& seen) : middle_(place.middle()) {
+    Window(const Rect& place, const property::Seen& seen) : middle_(place.middle()) {
         const Vec2 size = (seen.upper - seen.lower).max({1e-6, 1e-6});
         scale_ = std::min(static_cast<double>(place.high.x - place.low.x) / size.x,
                           static_cast<double>(place.high.y - place.low.y) / size.y);
@@ -42,6 +44,47 @@ class Window {
     Vec2 center_{0, 0};
 };
 
+/// Draws what has a pose in a run where it was then, and leaves out what did not exist yet and what
+/// is on the screen.
+class Posed : public property::Drawer {
+  public:
+    /// `others`: what has no pose, such as a map of tiles, is drawn as well.
+    Posed(const property::Tree& tree, Pen& pen, bool others)
+        : tree_(tree), pen_(pen), others_(others) {}
+    /// `now`: the map of the instance into the world.
+    void add(const Comparison::Pose& pose, const Transform& now) {
+        moves_[pose.instance.key()] = Transform::placed(pose.position, pose.angle) * inverse(now);
+    }
+    bool draws(const property::Class&) override { return false; }
+    bool begins(Handle instance) override {
+        if (pen_.on_screen()) return false;
+        Handle placed;  // the outermost instance with a position around it
+        for (Handle at = instance; at; at = tree_.parent(at))
+            if (tree_.find(at, "position") != nullptr) placed = at;
+        const auto move = moves_.find(placed.key());
+        if (move == moves_.end()) {
+            pen_.place({});
+            return others_ && !placed;
+        }
+        pen_.draw_for(placed.key());
+        const Transform& layer = pen_.transform();
+        pen_.place(layer * move->second * inverse(layer));
+        return true;
+    }
+    void draw(Handle, property::Painter&) override {}
+
+  private:
+    const property::Tree& tree_;
+    Pen& pen_;
+    bool others_;
+    std::unordered_map<std::uint64_t, Transform> moves_;
+};
+
+void draw_all(const property::Tree& tree, Pen& pen, Posed& posed) {
+    const property::DrawingPart part(property::DrawingPart::Part::instances);
+    tree.draw(tree.root(), pen, 1, &posed);
+}
+
 }  // namespace
 
 void CompareView::draw_title(const Rect& place, const std::string& name, const std::string& what,
@@ -55,7 +98,7 @@ void CompareView::draw_title(const Rect& place, const std::string& name, const s
 }
 
 void CompareView::draw_side(const Rect& place, const property::Tree& tree, const Comparison& runs,
-                            bool second, const Seen& seen) const {
+                            bool second, const property::Seen& seen, GamePictures& pictures) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(place.low, place.high, palette::well);
     list.PushClipRect(place.low, place.high, true);
@@ -63,30 +106,31 @@ void CompareView::draw_side(const Rect& place, const property::Tree& tree, const
     const ToPixels to_pixels = [&](Vec2 at) { return window.pixels(at); };
     const auto& own = (second ? runs.b() : runs.a())[shown_].poses;
     const auto& others = (second ? runs.a() : runs.b())[shown_].poses;
+    Pen pen(list, to_pixels, {.as_drawn = true, .pictures = &pictures});
+    Pen line(list, to_pixels, {.color = with_alpha(palette::accent, 0.6f), .width = 1.2f});
+    Posed posed(tree, pen, true), elsewhere(tree, line, false);
     for (std::size_t i = 0; i < own.size(); ++i) {
         const Comparison::Pose& pose = own[i];
         if (!tree.alive(pose.instance)) continue;
         const auto now = property::place_below(tree, pose.instance, false, 1);
         if (!now) continue;
-        const Transform back = inverse(*now);
-        Pen pen(list, to_pixels, {.as_drawn = true},
-                Transform::placed(pose.position, pose.angle) * back);
-        tree.draw(pose.instance, pen, 1);
-        if (!pen.drew_anything()) {  // a dot shows where it is
-            const Vec2 at = window.pixels(pose.position);
-            list.AddCircleFilled(ImVec2(static_cast<float>(at.x), static_cast<float>(at.y)), 3,
-                                 palette::note);
-        }
-        // In B, a line shows where it is in A.
-        const Comparison::Pose* other =
-            second && i < others.size() && others[i].instance == pose.instance ? &others[i]
-                                                                               : nullptr;
-        if (other == nullptr || (other->position - pose.position).length() <= Comparison::apart)
-            continue;
-        Pen faint(list, to_pixels, {.color = with_alpha(palette::accent, 0.6f), .width = 1.2f},
-                  Transform::placed(other->position, other->angle) * back);
-        tree.draw(pose.instance, faint, 1);
+        posed.add(pose, *now);
+        if (second && i < others.size() && others[i].instance == pose.instance &&
+            (others[i].position - pose.position).length() > Comparison::apart)
+            elsewhere.add(others[i], *now);
     }
+    pen.show(seen);
+    line.show(seen);
+    draw_all(tree, pen, posed);
+    for (const Comparison::Pose& pose : own) {
+        if (!tree.alive(pose.instance) || pen.drew_for(pose.instance.key())) continue;
+        const Vec2 at = window.pixels(pose.position);  // a dot shows where it is
+        list.AddCircleFilled(ImVec2(static_cast<float>(at.x), static_cast<float>(at.y)), 3,
+                             palette::note);
+    }
+    // In B, a line shows where it is in A.
+    if (second) draw_all(tree, line, elsewhere);
+    line.outline_pictures();
     list.PopClipRect();
 }
 
@@ -126,7 +170,8 @@ void CompareView::draw_track(const Comparison& runs, double dt) {
 }
 
 void CompareView::draw(const Rect& place, const property::Tree& tree, const Comparison& runs,
-                       const Seen& seen, double seconds, double dt) {
+                       const property::Seen& seen, GamePictures& pictures, double seconds,
+                       double dt) {
     if (!runs.shown() || place.high.x - place.low.x < 100 || place.high.y - place.low.y < 80)
         return hide();
     play(runs, seconds, dt);
@@ -142,8 +187,8 @@ void CompareView::draw(const Rect& place, const property::Tree& tree, const Comp
     const auto below = [&](const Rect& side) {
         return Rect{ImVec2(side.low.x, side.low.y + title), side.high};
     };
-    draw_side(below(left), tree, runs, false, seen);
-    draw_side(below(right), tree, runs, true, seen);
+    draw_side(below(left), tree, runs, false, seen, pictures);
+    draw_side(below(right), tree, runs, true, seen, pictures);
     draw_title(left, "A", runs.original(), palette::dim);
     draw_title(right, "B", runs.change(), palette::accent);
     char text[48];

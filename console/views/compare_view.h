@@ -18,14 +18,10 @@ class CompareView {
     /// Ends the comparison.
     std::function<void()> close;
 
-    /// The visible part of the world, m.
-    struct Seen {
-        property::Vec2 lower{0, 0}, upper{1, 1};
-    };
-
-    /// Draws a window in `place`. `seconds`: since the last picture; `dt`: of a step.
+    /// Draws a window in `place`. `seen`: the visible part of the world. `pictures`: textures for
+    /// the pictures of the game. `seconds`: since the last picture; `dt`: of a step.
     void draw(const Rect& place, const property::Tree& tree, const Comparison& runs,
-              const Seen& seen, double seconds, double dt);
+              const property::Seen& seen, GamePictures& pictures, double seconds, double dt);
     const Rect& rect() const { return rect_; }
     void hide() { rect_ = track_ = close_ = {}; }
     /// For tests: the track on which a moment is chosen, the button that ends it, and the index of
@@ -36,7 +32,7 @@ class CompareView {
 
   private:
     void draw_side(const Rect& place, const property::Tree& tree, const Comparison& runs,
-                   bool second, const Seen& seen) const;
+                   bool second, const property::Seen& seen, GamePictures& pictures) const;
     void draw_title(const Rect& place, const std::string& name, const std::string& what,
                     ImU32 color) const;
     void draw_track(const Comparison& runs, double dt);

@@ -5,6 +5,8 @@
 #include "catch.h"
 #include "rig.h"
 
+#include <fettle/property/picture.h>
+
 #include <look/pen.h>
 
 namespace compare_test {
@@ -51,7 +53,46 @@ struct CompareRig : Rig {
     console::Comparison& runs() { return state().comparison; }
 };
 
+/// The same, with a magenta picture of 2 m × 1 m at the place of `world.card`.
+struct PictureRig : CompareRig {
+    property::Picture image{2, 1, {255, 0, 255, 255, 255, 0, 255, 255}};
+
+    PictureRig() {
+        property::ClassDescriptor card{.name = "Card"};
+        card.properties = {{.name = "position", .type = property::Type::vec2}};
+        card.lifecycle.context = this;
+        card.lifecycle.draw = [](void* rig, const property::Tree& all, property::Handle self,
+                                 property::Row, property::Painter& painter, double) {
+            const Vec2 at = all.get(self, "position").vec2();
+            painter.picture(static_cast<PictureRig*>(rig)->image, {0, 0, 2, 1}, at - Vec2(1, 0.5),
+                            at + Vec2(1, 0.5), {}, true);
+        };
+        tree.create(tree.define(std::move(card)), tree.child(tree.root(), "world"), "card");
+    }
+    std::size_t magenta() {
+        return static_cast<std::size_t>(std::ranges::count_if(
+            surface.pixels(), [](const auto& p) { return p[0] > 200 && p[1] < 50 && p[2] > 200; }));
+    }
+};
+
 }  // namespace
+
+TEST_CASE_METHOD(PictureRig, "both runs show the pictures of the game") {
+    draw(2);
+    const std::size_t before = surface.textures();
+    CHECK(magenta() == 0);
+    runs().ask("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    draw(3);
+    save("compare_pictures");
+    CHECK(magenta() > 100);
+    CHECK(surface.textures() == before + 1);
+    CHECK(surface.faults() == 0);
+    runs().end();
+    draw(200);
+    CHECK(magenta() == 0);
+    CHECK(surface.textures() == before);
+}
 
 TEST_CASE_METHOD(CompareRig, "a comparison holds the past as it was and as it would have been") {
     runs().ask("world.ball.mass", Value(3.0), 1);

@@ -70,7 +70,7 @@ struct Stage {
 }  // namespace
 
 TEST_CASE_METHOD(Stage, "a drawer leaves out instances, and the layers around the others stay") {
-    struct Chooser : property::Drawer {
+    struct Chooser : Drawer {
         Tree& tree;
         std::string asked;
         explicit Chooser(Tree& of) : tree(of) {}
