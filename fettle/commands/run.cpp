@@ -397,7 +397,7 @@ int run(const RunOptions& given) {
                             ? "--screenshot needs a display to draw on: set DISPLAY, or use "
                               "xvfb-run"
                             : "there is no display for a window: set DISPLAY, use xvfb-run, or "
-                              "run with --headless (fettle --help lists the commands)");
+                              "run with --headless (fettle --help tells more)");
     std::optional<Gallery> games;
     if (in_gallery) games.emplace(options.game);
     Gallery* const shown = games ? &*games : nullptr;

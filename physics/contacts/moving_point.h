@@ -2,7 +2,6 @@
 
 #include <state/world_state.h>
 
-#include <bit>
 #include <cmath>
 
 // The point of contact of a body that rocks or rolls moves along the surfaces within the step, and
@@ -13,12 +12,17 @@
 
 namespace fettle::physics::detail {
 
-/// Geometry of a contact with one point, which is stored in place of the pose of a kept manifold.
+/// Geometry of a contact with one point. It is stored as the four numbers of a ManifoldPose, which
+/// only contacts with two points use otherwise.
 struct PointGeometry {
     Vec2 normal;
     float lever_a = 0.0f, lever_b = 0.0f;  ///< r × n of the bodies, m
+
+    static PointGeometry from(const ManifoldPose& stored) {
+        return {{stored.angle_a, stored.angle_b}, stored.separations[0], stored.separations[1]};
+    }
+    ManifoldPose stored() const { return {normal.x, normal.y, {lever_a, lever_b}}; }
 };
-static_assert(sizeof(PointGeometry) == sizeof(ManifoldPose));
 
 /// The moment of the geometry, as a part of the step, with which a swing keeps its energy. In n
 /// sub-steps an acceleration a moves a body by (n + 1) / (2 n) · a · dt², and the swing keeps its
@@ -44,9 +48,9 @@ inline void continue_point(ObjectState& objects, uint32_t slot, bool continues, 
     ContactRecord& c = objects.contacts[slot];
     Manifold& m = c.manifold;
     ManifoldPoint& p = m.points[0];
-    const auto before = std::bit_cast<PointGeometry>(objects.manifold_poses[slot]);
+    const PointGeometry before = PointGeometry::from(objects.manifold_poses[slot]);
     const PointGeometry now = {m.normal, cross(p.anchor_a, m.normal), cross(p.anchor_b, m.normal)};
-    objects.manifold_poses[slot] = std::bit_cast<ManifoldPose>(now);
+    objects.manifold_poses[slot] = now.stored();
     c.kept = true;
 
     const bool sticks = std::fabs(p.tangent_impulse) < c.friction * p.normal_impulse;

@@ -237,8 +237,12 @@ Reloaded Runtime::reload(const std::vector<std::string>& files) {
 bool Runtime::run(std::string_view chunk, const std::string& name) {
     Machine& machine = live();
     const Life::Use use(machine.life);
-    const Limits usual{.memory = machine.options.memory_limit, .who = "a chunk"};
-    const Budget::Scope budget(machine.budget, machine.budget.of_call().value_or(usual));
+    Limits limits{.memory = machine.options.memory_limit, .who = "a chunk"};
+    if (const auto of_call = machine.budget.of_call()) {
+        limits.instructions = of_call->instructions;
+        limits.seconds = of_call->seconds;
+    }
+    const Budget::Scope budget(machine.budget, limits);
     const bool ok = run_chunk(machine, std::string(chunk), name, "chunk");
     return machine.classes.deliver_ready() && ok;
 }

@@ -163,8 +163,8 @@ class Runtime {
     Reloaded reload(const std::vector<std::string>& files);
     /// Runs a chunk as part of the game (`--eval`). It is stopped if it adds more than
     /// `Options::memory_limit` bytes, in Lua and in the tree, or, like every call, takes longer
-    /// than `Options::call_seconds` or passes a limit of `Options::limits`. Returns false if it
-    /// raised an error or was stopped; the error is given to `on_error`.
+    /// than `Options::call_seconds` or needs more instructions than `Options::limits` allows.
+    /// Returns false if it raised an error or was stopped; the error is given to `on_error`.
     bool run(std::string_view chunk, const std::string& name);
 
     /// Adds functions that a part above gives to scripts: the chunk runs now, and again before each
