@@ -23,25 +23,30 @@ bool GamePictures::fits(const property::Picture& picture) {
 
 ImTextureID GamePictures::number(const property::Picture& picture) {
     Known& known = known_[picture.version()];
-    known.picture = &picture;
-    known.idle = 0;
-    auto found = std::find(numbered_.begin(), numbered_.end(), picture.version());
-    if (found == numbered_.end()) found = numbered_.insert(found, picture.version());
-    const auto index = static_cast<app::Surface::Texture>(found - numbered_.begin());
-    return compat::texture_id(first_number + index);
+    if (known.picture == nullptr) {
+        known.picture = &picture;
+        known.number = first_number + static_cast<app::Surface::Texture>(numbered_.size());
+        known.idle = 0;
+        numbered_.push_back(&known);
+    }
+    return compat::texture_id(known.number);
 }
 
 std::optional<app::Surface::Texture> GamePictures::texture(app::Surface& surface,
                                                            ImTextureID number) {
     const app::Surface::Texture given = compat::surface_texture(number);
     if (given < first_number || given - first_number >= numbered_.size()) return std::nullopt;
-    Known& known = known_.at(numbered_[given - first_number]);
+    Known& known = *numbered_[given - first_number];
     if (known.texture == 0) {
         const property::Picture& picture = *known.picture;
         known.texture =
             surface.create_texture(picture.width(), picture.height(), picture.rgba().data());
     }
     return known.texture;
+}
+
+void GamePictures::change_surface() {
+    for (auto& [version, known] : known_) known.texture = 0;
 }
 
 void GamePictures::end_frame(app::Surface& surface) {

@@ -25,18 +25,19 @@ class GamePictures {
     std::optional<app::Surface::Texture> texture(app::Surface& surface, ImTextureID number);
     /// The frame is drawn. Destroys textures that are not used any more.
     void end_frame(app::Surface& surface);
-    /// The next frame is drawn on another surface, which has no textures yet.
-    void leave_surface() { known_.clear(); }
+    /// The frame is drawn on another surface than the last one, which has no textures yet.
+    void change_surface();
 
   private:
     struct Known {
-        const property::Picture* picture = nullptr;
-        app::Surface::Texture texture = 0;  // 0: not made yet
-        int idle = 0;                       // frames without it
+        const property::Picture* picture = nullptr;  // null: not in this frame
+        app::Surface::Texture number = 0;            // in this frame
+        app::Surface::Texture texture = 0;           // 0: not made yet
+        int idle = 0;                                // frames without it
     };
 
     std::map<std::uint64_t, Known> known_;  // by the version of the picture
-    std::vector<std::uint64_t> numbered_;   // versions in this frame
+    std::vector<Known*> numbered_;          // in this frame
 };
 
 }  // namespace fettle::console

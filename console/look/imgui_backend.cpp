@@ -192,7 +192,7 @@ void ImGuiBackend::draw(app::Surface& surface) {
     ImDrawData* data = ImGui::GetDrawData();
     if (data == nullptr) return;
     compat::update_textures(*data, surface, textures_on_ != &surface || fonts_changed_);
-    if (textures_on_ != &surface) pictures_.leave_surface();
+    if (textures_on_ != &surface) pictures_.change_surface();
     textures_on_ = &surface;
     fonts_changed_ = false;
     for (int i = 0; i < data->CmdListsCount; ++i) draw_list(*data->CmdLists[i], surface);

@@ -100,12 +100,11 @@ void Pen::letter(const property::Picture& picture, const Vec2& lower, const Vec2
             list_.AddQuadFilled(at(x, y), at(end, y), at(end, y + 1), at(x, y + 1),
                                 color_of(tint, share));
         }
-    drew_anything_ = true;
+    owners_.insert(owner_);
 }
 
 void Pen::textured(const property::Picture& picture, const property::PictureArea& area,
                    const Vec2& lower, const Vec2& upper, const property::Color& tint) {
-    drew_anything_ = true;
     owners_.insert(owner_);
     const property::Blend blend = state().blend;
     if (blend == property::Blend::multiply) return;
@@ -211,7 +210,6 @@ void Pen::stroke(bool closed, const property::Paint& paint) {
         list_.AddPolyline(points_.data(), count, style_.color, flags, style_.width);
     }
     points_.clear();
-    drew_anything_ = true;
     owners_.insert(owner_);
 }
 

@@ -49,7 +49,7 @@ class Pen : public property::Painter {
 
     /// From now on the points of the world are drawn there.
     void place(const property::Transform& map) { map_ = map; }
-    bool drew_anything() const { return drew_anything_; }
+    bool drew_anything() const { return !owners_.empty(); }
     /// What is drawn from now on belongs to this one: a number for each instance.
     void draw_for(std::uint64_t owner) { owner_ = owner; }
     bool drew_for(std::uint64_t owner) const { return owners_.contains(owner); }
@@ -103,7 +103,6 @@ class Pen : public property::Painter {
     PenStyle style_;
     property::Transform map_;
     property::Seen seen_{};
-    bool drew_anything_ = false;
     std::vector<ImVec2> points_;
     std::uint64_t owner_ = 0;
     std::set<std::uint64_t> owners_;                         // that drew something

@@ -20,6 +20,11 @@ using property::Handle;
 using property::Type;
 using property::Value;
 
+bool has_position(const property::Tree& tree, Handle instance) {
+    const property::Property* const position = tree.find(instance, "position");
+    return position != nullptr && (position->type == Type::vec2 || position->any_type);
+}
+
 namespace {
 
 Value value_of_time(const property::Tree& tree, const char* name) {
@@ -41,8 +46,7 @@ std::vector<Handle> placed(const property::Tree& tree) {
     const auto visit = [&](const auto& self, Handle top) -> void {
         for (Handle each = tree.first_child(top); each; each = tree.next_sibling(each)) {
             if (is_on_screen(tree, each)) continue;
-            const property::Property* const position = tree.find(each, "position");
-            if (position != nullptr && (position->type == Type::vec2 || position->any_type))
+            if (has_position(tree, each))
                 all.push_back(each);
             else
                 self(self, each);

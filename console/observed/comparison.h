@@ -15,6 +15,9 @@
 
 namespace fettle::console {
 
+/// Whether the instance has a place in the world by itself.
+bool has_position(const property::Tree& tree, property::Handle instance);
+
 class Comparison {
   public:
     using Look = std::function<void(std::int64_t step)>;

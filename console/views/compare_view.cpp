@@ -60,7 +60,7 @@ class Posed : public property::Drawer {
         if (pen_.on_screen()) return false;
         Handle placed;  // the outermost instance with a position around it
         for (Handle at = instance; at; at = tree_.parent(at))
-            if (tree_.find(at, "position") != nullptr) placed = at;
+            if (has_position(tree_, at)) placed = at;
         const auto move = moves_.find(placed.key());
         if (move == moves_.end()) {
             pen_.place({});

@@ -94,6 +94,16 @@ TEST_CASE_METHOD(PictureRig, "both runs show the pictures of the game") {
     CHECK(surface.textures() == before);
 }
 
+TEST_CASE_METHOD(PictureRig, "the pictures of both runs are drawn on a surface that changes") {
+    runs().ask("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    draw(3);
+    console::test::RasterSurface other(1280, 800);
+    for (int frame = 0; frame < 2; ++frame) console.draw(other, 1.0 / 60);
+    CHECK(other.faults() == 0);
+    CHECK(other.textures() == 2);  // that of the fonts, and the picture
+}
+
 TEST_CASE_METHOD(CompareRig, "a comparison holds the past as it was and as it would have been") {
     runs().ask("world.ball.mass", Value(3.0), 1);
     CHECK_FALSE(runs().shown());

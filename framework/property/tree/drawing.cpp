@@ -48,8 +48,9 @@ class Sheet {
 
     void draw_instances() {
         draw_all(drawn_, [this](const Item& item) {
-            const Node* const at = instances_.nodes.find(item.self);
-            if (at != nullptr && also_ != nullptr && !also_->begins(item.self)) return;
+            if (also_ != nullptr && instances_.nodes.find(item.self) != nullptr &&
+                !also_->begins(item.self))
+                return;
             if (const Node* node = instances_.nodes.find(item.self)) {
                 const Lifecycle& lifecycle = instances_.class_of(*node).lifecycle();
                 if (lifecycle.draw)
