@@ -32,6 +32,16 @@ const char* read_byte(lua_State* L, void* left, std::size_t* size) {
     return take_piece(L, *static_cast<std::string_view*>(left), size, 1);
 }
 
+/// What Lua reads of code with an error until it reports the error. `reader` reads one byte of a
+/// std::string_view.
+std::string_view read_until_error(lua_State* L, std::string_view code, const char* name,
+                                  lua_Reader reader) {
+    std::string_view left = code;
+    (void)lua_load(L, reader, &left, name, "t");
+    lua_pop(L, 1);
+    return code.substr(0, code.size() - left.size());
+}
+
 /// Lua has read one byte beyond the token that it looks at.
 std::string_view without_last(std::string_view read) {
     return read.substr(0, read.size() - std::min<std::size_t>(read.size(), 1));
@@ -51,10 +61,7 @@ void name_foreign_letters(lua_State* L, std::string_view code, const char* name)
     if (near == std::string::npos || !message.ends_with(">'")) return;
     const auto byte = static_cast<char>(std::atoi(message.c_str() + near + before_byte.size()));
     if (static_cast<unsigned char>(byte) < 0x80) return;
-    std::string_view left = code;
-    (void)lua_load(L, read_byte, &left, name, "t");
-    lua_pop(L, 1);
-    const std::size_t at = code.substr(0, code.size() - left.size()).rfind(byte);
+    const std::size_t at = read_until_error(L, code, name, read_byte).rfind(byte);
     if (at == std::string_view::npos) return;
     std::size_t begin = at, end = at;
     while (begin > 0 && is_letter(code[begin - 1])) --begin;
@@ -83,10 +90,7 @@ int load_text(lua_State* L, std::string_view code, const char* name) {
 
 void place_overflow(lua_State* L, std::string_view code, const char* name, lua_Reader reader) {
     if (lua_type(L, -1) != LUA_TSTRING || !view_at(L, -1).ends_with(overflow)) return;
-    std::string_view left = code;
-    (void)lua_load(L, reader, &left, name, "t");
-    lua_pop(L, 1);
-    const std::string_view read = without_last(code.substr(0, code.size() - left.size()));
+    const std::string_view read = without_last(read_until_error(L, code, name, reader));
     // An error in that line has its place in front.
     std::string other(static_cast<std::size_t>(std::count(read.begin(), read.end(), '\n')), '\n');
     other += '=';
@@ -137,10 +141,7 @@ void Sources::note_stop(lua_State* L, std::string_view code, const char* name) {
         const std::size_t begin = near + before_token.size();
         token = message.substr(begin, message.size() - 1 - begin);
     }
-    std::string_view left = code;
-    (void)lua_load(L, read_byte, &left, name, "t");
-    lua_pop(L, 1);
-    const std::string_view read = code.substr(0, code.size() - left.size());
+    const std::string_view read = read_until_error(L, code, name, read_byte);
     std::size_t at = is_overflow ? without_last(without_last(read)).size() : read.rfind(token);
     // Of a word with foreign letters Lua reads the first byte.
     if (at == std::string_view::npos) at = code.rfind(token, read.size());
