@@ -1,6 +1,6 @@
-#include <checks/hooks.h>
 #include <state/limits.h>
 #include <step/gather.h>
+#include <world/ignored_numbers.h>
 #include <world/world_data.h>
 
 #include <cmath>
@@ -17,13 +17,21 @@ using namespace detail;
 
 namespace {
 
-/// The value that a function of the user has set, within limits; for NaN, the value before.
-template <class Number>
-Number taken(Number set, Number before, float most) {
-    if (!std::isnan(set)) return bounded(set, most);
-    log(LogLevel::warning, "a function that moves a body set NaN, which changes nothing");
-    return before;
-}
+/// Takes the values that a function of the user has set for a body.
+struct SetValues {
+    const char* function;
+    uint32_t body;
+    IgnoredNumbers& ignored;
+
+    /// The value within limits; for NaN, the value before.
+    template <class Number>
+    Number take(Number set, Number before, float most, const char* name) const {
+        const bool given = ignored.accepts(set, name, [&] {
+            return std::string(function) + ", for body " + std::to_string(body) + ",";
+        });
+        return given ? bounded(set, most) : before;
+    }
+};
 
 /// The change of one sub-step that takes `from` to `to` in all.
 float share_of(float from, float to, int substeps) {
@@ -33,6 +41,7 @@ float share_of(float from, float to, int substeps) {
 }  // namespace
 
 void WorldData::ask_velocity_functions(float dt, int substeps) {
+    IgnoredNumbers ignored;
     for (BodyFunctions& each : self.functions) {
         each.moves = is_valid(each.body) && bodies[each.body.index].solver_index != 0;
         if (!each.moves || !each.velocity) continue;
@@ -64,9 +73,12 @@ void WorldData::ask_velocity_functions(float dt, int substeps) {
                           {edit.velocity.x, edit.velocity.y, edit.angular_velocity}};
         });
         if (!answered) continue;
-        const Vec2 wanted = {taken(edit.velocity.x, usual.velocity.x, greatest_speed),
-                             taken(edit.velocity.y, usual.velocity.y, greatest_speed)};
-        const float turn = taken(edit.angular_velocity, usual.angular_velocity, 1e6f);
+        const SetValues values = {in_velocity, slot, ignored};
+        const Vec2 wanted = {
+            values.take(edit.velocity.x, usual.velocity.x, greatest_speed, "velocity"),
+            values.take(edit.velocity.y, usual.velocity.y, greatest_speed, "velocity")};
+        const float turn =
+            values.take(edit.angular_velocity, usual.angular_velocity, 1e6f, "angular_velocity");
         if (commanded) {  // nothing else changes its velocity
             b.velocity = wanted;
             b.angular_velocity = turn;
@@ -83,10 +95,12 @@ void WorldData::ask_velocity_functions(float dt, int substeps) {
             f.turn_keep = 1.0f;
         }
     }
+    ignored.report();
 }
 
 void WorldData::ask_position_functions(float dt) {
     bool placed = false;
+    IgnoredNumbers ignored;
     for (const BodyFunctions& each : self.functions) {
         if (!each.moves || !each.position || !is_valid(each.body)) continue;
         const uint32_t slot = each.body.index;
@@ -104,15 +118,17 @@ void WorldData::ask_position_functions(float dt) {
                           {edit.pose.position.x, edit.pose.position.y, edit.pose.angle}};
         });
         if (!answered) continue;
+        const SetValues values = {in_position, slot, ignored};
         const Position position = {
-            taken(edit.pose.position.x, usual.position.x, greatest_coordinate),
-            taken(edit.pose.position.y, usual.position.y, greatest_coordinate)};
-        const float angle = taken(edit.pose.angle, usual.angle, greatest_coordinate);
+            values.take(edit.pose.position.x, usual.position.x, greatest_coordinate, "position"),
+            values.take(edit.pose.position.y, usual.position.y, greatest_coordinate, "position")};
+        const float angle = values.take(edit.pose.angle, usual.angle, greatest_coordinate, "angle");
         if (position == usual.position && angle == usual.angle) continue;
         teleport(activity(), slot, position, angle);
         previous[slot] = before;
         placed = true;
     }
+    ignored.report();
     if (placed) refresh({});  // reads after a step find nothing out of date
 }
 

@@ -2,6 +2,7 @@
 #include <checks/hooks.h>
 #include <contacts/mixing.h>
 #include <contacts/reports.h>
+#include <world/ignored_numbers.h>
 #include <world/world_data.h>
 
 #include <algorithm>
@@ -89,8 +90,9 @@ class ContactCallbacks {
             [&](uint32_t i) { return edit_of(world_.contacts[asked[i]]); },
             [&](uint32_t i, const ContactEdit&, const ContactEdit& edit, bool answered) {
                 tell(edit, Answer::To::mixing, answered);
-                if (answered) accept(world_.contacts[asked[i]], edit, nullptr);
+                if (answered) accept(world_.contacts[asked[i]], edit, nullptr, in_mixing);
             });
+        ignored_.report();
     }
 
     /// For the callback two shapes are one contact, however many of their parts touch. It is called
@@ -127,6 +129,7 @@ class ContactCallbacks {
                 tell(edit, Answer::To::before_solve, answered);
                 if (answered) accept(parts_of(i), before, edit);
             });
+        ignored_.report();
     }
 
     /// Disables the contacts of the ignored pairs, and removes the pairs that have separated.
@@ -234,22 +237,26 @@ class ContactCallbacks {
         return edit;
     }
 
+    static std::string describe(const char* callback, const ContactEdit& edit) {
+        return std::string(callback) + ", for shapes " + std::to_string(edit.shape_a.id().index) +
+               " and " + std::to_string(edit.shape_b.id().index) + ",";
+    }
+
     /// If there are several parts, only values that the callback changed are stored, because each
     /// part has its own mixed values. A value out of range becomes the nearest valid one, and NaN
     /// means no change: a step must not throw.
-    static void accept(ContactRecord& c, const ContactEdit& edit, const ContactEdit* before) {
-        const auto given = [&](float ContactEdit::*field) {
+    void accept(ContactRecord& c, const ContactEdit& edit, const ContactEdit* before,
+                const char* callback) {
+        const auto given = [&](float ContactEdit::*field, const char* name) {
             const float now = edit.*field;
-            if (std::isnan(now))
-                log(LogLevel::warning,
-                    "a callback set a value of a contact to NaN, which changes nothing");
-            return !std::isnan(now) && (!before || now != before->*field);
+            return ignored_.accepts(now, name, [&] { return describe(callback, edit); }) &&
+                   (!before || now != before->*field);
         };
-        if (given(&ContactEdit::friction))
+        if (given(&ContactEdit::friction, "friction"))
             c.friction = max(bounded(edit.friction, greatest_grip), 0.0f);
-        if (given(&ContactEdit::restitution))
+        if (given(&ContactEdit::restitution, "restitution"))
             c.restitution = clamp(bounded(edit.restitution, 1.0f), 0.0f, 1.0f);
-        if (given(&ContactEdit::surface_speed))
+        if (given(&ContactEdit::surface_speed, "surface_speed"))
             c.surface_speed = bounded(edit.surface_speed, greatest_speed);
         c.special = c.restitution > 0.0f || c.rolling_resistance > 0.0f || c.surface_speed != 0.0f;
     }
@@ -294,7 +301,7 @@ class ContactCallbacks {
         if (edit.ignored) world_.ignored_pairs.push_back({edit.shape_a.id(), edit.shape_b.id()});
         for (const Part& part : parts) {
             ContactRecord& c = record(part);
-            accept(c, edit, &before);
+            accept(c, edit, &before, in_before_solve);
             if (!edit.enabled || edit.ignored) disable(c, world_.awake_contacts[part.at]);
         }
     }
@@ -316,6 +323,7 @@ class ContactCallbacks {
 
     WorldData& world_;
     std::vector<Part> parts_;  ///< sorted by pair, then in the order of the contacts
+    IgnoredNumbers ignored_;
 };
 
 }  // namespace

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <checks/hooks.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+namespace fettle::physics::detail {
+
+/// The values of user functions that are NaN and therefore change nothing. The log gets one warning
+/// for all of a step, which names the first.
+class IgnoredNumbers {
+  public:
+    /// Whether `value` is a number. Otherwise it is noted; `where()` returns the function and the
+    /// objects, as "the filter, for shapes 4 and 5".
+    template <class Number, class Where>
+    bool accepts(Number value, const char* name, Where&& where) {
+        if (!std::isnan(value)) return true;
+        if (++count_ == 1 && is_logged()) first_ = std::string(where()) + " set " + name;
+        return false;
+    }
+    /// Writes the warning if a value was noted, and forgets all of them.
+    void report() {
+        if (count_ == 0) return;
+        log(LogLevel::warning,
+            first_ + " to NaN, which changes nothing" +
+                (count_ > 1 ? " (" + std::to_string(count_) + " values in this step)" : ""));
+        *this = {};
+    }
+
+  private:
+    uint32_t count_ = 0;
+    std::string first_;
+};
+
+}  // namespace fettle::physics::detail
