@@ -31,7 +31,9 @@ struct Sweep {
 /// The time, from `start` to 1, until which two shapes keep at least the distance `gap`, by
 /// conservative advancement. 1 if they never come nearer, `start` if they are nearer then.
 float time_of_impact(const Sweep& a, const Sweep& b, float gap, float start = 0.0f);
-/// The same for a half-plane that is solid where normal·p <= depth.
+/// The unit vector from `a` to `b` at time `t`; zero if they overlap.
+Vec2 direction_between(const Sweep& a, const Sweep& b, float t);
+/// The time of impact with a half-plane that is solid where normal·p <= depth.
 float time_of_impact(const Sweep& sweep, Vec2 normal, WorldCoordinate depth, float gap,
                      float start = 0.0f);
 

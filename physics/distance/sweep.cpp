@@ -107,6 +107,12 @@ float time_of_impact(const Sweep& a, const Sweep& b, float gap, float start) {
     });
 }
 
+Vec2 direction_between(const Sweep& a, const Sweep& b, float t) {
+    Turning turning_a(a), turning_b(b);
+    const Vec2 apart = b.motion.center(t) - a.motion.center(t);
+    return nearest_points(turning_a.at(t), turning_b.at(t), apart).normal;
+}
+
 float time_of_impact(const Sweep& sweep, Vec2 normal, WorldCoordinate depth, float gap,
                      float start) {
     Turning turning(sweep);

@@ -43,6 +43,11 @@ class Obstacle {
         return is_border_ ? time_of_impact(shape, plane_.normal, plane_.depth, gap, now_)
                           : time_of_impact(shape, obstacle_, gap, now_);
     }
+    /// The direction from the obstacle to the shape at time `t`; zero if they overlap.
+    Vec2 direction_to(const Sweep& shape, float t) const {
+        if (is_border_) return plane_.normal;
+        return -direction_between(shape, obstacle_, t);
+    }
     /// The same for a point that moves from `start` to `end`. A point that is in the obstacle
     /// already, but not deeper than `slip`, goes no deeper.
     Impact of_point(const Position& start, const Position& end, float slip) const {
@@ -63,9 +68,11 @@ class Obstacle {
         }
         if (hit.fraction >= 1.0f) return {};
         const float inwards = max(-dot(hit.normal, way), 1e-9f);
-        if (hit.fraction * inwards < 2.0f * centroid_gap) return {now_, inwards * hit.normal};
+        if (hit.fraction * inwards < 2.0f * centroid_gap)
+            return {now_, inwards * hit.normal, from_frame(hit.normal, now_)};
         const float fraction = hit.fraction - centroid_gap / inwards;
-        return {now_ + fraction * (1.0f - now_), {}};
+        const float time = now_ + fraction * (1.0f - now_);
+        return {time, {}, from_frame(hit.normal, time)};
     }
     /// A segment of a chain stops nothing that comes from behind it.
     bool is_from_behind(const Position& start) const {
@@ -82,6 +89,12 @@ class Obstacle {
         Manifold m;
         collide(obstacle_.shape, disc, {}, 0.0f, true, m);
         return m.count > 0 && m.points[0].separation >= -slip ? m.normal : Vec2{};
+    }
+
+    /// A direction in the frame of the obstacle, in world axes.
+    Vec2 from_frame(Vec2 direction, float t) const {
+        if (is_border_) return direction;
+        return rotate(rotation_of(obstacle_.motion.rotation(t)), direction);
     }
 
     /// A place at a time, in the frame of the obstacle.
@@ -116,13 +129,16 @@ Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, u
         const float depth = max(part * inner, least_depth);
         if (depth >= inner) break;
         const Core core(shape, centroid, depth);
-        const float entry = obstacle.of({core.solid(), motion, body.extent}, gap);
+        const Sweep swept_core = {core.solid(), motion, body.extent};
+        const float entry = obstacle.of(swept_core, gap);
         if (entry >= 1.0f) return {};
         if (!(entry > now)) continue;
         const float arrival = obstacle.of({shape, motion, body.extent}, arrival_gap);
         // If the shapes touch at the start, the contacts hold the shape, but it must not go beyond
         // the entry of the core.
-        return {arrival > now ? min(arrival, entry) : entry, {}};
+        return {arrival > now ? min(arrival, entry) : entry,
+                {},
+                obstacle.direction_to(swept_core, entry)};
     }
     // A thick body may have thin pieces.
     if (shape.kind == FormKind::piece && inner < least_depth) return {};

@@ -16,6 +16,9 @@ struct Impact {
     /// If the centroid of the shape is at the obstacle already: the displacement that keeps it from
     /// going farther. Zero otherwise.
     Vec2 back;
+    /// From the obstacle to the shape at that time, in world axes; zero if there is no impact, or
+    /// if the direction is not known.
+    Vec2 normal;
 };
 
 /// How far `shape` may follow its motion from `now` without passing through `obstacle`.

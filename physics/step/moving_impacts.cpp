@@ -44,6 +44,8 @@ struct Meeting {
     /// step that keeps it from going farther.
     uint32_t slides = none;
     Vec2 back = {};
+    /// From the body that moves on its own to the other one; else zero.
+    Vec2 normal = {};
 
     /// The earliest one is first in a heap.
     bool operator<(const Meeting& other) const {
@@ -181,6 +183,8 @@ class MovingImpacts {
             const Motion& obstacle = this_one ? motion : mover.motion;
             meeting.back = rotate(rotation_of(obstacle.rotation(now)), back);
         }
+        meeting.normal = this_one ? of_this.normal : of_other.normal;
+        if (this_one == mover.driven) meeting.normal = -meeting.normal;
         queue_.push_back(meeting);
         std::push_heap(queue_.begin(), queue_.end());
     }
@@ -207,7 +211,7 @@ class MovingImpacts {
         if (second.held) {
             if (!first.driven) stop(i, now, true);
         } else if (rank(k) == 0) {
-            carry(k, carrier, now);
+            carry(k, carrier, now, first.driven ? meeting.normal : Vec2{});
         } else if (second.carrier != carrier) {
             stop(k, now, true);  // it is between two driven bodies
         }
@@ -276,8 +280,10 @@ class MovingImpacts {
         take_back_forces(in_, movers_[i].body, motion.until - now);
         change(i, standing(motion.center(now), float(motion.rotation(now))), now);
     }
-    /// The body is carried along as if it were fixed to the carrier.
-    void carry(size_t i, uint32_t carrier, float now) {
+    /// The body is carried along: it turns with the carrier and goes no nearer to it. `normal`:
+    /// from the carrier to the body; the body keeps its motion along the surface and away from it.
+    /// Without a normal it moves as if it were fixed to the carrier.
+    void carry(size_t i, uint32_t carrier, float now, Vec2 normal = {}) {
         const Motion driver = motion_of(carrier);
         const Motion& before = movers_[i].motion;
         const float left = 1.0f - now;
@@ -286,8 +292,12 @@ class MovingImpacts {
         motion.from = before.center(now);
         motion.angle = float(before.rotation(now));
         const double turn = driver.rotation(1.0f) - driver.rotation(now);
-        const Position end =
-            driver.center(1.0f) + rotate(rotation_of(turn), motion.from - driver.center(now));
+        const Rotation turned = rotation_of(turn);
+        Position end = driver.center(1.0f) + rotate(turned, motion.from - driver.center(now));
+        if (normal != Vec2{}) {
+            const Vec2 own = unrotate(turned, before.center(1.0f) - end);
+            end = end + rotate(turned, own - min(dot(own, normal), 0.0f) * normal);
+        }
         motion.velocity = (1.0f / left) * (end - motion.from);
         motion.turn = float(turn) / left;
         motion.until = time_of_impact_with_fixed(in_, movers_[i].body, motion, now).time;

@@ -1,6 +1,7 @@
 // A sensor reports the beginning of an overlap with every body whose inside (see passages.h) enters
 // it: in the same step, or in the next step, which finds the overlaps at its start.
 
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -24,12 +25,13 @@ class Sensors : public Check {
     std::optional<std::string> look(const Moment& moment) override {
         if (moment.world == nullptr) return {};
         const Events& events = moment.world->events();
-        std::set<Pair> told = inside_;
-        for (const SensorEvent& begin : events.sensor_begin) {
-            told.insert(pair_of(begin));
-            inside_.insert(pair_of(begin));
+        std::set<Pair> told;
+        for (const SensorEvent& begin : events.sensor_begin) ++shapes_inside_[pair_of(begin)];
+        for (const auto& [pair, shapes] : shapes_inside_) told.insert(pair);
+        for (const SensorEvent& end : events.sensor_end) {
+            const auto pair = shapes_inside_.find(pair_of(end));
+            if (pair != shapes_inside_.end() && --pair->second == 0) shapes_inside_.erase(pair);
         }
-        for (const SensorEvent& end : events.sensor_end) inside_.erase(pair_of(end));
         for (const auto& [pair, words] : entered_)
             if (!told.contains(pair)) return words;
         entered_.clear();
@@ -57,7 +59,7 @@ class Sensors : public Check {
     }
 
     Passages passages_;
-    std::set<Pair> inside_;
+    std::map<Pair, int> shapes_inside_;  // the number of overlaps that have begun and not ended
     std::vector<std::pair<Pair, std::string>> entered_;  // in the last step, not reported yet
 };
 
