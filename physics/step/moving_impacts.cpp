@@ -181,7 +181,7 @@ class MovingImpacts {
         if (length_squared(back) > 0.0f) {
             meeting.slides = this_one ? mover.body : body;
             const Motion& obstacle = this_one ? motion : mover.motion;
-            meeting.back = rotate(rotation_of(obstacle.rotation(now)), back);
+            meeting.back = rotate(rotation_of(obstacle.rotation(1.0f)), back);
         }
         meeting.normal = this_one ? of_this.normal : of_other.normal;
         if (this_one == mover.driven) meeting.normal = -meeting.normal;

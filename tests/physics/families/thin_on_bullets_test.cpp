@@ -3,6 +3,7 @@
 
 #include <fettle/physics/physics.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -87,6 +88,41 @@ TEST_CASE("thin bodies do not pass through a bullet that is slow") {
     }
     std::printf("thin bodies: %d of %d through the slow bullet\n", through, seeds);
     CHECK(through == 0);
+}
+
+TEST_CASE("a bullet in which a thin body is goes on and does not stand still") {
+    const int seeds = int(families::seeds_or(200));
+    int still = 0;
+    for (int seed = 0; seed < seeds; ++seed) {
+        families::Random random{std::mt19937(unsigned(seed) + 1)};
+        World world(WorldDef{.gravity = {0, 0}});
+        const float size = random(0.2f, 0.6f);
+        Body bullet = world.create_body({.velocity = {random(5, 60), random(-5, 5)},
+                                         .angular_velocity = random(-60, 60),
+                                         .bullet = true});
+        if (seed % 2 == 0)
+            bullet.add(Circle{0.5f * size});
+        else
+            bullet.add(Box{.width = size, .height = size});
+        Body plank =
+            world.create_body({.position = {size * random(-0.5f, 0.5f), size * random(-0.5f, 0.5f)},
+                               .angle = random(-3, 3),
+                               .velocity = {random(0, 60), random(-10, 10)},
+                               .angular_velocity = random(-40, 40)});
+        plank.add(Box{.width = random(0.3f, 1.5f), .height = random(0.01f, 0.06f)},
+                  {.density = random(0.2f, 1)});
+        int most = 0, steps = 0;  // in which it hardly moves
+        for (int step = 0; step < 30; ++step) {
+            const Position before = bullet.position();
+            world.step(1.0f / 60);
+            const float way = Vec2(bullet.position() - before).length();
+            steps = way < 0.02f * bullet.velocity().length() / 60 ? steps + 1 : 0;
+            most = std::max(most, steps);
+        }
+        if (most >= 4) ++still;
+    }
+    std::printf("thin bodies: %d of %d bullets stand still\n", still, seeds);
+    CHECK(still <= seeds / 50);
 }
 
 }  // namespace thin_on_bullets_test
