@@ -214,6 +214,8 @@ class MovingImpacts {
             carry(k, carrier, now, first.driven ? meeting.normal : Vec2{});
         } else if (second.carrier != carrier) {
             stop(k, now, true);  // it is between two driven bodies
+        } else if (first.driven) {
+            carry(k, carrier, now, meeting.normal);  // it slid to another part of its carrier
         }
     }
     /// An impulse through the center of mass of the body that slides ends its approach. Then it
@@ -294,7 +296,7 @@ class MovingImpacts {
         const double turn = driver.rotation(1.0f) - driver.rotation(now);
         const Rotation turned = rotation_of(turn);
         Position end = driver.center(1.0f) + rotate(turned, motion.from - driver.center(now));
-        if (normal != Vec2{}) {
+        if (normal != Vec2{} && ++movers_[i].slides <= most_slides) {
             const Vec2 own = unrotate(turned, before.center(1.0f) - end);
             end = end + rotate(turned, own - min(dot(own, normal), 0.0f) * normal);
         }
