@@ -88,6 +88,7 @@ void Plugin::State::close_native() {
 void Plugin::State::give_up() {
     host.define_class = nullptr;
     host.adopt = nullptr;
+    host.unknown = nullptr;
     for (const auto& c : classes) c->abandon();
     close_native();
 }

@@ -68,9 +68,9 @@ class Reload {
         std::swap(s_.open, fresh);  // `fresh` unloads the old module when it ends
         now(while_attached);
         attach();
-        s_.host.adopt = nullptr;
         for (Saved& saved : saved_)
             if (!saved.revived) revive(saved);
+        s_.host.adopt = nullptr;
         give_back();
         now(in_its_test);
         s_.check_native();
@@ -133,7 +133,7 @@ class Reload {
             s_.classes.push_back(std::make_unique<BridgedClass>(s_.host, native));
             seen.push_back(s_.classes.back().get());
         };
-        // Instances that the module creates in `attach` exist already.
+        // Instances that the module creates in `attach`, or with another, exist already.
         s_.host.adopt = [&](const property::Class& of, Handle parent, const char* name) {
             const Handle child = parent ? tree_.child(parent, name) : Handle{};
             if (!child || &tree_.class_of(child) != &of) return Handle{};
@@ -141,7 +141,14 @@ class Reload {
                 if (saved.instance == child && !saved.revived) revive(saved);
             return child;
         };
+        s_.host.unknown = [&](const property::Class& of) {
+            return std::any_of(s_.classes.begin(), s_.classes.end(), [&](const auto& c) {
+                return of.is_a(c->declared()) &&
+                       std::find(seen.begin(), seen.end(), c.get()) == seen.end();
+            });
+        };
         s_.attach_native();
+        s_.host.unknown = nullptr;
         for (const auto& c : s_.classes)
             if (std::find(seen.begin(), seen.end(), c.get()) == seen.end())
                 throw std::runtime_error(

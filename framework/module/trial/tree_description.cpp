@@ -58,6 +58,9 @@ ClassDescription described(const Class& of, const BridgedClass* reloaded) {
     d.creatable = of.creatable();
     d.snapshots = of.snapshots();
     to.reloaded = reloaded != nullptr;
+    // As the module has declared it: the class may be saved so only because its base is.
+    if (reloaded != nullptr && !reloaded->saved_natively())
+        d.snapshots = property::Snapshots::by_value;
     for (const Property* property : of.properties()) {
         if (property->owner != &of) continue;
         to.bindings.push_back(
