@@ -407,6 +407,28 @@ Violations headers_of_linux(const SourceTree& tree) {
     return found;
 }
 
+Violations heavy_headers(const SourceTree& tree) {
+    static const std::regex include(R"(#include <([a-z_]+)>.*)");
+    static const std::set<std::string, std::less<>> light = {
+        "array",       "compare",     "concepts", "cstddef",   "cstdint", "limits",
+        "new",         "optional",    "span",     "stdexcept", "string",  "utility",
+        "string_view", "type_traits", "variant",  "vector"};
+    const auto is_public = [](const SourceFile& file) {
+        return lies_in(file.path, "physics/include/fettle/physics") ||
+               file.path == "vector/include/fettle/vector/vector2.h";
+    };
+    Violations found;
+    each_line(tree, is_public, [&](const SourceFile& file, int line, const std::string& text) {
+        std::smatch match;
+        if (std::regex_match(text, match, include) && !light.contains(match[1].str()))
+            found.push_back(at(file, line,
+                               "<" + match[1].str() +
+                                   "> is not one of the headers that compile "
+                                   "fast: every program that includes physics.h would read it"));
+    });
+    return found;
+}
+
 Violations careless_headers(const SourceTree& tree) {
     static const std::regex opens("^using namespace .*");  // inside a function it would be indented
     Violations found;
