@@ -164,6 +164,10 @@ function(fettle_install_package)
   write_basic_package_version_file("${made}/FettleConfigVersion.cmake" COMPATIBILITY ${compatibility})
   install(FILES "${made}/FettleConfig.cmake" "${made}/FettleConfigVersion.cmake"
     DESTINATION "${fettle_cmake_folder}" COMPONENT development)
+  if(TARGET fettle_module AND NOT BUILD_SHARED_LIBS)
+    install(FILES "${PROJECT_SOURCE_DIR}/cmake/trial_place.cpp"
+      DESTINATION "${fettle_cmake_folder}" COMPONENT development)
+  endif()
   foreach(package IN LISTS packages)
     install(FILES "${PROJECT_SOURCE_DIR}/cmake/packages/${package}.cmake"
       DESTINATION "${fettle_cmake_folder}/packages" COMPONENT development)

@@ -127,9 +127,12 @@ struct HostFunctions {
         return sent(found);
     }
     static fettle_handle child(void* self, fettle_handle instance, const char* name) {
+        HostTable& host = host_of(self);
         Handle found;
-        (void)host_of(self).guarded(
-            [&](property::Tree& tree) { found = tree.child(received(instance), view(name)); });
+        (void)host.guarded([&](property::Tree& tree) {
+            found = tree.child(received(instance), view(name));
+            if (found && host.unknown && host.unknown(tree.class_of(found))) found = {};
+        });
         return sent(found);
     }
     static fettle_status find(void* self, const char* path, fettle_handle* found) {
@@ -159,7 +162,7 @@ struct HostFunctions {
         const HostTable& host = host_of(self);
         const property::Class* of =
             host.tree == nullptr ? nullptr : host.tree->find_class(text_or_empty(class_name));
-        if (of == nullptr) return nullptr;
+        if (of == nullptr || (host.unknown && host.unknown(*of))) return nullptr;
         return of->base() == nullptr ? "" : of->base()->name().c_str();
     }
     static std::uint32_t is_a(void* self, fettle_handle instance, const char* class_name) {

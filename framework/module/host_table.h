@@ -34,6 +34,9 @@ class HostTable {
     std::function<property::Handle(const property::Class&, property::Handle parent,
                                    const char* name)>
         adopt{};
+    /// Whether the module does not know the class yet: during a reload, one of its own that it has
+    /// not registered again. It and its instances are not found then, as at the start of a game.
+    std::function<bool(const property::Class&)> unknown{};
     std::function<void(std::string_view)> print{};
 
     /// Returns and clears the reason that the module's last callback gave; "" if it gave none.

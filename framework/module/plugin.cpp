@@ -9,15 +9,15 @@
 
 #include "abi_check.h"
 #include "plugin_state.h"
-#include "trial.h"
+#include "trial/trial.h"
 
 namespace fettle::module {
 
 namespace fs = std::filesystem;
 
-OpenModule Plugin::State::open_file(const ModuleCopy& copy) {
+OpenModule Plugin::State::open_file(const fs::path& copy) {
     OpenModule opened;
-    opened.object = SharedObject(copy);
+    opened.object = SharedObject(copy, file);
     const auto entry =
         reinterpret_cast<fettle_module_entry>(opened.object.symbol(FETTLE_MODULE_ENTRY));
     if (entry == nullptr)
@@ -42,6 +42,13 @@ OpenModule Plugin::State::open_file(const ModuleCopy& copy) {
                         "expected a module with both `save` and `restore`, or neither; found "
                         "one of them");
     return opened;
+}
+
+void Plugin::State::prepare(property::Tree& tree) {
+    host.tree = &tree;
+    host.define_class = [this](const fettle_class& native) {
+        classes.push_back(std::make_unique<BridgedClass>(host, native));
+    };
 }
 
 void Plugin::State::attach_native() {
@@ -81,6 +88,7 @@ void Plugin::State::close_native() {
 void Plugin::State::give_up() {
     host.define_class = nullptr;
     host.adopt = nullptr;
+    host.unknown = nullptr;
     for (const auto& c : classes) c->abandon();
     close_native();
 }
@@ -103,12 +111,10 @@ void Plugin::State::require_loaded() const {
 std::unique_ptr<Plugin> Plugin::open(const fs::path& file) {
     auto state = std::make_unique<State>();
     state->file = file;
-    const ModuleCopy copy(file);
-    const std::string problem = run_trial([&](const auto& now) {
-        now(while_opened);
-        OpenModule opened = state->open_file(copy);
-        (void)opened;
-    });
+    state->opened_copy = std::make_unique<ModuleCopy>(file);
+    const fs::path& copy = state->opened_copy->path();
+    const std::string problem =
+        run_trial({.kind = TrialKind::open, .file = file, .copy = copy, .name = ""});
     if (!problem.empty())
         throw problem.starts_with(file.string()) ? LoadError(problem)
                                                  : LoadError(file, "the module " + problem);
@@ -150,24 +156,13 @@ void Plugin::attach(property::Tree& tree) {
     if (s.host.tree != nullptr) throw std::logic_error(s.name + " is attached to a tree already");
     if (s.open.native.attach == nullptr)
         throw LoadError(s.file, "module " + s.name + " is not loaded any more");
-    const auto prepare = [&] {
-        s.host.tree = &tree;
-        s.host.define_class = [&s](const fettle_class& native) {
-            s.classes.push_back(std::make_unique<BridgedClass>(s.host, native));
-        };
-    };
-    const std::string problem = run_trial([&](const auto& now) {
-        prepare();
-        s.host.print = nullptr;  // in the copy only: the module prints again below
-        now(while_attached);
-        s.attach_native();
-        now(in_its_test);
-        s.check_native();
-        now(in_a_step);
-        s.step_once();
-    });
+    const std::string problem = run_trial({.kind = TrialKind::attach,
+                                           .file = s.file,
+                                           .copy = s.opened_copy->path(),
+                                           .name = s.name,
+                                           .tree = described(tree, {})});
     if (!problem.empty()) throw LoadError(s.file, "module " + s.name + ": " + problem);
-    prepare();
+    s.prepare(tree);
     try {
         s.attach_native();
     } catch (...) {  // an error that did not occur in the trial
@@ -176,6 +171,7 @@ void Plugin::attach(property::Tree& tree) {
         s.leave_tree();
         throw LoadError(s.file, "module " + s.name + ": " + reason);
     }
+    s.opened_copy.reset();
     s.tree_life = tree.lifetime();
     if (!s.saves()) return;
     tree.add_part(*this);

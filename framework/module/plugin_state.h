@@ -25,11 +25,14 @@ struct Plugin::State {
     std::string name, version;
     HostTable host;
     OpenModule open;
+    std::unique_ptr<ModuleCopy> opened_copy;  // of `open`, for its trial when it is attached
     std::vector<std::unique_ptr<BridgedClass>> classes;
     std::weak_ptr<const property::Tree*> tree_life;  // of `host.tree`
 
-    /// Opens the copy and calls its entry point. Throws LoadError.
-    OpenModule open_file(const ModuleCopy& copy);
+    /// Opens a copy of the file and calls its entry point. Throws LoadError.
+    OpenModule open_file(const std::filesystem::path& copy);
+    /// From now on the module acts on the tree and may register classes.
+    void prepare(property::Tree& tree);
     /// Lets the module register its classes in `host.tree`. Throws property::Error, or
     /// std::invalid_argument with the module's reason.
     void attach_native();

@@ -2,17 +2,18 @@
 //
 // The tree does not change: classes, instances, handles, watchers and formulas stay. The values in
 // the old module's memory are copied by name, through the old getters and the new setters, so the
-// memory layouts may differ. The reload is first tried in a forked copy of the process, and done
-// here only if that succeeded.
+// memory layouts may differ. The reload is first tried in another process, and done here only if
+// that succeeded.
+
+#include "reload.h"
 
 #include <algorithm>
 
-#include <fettle/module/plugin.h>
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
 
 #include "plugin_state.h"
-#include "trial.h"
+#include "trial/trial.h"
 
 namespace fettle::module {
 namespace {
@@ -39,7 +40,7 @@ void write_back(const Property& property, property::Row row, const Value& value)
 /// One reload, from the old module to the new one.
 class Reload {
   public:
-    Reload(Plugin::State& state, const ModuleCopy& copy)
+    Reload(Plugin::State& state, const std::filesystem::path& copy)
         : s_(state), copy_(copy), tree_(*state.host.tree) {}
 
     Reloaded run(const std::function<void(std::string_view)>& now) {
@@ -67,9 +68,9 @@ class Reload {
         std::swap(s_.open, fresh);  // `fresh` unloads the old module when it ends
         now(while_attached);
         attach();
-        s_.host.adopt = nullptr;
         for (Saved& saved : saved_)
             if (!saved.revived) revive(saved);
+        s_.host.adopt = nullptr;
         give_back();
         now(in_its_test);
         s_.check_native();
@@ -132,7 +133,7 @@ class Reload {
             s_.classes.push_back(std::make_unique<BridgedClass>(s_.host, native));
             seen.push_back(s_.classes.back().get());
         };
-        // Instances that the module creates in `attach` exist already.
+        // Instances that the module creates in `attach`, or with another, exist already.
         s_.host.adopt = [&](const property::Class& of, Handle parent, const char* name) {
             const Handle child = parent ? tree_.child(parent, name) : Handle{};
             if (!child || &tree_.class_of(child) != &of) return Handle{};
@@ -140,7 +141,14 @@ class Reload {
                 if (saved.instance == child && !saved.revived) revive(saved);
             return child;
         };
+        s_.host.unknown = [&](const property::Class& of) {
+            return std::any_of(s_.classes.begin(), s_.classes.end(), [&](const auto& c) {
+                return of.is_a(c->declared()) &&
+                       std::find(seen.begin(), seen.end(), c.get()) == seen.end();
+            });
+        };
         s_.attach_native();
+        s_.host.unknown = nullptr;
         for (const auto& c : s_.classes)
             if (std::find(seen.begin(), seen.end(), c.get()) == seen.end())
                 throw std::runtime_error(
@@ -178,7 +186,7 @@ class Reload {
     }
 
     Plugin::State& s_;
-    const ModuleCopy& copy_;
+    const std::filesystem::path& copy_;
     Tree& tree_;
     std::vector<Saved> saved_;
     Reloaded report_;
@@ -186,24 +194,30 @@ class Reload {
 
 }  // namespace
 
+Reloaded reload(Plugin::State& state, const std::filesystem::path& copy,
+                const std::function<void(std::string_view)>& now) {
+    return Reload(state, copy).run(now);
+}
+
 Reloaded Plugin::reload() {
     State& s = *state_;
     if (s.host.tree == nullptr) throw std::logic_error(s.name + " is attached to no tree");
     if (s.host.called())
         throw std::logic_error(s.name + " cannot be reloaded while one of its functions runs");
     const ModuleCopy copy(s.file);
-    const std::string problem = run_trial([&](const std::function<void(std::string_view)>& now) {
-        s.host.print = nullptr;  // in the copy only: the module prints again below
-        Reload(s, copy).run(now);
-        now(in_a_step);
-        s.step_once();
-    });
+    std::vector<const BridgedClass*> classes;
+    for (const auto& c : s.classes) classes.push_back(c.get());
+    const std::string problem = run_trial({.kind = TrialKind::reload,
+                                           .file = s.file,
+                                           .copy = copy.path(),
+                                           .name = s.name,
+                                           .tree = described(*s.host.tree, classes)});
     if (!problem.empty())
         throw problem.starts_with(s.file.string())
             ? LoadError(problem)
             : LoadError(s.file, "module " + s.name + ", reloaded: " + problem);
     try {
-        return Reload(s, copy).run([](std::string_view) {});
+        return module::reload(s, copy.path(), [](std::string_view) {});
     } catch (const LoadError&) {
         throw;
     } catch (...) {  // an error that did not occur in the trial

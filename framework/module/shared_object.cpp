@@ -133,14 +133,13 @@ bool ModuleCopy::copy_into(const fs::path& folder) {
     return false;
 }
 
-SharedObject::SharedObject(const ModuleCopy& copy) {
-    const fs::path& file = copy.of();
-    handle_ = dlopen(fs::absolute(copy.path()).c_str(), RTLD_NOW | RTLD_LOCAL);
+SharedObject::SharedObject(const fs::path& copy, const fs::path& file) {
+    const fs::path whole = fs::absolute(copy);
+    handle_ = dlopen(whole.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle_ != nullptr) return;
     std::string reason = dlerror();
     // The loader's message begins with the path of the copy. The user knows only the original file.
-    if (const std::string prefix = fs::absolute(copy.path()).string() + ": ";
-        reason.starts_with(prefix))
+    if (const std::string prefix = whole.string() + ": "; reason.starts_with(prefix))
         reason.erase(0, prefix.size());
     constexpr std::string_view undefined = "undefined symbol: ";
     if (const std::size_t at = reason.find(undefined); at != std::string::npos)

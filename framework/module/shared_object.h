@@ -8,8 +8,8 @@
 namespace fettle::module {
 
 /// A copy of a file in the same folder under a new name, so that the file may be replaced and
-/// loaded again. For a trial in a forked process, make the copy before the fork: then the
-/// destructor in the parent removes it even if the trial crashes.
+/// loaded again. The process of a trial loads the copy of the game, which removes it even if the
+/// trial crashes.
 class ModuleCopy {
   public:
     /// Throws LoadError unless `file` can be a shared object for this machine.
@@ -33,8 +33,8 @@ class ModuleCopy {
 class SharedObject {
   public:
     SharedObject() = default;
-    /// Loads the copy. Throws LoadError.
-    explicit SharedObject(const ModuleCopy& copy);
+    /// Loads the copy of a file. Throws LoadError, which names the file.
+    SharedObject(const std::filesystem::path& copy, const std::filesystem::path& file);
     ~SharedObject() { close(); }
     SharedObject(SharedObject&& other) noexcept : handle_(other.handle_) {
         other.handle_ = nullptr;

@@ -48,7 +48,7 @@ thread_local CallsAfterStep* CallsAfterStep::innermost = nullptr;
 
 World::World(const WorldDef& def) {
     check(def);
-    data_ = std::make_unique<WorldData>();
+    data_ = detail::Owned(new WorldData);
     data_->self.link = &take_link();  // returned together with the data
     data_->settings = def;
     detail::make_border(data_->editing());
@@ -100,7 +100,7 @@ World World::clone() const {
 
 World::World(const World& other) {
     other.data_->self.may_copy("copying a World");
-    data_ = std::make_unique<WorldData>();
+    data_ = detail::Owned(new WorldData);
     data_->self.link = &take_link();
     data_->most_lanes = other.data_->most_lanes;
     data_->replace_state(WorldState(*other.data_));
@@ -176,7 +176,7 @@ void World::step(float dt) {
 }
 
 /// The functions may destroy the world.
-void World::call_after_step(std::vector<std::function<void()>> calls, WorldLock& lock) const {
+void World::call_after_step(std::vector<Function<void()>> calls, WorldLock& lock) const {
     const CallsAfterStep running(data_.get());
     std::exception_ptr first;
     const auto attempt = [&first](auto&& call) {
@@ -193,12 +193,12 @@ void World::call_after_step(std::vector<std::function<void()>> calls, WorldLock&
     };
     attempt([&] { lock.finish(); });
     if (!running.destroyed) attempt([&] { check_after_step(*this); });
-    for (const std::function<void()>& call : calls)
+    for (const Function<void()>& call : calls)
         if (!running.destroyed) attempt(call);
     if (first) std::rethrow_exception(first);
 }
 
-void World::after_step(std::function<void()> act) const {
+void World::after_step(Function<void()> act) const {
     if (data_->self.asking_in_parallel)
         throw Locked(
             "World::after_step was called inside a callback that may run on several threads "

@@ -146,7 +146,7 @@ struct Replay::Data {
     }
 };
 
-Replay::Replay(std::span<const std::byte> recording) : data_(std::make_unique<Data>()) {
+Replay::Replay(std::span<const std::byte> recording) : data_(new Data) {
     Data& data = *data_;
     data.chunks = chunks_of(recording);
     data.bytes.assign(recording.begin(), recording.end());

@@ -6,11 +6,13 @@
 namespace fettle::physics::detail {
 namespace {
 
-constexpr size_t words = 8;  // per block; this number of sums is computed in parallel, in vectors
+// As many sums are computed in parallel, in vectors.
+constexpr size_t block_words = 8;
 
 /// The words of a block, of which the lowest byte is the first.
-void load_block(const std::byte* from, uint64_t (&block)[words]) {
-    for (size_t i = 0; i < words; ++i) block[i] = load_word<uint64_t>(from + i * sizeof(uint64_t));
+void load_block(const std::byte* from, uint64_t (&block)[block_words]) {
+    for (size_t i = 0; i < block_words; ++i)
+        block[i] = load_word<uint64_t>(from + i * sizeof(uint64_t));
 }
 
 /// The sums over the blocks. `mixed` is a one-to-one function of the word for a fixed previous
@@ -18,14 +20,14 @@ void load_block(const std::byte* from, uint64_t (&block)[words]) {
 /// in `mixed`. Only the next word of the same sum could cancel it; then the difference remains in
 /// `sum`.
 struct Sums {
-    uint64_t mixed[words] = {1, 2, 3, 4, 5, 6, 7, 8};
-    uint64_t sum[words] = {};
+    uint64_t mixed[block_words] = {1, 2, 3, 4, 5, 6, 7, 8};
+    uint64_t sum[block_words] = {};
 
-    void add(const uint64_t (&block)[words]) {
-        for (size_t i = 0; i < words; ++i) mixed[i] ^= block[i];
-        for (size_t i = 0; i < words; ++i) mixed[i] += mixed[i] << 29;
-        for (size_t i = 0; i < words; ++i) mixed[i] ^= mixed[i] >> 32;
-        for (size_t i = 0; i < words; ++i) sum[i] += mixed[i];
+    void add(const uint64_t (&block)[block_words]) {
+        for (size_t i = 0; i < block_words; ++i) mixed[i] ^= block[i];
+        for (size_t i = 0; i < block_words; ++i) mixed[i] += mixed[i] << 29;
+        for (size_t i = 0; i < block_words; ++i) mixed[i] ^= mixed[i] >> 32;
+        for (size_t i = 0; i < block_words; ++i) sum[i] += mixed[i];
     }
 };
 
@@ -38,7 +40,7 @@ uint64_t combine(uint64_t before, uint64_t word) {
 
 uint64_t checksum(std::span<const std::byte> bytes) {
     Sums sums;
-    uint64_t block[words];
+    uint64_t block[block_words];
     const std::byte* at = bytes.data();
     size_t left = bytes.size();
     for (; left >= sizeof block; left -= sizeof block, at += sizeof block) {
@@ -52,7 +54,8 @@ uint64_t checksum(std::span<const std::byte> bytes) {
         sums.add(block);
     }
     uint64_t all = combine(0, bytes.size());
-    for (size_t i = 0; i < words; ++i) all = combine(combine(all, sums.mixed[i]), sums.sum[i]);
+    for (size_t i = 0; i < block_words; ++i)
+        all = combine(combine(all, sums.mixed[i]), sums.sum[i]);
     return all;
 }
 

@@ -26,7 +26,28 @@ void for_each_pair(const PosedForm& a, const PosedForm& b, auto&& visit) {
 
 Form::Form(const Geometry& geometry) {
     check(geometry);
-    data_ = std::make_shared<const FormData>(form_of(geometry));
+    data_ = new detail::SharedForm(form_of(geometry));
+}
+
+Form::Form(const Circle& circle) : Form(Geometry(circle)) {}
+Form::Form(const Box& box) : Form(Geometry(box)) {}
+Form::Form(const Segment& segment) : Form(Geometry(segment)) {}
+Form::Form(const Polygon& polygon) : Form(Geometry(polygon)) {}
+Form::Form(const Ellipse& ellipse) : Form(Geometry(ellipse)) {}
+Form::Form(const Concave& concave) : Form(Geometry(concave)) {}
+Form::Form(const Chain& chain) : Form(Geometry(chain)) {}
+
+Form::Form(const Form& other) noexcept : data_(other.data_) {
+    data_->forms.fetch_add(1, std::memory_order_relaxed);
+}
+
+Form& Form::operator=(Form other) noexcept {
+    std::swap(data_, other.data_);
+    return *this;
+}
+
+Form::~Form() {
+    if (data_->forms.fetch_sub(1, std::memory_order_acq_rel) == 1) delete data_;
 }
 
 ShapeType Form::type() const {

@@ -46,7 +46,7 @@ void WorldSelf::refuse_copy(const char* what) const {
                  ": the state of the world is incomplete there. Do it when that call has returned");
 }
 
-void WorldSelf::keep(std::unique_ptr<WorldData> data) {
+void WorldSelf::keep(Owned<WorldData> data) {
     destroyed_inside_ = place();
     orphan_ = std::move(data);
 }
@@ -78,7 +78,7 @@ void WorldLock::unlock() {
         return;
     }
     // The World is destroyed, and this was the last use of its data.
-    const std::unique_ptr<WorldData> dead = std::move(self.orphan_);
+    const Owned<WorldData> dead = std::move(self.orphan_);
 }
 
 void WorldLock::finish() {

@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <functional>
-#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -44,8 +42,8 @@ struct WorldSelf {
     bool parallel_callbacks = false;  ///< these two are called on all threads of a step
     bool asking_in_parallel = false;  ///< they are being called so
     RefreshCallback refresh;
-    std::vector<std::function<void()>> after_step;  ///< to be called once, after a step
-    const Owner* owner = nullptr;  ///< only it may populate the world; null: all may
+    std::vector<Function<void()>> after_step;  ///< to be called once, after a step
+    const Owner* owner = nullptr;              ///< only it may populate the world; null: all may
     std::unique_ptr<ThreadPool> pool;
     std::vector<VelocitySums> sums;        ///< of the bodies of `World::keep_account`
     std::vector<BodyFunctions> functions;  ///< of bodies, by slot: at most one for a slot
@@ -69,7 +67,7 @@ struct WorldSelf {
     void set_damaged();
     void set_whole() { work_.fetch_and(~damage, std::memory_order_relaxed); }
     /// True if a function that the World was calling destroyed it.
-    bool orphaned() const { return orphan_ != nullptr; }
+    bool orphaned() const { return bool(orphan_); }
 
     /// Throws Locked if editing is forbidden. `of` and `function`: the called type and method.
     void may_edit(const char* of, const char* function) const {
@@ -160,7 +158,7 @@ struct WorldSelf {
     }
     /// Called if a function that the World is calling destroys it: keeps the data until that call
     /// is over.
-    void keep(std::unique_ptr<WorldData> data);
+    void keep(Owned<WorldData> data);
     [[noreturn]] void throw_orphaned() const;
 
   private:
@@ -188,7 +186,7 @@ struct WorldSelf {
     mutable std::atomic<uint32_t> work_ = 0;
     mutable std::atomic<const char*> inside_ = in_step;  ///< the running operation, for messages
     mutable std::exception_ptr thrown_;                  ///< first one of a user function
-    mutable std::unique_ptr<WorldData> orphan_;
+    mutable Owned<WorldData> orphan_;
     std::unique_ptr<Witness> witness_;
     const char* destroyed_inside_ = nullptr;
 };

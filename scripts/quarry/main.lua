@@ -82,6 +82,7 @@ function step()
     hero.walk = ((keys.right and 1 or 0) - (keys.left and 1 or 0)) * (hero.crouched and 2 or 5)
     hero.climb = ((keys.up and 1 or 0) - (keys.down and 1 or 0)) * 3
     hero.crouch = keys.down and hero.on_ground
+    if keys.up and (hero.on_ground or hero.velocity.y < 0) and on_ladder(hero) then hero.climbing = true end
     if hero.climbing then
         hero.walk = hero.walk * 0.3
         if not on_ladder(hero) then
@@ -152,9 +153,10 @@ function draw(pen)
     draw_hero(pen)
     pen.screen(function()
         local done = quarry.found == 7
-        pen.text(vec(24, 30), done and "All seven gems" or quarry.found .. " of 7 gems", 22, dark, "left")
         local width = view.screen.x - 48
-        local _, height = pen.text_size(help, 14, nil, width)
+        local across, height = pen.text_size(help, 14, nil, width)
+        pen.box(vec(24 + across / 2, 34 + height / 2), across + 24, height + 48, "#fff0cfd0")  -- for texts before stone
+        pen.text(vec(24, 30), done and "All seven gems" or quarry.found .. " of 7 gems", 22, dark, "left")
         pen.text(vec(24, 48 + height / 2), help, 14, dark, "left", nil, width)
     end)
 end

@@ -290,7 +290,8 @@ Violations unmarked_declarations(const SourceTree& tree) {
     // static, and code without a library.
     static const std::set<std::string_view> without = {
         "framework/include/fettle/module/abi.h", "framework/include/fettle/module/guest.h",
-        "vector/include/fettle/vector/convert.h", "vector/include/fettle/vector/vector2.h"};
+        "vector/include/fettle/vector/convert.h", "vector/include/fettle/vector/scalar.h",
+        "vector/include/fettle/vector/vector2.h"};
     static const std::regex comment(R"(//.*|/\*.*?\*/|/\*.*)");
     // Names of other libraries; this library does not export them.
     static const std::regex of_others(R"((namespace [a-z:_]+ \{|(class|struct) \w+;|\}| )*)");
@@ -403,6 +404,28 @@ Violations headers_of_linux(const SourceTree& tree) {
     each_line(tree, is_of_a_part, [&](const SourceFile& file, int line, const std::string& text) {
         if (std::regex_match(text, include))
             found.push_back(at(file, line, "only Linux has this header"));
+    });
+    return found;
+}
+
+Violations heavy_headers(const SourceTree& tree) {
+    static const std::regex include(R"(#include <([a-z_]+)>.*)");
+    static const std::set<std::string, std::less<>> light = {
+        "array",       "compare",     "concepts", "cstddef",   "cstdint", "limits",
+        "new",         "optional",    "span",     "stdexcept", "string",  "utility",
+        "string_view", "type_traits", "variant",  "vector"};
+    const auto is_public = [](const SourceFile& file) {
+        return lies_in(file.path, "physics/include/fettle/physics") ||
+               file.path == "vector/include/fettle/vector/vector2.h";
+    };
+    Violations found;
+    each_line(tree, is_public, [&](const SourceFile& file, int line, const std::string& text) {
+        std::smatch match;
+        if (std::regex_match(text, match, include) && !light.contains(match[1].str()))
+            found.push_back(at(file, line,
+                               "<" + match[1].str() +
+                                   "> is not one of the headers that compile "
+                                   "fast: every program that includes physics.h would read it"));
     });
     return found;
 }

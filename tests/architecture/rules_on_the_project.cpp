@@ -96,6 +96,10 @@ TEST_CASE("no part needs a header of Linux") {
     CHECK(listed(headers_of_linux(project())) == "");
 }
 
+TEST_CASE("public headers of physics include only what compiles fast") {
+    CHECK(listed(heavy_headers(project())) == "");
+}
+
 TEST_CASE("headers have pragma once and contain no using namespace") {
     CHECK(listed(careless_headers(project())) == "");
 }

@@ -170,9 +170,16 @@ TEST_CASE("a function that some standard libraries lack is reported in physics a
 }
 
 TEST_CASE("a header that only Linux has is reported") {
-    CHECK(of(headers_of_linux, "framework/module/trial.cpp", "#include <sys/prctl.h>\n").size() ==
+    CHECK(of(headers_of_linux, "framework/module/plugin.cpp", "#include <sys/prctl.h>\n").size() ==
           1);
-    CHECK(of(headers_of_linux, "framework/module/trial.cpp", "#include <sys/wait.h>\n").empty());
+    CHECK(of(headers_of_linux, "framework/module/plugin.cpp", "#include <sys/wait.h>\n").empty());
+}
+
+TEST_CASE("a public header of physics that includes what compiles slowly is reported") {
+    const char* path = "physics/include/fettle/physics/world.h";
+    CHECK(of(heavy_headers, path, "#include <functional>\n#include <vector>\n").size() == 1);
+    CHECK(of(heavy_headers, path, "#include <memory>  // for one pointer\n").size() == 1);
+    CHECK(of(heavy_headers, "physics/world/world_data.h", "#include <memory>\n").empty());
 }
 
 TEST_CASE("a header without pragma once or with using namespace is reported") {

@@ -117,4 +117,39 @@ TEST_CASE("members that a new module adds or no longer has are reported") {
                                                      "Cloud: draw_over" + later});
 }
 
+#ifdef FETTLE_PHYSICS_PLUGIN
+TEST_CASE("physics is reloaded with all worlds and bodies and goes on from there") {
+    module::Plugins plugins;
+    property::Tree tree;
+    module::Plugin& physics = plugins.open(FETTLE_PHYSICS_PLUGIN);
+    physics.attach(tree);
+    const Handle world = tree.child(tree.root(), "world");
+    const Handle mars = tree.create(tree.class_named("World"), tree.root(), "mars");
+    tree.set(mars, "gravity", property::Vec2(0, -3.7));
+    std::vector<Handle> balls;
+    for (const Handle in : {world, mars}) {
+        balls.push_back(tree.create(tree.class_named("Body"), in, "ball"));
+        tree.create(tree.class_named("Circle"), balls.back());
+        tree.set(balls.back(), "position", property::Vec2(1, 20));
+    }
+    const auto step = [&] {
+        physics.step(1.0 / 60);
+        physics.report(tree);
+        tree.barrier();
+    };
+    for (int i = 0; i < 30; ++i) step();
+    const Value position = tree.get(balls[1], "position"),
+                velocity = tree.get(balls[0], "velocity");
+    const module::Reloaded reloaded = physics.reload();
+    CHECK(reloaded.instances == 6);
+    CHECK(reloaded.notes.empty());
+    CHECK(tree.child(tree.root(), "world") == world);
+    CHECK(tree.get(balls[1], "position") == position);
+    CHECK(tree.get(balls[0], "velocity") == velocity);
+    for (int i = 0; i < 30; ++i) step();
+    CHECK(tree.get(balls[0], "velocity").vec2().y < velocity.vec2().y - 4);
+    CHECK(tree.get(balls[1], "position").vec2().y < position.vec2().y);
+}
+#endif
+
 }  // namespace reload_test

@@ -3,6 +3,7 @@
 local fettle = require "fettle"
 local units = require "fettle.units"
 local object = require "fettle.object"
+local arguments = require "fettle.arguments"
 local ffi, lib, check = fettle.ffi, fettle.lib, fettle.check
 
 local Body = object.class "Body"
@@ -200,4 +201,24 @@ function Body:isTouching(other)
     return false
 end
 
-return newBody
+arguments.of_class(Body, {
+    setUserData = "...",
+    setPosition = "x number, y number", setX = "x number", setY = "y number", setAngle = "angle number",
+    setTransform = "x number, y number, angle number",
+    setLinearVelocity = "x number, y number", setAngularVelocity = "velocity number",
+    setType = "type string",
+    setLinearDamping = "damping number", setAngularDamping = "damping number", setGravityScale = "scale number",
+    setAwake = "awake boolean", setSleepingAllowed = "allowed boolean", setBullet = "bullet boolean",
+    setFixedRotation = "fixed boolean", setActive = "active boolean",
+    setMass = "mass number", setInertia = "inertia number", setMassData = "x number, y number, mass number, inertia number",
+    applyForce = "x number, y number, at_x number?, at_y number?",
+    applyLinearImpulse = "x number, y number, at_x number?, at_y number?",
+    applyTorque = "torque number", applyAngularImpulse = "impulse number",
+    getWorldPoint = "x number, y number", getLocalPoint = "x number, y number",
+    getWorldVector = "x number, y number", getLocalVector = "x number, y number",
+    getLinearVelocityFromWorldPoint = "x number, y number", getLinearVelocityFromLocalPoint = "x number, y number",
+    getWorldPoints = "coordinate number...", getLocalPoints = "coordinate number...",
+    isTouching = "other Body",
+})
+
+return arguments.checked("newBody", "world World, x number?, y number?, type string?", newBody)

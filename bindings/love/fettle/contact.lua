@@ -3,6 +3,7 @@
 local fettle = require "fettle"
 local units = require "fettle.units"
 local object = require "fettle.object"
+local arguments = require "fettle.arguments"
 local ffi, lib, check = fettle.ffi, fettle.lib, fettle.check
 
 local Contact = object.class "Contact"
@@ -85,5 +86,12 @@ end
 --- Of a belt; LÖVE has it in meters a second.
 function Contact:getTangentSpeed() return self.edit and self.edit.surface_speed or 0 end
 function Contact:setTangentSpeed(speed) editable(self).surface_speed = speed end
+
+local new, of = Contact.new, Contact.of
+arguments.of_class(Contact, {
+    setEnabled = "enabled boolean", setFriction = "friction number", setRestitution = "restitution number",
+    setTangentSpeed = "speed number",
+})
+Contact.new, Contact.of = new, of  -- which are called without a contact
 
 return Contact

@@ -3,6 +3,7 @@
 local fettle = require "fettle"
 local units = require "fettle.units"
 local object = require "fettle.object"
+local arguments = require "fettle.arguments"
 local shapes = require "fettle.shapes"
 local ffi, lib, check = fettle.ffi, fettle.lib, fettle.check
 
@@ -106,7 +107,7 @@ end
 local function bits(...)
     local sum = 0
     for _, category in ipairs(type(...) == "table" and (...) or { ... }) do
-        if not (category >= 1 and category <= 16) then
+        if type(category) ~= "number" or not (category >= 1 and category <= 16) then
             error(("category %s: expected a number from 1 to 16"):format(tostring(category)), 3)
         end
         sum = bit.bor(sum, bit.lshift(1, category - 1))
@@ -134,4 +135,16 @@ function Fixture:getMask() return numbers(65535 - self.mask) end
 function Fixture:setGroupIndex(group) self:setFilterData(self.category, self.mask, group) end
 function Fixture:getGroupIndex() return self.group end
 
-return { newFixture = newFixture, getDistance = getDistance }
+arguments.of_class(Fixture, {
+    setFriction = "friction number", setRestitution = "restitution number", setDensity = "density number",
+    setSensor = "sensor boolean",
+    testPoint = "x number, y number",
+    rayCast = "x1 number, y1 number, x2 number, y2 number, max_fraction number, child number?",
+    getBoundingBox = "child number?",
+    setFilterData = "categories number, mask number, group number", setGroupIndex = "group number",
+})
+
+return {
+    newFixture = arguments.checked("newFixture", "body Body, shape Shape, density number?", newFixture),
+    getDistance = arguments.checked("getDistance", "fixture_1 Fixture, fixture_2 Fixture", getDistance),
+}

@@ -2,6 +2,8 @@
 -- `host.lib.NAME`; `fettle.console` shows the console of a game.
 
 local fettle = require "fettle"
+local object = require "fettle.object"
+local arguments = require "fettle.arguments"
 local ffi = fettle.ffi
 ffi.cdef(require "fettle.host_declarations")
 
@@ -14,8 +16,7 @@ end
 
 local host = { lib = open() }
 local lib, check = host.lib, fettle.check
-local Game, Property = {}, {}
-Game.__index, Property.__index = Game, Property
+local Game, Property = object.class "Game", object.class "Property"
 
 -- Many of these calls call functions of Lua, which compiled code must not do.
 local function interpreted(class)
@@ -148,7 +149,6 @@ end
 
 --- Gives the scripts of the game a function of LÖVE.
 function Game:add_function(name, f)
-    if type(f) ~= "function" then error("add_function: expected a function, got " .. type(f), 2) end
     local number = last_function + 1
     functions[number], last_function = f, number
     local code = lib.fettle_hosted_add_function(self.pointer, name, call_function, ffi.cast("void*", number))
@@ -226,6 +226,13 @@ function Property:exists()
     return lib.fettle_property_get(self.game, self.id, ffi.new("fettle_hosted_value")) ~= lib.FETTLE_STALE
 end
 
+interpreted(Game)
+arguments.of_class(Game, {
+    run = "lua string, name string?", load = "path string", call = "name string, ...", evaluate = "command string",
+    add_function = "name string, f function", frame = "dt number", get = "path string", set = "path string, ...",
+    children = "path string", property = "path string",
+})
+arguments.of_class(Property, {})
 interpreted(Game)
 jit.off(Property.get)
 jit.off(Property.set)

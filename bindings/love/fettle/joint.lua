@@ -3,6 +3,7 @@
 local fettle = require "fettle"
 local units = require "fettle.units"
 local object = require "fettle.object"
+local arguments = require "fettle.arguments"
 local ffi, lib, check = fettle.ffi, fettle.lib, fettle.check
 
 local Joint = object.class "Joint"
@@ -137,8 +138,16 @@ local function known(world, id, made)
     return made
 end
 
+--- Points that a function for a joint needs. `kind`: of the joint, as LÖVE has it; `level`: of the call.
+local function require_points(kind, level, ...)
+    for i, name in ipairs { "x1", "y1", "x2", "y2" } do
+        arguments.required((select(i, ...)), ("new%s: %s"):format(kind, name), "number", level + 1)
+    end
+end
+
 --- Makes a joint of Fettle's type `kind` between points of the world.
 function joint.make(class, kind, a, b, ax, ay, bx, by, collide)
+    require_points(class.type_name, 3, ax, ay, bx, by)
     local def = fettle.define("fettle_" .. kind .. "_joint_def")
     def.body_a, def.body_b, def.collide = a.id, b.id, collide or false
     local x, y = a:getLocalPoint(ax, ay)
@@ -158,5 +167,7 @@ function joint.make_mouse(class, body, x, y)
     check(lib.fettle_world_create_mouse_joint(body.world.pointer, def, id), 3)
     return known(body.world, id[0], setmetatable({ a = body }, class))
 end
+
+arguments.of_class(Joint, { getReactionForce = "rate number?", getReactionTorque = "rate number?", translate = "..." })
 
 return joint

@@ -3,6 +3,7 @@
 local fettle = require "fettle"
 local units = require "fettle.units"
 local joint = require "fettle.joint"
+local arguments = require "fettle.arguments"
 local ffi, lib, check = fettle.ffi, fettle.lib, fettle.check
 local property, getter, make, length, squared = joint.property, joint.getter, joint.make, joint.length, joint.squared
 
@@ -222,5 +223,58 @@ function joints.newGearJoint(first, second, ratio, collide)
     made:setRatio(ratio or 1)
     return made
 end
+
+-- --- Arguments ------------------------------------------------------------------------------------
+
+local motor = { setMotorSpeed = "speed number", setMotorEnabled = "enabled boolean" }
+local limits = {
+    setLimits = "lower number, upper number", setLowerLimit = "limit number", setUpperLimit = "limit number",
+    setLimitsEnabled = "enabled boolean",
+}
+local spring = { setFrequency = "frequency number", setDampingRatio = "ratio number" }
+local strength = { setMaxForce = "force number", setMaxTorque = "torque number" }
+
+local function signatures(...)
+    local all = {}
+    for _, some in ipairs { ... } do
+        for name, signature in pairs(some) do all[name] = signature end
+    end
+    return all
+end
+arguments.of_class(Distance, signatures(spring, { setLength = "length number" }))
+arguments.of_class(Rope, { setMaxLength = "length number" })
+arguments.of_class(Revolute, signatures(motor, limits, { setMaxMotorTorque = "torque number", getMotorTorque = "rate number?" }))
+arguments.of_class(Prismatic, signatures(motor, limits, { setMaxMotorForce = "force number", getMotorForce = "rate number?" }))
+arguments.of_class(Wheel, signatures(motor, {
+    setSpringFrequency = "frequency number", setSpringDampingRatio = "ratio number", setMaxMotorTorque = "torque number",
+    getMotorTorque = "rate number?",
+}))
+arguments.of_class(Weld, signatures(spring))
+arguments.of_class(Mouse, signatures(spring, { setMaxForce = "force number", setTarget = "x number, y number" }))
+arguments.of_class(Friction, signatures(strength))
+arguments.of_class(Motor, signatures(strength, {
+    setAngularOffset = "angle number", setLinearOffset = "x number, y number", setCorrectionFactor = "factor number",
+}))
+arguments.of_class(Pulley, {})
+arguments.of_class(Gear, { setRatio = "ratio number" })
+
+local bodies = "body_1 Body, body_2 Body"
+for name, further in pairs {
+    newDistanceJoint = ", x1 number, y1 number, x2 number, y2 number, collide boolean?",
+    newRopeJoint = ", x1 number, y1 number, x2 number, y2 number, max_length number, collide boolean?",
+    newRevoluteJoint = ", x number, y number, ...",
+    newPrismaticJoint = ", x number, y number, third number, fourth number, ...",
+    newWheelJoint = ", x number, y number, third number, fourth number, ...",
+    newWeldJoint = ", x number, y number, ...",
+    newFrictionJoint = ", x number, y number, ...",
+    newMotorJoint = ", factor number?, collide boolean?",
+    newPulleyJoint = ", ground_x1 number, ground_y1 number, ground_x2 number, ground_y2 number, x1 number, y1 number, "
+        .. "x2 number, y2 number, ratio number?, collide boolean?",
+} do
+    joints[name] = arguments.checked(name, bodies .. further, joints[name])
+end
+joints.newMouseJoint = arguments.checked("newMouseJoint", "body Body, x number, y number", joints.newMouseJoint)
+joints.newGearJoint = arguments.checked("newGearJoint", "joint_1 Joint, joint_2 Joint, ratio number?, collide boolean?",
+    joints.newGearJoint)
 
 return joints

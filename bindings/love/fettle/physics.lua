@@ -8,6 +8,7 @@
 local fettle = require "fettle"
 local units = require "fettle.units"
 local object = require "fettle.object"
+local arguments = require "fettle.arguments"
 local shapes = require "fettle.shapes"
 local fixture = require "fettle.fixture"
 local joints = require "fettle.joints"
@@ -272,5 +273,16 @@ World.rayCast = uncompiled(function(self, x1, y1, x2, y2, f)
         end
     end
 end)
+
+arguments.of_class(World, {
+    setGravity = "x number, y number", setSleepingAllowed = "allowed boolean", translateOrigin = "x number, y number",
+    setCallbacks = "begin_contact function?, end_contact function?, pre_solve function?, post_solve function?",
+    setContactFilter = "filter function?",
+    update = "dt number, ...",
+    queryBoundingBox = "left number, top number, right number, bottom number, callback function",
+    rayCast = "x1 number, y1 number, x2 number, y2 number, callback function",
+})
+physics.setMeter = arguments.checked("setMeter", "pixels number", physics.setMeter)
+physics.newWorld = arguments.checked("newWorld", "x number?, y number?, sleep boolean?", physics.newWorld)
 
 return physics

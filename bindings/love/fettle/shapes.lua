@@ -3,6 +3,7 @@
 local fettle = require "fettle"
 local units = require "fettle.units"
 local object = require "fettle.object"
+local arguments = require "fettle.arguments"
 local ffi, lib, check = fettle.ffi, fettle.lib, fettle.check
 
 local shapes = {}
@@ -216,6 +217,20 @@ function Chain:getChildEdge(index)
     local x1, y1 = self:getPoint(index)
     local x2, y2 = self:getPoint(index + 1)
     return shapes.newEdgeShape(x1, y1, x2, y2)
+end
+
+arguments.of_class(Shape, {
+    testPoint = "x number, y number, angle number, point_x number, point_y number",
+    rayCast = "x1 number, y1 number, x2 number, y2 number, max_fraction number, x number, y number, angle number, child number?",
+    computeAABB = "x number, y number, angle number, child number?",
+    computeMass = "density number",
+})
+arguments.of_class(Circle, { setPoint = "x number, y number", setRadius = "radius number" })
+arguments.of_class(Polygon, {})
+for _, class in ipairs { Edge, Chain } do
+    local signatures = { setNextVertex = "x number?, y number?", setPreviousVertex = "x number?, y number?" }
+    if class == Chain then signatures.getPoint, signatures.getChildEdge = "index number", "index number" end
+    arguments.of_class(class, signatures)
 end
 
 return shapes

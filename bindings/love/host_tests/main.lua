@@ -77,7 +77,20 @@ function tests.scripts_call_functions_of_love()
     for _ = 1, 1000 do game:evaluate "twice(2)" end
     for i = 1, 1200 do game:add_function("twice", function(n) return i * n end) end
     assert(game:evaluate "twice(2)" == 2400)
-    assert(not pcall(game.add_function, game, "nothing", nil))
+    local ok, message = pcall(game.add_function, game, "nothing", nil)
+    assert(not ok and message:find "Game:add_function: f: expected a function, got nil", message)
+end
+
+function tests.wrong_arguments_are_errors_with_their_names()
+    local game = new()
+    for expected, f in pairs {
+        ["Game:get: path: expected a string, got nil"] = function() game:get() end,
+        ["Game:frame: dt: expected a number, got a table"] = function() game:frame({}) end,
+        ["Game:run: expected a Game before the colon, got a string (\"x = 1\")"] = function() game.run("x = 1") end,
+    } do
+        local ok, message = pcall(f)
+        assert(not ok and message:find(expected, 1, true), message)
+    end
 end
 
 function tests.a_closed_game_is_an_error()

@@ -237,6 +237,43 @@ function tests.what_was_destroyed_is_an_error()
     for _, other in ipairs(others) do other:update(1) end
 end
 
+function tests.wrong_arguments_are_errors_with_their_names()
+    if own then return end  -- LÖVE has its own words
+    local world = love.physics.newWorld(0, 0)
+    local body, fixture = box(world, 0, 0, "dynamic")
+    local other = love.physics.newBody(world, 9, 9, "static")
+    local joint = love.physics.newRevoluteJoint(other, body, 0, 0)
+    local function says(expected, f, ...)
+        local ok, message = pcall(f, ...)
+        message = tostring(message):gsub("^%S+:%d+: ", "")
+        if ok or message ~= expected then
+            error(("expected the error %q, got %q"):format(expected, ok and "none" or message), 2)
+        end
+    end
+    says('Body:setPosition: y: expected a number, got nil', body.setPosition, body, 3)
+    says('Body:setPosition: x: expected a number, got a string ("left")', body.setPosition, body, "left", 3)
+    says('Body:setAwake: awake: expected a boolean, got a number (1)', body.setAwake, body, 1)
+    says('Body:setX: expected a Body before the colon, got a number (3)', body.setX, 3)
+    says('Body:getX: expected a Body before the colon, got a Fixture', body.getX, fixture)
+    says('Body:getWorldPoints: coordinate: expected a number, got a boolean (true)', body.getWorldPoints, body, 1, true)
+    says('Body:isTouching: other: expected a Body, got a table', body.isTouching, body, {})
+    says('Fixture:setFriction: friction: expected a number, got a table', fixture.setFriction, fixture, {})
+    says('World:setGravity: y: expected a number, got nil', world.setGravity, world, 1)
+    says('World:rayCast: callback: expected a function, got nil', world.rayCast, world, 0, 0, 1, 1)
+    says('World:update: dt: expected a number, got nil', world.update, world)
+    says('newBody: world: expected a World, got nil', love.physics.newBody)
+    says('newBody: x: expected a number, got a string ("a")', love.physics.newBody, world, "a")
+    says('newFixture: shape: expected a Shape, got nil', love.physics.newFixture, body)
+    says('RevoluteJoint:setMotorEnabled: enabled: expected a boolean, got nil', joint.setMotorEnabled, joint)
+    says('newWeldJoint: body_2: expected a Body, got a number (0)', love.physics.newWeldJoint, body, 0, 0)
+    says('newRevoluteJoint: x2: expected a number, got a string ("x")', love.physics.newRevoluteJoint, other, body, 0, 0, "x", 0)
+    says('setMeter: pixels: expected a number, got nil', love.physics.setMeter)
+    body:setPosition("4", 5)  -- a string of a number is a number in Lua
+    near(body:getX(), 4)
+    local _, message = pcall(function() body:setAngle() end)
+    assert(message:find "main.lua:%d+: Body:setAngle: angle", message)
+end
+
 function love.load(arguments)
     own = arguments[1] == "--love"
     local own_physics = love.physics

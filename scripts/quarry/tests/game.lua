@@ -69,3 +69,21 @@ test("the miner drops through a plank and cannot stand up in the tunnel", functi
     t:steps(30)
     expect(hero.crouched):is(true)
 end)
+
+test("the miner grasps the ladder with the key that was down before", function(t)
+    local hero = world.hero
+    hero.position = vec(47.4, 5.35)
+    t:press("up")
+    t:press("right")
+    t:steps(30)
+    expect(hero.climbing):is(true)
+    t:release("right")
+    t:steps(90)
+    for _ = 1, 120 do  -- at the end of the ladder it does not fall
+        t:steps(1)
+        expect(hero.position.y > 8.8):is(true)
+    end
+    t:press("right")
+    t:steps(60)
+    expect(hero.position.x > 50 and hero.on_ground):is(true)
+end)

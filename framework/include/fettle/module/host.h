@@ -20,7 +20,8 @@ void fettle_game_close(fettle_game* game);
 /* Valid until the game is closed. `define_class` refuses: only modules define classes. */
 const fettle_host* fettle_game_host(fettle_game* game);
 /* Plugs in the module in a shared object. After a failure, `last_error` of the host has the reason.
- */
+ * The program fettle-trial tries the module out first: it is looked for in the prefix of the
+ * installation, and the environment variable FETTLE_TRIAL names another place. */
 fettle_status fettle_game_load(fettle_game* game, const char* file);
 /* One fixed step: the modules in the order of loading, then a barrier. */
 fettle_status fettle_game_step(fettle_game* game, double seconds);

@@ -40,9 +40,9 @@ struct Reloaded {
 /// object ends before the tree that it is attached to, its instances are deleted, and its classes
 /// can have no others.
 ///
-/// The module is tested before it is attached: opening, attaching and its own test happen first in
-/// a forked copy of the process, so that a module that crashes does so there and is refused with
-/// the reason.
+/// The module is tested before it is attached: opening, attaching, its own test and a step happen
+/// first in another process (trial_program.h), so that a module that crashes does so there and is
+/// refused with the reason.
 class Plugin : public Module {
   public:
     /// Opens the file and gets the module's name; registers nothing. Throws LoadError.

@@ -3,8 +3,8 @@
 #include <fettle/physics/contact.h>
 #include <fettle/physics/definitions.h>
 #include <fettle/physics/export.h>
+#include <fettle/physics/function.h>
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,8 +21,8 @@ struct VelocityEdit;
 struct PositionEdit;
 
 /// Functions of the user that move a body: callbacks.h.
-using VelocityFunction = std::function<void(VelocityEdit&)>;
-using PositionFunction = std::function<void(PositionEdit&)>;
+using VelocityFunction = Function<void(VelocityEdit&)>;
+using PositionFunction = Function<void(PositionEdit&)>;
 
 namespace detail {
 struct FETTLE_PHYSICS_PRIVATE WorldLink;

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <fettle/physics/export.h>
+#include <fettle/physics/function.h>
 #include <fettle/physics/shape.h>
 
 #include <cstddef>
-#include <functional>
 #include <span>
 
 // User functions that the library calls. `PairFilter` and `ContactCallback` are called inside a
@@ -86,7 +86,7 @@ struct PositionEdit {
 };
 
 /// True if two shapes whose filters agree may collide.
-using PairFilter = std::function<bool(const Shape& a, const Shape& b)>;
+using PairFilter = Function<bool(const Shape& a, const Shape& b)>;
 /// Called for every contact in every step. A chain or a concave polygon may touch another shape
 /// with several of its convex parts, each with a manifold of its own. Surfaces may differ from
 /// place to place, so the mixing callback is called for each part, with its point. Whether and how
@@ -94,7 +94,7 @@ using PairFilter = std::function<bool(const Shape& a, const Shape& b)>;
 /// after the mixing. It gets the point, normal, speed, separation and surface of the deepest part,
 /// and the sum of the impulses of all parts in the step before. A value that it sets is used for
 /// all parts; otherwise each part keeps its mixed value.
-using ContactCallback = std::function<void(ContactEdit&)>;
+using ContactCallback = Function<void(ContactEdit&)>;
 
 /// The data that a read updates: all edited data, or the derived data of one body or shape.
 struct Refresh {
@@ -104,10 +104,10 @@ struct Refresh {
     uint32_t slot = 0;       ///< of the body or shape
 };
 /// Called before a read updates edited data: `World::on_refresh`.
-using RefreshCallback = std::function<void(const Refresh&)>;
+using RefreshCallback = Function<void(const Refresh&)>;
 
 /// Takes the next bytes of a recording: `World::start_recording`. The bytes live for the call.
-using RecordingSink = std::function<void(std::span<const std::byte>)>;
+using RecordingSink = Function<void(std::span<const std::byte>)>;
 
 }  // namespace fettle::physics
 

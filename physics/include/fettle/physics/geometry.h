@@ -6,7 +6,6 @@
 #include <fettle/physics/query.h>
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,7 +19,7 @@ FETTLE_PHYSICS_BEGIN
 namespace fettle::physics {
 
 namespace detail {
-struct FETTLE_PHYSICS_PRIVATE FormData;
+struct FETTLE_PHYSICS_PRIVATE SharedForm;
 struct FETTLE_PHYSICS_PRIVATE FormAccess;
 }  // namespace detail
 
@@ -33,13 +32,17 @@ class Form {
     /// Of any geometry.
     Form(const Geometry& geometry);  // NOLINT: converts
     /// Of a geometry of this type.
-    Form(const Circle& circle) : Form(Geometry(circle)) {}     // NOLINT
-    Form(const Box& box) : Form(Geometry(box)) {}              // NOLINT
-    Form(const Segment& segment) : Form(Geometry(segment)) {}  // NOLINT
-    Form(const Polygon& polygon) : Form(Geometry(polygon)) {}  // NOLINT
-    Form(const Ellipse& ellipse) : Form(Geometry(ellipse)) {}  // NOLINT
-    Form(const Concave& concave) : Form(Geometry(concave)) {}  // NOLINT
-    Form(const Chain& chain) : Form(Geometry(chain)) {}        // NOLINT
+    Form(const Circle& circle);    // NOLINT
+    Form(const Box& box);          // NOLINT
+    Form(const Segment& segment);  // NOLINT
+    Form(const Polygon& polygon);  // NOLINT
+    Form(const Ellipse& ellipse);  // NOLINT
+    Form(const Concave& concave);  // NOLINT
+    Form(const Chain& chain);      // NOLINT
+
+    Form(const Form& other) noexcept;      ///< shares its data
+    Form& operator=(Form other) noexcept;  ///< shares its data
+    ~Form();                               ///< its data end with the last copy
 
     ShapeType type() const;  ///< which geometry it has
     /// Its convex parts, counter-clockwise, body coordinates, without rounding: corners of a box or
@@ -49,7 +52,7 @@ class Form {
 
   private:
     friend struct detail::FormAccess;
-    std::shared_ptr<const detail::FormData> data_;
+    const detail::SharedForm* data_;
 };
 
 /// Area, mass and inertia of a geometry. A chain has none; its center is the middle of its first

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <fettle/physics/export.h>
+#include <fettle/physics/function.h>
 
-#include <functional>
 #include <utility>
 
 FETTLE_PHYSICS_BEGIN
@@ -45,7 +45,7 @@ class Owner {
     /// `call` is called at the end of a step, an edit or a query of a world in which user functions
     /// may be called. The owner can then destroy the objects that it could not destroy inside these
     /// functions. It must not throw.
-    void on_unlocked(std::function<void()> call) { unlocked_ = std::move(call); }
+    void on_unlocked(Function<void()> call) { unlocked_ = std::move(call); }
     /// Calls the function of `on_unlocked`; the library does that.
     void tell_unlocked() const {
         if (const auto call = unlocked_) call();  // a copy, because it may replace itself
@@ -57,7 +57,7 @@ class Owner {
   private:
     const char* advice_;
     int acting_ = 0;
-    std::function<void()> unlocked_;
+    Function<void()> unlocked_;
 };
 
 }  // namespace fettle::physics

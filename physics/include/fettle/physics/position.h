@@ -3,8 +3,6 @@
 #include <fettle/physics/export.h>
 #include <fettle/vector/vector2.h>
 
-#include <cmath>
-
 FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
@@ -69,7 +67,7 @@ struct Position {
         return low.x <= x && x <= high.x && low.y <= y && y <= high.y;
     }
     /// False if a coordinate is infinite or not a number.
-    bool is_finite() const { return std::isfinite(x) && std::isfinite(y); }
+    bool is_finite() const { return fettle::detail::finite(x) && fettle::detail::finite(y); }
 };
 /// One coordinate of a point of the world, m.
 using WorldCoordinate = double;

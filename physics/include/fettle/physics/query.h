@@ -1,10 +1,9 @@
 #pragma once
 
 #include <fettle/physics/export.h>
+#include <fettle/physics/function.h>
 #include <fettle/physics/shape.h>
 
-#include <functional>
-#include <memory>
 #include <type_traits>
 
 FETTLE_PHYSICS_BEGIN
@@ -20,7 +19,7 @@ struct QueryFilter {
     bool sensors = false;          ///< find sensors, too
     /// Called for each shape that passes the rest of the filter; empty: all pass. It may read the
     /// world and make other queries of it, but must not edit it: callbacks.h.
-    std::function<bool(const Shape&)> accept = {};
+    Function<bool(const Shape&)> accept = {};
 };
 
 /// Where a ray or a cast shape meets a shape.
@@ -47,7 +46,7 @@ class Visitor {
     /// `function` must live as long as the query runs.
     template <Visits<Found> Function>
     Visitor(Function&& function)
-        : function_(const_cast<void*>(static_cast<const void*>(std::addressof(function)))),
+        : function_(const_cast<void*>(static_cast<const void*>(&function))),
           call_([](void* called, const Found& found) {
               auto& visit = *static_cast<std::remove_reference_t<Function>*>(called);
               if constexpr (std::is_void_v<std::invoke_result_t<Function&, const Found&>>) {

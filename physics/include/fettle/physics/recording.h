@@ -1,10 +1,10 @@
 #pragma once
 
 #include <fettle/physics/export.h>
+#include <fettle/physics/owned.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -69,7 +69,7 @@ class Replay {
     struct Data;
     Data& data() const;
 
-    std::unique_ptr<Data> data_;
+    detail::Owned<Data> data_;
 };
 
 }  // namespace fettle::physics

@@ -5,8 +5,8 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
+#include <string_view>  // declares std::hash
 
 FETTLE_PHYSICS_BEGIN
 

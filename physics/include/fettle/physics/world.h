@@ -9,9 +9,11 @@
 #include <fettle/physics/events.h>
 #include <fettle/physics/export.h>
 #include <fettle/physics/field.h>
+#include <fettle/physics/function.h>
 #include <fettle/physics/geometry.h>
 #include <fettle/physics/joint_definitions.h>
 #include <fettle/physics/locked.h>
+#include <fettle/physics/owned.h>
 #include <fettle/physics/owner.h>
 #include <fettle/physics/query.h>
 #include <fettle/physics/scheduler.h>
@@ -21,8 +23,6 @@
 #include <fettle/physics/statistics.h>
 
 #include <cstddef>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -112,7 +112,7 @@ class World {
     /// may edit the world, so a callback can order an edit by it. Functions are called in the order
     /// in which they were given; all are called even if one throws. They belong to the world, and
     /// not to its state. An empty function is ignored.
-    void after_step(std::function<void()> act) const;
+    void after_step(Function<void()> act) const;
 
     Vec2 gravity() const;                   ///< m/s²
     void set_gravity(const Vec2& gravity);  ///< wakes all
@@ -436,14 +436,14 @@ class World {
     friend struct detail::MoverWorld;
     World(const World& other);
     void begin();
-    void call_after_step(std::vector<std::function<void()>> calls, detail::WorldLock& lock) const;
+    void call_after_step(std::vector<Function<void()>> calls, detail::WorldLock& lock) const;
     World* self() const { return const_cast<World*>(this); }  ///< handles are not const
     /// For edits: throws Locked while the world must not be edited.
     detail::WorldData& edit(const char* function) const;
     /// For creating and destroying objects: also throws Locked if the world has an owner.
     detail::WorldData& populate(const char* function) const;
 
-    std::unique_ptr<detail::WorldData> data_;
+    detail::Owned<detail::WorldData> data_;
     detail::Columns* columns_ = nullptr;  ///< base of `*data_`
     detail::WorldLink* link_ = nullptr;   ///< link that handles hold
 };

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cmath>
+#include <fettle/vector/scalar.h>
+
 #include <type_traits>
 
 namespace fettle {
@@ -49,8 +50,8 @@ struct Vector2 {
     constexpr T dot(Vector2 other) const { return x * other.x + y * other.y; }
     /// The z component of the cross product: positive if `other` lies counter-clockwise of this.
     constexpr T cross(Vector2 other) const { return x * other.y - y * other.x; }
-    constexpr T length_squared() const { return x * x + y * y; }  ///< less work than `length`
-    T length() const { return std::sqrt(length_squared()); }      ///< at least 0
+    constexpr T length_squared() const { return x * x + y * y; }        ///< less work than `length`
+    T length() const { return detail::square_root(length_squared()); }  ///< at least 0
     /// The vector of length 1 in this direction; a zero vector stays as it is.
     Vector2 normalized() const {
         const T of_this = length();
@@ -76,7 +77,7 @@ struct Vector2 {
     /// The quotients of the components.
     constexpr Vector2 over(Vector2 b) const { return {x / b.x, y / b.y}; }
     /// Without the signs of the components.
-    Vector2 abs() const { return {std::abs(x), std::abs(y)}; }
+    Vector2 abs() const { return {detail::absolute(x), detail::absolute(y)}; }
     /// True if no component is below that of `low` or above that of `high`.
     constexpr bool within(Vector2 low, Vector2 high) const {
         return low.x <= x && x <= high.x && low.y <= y && y <= high.y;
@@ -86,7 +87,7 @@ struct Vector2 {
     /// The larger component.
     constexpr T largest() const { return x < y ? y : x; }
     /// False if a component is infinite or not a number.
-    bool is_finite() const { return std::isfinite(x) && std::isfinite(y); }
+    bool is_finite() const { return detail::finite(x) && detail::finite(y); }
 };
 
 }  // namespace fettle

@@ -1,0 +1,90 @@
+// The program of a trial: reads what is to be tried out, and tells each phase and the result.
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string_view>
+
+#include <fettle/module/trial_program.h>
+#include <fettle/property/exception_text.h>
+
+#include "../plugin_state.h"
+#include "../reload.h"
+#include "stand_in.h"
+#include "trial.h"
+
+namespace fettle::module {
+namespace {
+
+void tell(std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t n = ::write(trial_stream, text.data(), text.size());
+        if (n < 0 && errno != EINTR) return;
+        if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
+    }
+}
+
+void tell_phase(std::string_view phase) {
+    tell("@" + std::string(phase) + "\n");
+}
+
+std::vector<std::byte> all_bytes() {
+    std::vector<std::byte> bytes;
+    std::byte buffer[65536];
+    for (;;) {
+        const ssize_t n = ::read(trial_stream, buffer, sizeof buffer);
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) return bytes;
+        bytes.insert(bytes.end(), buffer, buffer + n);
+    }
+}
+
+/// Opens the module and attaches it to the tree, tests it and makes a step.
+void attach(Plugin::State& state, const Trial& trial) {
+    tell_phase(while_opened);
+    state.open = state.open_file(trial.copy);
+    state.prepare(*state.host.tree);
+    tell_phase(while_attached);
+    state.attach_native();
+    tell_phase(in_its_test);
+    state.check_native();
+}
+
+void run(const Trial& trial) {
+    // None of these is destroyed: the process ends without a call of the module.
+    auto& state = *new Plugin::State;
+    state.file = trial.file;
+    state.name = trial.name;
+    if (trial.kind == TrialKind::open) {
+        tell_phase(while_opened);
+        state.open = state.open_file(trial.copy);
+        return;
+    }
+    auto& tree = *new property::Tree;
+    state.host.tree = &tree;
+    new StandIn(tree, trial.tree, state.host, state.classes);
+    if (trial.kind == TrialKind::attach)
+        attach(state, trial);
+    else
+        reload(state, trial.copy, tell_phase);
+    tell_phase(in_a_step);
+    state.step_once();
+}
+
+}  // namespace
+
+int trial_main() {
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);    // a crash is reported as text, so no core file is needed
+    alarm(2 * unsigned(trial_seconds));  // ends it also where the game has ended meanwhile
+    try {
+        run(trial_from(all_bytes()));
+        tell(success_line);
+    } catch (...) {
+        tell("!" + property::exception_text());
+    }
+    _exit(0);  // no function of the module may run here
+}
+
+}  // namespace fettle::module
