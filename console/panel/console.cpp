@@ -324,8 +324,8 @@ void Console::State::go_to_write(const property::Cause& cause, const std::string
     for (int n = 1; begin < text.size() && n <= line + around; ++n) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         if (n >= line - around)
-            log.output((n == line ? "› " : "  ") + std::to_string(n) + "  " +
-                       text.substr(begin, end - begin));
+            log.printed((n == line ? "› " : "  ") + std::to_string(n) + "  " +
+                        text.substr(begin, end - begin));
         begin = end + 1;
     }
     views.log_view.scroll_to_end();

@@ -7,6 +7,7 @@
 
 #include <look/fields.h>
 #include <look/theme.h>
+#include <text/short_numbers.h>
 #include <views/watch_list.h>
 
 namespace fettle::console {

@@ -6,6 +6,7 @@
 
 #include <look/fields.h>
 #include <look/theme.h>
+#include <text/short_numbers.h>
 #include <text/utf8.h>
 
 namespace fettle::console {
