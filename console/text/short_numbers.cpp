@@ -38,6 +38,19 @@ std::string short_number(double value, int digits) {
     return shown;
 }
 
+std::string aligned_number(double value, double largest, int digits) {
+    const auto shown = static_cast<std::size_t>(digits);
+    std::size_t beside = 3;  // a sign, and "0."
+    if (largest >= 1e-6 && largest < 1e-3)
+        beside = 6;  // a sign, a point, and "e-05"
+    else if (largest >= 1e-3 && largest < 1e-1)
+        beside += static_cast<std::size_t>(-std::floor(std::log10(largest))) - 1;
+    const std::size_t width = std::max(shown + beside, short_number(-largest, digits).size());
+    std::string text = short_number(value, digits);
+    while (text.size() > width && --digits > 0) text = short_number(value, digits);
+    return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
 namespace {
 
 constexpr int usual_digits = 4, all_digits = 17;

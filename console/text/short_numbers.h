@@ -11,6 +11,11 @@ namespace fettle::console {
 /// A number for people: `digits` significant digits, but all digits before the point; 0 below 1e-6.
 std::string short_number(double value, int digits = 4);
 
+/// A short number for a place whose width stays the same while the number changes: blanks stand
+/// before it. The place has room for numbers up to the size of `largest` with a sign; a number that
+/// is far smaller has fewer digits.
+std::string aligned_number(double value, double largest, int digits = 4);
+
 /// A number that a text shows with fewer digits.
 struct ShortNumber {
     std::size_t begin, end;  // bytes of the text

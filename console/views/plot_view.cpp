@@ -179,7 +179,8 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
                                                         : property::Value(s->x);
         const bool fails = !trace.problem().empty();
         const std::string value =
-            fails ? trace.problem() : short_text(tree, shown, trace.what().unit);
+            fails ? trace.problem()
+                  : observed_text(tree, shown, trace.what().unit, trace.largest());
         const float y = at.y + static_cast<float>(i) * legend_line();
         float x = at.x;
         list.AddRectFilled(ImVec2(x, y + em * 0.5f), ImVec2(x + em * 0.8f, y + em * 0.7f),

@@ -33,6 +33,19 @@ TEST_CASE("printed values have four significant digits") {
         CHECK(shown(same) == same);
 }
 
+TEST_CASE("observed numbers keep the width of their place") {
+    using console::aligned_number;
+    for (const double number :
+         {0.0, 1.5, -1.5, 12.3456, -0.123456, -0.00123456, 98.7, 1e-5, -1.2e-5})
+        CHECK(aligned_number(number, 98.7).size() == 7);
+    CHECK(aligned_number(-12.3456, 98.7) == " -12.35");
+    CHECK(aligned_number(-0.00123456, 98.7) == "-0.0012");
+    // Numbers that are all small keep four digits.
+    CHECK(aligned_number(-0.00123456, 0.005) == "-0.001235");
+    CHECK(aligned_number(0.5, 1234567) == "     0.5");
+    CHECK(aligned_number(1.25, 2, 2) == "  1.2");
+}
+
 TEST_CASE("the source of a formula stays as it is") {
     CHECK(with_short_numbers("a.b: is 1.23456 * c = 2.46912 m").text ==
           "a.b: is 1.23456 * c = 2.469 m");
