@@ -90,6 +90,7 @@ TEST_CASE("the caret is below the name in the message") {
     CHECK(marked("it.mass = it.massive", "world.ball.massive: no such name") == "massive");
     CHECK(marked("  nothing named ", "something failed") == "nothing");
     CHECK(marked("x = scene.load()", "main.lua:9: scene is not available") == "scene");
+    CHECK(marked("a.color = b.velocity.z", "main.lua:8: a vec has no z") == "z");
     CHECK(marked("", "something failed").empty());
 }
 
