@@ -84,8 +84,7 @@ void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float wid
         if (text_width(value) <= widest) break;
     }
     const float value_width = std::min(text_width(value), widest);
-    // The path stays as it is drawn while the number of digits changes.
-    const float path_room = std::min(room - value_width, room * 0.5f) - em;
+    const float path_room = room - value_width - em;
 
     ImGui::InvisibleButton("text", ImVec2(std::max(1.0f, width - side), height));
     const bool hovered = ImGui::IsItemHovered();
