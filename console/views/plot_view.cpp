@@ -72,7 +72,7 @@ PlotView::Scale PlotView::scale_of(const std::vector<Trace>& plots, const Times&
     // Differences that come from rounding do not count.
     const double size = std::max(std::abs(scale.low), std::abs(scale.high));
     if (scale.high - scale.low < 1e-6 * std::max(size, 1e-6)) {
-        const double room = std::max(0.5 * size, 1e-6);
+        const double room = size < 1e-6 ? 1 : 0.5 * size;
         scale.low -= room;
         scale.high += room;
     }
