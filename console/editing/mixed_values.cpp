@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <look/fields.h>
+#include <text/short_numbers.h>
 
 namespace fettle::console {
 

@@ -68,6 +68,20 @@ Handle outermost_layer(const property::Tree& tree, Handle instance) {
     return found;
 }
 
+/// Draws a rectangle around a widget. Returns false if the instance is none, or is not shown.
+bool draw_widget(ImDrawList& list, const property::Tree& tree, Handle instance, float glow) {
+    const auto corner = read(tree, instance, "screen_position", Type::vec2);
+    const auto size = read(tree, instance, "screen_size", Type::vec2);
+    const auto shown = read(tree, instance, "shown", Type::boolean);
+    if (!corner || !size || !shown || !shown->boolean()) return false;
+    const Vec2 low = corner->vec2(), high = low + size->vec2();
+    const ImVec2 a(static_cast<float>(low.x), static_cast<float>(low.y)),
+        b(static_cast<float>(high.x), static_cast<float>(high.y));
+    list.AddRect(a, b, with_alpha(palette::accent, glow), 0, 0, 5);
+    list.AddRect(a, b, palette::accent);
+    return true;
+}
+
 /// The box of an instance, if it has one.
 std::vector<Vec2> box_of(const property::Tree& tree, Handle instance) {
     const auto box = read(tree, instance, "aabb", Type::list);
@@ -80,7 +94,9 @@ void draw_outlines(ImDrawList& list, const property::Tree& tree, std::span<const
                    const ToPixels& to_pixels, const property::Seen& seen, double seconds) {
     // Those in one layer are drawn together, in one walk.
     std::map<std::uint64_t, std::pair<Handle, std::vector<Handle>>> groups;
+    const float glow = 0.22f + 0.08f * static_cast<float>(std::sin(seconds * 4));
     for (const Handle each : instances) {
+        if (tree.alive(each) && draw_widget(list, tree, each, glow)) continue;
         // A body is drawn by its shapes. A whole world gets no outline.
         if (!tree.alive(each) ||
             (tree.find(each, "aabb") == nullptr && tree.find(each, "position") == nullptr))
@@ -90,7 +106,6 @@ void draw_outlines(ImDrawList& list, const property::Tree& tree, std::span<const
         group.first = top;
         group.second.push_back(each);
     }
-    const float glow = 0.22f + 0.08f * static_cast<float>(std::sin(seconds * 4));
     for (const auto& [key, group] : groups) {
         Pen pen(list, to_pixels,
                 {.color = palette::accent, .glow = with_alpha(palette::accent, glow)});

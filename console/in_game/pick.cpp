@@ -101,21 +101,34 @@ Handle pick_picture(const property::Tree& tree, Vec2 pixel, const ToPixels& to_p
     return tree.alive(finder.found()) ? finder.found() : Handle{};
 }
 
-property::Handle pick(property::Tree& tree, property::Vec2 point) {
+namespace {
+
+/// The first instance that a method of this name gives for a point.
+Handle first_at(property::Tree& tree, std::string_view method, Vec2 point) {
     // The methods are called after the walk, because a method may change the tree.
-    std::vector<Handle> worlds;
+    std::vector<Handle> asked;
     tree.each_below(tree.root(), [&](Handle instance) {
-        if (tree.class_of(instance).method("at") != nullptr) worlds.push_back(instance);
+        if (tree.class_of(instance).method(method) != nullptr) asked.push_back(instance);
     });
-    for (Handle world : worlds) {
-        if (!tree.alive(world)) continue;
-        property::Result result = tree.call(world, "at", {property::Value(point)});
+    for (Handle each : asked) {
+        if (!tree.alive(each)) continue;
+        property::Result result = tree.call(each, method, {property::Value(point)});
         const auto* value = std::get_if<property::Value>(&result);
         if (value != nullptr && value->is(property::Type::reference) &&
             tree.alive(value->reference()))
             return value->reference();
     }
     return {};
+}
+
+}  // namespace
+
+Handle pick(property::Tree& tree, Vec2 point) {
+    return first_at(tree, "at", point);
+}
+
+Handle pick_widget(property::Tree& tree, Vec2 pixel) {
+    return first_at(tree, "widget_at", pixel);
 }
 
 }  // namespace fettle::console

@@ -13,6 +13,10 @@ namespace fettle::console {
 /// if a call fails.
 property::Handle pick(property::Tree& tree, property::Vec2 point);
 
+/// The foremost widget at a pixel of the window: the first result of a method `widget_at`. A null
+/// handle if there is none. Throws property::Error if a call fails.
+property::Handle pick_widget(property::Tree& tree, property::Vec2 pixel);
+
 /// The topmost instance with a picture that is opaque at a pixel of the window: a sprite, a text, a
 /// layer of tiles. Light that is added covers nothing, and what covers the whole window is a
 /// background. A null handle if there is none.

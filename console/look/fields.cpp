@@ -11,6 +11,7 @@
 #include <look/extra_glyphs.h>
 #include <look/imgui_compat.h>
 #include <look/theme.h>
+#include <text/short_numbers.h>
 
 namespace fettle::console {
 
@@ -75,35 +76,6 @@ double fineness() {
     const ImGuiIO& io = ImGui::GetIO();
     return io.KeyCtrl ? 0.01 : io.KeyShift ? 0.1 : 1;
 }
-
-}  // namespace
-
-std::string short_number(double value, int digits) {
-    if (!std::isfinite(value)) return property::number_text(value);
-    if (std::abs(value) < 1e-6) return "0";
-    const double size = std::abs(value);
-    char text[64];
-    if (digits == 1 && size < 1e-2) {  // "3e-4" is shorter than "0.0003"
-        std::snprintf(text, sizeof text, "%.0e", value);
-        std::string shown = text;
-        return shown.erase(shown.find("-0") + 1, 1);
-    }
-    if (size >= 1e7 || size < 1e-3) {
-        std::snprintf(text, sizeof text, "%.*g", digits, value);
-        return text;
-    }
-    const int before = std::max(0, static_cast<int>(std::floor(std::log10(size))) + 1);
-    const int leading = size < 1 ? -static_cast<int>(std::floor(std::log10(size))) - 1 : 0;
-    const int decimals = std::max(0, digits - before + leading);
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    std::string shown = text;
-    if (shown.find('.') == std::string::npos) return shown;
-    while (shown.back() == '0') shown.pop_back();
-    if (shown.back() == '.') shown.pop_back();
-    return shown;
-}
-
-namespace {
 
 // A field has one line, in which a line end is shown as a sign.
 constexpr std::string_view line_end = "\n", line_end_sign = "↵";

@@ -72,9 +72,6 @@ class Fields {
     bool by_enter_ = false, settled_ = false;
 };
 
-/// A number for people: `digits` significant digits, but all digits before the point; 0 below 1e-6.
-std::string short_number(double value, int digits = 4);
-
 /// An input line without a length limit. `flags`: ImGuiInputTextFlags.
 bool input_line(const char* id, const char* hint, std::string& text, int flags);
 

@@ -1,7 +1,8 @@
 #include <observed/noted_values.h>
 
 #include <algorithm>
-#include <cstdio>
+
+#include <text/short_numbers.h>
 
 namespace fettle::console {
 
@@ -30,9 +31,7 @@ std::string text_of(const property::Tree& tree, const NotedValues::Noted* noted,
     if (noted == nullptr) return "none";
     std::string text = tree.text(noted->value, property::Precision::single_precision);
     if (digits > 0 && noted->value.is(property::Type::number)) {
-        char shorter[32];
-        std::snprintf(shorter, sizeof shorter, "%.*g", digits, noted->value.number());
-        text = shorter;
+        text = short_number(noted->value.number(), digits);
     }
     if (!noted->unit.empty()) text += " " + noted->unit;
     return text;

@@ -1,5 +1,6 @@
 #include <observed/trace.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <fettle/property/exception_text.h>
@@ -52,6 +53,14 @@ void Trace::take(std::int64_t step, bool past) {
     Sample sample{step, 0, 0};
     if (problem_.empty() && sample_of(value_, sample, vector_)) samples_.push_back(sample);
     if (samples_.size() > max_samples) samples_.pop_front();
+}
+
+double Trace::largest(std::size_t last) const {
+    double found = 0;
+    for (std::size_t i = samples_.size() - std::min(samples_.size(), last); i < samples_.size();
+         ++i)
+        found = std::max({found, std::abs(samples_[i].x), vector_ ? std::abs(samples_[i].y) : 0});
+    return found;
 }
 
 }  // namespace fettle::console

@@ -35,6 +35,8 @@ class Trace {
     /// Ascending by step. Only numbers, vectors and booleans (0 and 1) have samples.
     const std::deque<Sample>& samples() const { return samples_; }
     bool is_vector() const { return vector_; }
+    /// The largest size of a number in the last samples; 0 without samples.
+    double largest(std::size_t last = max_samples) const;
     /// Whether the kept past is to be read for this trace.
     bool wants_past = true;
 

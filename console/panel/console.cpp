@@ -282,7 +282,7 @@ void Console::State::find_selected_again() {
         status.selected_path = tree.path(inspector.selected());
         return;
     }
-    if (!inspector.selected() || status.selected_path.empty()) return;
+    if (status.selected_path.empty()) return;
     try {
         const property::Place place = property::resolve(tree, status.selected_path);
         if (place.property != nullptr) return;
@@ -324,8 +324,8 @@ void Console::State::go_to_write(const property::Cause& cause, const std::string
     for (int n = 1; begin < text.size() && n <= line + around; ++n) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         if (n >= line - around)
-            log.output((n == line ? "› " : "  ") + std::to_string(n) + "  " +
-                       text.substr(begin, end - begin));
+            log.printed((n == line ? "› " : "  ") + std::to_string(n) + "  " +
+                        text.substr(begin, end - begin));
         begin = end + 1;
     }
     views.log_view.scroll_to_end();
@@ -423,13 +423,17 @@ void Console::open(bool open) {
 }
 std::shared_ptr<const Continuation> Console::continuation() const {
     return std::make_shared<const Continuation>(
-        Continuation{.lines = state_->log.lines(), .open = state_->is_open()});
+        Continuation{.lines = state_->log.lines(),
+                     .open = state_->is_open(),
+                     .selected_path = state_->status.selected_path});
 }
 void Console::continue_from(const Continuation& earlier) {
     State& s = *state_;
     s.log.put_first(earlier.lines);
     if (!earlier.lines.empty()) s.log.note("the game begins again");
     s.status.greeted = s.status.greeted || !earlier.lines.empty();
+    // The next frame selects it, if there is one with this path.
+    s.status.selected_path = earlier.selected_path;
     if (earlier.open) s.open(true);
 }
 bool Console::listens() const {

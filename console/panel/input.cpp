@@ -258,7 +258,8 @@ bool Console::State::click_game(float x, float y, bool menu) {
         return true;
     }
     try {
-        property::Handle found = pick(tree, options.to_world(x, y));
+        property::Handle found = pick_widget(tree, {x, y});
+        if (!found) found = pick(tree, options.to_world(x, y));
         if (!found && options.to_pixels)
             found = pick_picture(tree, {x, y}, options.to_pixels, seen());
         if (!found) return !menu;

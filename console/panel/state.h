@@ -94,6 +94,7 @@ struct Status {
 struct Continuation {
     std::deque<LogLine> lines;
     bool open = false;
+    std::string selected_path{};
 };
 
 struct Console::State {

@@ -385,7 +385,7 @@ bool Prompt::run(const std::string& command, bool force, script::Evaluation* sai
         evaluation.error.emplace().message =
             "the command is not complete: something opened is not closed";
     log_.command(command, before);
-    log_.output(evaluation.lines, evaluation.tables);
+    log_.output(evaluation);
     if (evaluation.error) log_.error(*evaluation.error);
     if (said != nullptr) *said = std::move(evaluation);
     if (clears_) log_.clear();

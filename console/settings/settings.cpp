@@ -54,7 +54,7 @@ property::ClassDescriptor console_class() {
         flag_property("tweaks", false, "Whether tweaks are listed in place of the log."));
     list.push_back(flag_property(
         "picks", true,
-        "Whether a click on a body or a picture selects it while the console is open."));
+        "Whether a click on a body, a picture or a widget selects it while the console is open."));
     list.push_back(flag_property(
         "listen", false,
         "Whether `fettle repl --attach` may attach to this game: only this user, on this computer, "

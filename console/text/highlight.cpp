@@ -204,8 +204,17 @@ Span error_span(std::string_view line, std::string_view message) {
         std::size_t skip = dot == std::string::npos || dot + 1 == name.size() ? 0 : dot + 1;
         return {at + skip, at + name.size(), Token::plain};
     }
-    // The message has no quotes or paths: use its first word that occurs in the line.
-    for (const Span& word : highlight_output(message)) {
+    // The message has no quotes or paths: use its last word that is a member in the line, as in
+    // "a vec has no z", or its first word that occurs there.
+    std::vector<Span> words = highlight_output(message);
+    for (auto word = words.rbegin(); word != words.rend(); ++word) {
+        const std::string_view name = message.substr(word->begin, word->end - word->begin);
+        if (word->token != Token::plain || !letter(name.front())) continue;
+        const std::string member = "." + std::string(name);
+        const std::size_t at = find_word(line, member);
+        if (at != std::string_view::npos) return {at + 1, at + member.size(), Token::plain};
+    }
+    for (const Span& word : words) {
         std::string_view name = message.substr(word.begin, word.end - word.begin);
         if (word.token != Token::plain || name.size() < 3 || !letter(name.front())) continue;
         std::size_t at = find_word(line, name);

@@ -47,18 +47,27 @@ bool is_counted(LineKind kind) {
 
 }  // namespace
 
-void Log::push(LineKind kind, std::string text) {
+void Log::push(LineKind kind, std::string text, bool short_numbers) {
     if (text.size() > max_line_bytes) {
         std::size_t whole = text.size();
         text.resize(code_point_boundary(text, max_line_bytes));
         text += " … (" + std::to_string(whole) + " bytes)";
     }
+    LogLine line{kind, {}};
+    if (short_numbers) {
+        ShortLine made = with_short_numbers(text);
+        line.text = std::move(made.text);
+        line.numbers = std::move(made.numbers);
+    } else {
+        line.text = std::move(text);
+    }
     if (is_counted(kind) && !lines_.empty() && lines_.back().kind == kind &&
-        lines_.back().text == text && !text.empty()) {
+        lines_.back().text == line.text && lines_.back().numbers == line.numbers &&
+        !line.text.empty()) {
         ++lines_.back().count;
         return;
     }
-    push(LogLine{kind, std::move(text)});
+    push(std::move(line));
 }
 
 void Log::push(LogLine line) {
@@ -69,18 +78,18 @@ void Log::push(LogLine line) {
     }
 }
 
-void Log::add(LineKind kind, std::string_view text) {
+void Log::add(LineKind kind, std::string_view text, bool short_numbers) {
     std::string clean = clean_text(text);
     std::size_t begin = 0;
     for (;;) {
         std::size_t end = clean.find('\n', begin);
         if (end == std::string::npos) break;
-        push(kind, clean.substr(begin, end - begin));
+        push(kind, clean.substr(begin, end - begin), short_numbers);
         begin = end + 1;
         if (kind == LineKind::command) kind = LineKind::continuation;
     }
     // A newline at the end of the text does not begin another line.
-    if (begin < clean.size() || begin == 0) push(kind, clean.substr(begin));
+    if (begin < clean.size() || begin == 0) push(kind, clean.substr(begin), short_numbers);
 }
 
 void Log::command(std::string_view text) {
@@ -139,50 +148,98 @@ void Log::clear() {
     ++rearranged_;
 }
 
+/// Rows with short numbers have narrower columns. A cell that is wider than its column moves the
+/// rest of its own row only.
 void Log::table(std::span<const std::string> rows, const script::TableLines& of) {
     const auto shape = std::make_shared<LogTable>();
-    const std::string_view head = rows.front();
-    for (const std::size_t begin : of.cells.front())
-        shape->begins.push_back(cell_count(head.substr(0, begin)));
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const std::size_t last = of.cells[i].back();
-        if (last < rows[i].size())
-            shape->end =
-                std::max(shape->end,
-                         shape->begins.back() + cell_count(std::string_view(rows[i]).substr(last)));
-    }
+    const std::size_t columns = of.cells.front().size();
+    // Where a cell begins. A row does not end with blanks, so its last cells may lie behind it.
+    const auto place = [&](std::size_t row, std::size_t k) {
+        const std::size_t begin = of.cells[row][k], end = std::min(begin, rows[row].size());
+        return cell_count(std::string_view(rows[row]).substr(0, end)) + begin - end;
+    };
+    std::vector<std::size_t> given(columns, std::string::npos);  // widths, with the gap
     for (std::size_t i = 0; i < rows.size(); ++i)
-        push(LogLine{LineKind::output, rows[i], 1, {}, {}, shape, of.cells[i]});
+        for (std::size_t k = 0; k + 1 < std::min(columns, of.cells[i].size()); ++k)
+            given[k] = std::min(given[k], place(i, k + 1) - place(i, k));
+    std::vector<std::vector<ShortLine>> cells;
+    std::vector<std::size_t> widths(columns);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::string_view row = rows[i];
+        const std::vector<std::size_t>& begins = of.cells[i];
+        cells.emplace_back();
+        for (std::size_t k = 0; k < begins.size(); ++k) {
+            const std::size_t begin = std::min(begins[k], row.size());
+            const std::size_t next =
+                k + 1 < begins.size() ? std::min(begins[k + 1], row.size()) : row.size();
+            const std::string_view text = row.substr(begin, next - begin);
+            const std::string_view cell = text.substr(0, text.find_last_not_of(' ') + 1);
+            cells.back().push_back(with_short_numbers(cell));
+            if (k >= columns) continue;
+            if (cell_count(cell) <= given[k] - LogTable::gap)
+                widths[k] = std::max(widths[k], cell_count(cells.back().back().text));
+        }
+    }
+    for (std::size_t k = 0, begin = 0; k < columns; ++k) {
+        shape->begins.push_back(begin);
+        shape->end = begin + widths[k];
+        begin += widths[k] + LogTable::gap;
+    }
+    for (const std::vector<ShortLine>& row : cells) {
+        LogLine line{LineKind::output, {}};
+        if (of.head) line.table = shape;
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            if (k > 0) line.text.append(LogTable::gap, ' ');
+            if (of.head) line.cells.push_back(line.text.size());
+            for (ShortNumber number : row[k].numbers) {
+                number.begin += line.text.size();
+                number.end += line.text.size();
+                line.numbers.push_back(std::move(number));
+            }
+            line.text += row[k].text;
+            const std::size_t width = cell_count(row[k].text);
+            if (k + 1 < row.size() && width < widths[k]) line.text.append(widths[k] - width, ' ');
+        }
+        line.text.resize(line.text.find_last_not_of(' ') + 1);
+        push(std::move(line));
+    }
 }
 
-void Log::output(const std::vector<std::string>& lines,
-                 const std::vector<script::TableLines>& tables) {
-    const bool folds = lines.size() > max_unfolded;
-    const std::size_t shown = folds ? shown_of_folded : lines.size();
-    auto next = tables.begin();
-    for (std::size_t i = 0; i < shown; ++i) {
-        if (next == tables.end() || next->first != i) {
-            output(lines[i]);
-            continue;
+void Log::output(const script::Evaluation& said) {
+    Log all;
+    auto table = said.tables.begin();
+    auto printed = said.printed.begin();
+    for (std::size_t i = 0; i < said.lines.size(); ++i) {
+        if (table != said.tables.end() && table->first == i) {
+            const std::size_t rows = std::min(table->cells.size(), said.lines.size() - i);
+            all.table(std::span(said.lines).subspan(i, rows), *table++);
+            i += rows - 1;
+        } else if (printed != said.printed.end() && *printed == i) {
+            all.printed(said.lines[i]);
+            ++printed;
+        } else {
+            all.output(said.lines[i]);
         }
-        const std::size_t rows = std::min(next->cells.size(), shown - i);
-        table(std::span(lines).subspan(i, rows), *next++);
-        i += rows - 1;
     }
-    if (!folds) return;
-    LogLine fold{LineKind::fold, "… " + std::to_string(lines.size() - shown) + " more lines"};
-    for (std::size_t i = shown; i < lines.size(); ++i) fold.hidden.push_back(lines[i]);
+    std::deque<LogLine>& lines = all.lines_;
+    const auto shown =
+        static_cast<std::ptrdiff_t>(lines.size() > max_unfolded ? shown_of_folded : lines.size());
+    const auto rest = std::next(lines.begin(), shown);
+    for (auto line = lines.begin(); line != rest; ++line) push(std::move(*line));
+    if (rest == lines.end()) return;
+    LogLine fold{LineKind::fold, "… " + std::to_string(lines.end() - rest) + " more lines"};
+    fold.hidden.assign(std::make_move_iterator(rest), std::make_move_iterator(lines.end()));
     push(std::move(fold));
 }
 
 void Log::unfold(std::size_t index) {
     if (index >= lines_.size() || lines_[index].kind != LineKind::fold) return;
-    const std::vector<std::string> hidden = std::move(lines_[index].hidden);
+    std::vector<LogLine> hidden = std::move(lines_[index].hidden);
     const auto fold = std::next(lines_.begin(), static_cast<std::ptrdiff_t>(index));
     std::deque<LogLine> behind(std::make_move_iterator(std::next(fold)),
                                std::make_move_iterator(lines_.end()));
     lines_.erase(fold, lines_.end());
-    for (const std::string& line : hidden) output(line);
+    for (LogLine& line : hidden) push(std::move(line));
     for (LogLine& line : behind) push(std::move(line));
     ++rearranged_;
 }

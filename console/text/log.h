@@ -2,6 +2,7 @@
 // The output of the console: lines of text, each with a kind. Old lines are dropped when there are
 // too many.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -12,6 +13,8 @@
 #include <vector>
 
 #include <fettle/script/runtime.h>
+
+#include <text/short_numbers.h>
 
 namespace fettle::console {
 
@@ -30,6 +33,7 @@ enum class LineKind : std::uint8_t {
 
 /// Where the columns of a table are, in cells.
 struct LogTable {
+    static constexpr std::size_t gap = 2;  // cells between columns
     std::vector<std::size_t> begins;
     std::size_t end = 0;  // of the last column
 };
@@ -38,10 +42,16 @@ struct LogLine {
     LineKind kind;
     std::string text;
     std::size_t count = 1;                    // how often in succession it was printed
-    std::vector<std::string> hidden{};        // of a fold
+    std::vector<LogLine> hidden{};            // of a fold
     std::string file{};                       // that the line names
     std::shared_ptr<const LogTable> table{};  // whose row it is
     std::vector<std::size_t> cells{};         // of a row, the bytes where its cells begin
+    std::vector<ShortNumber> numbers{};       // in `text`; copies have the whole ones
+
+    /// The part of the text from `begin` to `end` with whole numbers.
+    std::string whole(std::size_t begin = 0, std::size_t end = std::string::npos) const {
+        return whole_text(text, numbers, begin, std::min(end, text.size()));
+    }
 };
 
 class Log {
@@ -54,12 +64,13 @@ class Log {
 
     void command(std::string_view text);
     /// A line that is printed several times in succession is stored once, with their number.
-    void output(std::string_view text) { add(LineKind::output, text); }
+    /// `output` and `note` show short numbers, the others every character.
+    void output(std::string_view text) { add(LineKind::output, text, true); }
+    void printed(std::string_view text) { add(LineKind::output, text); }
     void game(std::string_view text) { add(LineKind::game, text); }
     /// The output of a command.
-    void output(const std::vector<std::string>& lines,
-                const std::vector<script::TableLines>& tables = {});
-    void note(std::string_view text) { add(LineKind::note, text); }
+    void output(const script::Evaluation& said);
+    void note(std::string_view text) { add(LineKind::note, text, true); }
     /// A note that ends with the path of a file.
     void file(std::string_view text, const std::string& file);
     /// Adds the message, the source line with carets below the error, and the traceback if it
@@ -83,10 +94,10 @@ class Log {
     std::uint64_t rearranged() const { return rearranged_; }
 
   private:
-    void add(LineKind kind, std::string_view text);
-    void push(LineKind kind, std::string text);
+    void add(LineKind kind, std::string_view text, bool short_numbers = false);
+    void push(LineKind kind, std::string text, bool short_numbers = false);
     void push(LogLine line);
-    void table(std::span<const std::string> rows, const script::TableLines& cells);
+    void table(std::span<const std::string> rows, const script::TableLines& of);
 
     std::deque<LogLine> lines_;
     std::uint64_t dropped_ = 0;

@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t gutter = 2;  // columns
 
-constexpr std::size_t column_gap = 2;  // cells between the columns of a table
 constexpr std::size_t row_indent = 4;  // cells, of the rows of a table behind the first
 
 /// Whether a step of a path begins at the byte: ".name" behind a name, or what follows a slash.
@@ -147,7 +146,7 @@ void LogView::wrap_cells(std::uint64_t number, const LogLine& whole) {
         return cell < count ? std::min(whole.cells[cell], whole.text.size()) : whole.text.size();
     };
     const auto end_of = [&](std::size_t cell) {
-        return cell + 1 < table.begins.size() ? table.begins[cell + 1] - column_gap : table.end;
+        return cell + 1 < table.begins.size() ? table.begins[cell + 1] - LogTable::gap : table.end;
     };
     for (std::size_t from = 0, indent = 0; from < count; indent = row_indent) {
         std::size_t to = from + 1;
@@ -177,13 +176,15 @@ void LogView::filter(std::string_view text) {
     columns_ = 0;  // all lines are wrapped again
 }
 
-/// Ignores case. A fold passes, because one of its hidden lines may.
+/// Ignores case, and finds whole numbers, too. A fold passes, because one of its hidden lines may.
 bool LogView::passes(const LogLine& whole) const {
     if (filter_.empty() || whole.kind == LineKind::fold) return true;
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
     const auto same = [&](char a, char b) { return lower(a) == lower(b); };
-    return std::search(whole.text.begin(), whole.text.end(), filter_.begin(), filter_.end(),
-                       same) != whole.text.end();
+    const auto contains = [&](std::string_view text) {
+        return !std::ranges::search(text, filter_, same).empty();
+    };
+    return contains(whole.text) || (!whole.numbers.empty() && contains(whole.whole()));
 }
 
 void LogView::wrap(std::size_t columns) {
@@ -360,6 +361,10 @@ void LogView::mouse(ImVec2 origin, float line_height, float cell) {
                 ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
                 if (ImGui::IsMouseClicked(1) && menu) menu(path);
             }
+        if (found != nullptr)
+            for (const ShortNumber& number : found->numbers)
+                if (point.offset >= number.begin && point.offset < number.end)
+                    ImGui::SetTooltip("%s", number.whole.c_str());
         if (found != nullptr && !found->file.empty()) {
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
             ImGui::SetTooltip("A click copies the path of the file");
@@ -418,7 +423,7 @@ std::string LogView::selected() const {
         std::size_t begin = number == from.line ? std::min(from.offset, found->text.size()) : 0;
         std::size_t end = number == to.line ? to.offset : found->text.size();
         if (!out.empty() || number != from.line) out += '\n';
-        out.append(found->text, begin, std::max(end, begin) - begin);
+        out += found->whole(begin, std::max(end, begin));
     }
     return out;
 }

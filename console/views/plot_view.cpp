@@ -7,6 +7,7 @@
 
 #include <look/fields.h>
 #include <look/theme.h>
+#include <text/short_numbers.h>
 #include <views/watch_list.h>
 
 namespace fettle::console {
@@ -71,7 +72,7 @@ PlotView::Scale PlotView::scale_of(const std::vector<Trace>& plots, const Times&
     // Differences that come from rounding do not count.
     const double size = std::max(std::abs(scale.low), std::abs(scale.high));
     if (scale.high - scale.low < 1e-6 * std::max(size, 1e-6)) {
-        const double room = std::max(0.5 * size, 1e-6);
+        const double room = size < 1e-6 ? 1 : 0.5 * size;
         scale.low -= room;
         scale.high += room;
     }
@@ -178,7 +179,8 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
                                                         : property::Value(s->x);
         const bool fails = !trace.problem().empty();
         const std::string value =
-            fails ? trace.problem() : short_text(tree, shown, trace.what().unit);
+            fails ? trace.problem()
+                  : observed_text(tree, shown, trace.what().unit, trace.largest());
         const float y = at.y + static_cast<float>(i) * legend_line();
         float x = at.x;
         list.AddRectFilled(ImVec2(x, y + em * 0.5f), ImVec2(x + em * 0.8f, y + em * 0.7f),

@@ -6,6 +6,7 @@
 #include <look/imgui_compat.h>
 #include <look/theme.h>
 #include <text/highlight.h>
+#include <text/short_numbers.h>
 #include <text/utf8.h>
 
 namespace fettle::console {
@@ -20,6 +21,11 @@ constexpr float gap = 5, edge = 8;  // pixels between the prompt and the list, a
 
 float columns(std::string_view text) {
     return static_cast<float>(cell_count(text));
+}
+
+/// What is known of a candidate beside its name, with short numbers.
+std::string facts(const script::Completion& of) {
+    return with_short_numbers(of.detail).text;
 }
 
 }  // namespace
@@ -157,7 +163,7 @@ void PromptView::draw_menu(float cell, ImFont* bold) {
     float label_width = 0, detail_width = 0;
     for (const auto& candidate : menu.candidates()) {
         label_width = std::max(label_width, columns(candidate.completion.label) * cell);
-        detail_width = std::max(detail_width, columns(candidate.completion.detail) * cell);
+        detail_width = std::max(detail_width, columns(facts(candidate.completion)) * cell);
     }
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -276,7 +282,7 @@ void PromptView::draw_candidate(std::size_t index, float width, float label_widt
                   std::string_view(label).substr(byte, next_code_point(label, byte) - byte));
     }
     float used = label_width + 3 * cell;
-    draw_text_fit(list, ImVec2(at.x + used, text.y), palette::dim, candidate.completion.detail,
+    draw_text_fit(list, ImVec2(at.x + used, text.y), palette::dim, facts(candidate.completion),
                   width - used - cell);
     if (clicked) prompt_.accept_candidate(index);
 }
@@ -286,7 +292,7 @@ void PromptView::draw_candidate(std::size_t index, float width, float label_widt
 PromptView::Description PromptView::describe(float width, float facts_width) const {
     const script::Completion& chosen = prompt_.menu().selection();
     Description found{.facts = {}, .doc = wrapped(chosen.doc, width)};
-    if (text_width(chosen.detail) > facts_width) found.facts = wrapped(chosen.detail, width);
+    if (text_width(facts(chosen)) > facts_width) found.facts = wrapped(facts(chosen), width);
     if (found.facts.empty() && found.doc.empty()) return found;
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const auto height = [&](const std::string& text) {

@@ -4,6 +4,7 @@
 #include <ctime>
 
 #include <look/theme.h>
+#include <text/short_numbers.h>
 #include <text/utf8.h>
 
 namespace fettle::console {
@@ -29,16 +30,16 @@ void colored(ImU32 color, const std::string& text) {
 
 using Draw = void (*)(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width);
 
-/// Draws a text shortened to `width`; a tooltip shows all of it, and `more`.
+/// Draws a text shortened to `width`. A tooltip shows `all` of it, if that is more.
 void fitted(ImU32 color, const std::string& text, float width, Draw draw = draw_text_fit,
-            const std::string& more = {}) {
+            std::string all = {}) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float whole = text_width(text);
     draw(*ImGui::GetWindowDrawList(), at, color, text, width);
     ImGui::Dummy(ImVec2(std::max(1.0f, std::min(whole, width)), ImGui::GetTextLineHeight()));
-    if ((whole > width || !more.empty()) && ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s",
-                          widget_text(std::string_view(text).substr(0, 4000)).append(more).c_str());
+    if (all.empty()) all = text;
+    if ((whole > width || all != text) && ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", widget_text(std::string_view(all).substr(0, 4000)).c_str());
 }
 
 }  // namespace
@@ -108,19 +109,21 @@ void TweakList::draw_header() {
 
 void TweakList::draw_change(const Tweak& tweak) {
     float room = ImGui::GetContentRegionAvail().x;
+    std::string old = with_short_numbers(tweak.was).text;
+    std::string now = with_short_numbers(tweak.now).text;
+    if (old == now) old = tweak.was, now = tweak.now;
     if (tweak.value) {
         const std::string arrow = " → ";
         const float both = room - text_width(arrow);
         // The new value gets the room that the old one does not need, and at least half of it.
-        const float was =
-            std::min(text_width(tweak.was), std::max(both / 2, both - text_width(tweak.now)));
-        fitted(palette::dim, tweak.was, was);
+        const float was = std::min(text_width(old), std::max(both / 2, both - text_width(now)));
+        fitted(palette::dim, old, was, draw_text_fit, tweak.was);
         ImGui::SameLine(0, 0);
         colored(palette::faint, arrow);
         ImGui::SameLine(0, 0);
         room = both - was;
     }
-    fitted(tweak.value ? palette::number : palette::string, tweak.now, room);
+    fitted(tweak.value ? palette::number : palette::string, now, room, draw_text_fit, tweak.now);
 }
 
 void TweakList::draw_row(int row) {
@@ -129,7 +132,7 @@ void TweakList::draw_row(int row) {
     ImGui::TableNextRow(0, button_height() + 2 * ImGui::GetStyle().CellPadding.y);
     ImGui::TableNextColumn();
     fitted(palette::path, tweak.path, ImGui::GetContentRegionAvail().x, draw_path_fit,
-           times_ ? "" : "\n" + when(tweak));
+           times_ ? "" : tweak.path + "\n" + when(tweak));
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemClicked(0) && follow) follow(tweak.path);
     ImGui::TableNextColumn();

@@ -6,6 +6,7 @@
 
 #include <look/fields.h>
 #include <look/theme.h>
+#include <text/short_numbers.h>
 #include <text/utf8.h>
 
 namespace fettle::console {
@@ -21,16 +22,18 @@ constexpr std::size_t longest_text = 60;  // code points
 
 }  // namespace
 
-std::string short_text(const property::Tree& tree, const property::Value& value,
-                       const std::string& unit, int digits) {
+std::string observed_text(const property::Tree& tree, const property::Value& value,
+                          const std::string& unit, double largest, int digits) {
+    const auto number = [&](double n) { return aligned_number(n, largest, digits); };
     std::string text;
     if (value.is(Type::vec2))
-        text = "(" + short_number(value.vec2().x, digits) + ", " +
-               short_number(value.vec2().y, digits) + ")";
+        text = "(" + number(value.vec2().x) + ", " + number(value.vec2().y) + ")";
     else if (value.is(Type::number))
-        text = short_number(value.number(), digits);
+        text = number(value.number());
     else
         text = tree.text(value);
+    if (value.is(Type::integer))
+        text.insert(0, std::max(number(0).size(), text.size()) - text.size(), ' ');
     if (!unit.empty() && !value.is_nil()) text += " " + unit;
     if (code_point_count(text) <= longest_text) return text;
     return text.substr(0, code_point_offset(text, longest_text)) + "…";
@@ -73,15 +76,15 @@ void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float wid
     const float side = height, spark = curve ? std::min(6 * em, width * 0.22f) : 0;
     const float room = width - side - spark - em;
     const float widest = room * 0.65f;
+    const double largest = pin.largest(sparkline_samples);
     std::string value = pin.problem();
     // A value keeps its unit and its second component, rather than its last digits.
     for (int digits = 4; pin.problem().empty() && digits >= 2; --digits) {
-        value = short_text(tree, pin.value(), pin.what().unit, digits);
+        value = observed_text(tree, pin.value(), pin.what().unit, largest, digits);
         if (text_width(value) <= widest) break;
     }
     const float value_width = std::min(text_width(value), widest);
-    // The path stays as it is drawn while the number of digits changes.
-    const float path_room = std::min(room - value_width, room * 0.5f) - em;
+    const float path_room = room - value_width - em;
 
     ImGui::InvisibleButton("text", ImVec2(std::max(1.0f, width - side), height));
     const bool hovered = ImGui::IsItemHovered();

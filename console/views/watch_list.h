@@ -14,9 +14,10 @@
 
 namespace fettle::console {
 
-/// The value for people: numbers of `digits` digits, with the unit.
-std::string short_text(const property::Tree& tree, const property::Value& value,
-                       const std::string& unit, int digits = 4);
+/// An observed value for people: numbers of `digits` digits, with the unit. Its numbers stand in
+/// columns that have room for what is `largest`, so the text does not move while they change.
+std::string observed_text(const property::Tree& tree, const property::Value& value,
+                          const std::string& unit, double largest, int digits = 4);
 
 class WatchList {
   public:

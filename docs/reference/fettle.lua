@@ -2868,6 +2868,11 @@ local fettle_Interface = {}
 ---@param value? any What the player has chosen; nil: the value is the game's again.
 function fettle_Interface:prefer(path, value) end
 
+---The widget that is seen at a point of the screen, the foremost of several; nil if there is none. Rows, columns and the like without a color of their own are not seen.
+---@param point vec From the top left corner of the screen. · px
+---@return Widget? widget 
+function fettle_Interface:widget_at(point) end
+
 ---What all widgets have in common.
 ---@class Class.Interface : Class
 Interface = {}
@@ -2980,7 +2985,7 @@ Transition = {}
 ---@field open boolean Whether the console is shown. · true or false · default false · not saved
 ---@field overlays boolean Whether the overlays of `view.show` are shown as a row of buttons. · true or false · default false · not saved
 ---@field pauses boolean Whether time stands still while the console is open. · true or false · default false · not saved
----@field picks boolean Whether a click on a body or a picture selects it while the console is open. · true or false · default true · not saved
+---@field picks boolean Whether a click on a body, a picture or a widget selects it while the console is open. · true or false · default true · not saved
 ---@field scale number Factor of the size of the text, and of what is measured by it. · 0.5 to 4 · default 1 · not saved
 ---@field time_bar boolean Whether the time bar is shown with it: pause, step, back. · true or false · default true · not saved
 ---@field tweaks boolean Whether tweaks are listed in place of the log. · true or false · default false · not saved

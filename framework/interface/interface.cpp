@@ -87,15 +87,41 @@ property::Method prefer_method(Preferences& preferences) {
             .effect = property::Effect::tree};
 }
 
-/// The properties and methods of the instance `interface` for preferences.
-ServiceParts preference_parts(Preferences& preferences) {
+property::Method widget_at_method(Player& player) {
+    using property::Type;
+    using property::Value;
+    return {.name = "widget_at",
+            .parameters = {{.name = "point",
+                            .type = Type::vec2,
+                            .unit = "px",
+                            .doc = "From the top left corner of the screen."}},
+            .required = 1,
+            .returns = {{.name = "widget",
+                         .type = Type::reference,
+                         .reference_class = "Widget",
+                         .nullable = true}},
+            .doc =
+                "The widget that is seen at a point of the screen, the foremost of several; nil "
+                "if there is none. Rows, columns and the like without a color of their own are "
+                "not seen.",
+            .context = &player,
+            .call = [](void* context, property::Tree&, property::Handle, property::Row,
+                       std::span<const Value> arguments) -> property::Result {
+                const Widget* const found =
+                    static_cast<Player*>(context)->seen_at(arguments[0].vec2());
+                return found != nullptr ? Value(found->self) : Value();
+            }};
+}
+
+/// The properties and methods of the instance `interface` for preferences and for the mouse.
+ServiceParts service_parts(Preferences& preferences, Player& player) {
     return {.properties = {{.name = Preferences::saved_name,
                             .type = property::Type::list,
                             .default_value = property::List{},
                             .doc = "The settings of the player at this moment: lists of a path "
                                    "and a value. interface:prefer changes them.",
                             .hidden = true}},
-            .methods = {prefer_method(preferences)}};
+            .methods = {prefer_method(preferences), widget_at_method(player)}};
 }
 
 }  // namespace
@@ -114,7 +140,7 @@ void Interface::attach(property::Tree& tree) {
     if (state_->tree != nullptr)
         throw std::logic_error("the interface is attached to a tree already");
     state_->tree = &tree;
-    state_->widgets.define(tree, preference_parts(state_->preferences));
+    state_->widgets.define(tree, service_parts(state_->preferences, state_->player));
     state_->preferences.attach(tree, state_->widgets.service());
     state_->tree_life = tree.lifetime();
     // Before the next picture and the next sound. `frame` does the rest.

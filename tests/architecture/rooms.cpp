@@ -214,7 +214,7 @@ const std::vector<DividedPart>& divided_parts() {
              {"settings", {"observed"}},
              {"prompt", {"text"}},
              {"look", {"text"}},
-             {"editing", {"look"}},
+             {"editing", {"text", "look"}},
              {"inspector", {"observed", "look", "editing"}},
              {"in_game", {"text", "observed", "look"}},
              {"views", {"text", "observed", "prompt", "look"}},

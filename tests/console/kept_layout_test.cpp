@@ -67,6 +67,25 @@ TEST_CASE("the console of the next run in a window goes on with the log") {
     CHECK_FALSE(closed.lua->is_open());
 }
 
+TEST_CASE("the game that begins again has the same instance selected") {
+    Run first;
+    first.lua->open();
+    first.frame();
+    const auto ball = property::resolve(first.tree, "world.ball").instance;
+    first.lua->select(ball);
+    const auto seen = first.lua->continuation();
+    Run next;
+    next.lua->continue_from(*seen);
+    next.frame();
+    CHECK(next.lua->selected() == property::resolve(next.tree, "world.ball").instance);
+    next.lua->state().run("it.mass = 7");
+    CHECK(property::get(next.tree, "world.ball.mass") == Value(7.0));
+    // After `it = nil` nothing comes back.
+    next.lua->select(std::vector<property::Handle>{});
+    next.frame();
+    CHECK_FALSE(next.lua->selected());
+}
+
 TEST_CASE("sizes and what is pinned and plotted are kept from run to run") {
     std::optional<console::Layout> kept;
     {

@@ -38,19 +38,23 @@ TEST_CASE("the rows of a table that is wider than the log break before the same 
     Rig rig;
     rig.key("grave");
     rig.draw(3);
-    script::TableLines table{1, {}};
+    script::TableLines table{1, true, {}};
     std::vector<std::string> lines = {"printed before the table"};
     for (const std::string word : {"head", "x", "longer"}) {
         std::string line;
         table.cells.emplace_back();
         for (const char column : {'1', '2', '3', '4'}) {
             table.cells.back().push_back(line.size());
-            const std::string cell = word + column;
+            const std::string wide(word == "longer" ? 33 : 0, '~');
+            const std::string cell = word + column + wide;
             line += cell + (column == '4' ? "" : std::string(42 - cell.size(), ' '));
         }
         lines.push_back(line);
     }
-    rig.state().log.output(lines, {table});
+    script::Evaluation said;
+    said.lines = lines;
+    said.tables = {table};
+    rig.state().log.output(said);
     rig.draw(3);
     const auto rows = rig.state().views.log_view.shown_rows();
     REQUIRE(rows.size() >= 6);

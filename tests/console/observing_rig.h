@@ -66,7 +66,7 @@ class ObservingRig : public Rig {
     }
     std::string text() {
         std::string all;
-        for (const console::LogLine& line : lua.state().log.lines()) all += line.text + "\n";
+        for (const console::LogLine& line : lua.state().log.lines()) all += line.whole() + "\n";
         return all;
     }
     bool press_key(std::string_view name) {

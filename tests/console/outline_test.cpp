@@ -15,6 +15,7 @@ namespace outline_test {
 using namespace fettle;
 using console::test::Rig;
 using property::Handle;
+using property::Value;
 using property::Vec2;
 
 namespace {
@@ -204,6 +205,65 @@ TEST_CASE_METHOD(Cards, "all that are selected in a layer are outlined in one wa
     walks = 0;
     draw();
     CHECK(walks == 1);
+}
+
+TEST_CASE("a click selects the widget that is seen there, before what lies behind it") {
+    Rig rig;
+    // A button of 100 by 40 pixels over a body, and the part of the tree that knows where it is.
+    static constexpr float left = 300, top = 500;
+    property::ClassDescriptor widget;
+    widget.name = "Widget";
+    const auto constant = [](const char* name, Value value) {
+        return property::Property{.name = name,
+                                  .type = value.type(),
+                                  .default_value = value,
+                                  .read_only = true,
+                                  .transient = true};
+    };
+    widget.properties = {constant("shown", Value(true)),
+                         constant("screen_position", Value(Vec2(left, top))),
+                         constant("screen_size", Value(Vec2(100, 40)))};
+    rig.tree.define(widget);
+    const Handle button =
+        rig.tree.create(rig.tree.class_named("Widget"), rig.tree.root(), "button");
+    property::ClassDescriptor service;
+    service.name = "Interface";
+    service.methods = {{.name = "widget_at",
+                        .parameters = {{"point", property::Type::vec2}},
+                        .required = 1,
+                        .returns = {{"widget", property::Type::reference}},
+                        .call = [](void*, property::Tree& tree, Handle, property::Row,
+                                   std::span<const Value> arguments) -> property::Result {
+                            const Vec2 at = arguments[0].vec2() - Vec2(left, top);
+                            const bool inside = at.x >= 0 && at.y >= 0 && at.x < 100 && at.y < 40;
+                            return inside ? Value(tree.child(tree.root(), "button")) : Value();
+                        }}};
+    rig.tree.create(rig.tree.define(service), rig.tree.root(), "interface");
+    const Handle ball = rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball");
+    property::set(rig.tree, "world.ball.position",
+                  Value(rig.state().options.to_world(left + 50, top + 20)));
+    rig.key("grave");
+    rig.draw(2);
+    rig.click(left + 50, top + 20);
+    CHECK(rig.console.selected() == button);
+    // It is outlined.
+    rig.draw(2);
+    const auto& pixel =
+        rig.surface
+            .pixels()[static_cast<std::size_t>(top) * 1280 + static_cast<std::size_t>(left) + 50];
+    CHECK(pixel[0] > 150);
+    CHECK(pixel[2] < 130);
+    // Beside it a click goes to the world.
+    property::set(rig.tree, "world.ball.position",
+                  Value(rig.state().options.to_world(left + 200, top + 20)));
+    rig.click(left + 200, top + 20);
+    CHECK(rig.console.selected() == ball);
+    // The right button opens the menu of the widget.
+    rig.button(true, left + 50, top + 20, "right");
+    rig.button(false, left + 50, top + 20, "right");
+    rig.draw(3);
+    CHECK(rig.console.selected() == button);
+    CHECK(rig.state().screen.popup_open);
 }
 
 }  // namespace outline_test

@@ -1,6 +1,7 @@
 // How a plot is drawn.
 
 #include <imgui_internal.h>
+#include <set>
 
 #include "catch.h"
 #include "observing_rig.h"
@@ -67,6 +68,23 @@ TEST_CASE("beneath the mouse a condition was true or false") {
     rig.lua.handle(event);
     rig.show();
     CHECK(view.legend().at(0).value == "false");
+}
+
+TEST_CASE("the legend of a plot does not move while values change their length") {
+    ObservingRig rig;
+    rig.run("plot world.ball.position, world.crate.mass");
+    std::set<std::size_t> lengths;
+    std::set<float> names;
+    for (const double x : {0.0, -0.5, 12.3456, -1.23456, 0.00012, 100.0}) {
+        property::set(rig.tree, "world.ball.position", property::Value(property::Vec2(x, -x)));
+        rig.step(1);
+        rig.show();
+        const auto& line = rig.lua.state().views.plot_view.legend().at(0);
+        lengths.insert(line.value.size());
+        names.insert(line.name);
+    }
+    CHECK(lengths.size() == 1);
+    CHECK(names.size() == 1);
 }
 
 bool are_apart(const console::Rect& a, const console::Rect& b) {

@@ -9,6 +9,7 @@
 namespace text_test {
 
 using namespace fettle::console;
+using fettle::script::Evaluation;
 using fettle::script::ScriptError;
 
 namespace {
@@ -89,6 +90,7 @@ TEST_CASE("the caret is below the name in the message") {
     CHECK(marked("it.mass = it.massive", "world.ball.massive: no such name") == "massive");
     CHECK(marked("  nothing named ", "something failed") == "nothing");
     CHECK(marked("x = scene.load()", "main.lua:9: scene is not available") == "scene");
+    CHECK(marked("a.color = b.velocity.z", "main.lua:8: a vec has no z") == "z");
     CHECK(marked("", "something failed").empty());
 }
 
@@ -168,9 +170,9 @@ TEST_CASE("a repeated line is stored once with its number") {
 
 TEST_CASE("long output of a command is folded and can be opened") {
     Log log;
-    std::vector<std::string> lines;
-    for (int i = 0; i < 100; ++i) lines.push_back("line " + std::to_string(i));
-    log.output(lines);
+    Evaluation said;
+    for (int i = 0; i < 100; ++i) said.lines.push_back("line " + std::to_string(i));
+    log.output(said);
     log.note("after it");
     REQUIRE(log.lines().size() == Log::shown_of_folded + 2);
     CHECK(log.lines()[Log::shown_of_folded].text == "… 60 more lines");
@@ -183,8 +185,8 @@ TEST_CASE("long output of a command is folded and can be opened") {
     CHECK(log.lines()[100].text == "after it");
     CHECK(log.rearranged() != before);
     log.clear();
-    lines.resize(Log::max_unfolded);
-    log.output(lines);
+    said.lines.resize(Log::max_unfolded);
+    log.output(said);
     CHECK(log.lines().size() == Log::max_unfolded);
 }
 

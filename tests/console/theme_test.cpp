@@ -8,6 +8,7 @@
 #include <imgui.h>
 #include <look/fields.h>
 #include <look/theme.h>
+#include <text/short_numbers.h>
 
 #include "catch.h"
 #include "rig.h"

@@ -188,4 +188,23 @@ TEST_CASE("later widgets and those with a higher z are in front") {
     CHECK(s.heard() == "a");
 }
 
+TEST_CASE("the widget that is seen at a point of the screen") {
+    Placed s(R"(
+        game.around = Column { size = vec(600, 0), offset = vec(100, 100), spacing = 20,
+            Label { text = "a label" }, Button { text = "a button", disabled = true } }
+        game.hidden = Button { size = vec(600, 600), visible = false }
+        game.panel = Panel { size = vec(100, 100), anchor = "bottom_right" })");
+    const auto seen = [&](const Vec2& point) {
+        const Result result =
+            s.tree.call(s.tree.child(s.tree.root(), "interface"), "widget_at", {Value(point)});
+        const Value& value = std::get<Value>(result);
+        return value.is_nil() ? "" : s.tree.path(value.reference());
+    };
+    for (const std::string path : {"around.label", "around.button", "panel"})
+        CHECK(seen(s.at(path) + s.size(path) / 2) == path);
+    // Between the widgets of a column without a color, and no widget at all.
+    CHECK(seen(s.at("around.button") - Vec2(-3, 10)).empty());
+    CHECK(seen({2, 2}).empty());
+}
+
 }  // namespace layout_test

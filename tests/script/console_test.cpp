@@ -242,6 +242,10 @@ TEST_CASE("documentation is printed with a question mark or help") {
     CHECK_THAT(s.console("find('fric')"), contains("Body.friction"));
     CHECK_THAT(s.console("find('rough')"), contains("Body.friction"));
     CHECK_THAT(s.console("find('zzz')"), contains("nothing has"));
+    // The nearest name of a class, of an instance, of a function.
+    CHECK(s.console("find Bdoy") == "nothing has \"Bdoy\" (did you mean \"Body\"?)");
+    CHECK(s.console("find bal_l") == "nothing has \"bal_l\" (did you mean \"ball\"?)");
+    CHECK(s.console("find rewimd") == "nothing has \"rewimd\" (did you mean \"rewind\"?)");
 }
 
 TEST_CASE("it is the selected instance") {

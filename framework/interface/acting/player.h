@@ -26,6 +26,9 @@ class Player {
     void begin_on(const property::Vec2& screen) { screen_ = screen; }
     /// The widget that a click would be on; null if there is none.
     const Widget* hovered() { return under(at(mouse_)); }
+    /// The widget that is seen at a point of the screen, also one that no click has an effect on;
+    /// null if there is none.
+    const Widget* seen_at(const property::Vec2& pixels);
 
   private:
     // Positions.

@@ -36,6 +36,19 @@ Widget* Player::under(const Vec2& point) {
     return nullptr;
 }
 
+const Widget* Player::seen_at(const Vec2& pixels) {
+    lay_out();
+    const Vec2 point = at(pixels);
+    const auto& shown = layout_.shown();
+    for (auto row = shown.rbegin(); row != shown.rend(); ++row) {
+        const Widget& widget = widgets_[*row];
+        const bool drawn = !is_container(widget.kind) || has_background(widget);
+        if (drawn && widget.arranged.box.contains(point) && widget.arranged.clip.contains(point))
+            return &widget;
+    }
+    return nullptr;
+}
+
 Widget* Player::list_under(const Vec2& point) {
     for (Widget* each = under(point); each != nullptr; each = above(*each))
         if (each->kind == Kind::list &&

@@ -14,16 +14,6 @@ using property::TextAlign;
 using property::Transform;
 using property::Vec2;
 
-namespace {
-
-bool has_background(const Widget& widget) {
-    if (!is_container(widget.kind)) return false;
-    if (widget.style.color) return widget.style.color->a > 0;
-    return widget.kind == Kind::panel || widget.kind == Kind::list;
-}
-
-}  // namespace
-
 // --- Gradual changes
 
 void Picture::advance(double seconds) {

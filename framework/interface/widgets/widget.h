@@ -122,4 +122,11 @@ inline bool is_active(Kind kind) {
            kind == Kind::text_field || kind == Kind::list;
 }
 
+/// Whether it covers what lies below it with a color of its own, as a container.
+inline bool has_background(const Widget& widget) {
+    if (!is_container(widget.kind)) return false;
+    if (widget.style.color) return widget.style.color->a > 0;
+    return widget.kind == Kind::panel || widget.kind == Kind::list;
+}
+
 }  // namespace fettle::interface

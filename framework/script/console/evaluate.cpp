@@ -100,7 +100,7 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
                    !help.empty()) {
             for (std::string& line : help) evaluation.lines.push_back(std::move(line));
         } else {
-            TableLines table{evaluation.lines.size(), {}};
+            TableLines table{evaluation.lines.size(), true, {}};
             for (std::string& line : long_text(L, 1, command, table))
                 evaluation.lines.push_back(std::move(line));
             if (!table.cells.empty()) evaluation.tables.push_back(std::move(table));
@@ -287,6 +287,7 @@ bool call_with_words(lua_State* L, std::string_view command) {
 void take_lines(Machine& machine, Evaluation& evaluation) {
     Recording& recording = machine.recording;
     evaluation.lines = std::exchange(recording.lines, {});
+    evaluation.printed = std::exchange(recording.texts, {});
     if (const std::size_t more = std::exchange(recording.dropped_lines, 0); more > 0)
         evaluation.lines.push_back("… " + std::to_string(more) +
                                    (more == 1 ? " more line" : " more lines"));

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include <fettle/property/condition.h>
 #include <fettle/property/natural_order.h>
@@ -358,6 +359,7 @@ class Search {
     explicit Search(std::string_view word) : word_(lower(word)) {}
 
     void look(const std::string& name, const std::string& shown, const std::string& doc) {
+        known_.insert(name);
         const bool by_name = lower(name).find(word_) != std::string::npos;
         if (!by_name && lower(doc).find(word_) == std::string::npos) return;
         (by_name ? names_ : docs_).push_back({"  " + shown, doc});
@@ -376,9 +378,13 @@ class Search {
         return result;
     }
 
+    /// Names that were looked at.
+    std::set<std::string>& known() { return known_; }
+
   private:
     static constexpr std::size_t max_lines = 50;
     std::string word_;
+    std::set<std::string> known_;
     std::vector<std::vector<std::string>> names_, docs_;  // found by name, or by documentation only
 };
 
@@ -414,8 +420,11 @@ std::vector<std::string> find_lines(const property::Tree& tree, std::string_view
         search.look(name, tree.path(handle), tree.class_of(handle).name());
     });
     std::vector<std::string> lines = search.lines();
-    if (lines.empty()) lines.push_back("nothing has \"" + std::string(word) + "\"");
-    return lines;
+    if (!lines.empty()) return lines;
+    std::set<std::string>& known = search.known();
+    tree.each_below(tree.root(), [&](Handle handle) { known.insert(tree.name(handle)); });
+    return {"nothing has \"" + std::string(word) + "\"" +
+            property::suggestion(word, std::vector<std::string>(known.begin(), known.end()))};
 }
 
 namespace {

@@ -42,7 +42,8 @@ std::string listed_value(const property::Tree& tree, Handle handle, const Proper
 }
 
 // One row for each property in order of name: name, value with unit. Then the children.
-std::vector<std::string> instance_lines(const property::Tree& tree, Handle handle) {
+std::vector<std::string> instance_lines(const property::Tree& tree, Handle handle,
+                                        TableLines& table) {
     std::vector<std::string> lines = {tree.path(handle) + " · " + tree.class_of(handle).name()};
     std::vector<std::vector<std::string>> rows;
     for (const Property* property : tree.properties(handle)) {
@@ -51,7 +52,9 @@ std::vector<std::string> instance_lines(const property::Tree& tree, Handle handl
                         property->read_only ? "(read-only)" : ""});
     }
     std::sort(rows.begin(), rows.end(), property::NaturalOrder{});
-    for (std::string& line : columns(rows)) lines.push_back(std::move(line));
+    table.first += lines.size();
+    table.head = false;
+    for (std::string& line : columns(rows, &table.cells)) lines.push_back(std::move(line));
     std::vector<std::vector<std::string>> children;
     for (Handle child = tree.first_child(handle); child && children.size() < max_rows;
          child = tree.next_sibling(child))
@@ -105,8 +108,11 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
     rows.push_back(head);
     for (const auto& [path, handle] : sorted) {
         std::vector<std::string> row = {path, tree.class_of(handle).name()};
-        for (const Property* property : shared)
-            row.push_back(cut(listed_value(tree, handle, *property, false), 28));
+        for (const Property* property : shared) {
+            // Half a vector tells nothing.
+            const std::size_t width = property->type == Type::vec2 ? line_width : 28;
+            row.push_back(cut(listed_value(tree, handle, *property, false), width));
+        }
         rows.push_back(std::move(row));
     }
     std::vector<std::string> lines = columns(rows, &table.cells);
@@ -198,7 +204,8 @@ std::vector<std::string> table_lines(lua_State* L, int index, std::string_view c
     std::sort(named.begin(), named.end(), property::NaturalOrder{});
     for (auto& row : named)
         if (rows.size() < max_rows) rows.push_back(std::move(row));
-    std::vector<std::string> lines = columns(rows);
+    table.head = false;
+    std::vector<std::string> lines = columns(rows, &table.cells);
     add_count(lines, total, "entries");
     return lines;
 }
@@ -248,7 +255,7 @@ std::vector<std::string> long_text(lua_State* L, int index, std::string_view com
     Machine& machine = machine_of(L);
     if (const auto* box = instance_at(L, index)) {
         if (!machine.tree.alive(box->handle)) return {short_text(L, index)};
-        return instance_lines(machine.tree, box->handle);
+        return instance_lines(machine.tree, box->handle, table);
     }
     if (lua_type(L, index) == LUA_TTABLE) return table_lines(L, index, command, table);
     if (const DescriptionKind* kind = description_kind(L, index))

@@ -117,7 +117,10 @@ int print(lua_State* L) {
     }
     Machine& machine = machine_of(L);
     machine.budget.charge(L, 100 + line.size() / 8);
+    Recording& recording = machine.recording;
+    const std::size_t first = recording.lines.size();
     print_line(machine, std::move(line));
+    for (std::size_t i = first; i < recording.lines.size(); ++i) recording.texts.push_back(i);
     return 0;
 }
 

@@ -27,6 +27,7 @@ struct Recording {
     std::vector<Edit> edits;
     const property::Property* last_read = nullptr;  // its unit is shown with the result
     std::vector<std::string> lines;                 // printed
+    std::vector<std::size_t> texts;                 // which of the lines come from `print`
     std::string nothing;            // the pattern of the last query that has found nothing
     std::size_t dropped = 0;        // edits beyond the limit
     std::size_t dropped_lines = 0;  // printed lines beyond the limit

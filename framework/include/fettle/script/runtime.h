@@ -96,9 +96,10 @@ struct LongCall {
     double seconds = 0;  // s since its start
 };
 
-/// Lines of an answer that are the rows of a table; the first one is the head.
+/// Lines of an answer that are the rows of a table.
 struct TableLines {
-    std::size_t first = 0;                        ///< the line of the head
+    std::size_t first = 0;                        ///< the line of the first row
+    bool head = true;                             ///< whether the first row names the columns
     std::vector<std::vector<std::size_t>> cells;  ///< of each row, the bytes where its cells begin
 };
 
@@ -108,9 +109,10 @@ struct Evaluation {
     bool incomplete = false;         // the chunk needs more lines; nothing has run
     std::vector<std::string> lines;  // printed text, results and old and new values of assignments,
                                      // in order
-    std::vector<TableLines> tables{};  ///< which of the lines are tables of instances
-    std::optional<ScriptError> error;  ///< none if it is ok
-    property::Value result;            // the last result; nil if it is not a value of the tree
+    std::vector<TableLines> tables{};    ///< which of the lines are tables
+    std::vector<std::size_t> printed{};  ///< which of the lines are texts of `print`, in order
+    std::optional<ScriptError> error;    ///< none if it is ok
+    property::Value result;              // the last result; nil if it is not a value of the tree
 };
 
 /// A candidate of a completion.
