@@ -108,6 +108,25 @@ TEST_CASE("locked axes do not move and locked rotation does not turn") {
     REQUIRE(x.position().x > 0.05f);
 }
 
+TEST_CASE("a kinematic body turns about its position unless its center was set") {
+    World world;
+    Body door = world.create_body(
+        {.type = BodyType::kinematic_body, .position = {3, 1}, .angular_velocity = 2});
+    door.add(Box{.width = 2, .height = 0.2f, .center = {1, 0}});
+    REQUIRE(door.center() == Vec2(0, 0));
+    for (int i = 0; i < 30; ++i) world.step(1.0f / 60);
+    REQUIRE(door.position() == Position(3, 1));
+    REQUIRE_THAT(double(door.angle()), WithinAbs(1, 1e-4));
+    door.set_type(BodyType::dynamic_body);
+    REQUIRE_THAT(double(door.center().x), WithinAbs(1, 1e-5));
+    REQUIRE_THAT(double(door.velocity().length()), WithinAbs(2, 1e-4));  // it goes on as it was
+    door.set_type(BodyType::kinematic_body);
+    REQUIRE_THAT(double(door.velocity().length()), WithinAbs(0, 1e-4));
+    door.set_center(Vec2(1, 0));
+    world.step(1.0f / 60);
+    REQUIRE(door.position() != Position(3, 1));
+}
+
 TEST_CASE("a kinematic body moves by its velocity and carries what lies on it") {
     World world;
     Body belt = world.create_body({.type = BodyType::kinematic_body, .velocity = {1, 0}});

@@ -155,13 +155,14 @@ std::vector<Property> motion(Hosting& hosting) {
                           "full turn.",
                           body_angle(hosting)))),
         simulated(vector("velocity", {0, 0}, "m/s",
-                         "Velocity of its center of mass. A step limits it to 10000 m/s.",
+                         "Velocity of its `center`. A step limits it to 10000 m/s.",
                          velocity(hosting))),
-        simulated(
-            number("angular_velocity", 0, "rad/s",
-                   "Angular velocity, counter-clockwise. A step limits it to 3 rad in each of "
-                   "its parts (`World.substeps`): 720 rad/s with the defaults.",
-                   angular_velocity(hosting))),
+        simulated(number(
+            "angular_velocity", 0, "rad/s",
+            "Angular velocity, counter-clockwise, about its `center`. A step limits it to 3 rad "
+            "in each of "
+            "its parts (`World.substeps`): 720 rad/s with the defaults.",
+            angular_velocity(hosting))),
     };
 }
 
@@ -216,7 +217,8 @@ std::vector<Property> weight(Hosting& hosting) {
          .unit = "m",
          .range = coordinates,
          .doc = "Center of mass in the coordinates of the body, computed from the shapes unless "
-                "it is set; nil computes it again.",
+                "it is set; nil computes it again. A kinematic body turns about its `position`, "
+                "as a door about its hinge: its center is (0, 0) unless it is set.",
          .binding = overridable<&Body::center, &Body::set_center, &Body::center_override>(hosting),
          .simulated = true,
          .derives_from = sources,

@@ -56,6 +56,8 @@ struct Weighed {
     }
     Lines center() const {
         if (body.center_override()) return {"it was set; nil computes it from the shapes"};
+        if (body.type() == physics::BodyType::kinematic_body)
+            return {"a kinematic body turns about its position"};
         if (!(total() > 0)) return {"without a mass of shapes it is the origin of the body"};
         Lines lines;
         for (const physics::Shape& shape : body.shapes())

@@ -138,4 +138,87 @@ TEST_CASE("a body that a fast blade hits flies away and does not stick to the bl
     }
 }
 
+TEST_CASE("a flipper shoots what lies on it") {
+    const unsigned seeds = seeds_or(100);
+    for (int kind = 0; kind < 3; ++kind) {
+        unsigned through = 0;
+        float slowest = 100;  // of the speed that the place of the body has on the flipper
+        for (unsigned seed = 1; seed <= seeds; ++seed) {
+            Random random{std::mt19937(seed)};
+            World world;
+            Body flipper = world.create_body({.type = BodyType::kinematic_body});
+            const float length = random(0.8f, 2), thickness = random(0.1f, 0.25f);
+            flipper.add(Box{.width = length, .height = thickness, .center = {0.5f * length, 0}},
+                        {.friction = 0.3f});
+            const float arm = random(0.4f, 0.95f) * length, size = random(0.05f, 0.2f);
+            Body ball = world.create_body({.position = {arm, 0.5f * thickness + size + 0.005f}});
+            if (kind == 0) ball.add(Circle{size});
+            if (kind == 1) ball.add(Box{.width = 2 * size, .height = 2 * size});
+            if (kind == 2) ball.add(Box{.width = 4 * size, .height = size});
+            for (int step = 0; step < 30; ++step) world.step(frame);
+            const float speed = random(8, 30);
+            flipper.set_angular_velocity(speed);
+            while (flipper.angle() < 1) world.step(frame);
+            flipper.set_angular_velocity(0);
+            for (int step = 0; step < 6; ++step) world.step(frame);
+            const Vec2 at = flipper.local_point(ball.position());
+            if (at.y < 0 && at.length() < length) ++through;
+            slowest = std::min(slowest, ball.velocity().length() / (speed * arm));
+        }
+        INFO("kind " << kind << ": " << through << " through the flipper, the slowest with "
+                     << slowest << " of the speed of the flipper");
+        CHECK(through == 0);
+        CHECK(slowest > 0.8f);
+    }
+}
+
+TEST_CASE("a drum that turns fast keeps what is in it") {
+    const unsigned seeds = seeds_or(20);
+    for (int kind = 0; kind < 3; ++kind) {
+        unsigned out = 0;
+        float fastest = 0;  // times as fast as the drum and a fall
+        for (unsigned seed = 1; seed <= seeds; ++seed) {
+            Random random{std::mt19937(seed)};
+            World world;
+            const float radius = random(2, 4), speed = random(3, 25), wall = 0.3f;
+            Body drum =
+                world.create_body({.type = BodyType::kinematic_body, .angular_velocity = speed});
+            constexpr int walls = 24;
+            for (int i = 0; i < walls; ++i) {
+                const float angle = 6.2831853f * float(i) / walls;
+                const Vec2 out_there = {std::cos(angle), std::sin(angle)};
+                drum.add(Box{.width = wall,
+                             .height = 2.1f * radius * std::tan(3.1415927f / walls),
+                             .center = (radius + 0.5f * wall) * out_there,
+                             .angle = angle});
+                if (i % 6 != 0) continue;
+                drum.add(Box{.width = 0.5f,
+                             .height = 0.1f,
+                             .center = (radius - 0.25f) * out_there,
+                             .angle = angle});
+            }
+            std::vector<Body> bodies;
+            for (int i = 0; i < 30; ++i) {
+                bodies.push_back(world.create_body(
+                    {.position = {radius * random(-0.5f, 0.5f), radius * random(-0.5f, 0.5f)}}));
+                const float size = random(0.08f, 0.2f);
+                if (kind == 0) bodies.back().add(Circle{size});
+                if (kind == 1) bodies.back().add(Box{.width = 2 * size, .height = 2 * size});
+                if (kind == 2) bodies.back().add(Box{.width = 4 * size, .height = size});
+            }
+            for (int step = 0; step < 300; ++step) {
+                world.step(frame);
+                for (const Body& body : bodies)
+                    fastest = std::max(fastest, body.velocity().length() / (speed * radius + 8));
+            }
+            for (const Body& body : bodies)
+                if (Vec2(body.position()).length() > radius + wall) ++out;
+        }
+        INFO("kind " << kind << ": " << out << " of " << 30 * seeds << " out of the drum, at most "
+                     << fastest << " times as fast as the drum and a fall can make them");
+        CHECK(out <= seeds / 4);
+        CHECK(fastest < 2);
+    }
+}
+
 }  // namespace blades_family_test

@@ -147,12 +147,14 @@ class Body {
     void set_inertia(std::optional<float>
                          inertia);  ///< none: from the shapes; infinity: does not rotate; else > 0
     std::optional<float> inertia_override() const;  ///< kg m²; none: from the shapes
-    Vec2 center() const;                            ///< center of mass, body coordinates
-    void set_center(std::optional<Vec2> center);    ///< m; none: from the shapes
-    std::optional<Vec2> center_override() const;    ///< m; none: from the shapes
-    Position world_center() const;                  ///< center of mass, world, m
-    float area() const;                             ///< m², sum over the shapes
-    Aabb aabb() const;                              ///< of all shapes; the origin if there are none
+    /// Center of mass, body coordinates. A kinematic body turns about its position: its center is
+    /// the origin, unless it was set.
+    Vec2 center() const;
+    void set_center(std::optional<Vec2> center);  ///< m; none: as above
+    std::optional<Vec2> center_override() const;  ///< m; none: from the shapes
+    Position world_center() const;                ///< center of mass, world, m
+    float area() const;                           ///< m², sum over the shapes
+    Aabb aabb() const;                            ///< of all shapes; the origin if there are none
     uint32_t rebuilds() const;  ///< how often mass, center and inertia were computed again
 
     /// Pose before the last step, for drawing between steps. A teleport changes it too, so that

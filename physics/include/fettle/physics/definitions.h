@@ -76,14 +76,16 @@ struct BodyDef {
     float angular_damping = 0.0f;            ///< 1/s
     std::optional<float> mass = {};          ///< kg; none: from the shapes; infinity: does not move
     std::optional<float> inertia = {};  ///< kg m²; none: from the shapes; infinity: does not rotate
-    std::optional<Vec2> center = {};  ///< center of mass in body coordinates; none: from the shapes
-    bool awake = true;                ///< false: asleep until something wakes it
-    bool can_sleep = true;            ///< false: it never falls asleep
-    bool bullet = false;              ///< true: continuous collision with moving bodies, too
-    bool locked_x = false;            ///< true: it does not move along x
-    bool locked_y = false;            ///< true: it does not move along y
-    bool locked_rotation = false;     ///< true: it does not rotate
-    bool enabled = true;              ///< false: takes no part in steps and queries
+    /// Center of mass in body coordinates; none: from the shapes, or the origin of a kinematic
+    /// body.
+    std::optional<Vec2> center = {};
+    bool awake = true;             ///< false: asleep until something wakes it
+    bool can_sleep = true;         ///< false: it never falls asleep
+    bool bullet = false;           ///< true: continuous collision with moving bodies, too
+    bool locked_x = false;         ///< true: it does not move along x
+    bool locked_y = false;         ///< true: it does not move along y
+    bool locked_rotation = false;  ///< true: it does not rotate
+    bool enabled = true;           ///< false: takes no part in steps and queries
     /// m/s; with its island, it rests below this. None: `WorldDef::sleep_speed`.
     std::optional<float> sleep_speed = {};
     float max_speed = infinity;  ///< m/s, limit of its speed, above 0
