@@ -116,12 +116,12 @@ TEST_CASE("a kinematic body turns about its position unless its center was set")
     REQUIRE(door.center() == Vec2(0, 0));
     for (int i = 0; i < 30; ++i) world.step(1.0f / 60);
     REQUIRE(door.position() == Position(3, 1));
-    REQUIRE_THAT(double(door.angle()), WithinAbs(1, 1e-4));
+    REQUIRE(door.angle() == Approx(1).margin(1e-4));
     door.set_type(BodyType::dynamic_body);
-    REQUIRE_THAT(double(door.center().x), WithinAbs(1, 1e-5));
-    REQUIRE_THAT(double(door.velocity().length()), WithinAbs(2, 1e-4));  // it goes on as it was
+    REQUIRE(door.center().x == Approx(1).margin(1e-5));
+    REQUIRE(door.velocity().length() == Approx(2).margin(1e-4));  // it goes on as it was
     door.set_type(BodyType::kinematic_body);
-    REQUIRE_THAT(double(door.velocity().length()), WithinAbs(0, 1e-4));
+    REQUIRE(door.velocity().length() == Approx(0).margin(1e-4));
     door.set_center(Vec2(1, 0));
     world.step(1.0f / 60);
     REQUIRE(door.position() != Position(3, 1));
