@@ -842,11 +842,11 @@ World = {}
 ---@class Body : Object
 ---@field angle number Angle by which it is turned, counter-clockwise; not wrapped after a full turn. · rad · -1e8 to 1e8 · default 0 · simulated
 ---@field angular_damping number Share of its angular velocity that it loses in a second, for small values. · 1/s · at least 0 · default 0
----@field angular_velocity number Angular velocity, counter-clockwise. A step limits it to 3 rad in each of its parts (`World.substeps`): 720 rad/s with the defaults. · rad/s · any finite number · default 0 · simulated
+---@field angular_velocity number Angular velocity, counter-clockwise, about its `center`. A step limits it to 3 rad in each of its parts (`World.substeps`): 720 rad/s with the defaults. · rad/s · any finite number · default 0 · simulated
 ---@field awake boolean True if it takes part in the step. A body that rests for a while falls asleep, together with all bodies that it touches, until one of them is disturbed. · true or false · default true · simulated
 ---@field bullet boolean True if it cannot pass through other moving bodies at any speed. · true or false · default false
 ---@field can_sleep boolean True if it may fall asleep. · true or false · default true
----@field center vec Center of mass in the coordinates of the body, computed from the shapes unless it is set; nil computes it again. · m · -1e8 to 1e8 · default computed · simulated
+---@field center vec Center of mass in the coordinates of the body, computed from the shapes unless it is set; nil computes it again. A kinematic body turns about its `position`, as a door about its hinge: its center is (0, 0) unless it is set. · m · -1e8 to 1e8 · default computed · simulated
 ---@field color color? Color of its shapes that have no own color; nil: a color for the type of the body. · channels 0 to 1 · default nil · may be nil
 ---@field contact_force number Sum of the forces of its contacts. · N · any finite number · read-only, simulated
 ---@field contact_impulses number[] Impulses that separated the two in the last step. · N s · any length · read-only, simulated
@@ -868,7 +868,7 @@ World = {}
 ---@field sleep_speed number It rests below this speed; that of the world unless it is set; nil uses that of the world again. · m/s · at least 0 · default 0.05 · simulated
 ---@field torque number Torque in every step until it is changed. · N m · any finite number · default 0
 ---@field type "static"|"kinematic"|"dynamic" How it moves. "static": not at all; "kinematic": with its velocity, and no force changes that; "dynamic": by forces, contacts and joints. · "static", "kinematic", "dynamic" · default "dynamic"
----@field velocity vec Velocity of its center of mass. A step limits it to 10000 m/s. · m/s · any finite vec · default vec(0, 0) · simulated
+---@field velocity vec Velocity of its `center`. A step limits it to 10000 m/s. · m/s · any finite vec · default vec(0, 0) · simulated
 local fettle_Body = {}
 
 ---Changes its angular velocity at once.
@@ -2868,9 +2868,9 @@ local fettle_Interface = {}
 ---@param value? any What the player has chosen; nil: the value is the game's again.
 function fettle_Interface:prefer(path, value) end
 
----The widget that is seen at a point of the screen, the foremost of several; nil if there is none. Rows, columns and the like without a color of their own are not seen.
+---The widget that is seen at a point of the screen, the foremost of several. Rows, columns and the like without a color of their own are not seen.
 ---@param point vec From the top left corner of the screen. · px
----@return Widget? widget 
+---@return Widget? widget The widget; nil if there is none.
 function fettle_Interface:widget_at(point) end
 
 ---What all widgets have in common.

@@ -3,6 +3,7 @@
 #include <fettle/physics/physics.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <span>

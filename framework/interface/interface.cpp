@@ -98,19 +98,20 @@ property::Method widget_at_method(Player& player) {
             .required = 1,
             .returns = {{.name = "widget",
                          .type = Type::reference,
+                         .doc = "The widget; nil if there is none.",
                          .reference_class = "Widget",
                          .nullable = true}},
             .doc =
-                "The widget that is seen at a point of the screen, the foremost of several; nil "
-                "if there is none. Rows, columns and the like without a color of their own are "
-                "not seen.",
+                "The widget that is seen at a point of the screen, the foremost of several. Rows, "
+                "columns and the like without a color of their own are not seen.",
             .context = &player,
             .call = [](void* context, property::Tree&, property::Handle, property::Row,
                        std::span<const Value> arguments) -> property::Result {
                 const Widget* const found =
                     static_cast<Player*>(context)->seen_at(arguments[0].vec2());
                 return found != nullptr ? Value(found->self) : Value();
-            }};
+            },
+            .effect = property::Effect::nothing};
 }
 
 /// The properties and methods of the instance `interface` for preferences and for the mouse.

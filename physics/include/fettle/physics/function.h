@@ -29,7 +29,7 @@ bool is_empty(const Called& called) {
 }  // namespace detail
 
 /// A function that is kept: a lambda with what it captures, a pointer to a function, a
-/// `std::function`. It is used as `std::function` is; <functional> alone takes as long to compile
+/// `std::function`. It is used as `std::function` is, whose header alone takes as long to compile
 /// as all headers of this library. What it keeps must be copyable; two pointers, if they are
 /// trivially copyable, need no memory of their own.
 template <class Returned, class... Arguments>
