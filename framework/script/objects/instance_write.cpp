@@ -143,6 +143,10 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const Class& 
         assign_property(machine, instance, *property, value);
         return;
     }
+    if (lua_isfunction(L, 3) && of.event(name) != nullptr)
+        throw Error(ErrorKind::wrong_type, path_of(machine.tree, instance, name) +
+                                               ": is an event; :on(\"" + std::string(name) +
+                                               "\", function) adds a handler");
     refuse_near_miss(machine, instance, of, name, lua_isfunction(L, 3));
     if (lua_isnil(L, 3)) return;
     if (is_formula(L, 3)) {

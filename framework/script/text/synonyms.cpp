@@ -15,6 +15,7 @@ struct Synonym {
 const std::vector<Synonym>& properties() {
     static const std::vector<Synonym> table = {
         {"pos location place getposition", {"position", "center", "world", "offset"}},
+        {"offset", {"center"}},
         {"position", {"center", "world", "offset"}},  // of the view, the mouse and widgets
         {"x y", {"position = vec(x, y)", "center = vec(x, y)", "offset = vec(x, y)"}},
         {"rot rotation orientation heading direction", {"angle"}},
@@ -61,6 +62,7 @@ const std::vector<Synonym>& properties() {
         {"angulardrag rotationdamping", {"angular_damping"}},
         {"gravityfactor", {"gravity_scale"}},
         {"points verts corners", {"vertices"}},
+        {"vertices", {"points"}},
         {"layer collisionlayer", {"category"}},
         {"collisionmask", {"mask"}},
         {"g", {"gravity"}},
@@ -118,8 +120,9 @@ const std::vector<Synonym>& callbacks() {
         {"collisionexit collisionexit2d endcontact contactstop contactstopped contactended "
          "collisionstop collisionended bodyexited",
          {"contact_end"}},
-        {"trigger triggerenter triggerenter2d areaentered overlap", {"sensor_begin"}},
-        {"triggerexit triggerexit2d areaexited", {"sensor_end"}},
+        {"trigger triggerenter triggerenter2d areaentered sensorenter areaenter overlap",
+         {"sensor_begin"}},
+        {"triggerexit triggerexit2d areaexited sensorexit sensorleave areaexit", {"sensor_end"}},
         {"destroy destroyed remove removed exittree", {"deleted"}},
     };
     return table;

@@ -36,6 +36,20 @@ bool push_alive(lua_State* L, std::string_view name) {
     return true;
 }
 
+/// What is said where a name is a property, a method or an event of the instance in the field
+/// `instance` of the record at 1; "" if it is not.
+std::string hint_at_instance(lua_State* L, const std::string& name) {
+    push_text(L, "instance");
+    lua_rawget(L, 1);
+    const InstanceBox* const box = instance_at(L, -1);
+    lua_pop(L, 1);  // the record keeps it
+    const property::Tree& tree = machine_of(L).tree;
+    if (box == nullptr || !tree.alive(box->handle)) return "";
+    const property::Class& of = tree.class_of(box->handle);
+    if (of.property(name) == nullptr && of.method(name) == nullptr) return "";
+    return "; this is the record of the event, and its `instance` has " + name;
+}
+
 int read_record(lua_State* L) {
     if (lua_type(L, 2) == LUA_TSTRING) {
         const std::vector<std::string> names = field_names(L);
@@ -48,18 +62,23 @@ int read_record(lua_State* L) {
             lua_pushnil(L);
             return 1;
         }
-        throw Error(ErrorKind::unknown_name,
-                    name + ": no such field" + property::suggestion(name, names));
+        const std::string hint = hint_at_instance(L, name);
+        throw Error(
+            ErrorKind::unknown_name,
+            name + ": no such field" + (hint.empty() ? property::suggestion(name, names) : hint));
     }
     lua_pushnil(L);
     return 1;
 }
 
-/// A script may add fields to a record, but not one with a name that is almost equal to a field's.
+/// A script may add fields to a record, but not one with a name that is almost equal to a field's,
+/// nor one that its instance has.
 int write_record(lua_State* L) {
     if (lua_type(L, 2) == LUA_TSTRING) {
         const std::string name = string_at(L, 2);
         const std::vector<std::string> names = field_names(L);
+        if (const std::string hint = hint_at_instance(L, name); !hint.empty())
+            throw Error(ErrorKind::unknown_name, name + ": no such field" + hint);
         for (const std::string& field : names)
             if (property::near_miss(name, field))
                 throw Error(ErrorKind::near_miss,

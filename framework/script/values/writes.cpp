@@ -217,7 +217,9 @@ void destroy(Machine& machine, Handle instance) {
     if (!machine.tree.class_of(instance).creatable())
         throw Error(ErrorKind::bad_structure, machine.tree.path(instance) +
                                                   ": is the framework's own and cannot "
-                                                  "be deleted");
+                                                  "be deleted; find(Class):delete(), as in "
+                                                  "world:find(Body):delete(), deletes those of "
+                                                  "a class");
     if (machine.declarations.defers(instance)) return;
     if (machine.declarations.again()) machine.declarations.remove(instance);
     const bool placed = machine.tree.is_below(instance, machine.tree.root());
