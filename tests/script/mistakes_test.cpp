@@ -63,6 +63,34 @@ TEST_CASE("a child with the name of a property is refused with the reason") {
         }
 }
 
+TEST_CASE("a handler that treats the record of its event as the instance is told so") {
+    Stage s;
+    s.run(R"(world.ball = Body {}
+        world.ball:on("contact_begin", function(e)
+            local _, said = pcall(function() e.velocity = vec(0, 1) end)
+            local _, read = pcall(function() return e.mass end)
+            e.mine = 3
+            print(said, read, e.mine)
+        end))");
+    const auto ball = s.tree->child(s.world, "ball");
+    s.tree->emit(ball, *s.tree->class_of(ball).event("contact_begin"), {s.world, 2.0});
+    s.step();
+    REQUIRE(s.printed.size() == 1);
+    for (const char* name : {"velocity", "mass"})
+        CHECK_THAT(s.printed[0], contains(std::string(name) +
+                                          ": no such field; this is the record "
+                                          "of the event, and its `instance` has " +
+                                          name));
+    CHECK(s.printed[0].ends_with("\t3"));
+}
+
+TEST_CASE("a function that is assigned to an event is refused with the way to add a handler") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    CHECK_THAT(s.fails("world.ball.contact_begin = function() end"),
+               contains("world.ball.contact_begin: is an event; :on(\"contact_begin\", function)"));
+}
+
 TEST_CASE("the error for code that is nested too deeply has its place") {
     const auto nested = [](const std::string& open, const std::string& close) {
         std::string text;
