@@ -181,8 +181,8 @@ fettle_code fettle_body_set_inertia(fettle_world* world, fettle_id body, const f
 fettle_code fettle_body_inertia_override(const fettle_world* world, fettle_id body, bool* is_set,
                                          float* inertia);
 
-/** Center of mass, body coordinates, m: the override if there is one, otherwise from the shapes; the
-    origin of a kinematic body, which turns about its position. */
+/** Center of mass, body coordinates, m: the override if there is one, otherwise from the shapes.
+    That of a kinematic body is its origin: it turns about its position. */
 fettle_code fettle_body_center(const fettle_world* world, fettle_id body, fettle_vec2* center);
 
 /** Overrides the center of mass, body coordinates, m; from -1e8 to 1e8. Null: from the shapes
