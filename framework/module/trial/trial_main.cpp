@@ -1,5 +1,6 @@
 // The program of a trial: reads what is to be tried out, and tells each phase and the result.
 
+#include <signal.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -76,7 +77,10 @@ void run(const Trial& trial) {
 
 int trial_main() {
     const rlimit no_core{0, 0};
-    setrlimit(RLIMIT_CORE, &no_core);    // a crash is reported as text, so no core file is needed
+    setrlimit(RLIMIT_CORE, &no_core);  // a crash is reported as text, so no core file is needed
+    // The signal itself must end the process: its number is reported. Sanitizers have handlers.
+    for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP})
+        signal(number, SIG_DFL);
     alarm(2 * unsigned(trial_seconds));  // ends it also where the game has ended meanwhile
     try {
         run(trial_from(all_bytes()));
