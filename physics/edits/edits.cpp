@@ -400,8 +400,8 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
         cx = record.given.center.x;
         cy = record.given.center.y;
     } else if (record.type == BodyType::kinematic_body) {
-        cx = cy =
-            0.0;  // it turns about its position: a door about its hinge, a flipper about its pin
+        // It turns about its position: a door about its hinge, a flipper about its pin.
+        cx = cy = 0.0;
     }
     const Vec2 local_center = {float(cx), float(cy)};
     // Only bodies that move need their size, and a static body may have many shapes.

@@ -109,6 +109,11 @@ class Obstacle {
     Sweep obstacle_;
 };
 
+/// Whether the body of a shape moves on its own.
+bool is_driven(const FinishInput& in, uint32_t shape) {
+    return in.objects.bodies[in.objects.forms[shape].body].mobility == Mobility::kinematic;
+}
+
 }  // namespace
 
 Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, uint32_t other,
@@ -136,16 +141,15 @@ Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, u
         const float arrival = obstacle.of({shape, motion, body.extent}, arrival_gap);
         // If the shapes touch at the start, the contacts hold the shape, but it must not go beyond
         // the entry of the core.
+        const bool is_carried = is_driven(in, s) || is_driven(in, other);
         return {arrival > now ? min(arrival, entry) : entry,
                 {},
-                obstacle.direction_to(swept_core, entry)};
+                is_carried ? obstacle.direction_to(swept_core, entry) : Vec2{}};
     }
     // A thick body may have thin pieces.
     if (shape.kind == FormKind::piece && inner < least_depth) return {};
     // What moves by command carries a body on its way; a body in it is left to the contacts.
-    const bool driven =
-        in.objects.bodies[in.objects.forms[other].body].mobility == Mobility::kinematic;
-    const float slip = driven ? 0.0f : max(inner, least_depth);
+    const float slip = is_driven(in, other) ? 0.0f : max(inner, least_depth);
     return obstacle.of_point(place(now), place(1.0f), slip);
 }
 

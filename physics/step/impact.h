@@ -17,7 +17,8 @@ struct Impact {
     /// going farther. Zero otherwise.
     Vec2 back;
     /// From the obstacle to the shape at that time, in world axes; zero if there is no impact, or
-    /// if the direction is not known.
+    /// if the direction is not known. For a core it is computed only if one of the bodies moves on
+    /// its own.
     Vec2 normal;
 };
 

@@ -214,7 +214,7 @@ class MovingImpacts {
             carry(k, carrier, now, first.driven ? meeting.normal : Vec2{});
         } else if (second.carrier != carrier) {
             stop(k, now, true);  // it is between two driven bodies
-        } else if (first.driven) {
+        } else if (first.driven && second.slides <= most_slides) {
             carry(k, carrier, now, meeting.normal);  // it slid to another part of its carrier
         }
     }

@@ -8,12 +8,12 @@
 
 namespace fettle::physics::detail {
 
-/// The values of user functions that are NaN and therefore change nothing. The log gets one warning
-/// for all of a step, which names the first.
+/// The values of a user function that are NaN and therefore change nothing. The log gets one
+/// warning for all calls of the function in a step, which names the first value.
 class IgnoredNumbers {
   public:
     /// Whether `value` is a number. Otherwise it is noted; `where()` returns the function and the
-    /// objects, as "the filter, for shapes 4 and 5".
+    /// objects, as "the mixing callback, for shapes 4 and 5,".
     template <class Number, class Where>
     bool accepts(Number value, const char* name, Where&& where) {
         if (!std::isnan(value)) return true;

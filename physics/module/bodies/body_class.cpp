@@ -160,8 +160,7 @@ std::vector<Property> motion(Hosting& hosting) {
         simulated(number(
             "angular_velocity", 0, "rad/s",
             "Angular velocity, counter-clockwise, about its `center`. A step limits it to 3 rad "
-            "in each of "
-            "its parts (`World.substeps`): 720 rad/s with the defaults.",
+            "in each of its parts (`World.substeps`): 720 rad/s with the defaults.",
             angular_velocity(hosting))),
     };
 }
