@@ -29,4 +29,5 @@ file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/headers/all.c"
      CONTENT "#include <fettle/module/host.h>\n#include <fettle_physics.h>\n#include <fettle_host.h>\n")
 add_library(header_c OBJECT headers/abi.c headers/host.c headers/all.c)
 target_link_libraries(header_c PRIVATE Fettle::module Fettle::physics_c Fettle::host)
-target_compile_options(header_c PRIVATE -Wall -Wextra -Wpedantic -Werror -std=c11)
+target_compile_options(header_c PRIVATE -Wall -Wextra -Wpedantic -Werror)
+set_target_properties(header_c PROPERTIES C_STANDARD 11 C_EXTENSIONS OFF)
