@@ -875,7 +875,7 @@ local fettle_Body = {}
 ---@param impulse number Inertia times the change of angular velocity, counter-clockwise. · N m s
 function fettle_Body:apply_angular_impulse(impulse) end
 
----Applies a force during the next step only; the property `force` is not changed.
+---Applies a force during the next step only; the property `force` is not changed. It is constant for the whole step: a spring needs a joint or an Attractor, or it gains energy.
 ---@param force vec Force in world coordinates. · N
 ---@param point? vec A point in the world; the center of mass if it is left out. · m
 function fettle_Body:apply_force(force, point) end

@@ -215,6 +215,9 @@ TEST_CASE("bindings that cannot be are refused with the nearest spelling") {
     CHECK_THAT(failure(game, "input.actions.jump = 'gamepad_2.left_sholder'"),
                contains("(did you mean \"gamepad.left_shoulder\"?)"));
     CHECK_THAT(failure(game, "input.actions.jump = 'mouse.lefft'"), contains("\"mouse.left\""));
+    CHECK_THAT(failure(game, "input.actions.jump = 'return'"), contains("\"enter\""));
+    CHECK_THAT(failure(game, "input.actions.jump = ' '"), contains("\"space\""));
+    CHECK_THAT(failure(game, "input.actions.jump = { 'mouse1' }"), contains("\"mouse.left\""));
     for (const char* bad : {"'gamepad_5.a'", "'gamepad.button_17'", "'gamepad.'", "'mouse.'", "''",
                             "'gamepad.left_z+'", "'left_x+'"})
         CHECK_THAT(failure(game, "input.actions.jump = " + std::string(bad)),

@@ -273,12 +273,6 @@ TEST_CASE("a class without braces is reported with the missing part") {
     s.run("A = class('A', Body) {} assert(A.name == 'A')");
 }
 
-TEST_CASE("a point written as a list is reported with the right form") {
-    Stage s;
-    CHECK_THAT(s.fails("Body { position = { 1, 2.5 } }"),
-               contains("got list {1, 2.5} (write vec(1, 2.5))"));
-}
-
 TEST_CASE("the receiver of notes may replace itself") {
     Stage s;
     auto held = std::make_shared<int>();

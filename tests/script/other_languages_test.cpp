@@ -50,6 +50,7 @@ TEST_CASE("an unknown event has the classes that have it, or its name here") {
                contains("no event \"contact_begin\"; Body has it"));
     CHECK_THAT(s.fails("tween(world, 'scale', 2, 1):on('done', print)"),
                contains("no event \"done\" (did you mean \"finished\"?)"));
+    CHECK_THAT(s.fails("world:on('click', print)"), contains("no event \"click\"; it has "));
     CHECK_THAT(s.fails("Body:on('collided', print)"),
                contains("no event \"collided\" (did you mean \"contact_begin\"?)"));
 }

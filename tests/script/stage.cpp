@@ -147,7 +147,7 @@ ClassDescriptor polygon_class(Module& module) {
             return list;
         },
         [](Module& m, Row row, const Value& v) {
-            if (v.list().size() < 3) throw std::invalid_argument("needs three vertices");
+            if (v.list().size() < 3) throw std::invalid_argument("vertices: needs three vertices");
             m.polygons[row].vertices.clear();
             for (const Value& each : v.list()) m.polygons[row].vertices.push_back(each.vec2());
             ++m.polygons[row].rebuilds;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include <fettle/property/spelling.h>
+#include <fettle/script/synonyms.h>
 
 #include <input/actions.h>
 #include <input/gamepad_mapping.h>
@@ -54,8 +55,12 @@ const std::vector<std::string>& all_names() {
         throw std::invalid_argument("no key, button or axis is called \"" + name +
                                     "\": there are gamepad_1 to gamepad_" +
                                     std::to_string(Input::gamepad_count));
-    throw std::invalid_argument("no key, button or axis is called \"" + name + "\"" +
-                                property::suggestion(plain, all_names()));
+    std::string hint;
+    for (const std::string_view meant : script::property_synonyms(name == " " ? "spacebar" : name))
+        if (hint.empty() && std::ranges::find(all_names(), meant) != all_names().end())
+            hint = " (did you mean \"" + std::string(meant) + "\"?)";
+    if (hint.empty()) hint = property::suggestion(plain, all_names());
+    throw std::invalid_argument("no key, button or axis is called \"" + name + "\"" + hint);
 }
 
 /// The gamepad of "gamepad.a" (0) or "gamepad_2.a" (2), and the rest of the name.

@@ -1,4 +1,5 @@
 #include "coerce.h"
+#include "meant_value.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +126,10 @@ class Coercion {
         } else if (!value.is_nil()) {
             got += " " + shown(value);
         }
-        fail(ErrorKind::wrong_type, "expected " + expected() + ", got " + got);
+        const Type wanted = in_list() ? property_.element : property_.type;
+        const bool named = wanted == Type::text && !property_.enumerators.empty();
+        fail(ErrorKind::wrong_type, "expected " + expected() + ", got " + got +
+                                        (named ? "" : way_to_write(wanted, value)));
     }
     std::string shown(const Value& value) const {
         std::string text =
@@ -211,11 +215,6 @@ class Coercion {
     }
 
     Value vec2(const Value& value) const {
-        if (value.is(Type::list) && value.list().size() == 2 && value.list()[0].is_numeric() &&
-            value.list()[1].is_numeric())
-            fail(ErrorKind::wrong_type, "expected " + expected() + ", got list " + shown(value) +
-                                            " (write vec(" + shown(value.list()[0]) + ", " +
-                                            shown(value.list()[1]) + "))");
         if (!value.is(Type::vec2)) wrong_type(value);
         return Vec2(component(value.vec2().x, value), component(value.vec2().y, value));
     }

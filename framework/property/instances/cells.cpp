@@ -152,7 +152,12 @@ Value Instances::coerce(Handle instance, const Property& property, const Value& 
     try {
         throw;
     } catch (const std::invalid_argument& refusal) {
-        throw Error(ErrorKind::rejected, tree.path(instance, property) + ": " + refusal.what());
+        // A library that also works without the tree may name the property itself.
+        std::string_view reason = refusal.what();
+        const std::string named = property.name + ": ";
+        if (reason.starts_with(named)) reason.remove_prefix(named.size());
+        throw Error(ErrorKind::rejected,
+                    tree.path(instance, property) + ": " + std::string(reason));
     } catch (const std::exception&) {
         throw;
     } catch (...) {

@@ -6,6 +6,7 @@
 #include <fettle/property/spelling.h>
 
 #include <classes/coerce.h>
+#include <classes/meant_value.h>
 
 #include "state.h"
 
@@ -36,6 +37,20 @@ class CallScope {
     const Method& method_;
 };
 
+/// Two numbers in the place of a vector are reported as such, whatever number of arguments results.
+void refuse_loose_components(const Method& method, std::span<const Value> arguments,
+                             const auto& call) {
+    for (std::size_t i = 0; i < method.parameters.size() && i + 1 < arguments.size(); ++i) {
+        const Value &x = arguments[i], &y = arguments[i + 1];
+        const Field& parameter = method.parameters[i];
+        if (parameter.type != Type::vec2 || !x.is_numeric() || !y.is_numeric()) continue;
+        throw Error(ErrorKind::wrong_type, call() + ": argument \"" + parameter.name +
+                                               "\": expected a vec2, got " + value_text(x) + ", " +
+                                               value_text(y) +
+                                               way_to_write(Type::vec2, List{x, y}));
+    }
+}
+
 }  // namespace
 
 Result Tree::call(Handle instance, const Method& method, std::span<const Value> arguments) {
@@ -45,6 +60,7 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
         s.require_changeable("call " + method.name);
     const Use use(s.lifetime);
     const auto where = [&] { return path(instance) + ":" + method.name + "()"; };
+    refuse_loose_components(method, arguments, where);
     if (arguments.size() < method.required || arguments.size() > method.parameters.size())
         throw Error(ErrorKind::wrong_type,
                     where() + ": expected " + std::to_string(method.required) +

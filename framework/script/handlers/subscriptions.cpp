@@ -196,6 +196,10 @@ const Event& event_of(const property::Tree& tree, const Class& of, const std::st
         if (of.event(std::string(meant)) != nullptr) hint = hint_at({meant}, name, names);
     if (hint.empty()) hint = classes_with(tree, name);
     if (hint.empty()) hint = hint_at(callback_synonyms(name), name, names);
+    if (hint.empty()) {
+        hint = "; it has ";
+        for (const std::string& known : names) hint += (&known == names.data() ? "" : ", ") + known;
+    }
     throw Error(ErrorKind::unknown_name, of.name() + ": no event \"" + name + "\"" + hint);
 }
 

@@ -17,8 +17,11 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/class_object.h>
+#include <objects/generic_methods.h>
 #include <objects/hints.h>
 #include <objects/instance.h>
+#include <objects/methods.h>
+#include <reference/language.h>
 #include <values/declarations.h>
 #include <values/recording.h>
 #include <values/values.h>
@@ -248,6 +251,8 @@ int construct(lua_State* L) {
 [[noreturn]] void unknown_class_member(Machine& machine, const Class& of, const std::string& name) {
     std::vector<std::string> names = class_fields();
     machine.classes.add_function_names(of, names);
+    for (const property::Method* method : of.methods()) names.push_back(method->name);
+    names.insert(names.end(), generic_names().begin(), generic_names().end());
     throw Error(ErrorKind::unknown_name,
                 of.name() + "." + name + ": no such name" + property::suggestion(name, names));
 }
@@ -261,10 +266,16 @@ int class_index(lua_State* L) {
     if (machine.classes.push_function(L, *of, 2)) return 1;
     if (name == "states" && machine.classes.push_states(L, *of)) return 1;
     if (push_class_field(L, machine, *of, name)) return 1;
+    // `on` and `watch` of a class are about all of its instances; other functions are those of each
+    // instance, which comes as the first argument.
     if (name == "on") {
         lua_pushcfunction(L, guarded<effect<subscribe_event>>);
     } else if (name == "watch") {
         lua_pushcfunction(L, guarded<effect<subscribe_property>>);
+    } else if (const property::Method* method = of->method(name)) {
+        push_registry(L, method_reference(L, machine, *method));
+    } else if (const int generic = generic_reference(L, machine, name); generic != LUA_NOREF) {
+        push_registry(L, generic);
     } else {
         unknown_class_member(machine, *of, name);
     }

@@ -109,6 +109,9 @@ void require_name(lua_State* L, const property::Tree& tree, Handle instance) {
     if (hint.empty())
         if (const std::string child = machine.hints.child_with(instance, name); !child.empty())
             hint = "; " + child;
+    if (hint.empty())
+        hint = "; " + machine.tree.path(instance) + ":has(\"" + std::string(name) +
+               "\") asks whether there is one";
     throw Error(ErrorKind::unknown_name,
                 path_of(machine.tree, instance, name) + ": no such name" + hint);
 }

@@ -7,11 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include <fettle/script/synonyms.h>
+
 namespace fettle::script {
 
-/// Names of properties, methods, or keys of a keyboard that `name` may mean, the most likely first.
-/// The part after a blank shows how to write it: "position = vec(x, y)".
-std::vector<std::string_view> property_synonyms(std::string_view name);
 /// `linear_velocity` for `getLinearVelocity` and `set_linear_velocity`; "" for any other name.
 std::string without_get_or_set(std::string_view name);
 /// `angular_velocity` for `angularVelocity`.

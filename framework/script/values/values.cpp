@@ -343,8 +343,8 @@ Value table_to_list(lua_State* L, int index, int depth) {
     if (name)
         throw Error(ErrorKind::wrong_type,
                     "a table with named keys (" + *name +
-                        ") is not a value; a list has elements 1, 2, 3 ..., and Object { } "
-                        "takes names");
+                        ") is not a value; a vector is vec(x, y), a color color(r, g, b), a list "
+                        "has elements 1, 2, 3 ..., and Object { } takes names");
     if (keys != length)
         throw Error(ErrorKind::wrong_type, "the table has gaps; a list has elements 1, 2, 3 ...");
     List list;

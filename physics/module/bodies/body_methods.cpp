@@ -152,7 +152,8 @@ std::vector<Method> body_methods(Hosting& hosting) {
                 .parameters = {vec2("force", "N", "Force in world coordinates."), world_point},
                 .required = 1,
                 .doc = "Applies a force during the next step only; the property `force` is not "
-                       "changed."},
+                       "changed. It is constant for the whole step: a spring needs a joint or an "
+                       "Attractor, or it gains energy."},
                [](physics::Body body, Arguments a) -> Result {
                    if (a[1].is_nil())
                        body.apply_force(vec2_argument(a[0]));

@@ -1,0 +1,77 @@
+#include "meant_value.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace fettle::property {
+
+namespace {
+
+std::string write(const std::string& way) {
+    return " (write " + way + ")";
+}
+
+bool is_list_of_numbers(const Value& value) {
+    return value.is(Type::list) &&
+           std::ranges::all_of(value.list(), [](const Value& each) { return each.is_numeric(); });
+}
+
+bool is_number_text(const std::string& text) {
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
+    return read.ec == std::errc() && read.ptr == end;
+}
+
+double number_in(const Value& value) {
+    return value.is(Type::integer) ? static_cast<double>(value.integer()) : value.number();
+}
+
+std::string way_to_write_vec(const Value& value) {
+    if (value.is_numeric()) return write("vec(x, y)");
+    if (!is_list_of_numbers(value) || value.list().size() != 2) return {};
+    return write("vec(" + value_text(value.list()[0]) + ", " + value_text(value.list()[1]) + ")");
+}
+
+/// Channels above 1 are probably those of other libraries, which count to 255.
+std::string way_to_write_color(const Value& value) {
+    if (!is_list_of_numbers(value)) return {};
+    const List& list = value.list();
+    if (list.size() != 3 && list.size() != 4) return {};
+    double greatest = 1;
+    for (const Value& each : list) greatest = std::max(greatest, number_in(each));
+    const auto channel = [&](std::size_t i) {
+        const double scale = greatest > 1 ? 1 / 255.0 : 1;
+        return static_cast<float>(std::clamp(scale * number_in(list[i]), 0.0, 1.0));
+    };
+    const Color color{channel(0), channel(1), channel(2), list.size() == 4 ? channel(3) : 1};
+    return write(value_text(Value(color)));
+}
+
+}  // namespace
+
+std::string way_to_write(Type type, const Value& value) {
+    switch (type) {
+        case Type::vec2:
+            return way_to_write_vec(value);
+        case Type::color:
+            return way_to_write_color(value);
+        case Type::number:
+        case Type::integer:
+            if (!value.is(Type::text) || !is_number_text(value.text())) return {};
+            return write(value.text() + " without quotes");
+        case Type::boolean:
+            if (!value.is(Type::integer) || value.integer() < 0 || value.integer() > 1) return {};
+            return write(value.integer() == 1 ? "true" : "false");
+        case Type::text:
+            return value.is_numeric() ? write("tostring(" + value_text(value) + ")")
+                                      : std::string();
+        case Type::nil:
+        case Type::reference:
+        case Type::list:
+            return {};
+    }
+    return {};
+}
+
+}  // namespace fettle::property
