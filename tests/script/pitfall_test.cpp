@@ -145,6 +145,9 @@ TEST_CASE("a game is told what it made and nothing uses") {
     CHECK(notes_about("world.a = Body {} kept = Body {}") == "");
     CHECK_THAT(notes_about("Body {}"), contains("a Body was made, and added to nothing"));
     CHECK_THAT(notes_about("local a, b = Body {}, Body {}"), contains("a Body and 1 more were"));
+    CHECK_THAT(notes_about("kept = Body {}"), contains("a Body was made and has no place"));
+    CHECK_THAT(notes_about("local kept = Body {} function step() kept.mass = 2 end"),
+               contains("a Body was made and has no place"));
 
     CHECK_THAT(notes_about("state = 'menu'"),
                contains("state is a text now, and was a function of Fettle: state("));

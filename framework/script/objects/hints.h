@@ -30,7 +30,8 @@ class Hints {
     std::string child_with(property::Handle instance, std::string_view name) const;
     /// To be called when the game is loaded: notes functions that are never called although their
     /// names look like callbacks, names of keys that no key has, functions of Fettle that the game
-    /// has replaced by values, and instances that it has made and dropped.
+    /// has replaced by values, instances that it has made and dropped, and bodies that it has made
+    /// where none is in the tree.
     void game_loaded();
     /// To be called when a script rewinds: notes that no past is kept, if it is.
     void rewinding();
@@ -49,6 +50,7 @@ class Hints {
     void check_local_callbacks();
     void check_keys();
     void check_dropped();
+    void check_held();
     std::map<std::string, std::string_view> files() const;
     bool is_called(const std::string& name) const;
 

@@ -212,6 +212,30 @@ void Hints::check_dropped() {
                         "an instance its place");
 }
 
+/// A variable holds the only body, so nothing is seen. Where other bodies are in the tree, the game
+/// probably keeps this one for later.
+void Hints::check_held() {
+    const property::Tree& tree = machine_.tree;
+    const auto waits = [&](Handle made) {
+        return tree.alive(made) && !tree.parent(made) && tree.class_of(made).creatable();
+    };
+    for (const char* const name : {"Body", "Sprite", "Text"}) {
+        const Class* const of = tree.find_class(name);
+        if (of == nullptr) continue;
+        const auto is_one = [&](Handle each) { return tree.class_of(each).is_a(*of); };
+        const auto& made = machine_.unplaced.handles;
+        const auto held =
+            std::ranges::find_if(made, [&](Handle each) { return waits(each) && is_one(each); });
+        if (held == made.end()) continue;
+        bool any_placed = false;
+        tree.each_below(tree.root(), [&](Handle each) { any_placed |= is_one(each); });
+        if (any_placed) continue;
+        tell("held " + of->name(), property::with_article(tree.class_of(*held).name()) +
+                                       " was made and has no place in the game yet: "
+                                       "world:add(...) or world.name = ... gives it one");
+    }
+}
+
 void Hints::game_loaded() {
     lua_State* L = machine_.lua.main;
     if (!lua_checkstack(L, 10)) return;
@@ -223,6 +247,7 @@ void Hints::game_loaded() {
     check_local_callbacks();
     check_keys();
     check_dropped();
+    check_held();
 }
 
 }  // namespace fettle::script
