@@ -28,7 +28,7 @@ void add_scene_names(CLI::App& command, std::vector<std::string>& scenes,
 }
 
 void add_runs(CLI::App& command, int& runs) {
-    command.add_option("--runs", runs, "Runs; the median counts")
+    command.add_option("--runs", runs, "Runs; the table has their median")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
 }
@@ -50,13 +50,12 @@ void add_scenes(CLI::App& app, ScenesOptions& options) {
     add_runs(*command, options.runs);
     add_steps(*command, options.steps);
     command->add_flag("--processor-time", options.processor_time,
-                      "Time on a processor instead of wall time: where others use the machine too");
+                      "Processor time instead of wall time, for a machine with other load");
     add_output(*command, options.output);
 }
 
 void add_threads(CLI::App& app, ThreadsOptions& options) {
-    CLI::App* command = app.add_subcommand(
-        "threads", "How many times as fast a step is when several threads share it out");
+    CLI::App* command = app.add_subcommand("threads", "The speedup of a step by several threads");
     add_scene_names(*command, options.scenes);
     command->add_option("--threads", options.threads, "Threads that are compared with one")
         ->check(CLI::Range(2, 64))
@@ -67,18 +66,21 @@ void add_threads(CLI::App& app, ThreadsOptions& options) {
 }
 
 void add_tree(CLI::App& app, TreeOptions& options) {
-    CLI::App* command = app.add_subcommand("tree", "What the live property tree costs");
-    command->add_option("--repetitions", options.repetitions, "Repetitions; the median counts")
+    CLI::App* command =
+        app.add_subcommand("tree", "The cost of reads and writes in the property tree");
+    command
+        ->add_option("--repetitions", options.repetitions,
+                     "Repetitions; the table has their median")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    command->add_option("--only", options.only, "Only rows with this in their name")
+    command->add_option("--only", options.only, "Only rows with this text in their names")
         ->type_name("TEXT");
     add_output(*command, options.output);
 }
 
 void add_hosting(CLI::App& app, HostingOptions& options) {
     CLI::App* command = app.add_subcommand(
-        "hosting", "What a world costs in the property tree, over the bare library");
+        "hosting", "The cost of a world in the property tree compared with the bare library");
     command->add_option("--bodies", options.bodies, "Moving bodies, in hundreds")
         ->check(CLI::Range(100, 1000000))
         ->capture_default_str();
@@ -105,8 +107,8 @@ void add_hosted_steps(CLI::App& app, HostedStepsOptions& options) {
 
 #ifdef FETTLE_BENCH_GAMES
 void add_games(CLI::App& app, GamesOptions& options) {
-    CLI::App* command = app.add_subcommand("games", "What games cost: steps, frames, loading");
-    command->add_option("--only", options.only, "Only rows with this in their name")
+    CLI::App* command = app.add_subcommand("games", "The cost of games: steps, frames, loading");
+    command->add_option("--only", options.only, "Only rows with this text in their names")
         ->type_name("TEXT");
     add_json(*command, options.json);
 }
@@ -114,10 +116,10 @@ void add_games(CLI::App& app, GamesOptions& options) {
 
 void add_console(CLI::App& app, ConsoleOptions& options) {
     CLI::App* command =
-        app.add_subcommand("console", "What the console adds to a frame, in large games");
+        app.add_subcommand("console", "The cost of the console in a frame of large games");
     command->add_option("--bodies", options.bodies, "Bodies of a game (repeatable)")
         ->check(CLI::Range(1, 1000000));
-    command->add_option("--frames", options.frames, "Frames; the median counts")
+    command->add_option("--frames", options.frames, "Frames; the table has their median")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     add_json(*command, options.json);
@@ -125,11 +127,11 @@ void add_console(CLI::App& app, ConsoleOptions& options) {
 
 void add_past(CLI::App& app, PastOptions& options) {
     CLI::App* command = app.add_subcommand(
-        "past", "What it costs that the past of a game is kept, and to go back into it");
+        "past", "The cost of storing the past of a game, and of going back to it");
     command->add_option("--bodies", options.bodies, "Moving bodies, in hundreds")
         ->check(CLI::Range(100, 1000000))
         ->capture_default_str();
-    command->add_option("--seconds", options.seconds, "Of the game, that are simulated")
+    command->add_option("--seconds", options.seconds, "Simulated seconds")
         ->check(CLI::Range(2, 60))
         ->capture_default_str();
     add_json(*command, options.json);
@@ -145,21 +147,21 @@ void add_stability(CLI::App& app, StabilityOptions& options) {
 
 void add_shapes(CLI::App& app, ShapesOptions& options) {
     CLI::App* command =
-        app.add_subcommand("shapes", "What a contact costs by the number of vertices");
+        app.add_subcommand("shapes", "The cost of a contact by the number of vertices");
     add_runs(*command, options.runs);
     add_json(*command, options.json);
 }
 
 void add_growth(CLI::App& app, GrowthOptions& options) {
     CLI::App* command = app.add_subcommand(
-        "growth", "What a body costs in small and in large worlds, in time and in memory");
+        "growth", "The cost of a body in small and in large worlds, in time and in memory");
     add_runs(*command, options.runs);
     add_json(*command, options.output.json);
 }
 
 void add_solvers(CLI::App& app, SolversOptions& options) {
-    CLI::App* command =
-        app.add_subcommand("solvers", "How well and how fast the three solvers do the same");
+    CLI::App* command = app.add_subcommand(
+        "solvers", "Stability and speed of the three solvers in the same scenes");
     add_scene_names(*command, options.scenes, "Only this stability scene (repeatable)");
     add_json(*command, options.json);
     command->add_option("--plots", options.plots, "Also write curves into this folder")
@@ -169,9 +171,11 @@ void add_solvers(CLI::App& app, SolversOptions& options) {
 void add_wild(CLI::App& app, WildOptions& options) {
     CLI::App* command =
         app.add_subcommand("wild", "Random worlds, and the invariants that they violate");
-    command->add_option("--seed", options.seed, "Of the first world; the next has the next seed")
+    command
+        ->add_option("--seed", options.seed,
+                     "Seed of the first world; each later world has the next seed")
         ->capture_default_str();
-    command->add_option("--count", options.count, "Worlds at most")
+    command->add_option("--count", options.count, "Maximum number of worlds")
         ->check(CLI::Range(1, 1000000000))
         ->capture_default_str();
     command->add_option("--seconds", options.seconds, "No world begins after this time");
@@ -179,7 +183,9 @@ void add_wild(CLI::App& app, WildOptions& options) {
         ->type_name("NAME");
     command->add_option("--engine", options.engines, "Try the worlds in this engine as well")
         ->type_name("box2d");
-    command->add_option("--minimize", options.minimized, "Findings of each invariant to minimize")
+    command
+        ->add_option("--minimize", options.minimized,
+                     "Findings of each invariant that are minimized")
         ->capture_default_str();
     add_json(*command, options.json);
 }
@@ -198,7 +204,8 @@ int main(int argc, char** argv) {
                  "nothing.\nBuild it with -DCMAKE_BUILD_TYPE=Release, or by ./play --build.\n";
     return 2;
 #endif
-    CLI::App app("What Fettle costs, beside engines that anyone can install.", "fettle-bench");
+    CLI::App app("The costs of Fettle compared with engines that Debian has as packages.",
+                 "fettle-bench");
     app.require_subcommand(1);
     ScenesOptions scenes;
     TreeOptions tree;
@@ -230,7 +237,7 @@ int main(int argc, char** argv) {
     add_wild(app, wild);
     const std::string command = argc > 1 ? argv[1] : "";
     if (!command.empty() && command[0] != '-' && !has_table(app, command)) {
-        std::cerr << "fettle-bench: \"" << command << "\" is not a table; there are";
+        std::cerr << "fettle-bench: \"" << command << "\" is not a subcommand; there are";
         for (const CLI::App* each : app.get_subcommands({})) std::cerr << " " << each->get_name();
         std::cerr << "\n";
         return 2;

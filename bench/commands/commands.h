@@ -18,7 +18,7 @@ struct ScenesOptions {
     std::vector<std::string> engines;  // empty: all
     int threads = 1;
     int runs = 3;
-    int steps = 0;                // 0: the number of the scene
+    int steps = 0;                // 0: the scene's own number
     bool processor_time = false;  // instead of wall time; for machines with other load
     OutputOptions output;
 };
@@ -28,7 +28,7 @@ struct ThreadsOptions {
     std::vector<std::string> scenes;  // empty: all
     int threads = 2;
     int runs = 3;
-    int steps = 0;  // 0: the number of the scene
+    int steps = 0;  // 0: the scene's own number
     bool json = false;
 };
 int run_threads(const ThreadsOptions& options);
@@ -66,7 +66,7 @@ struct ConsoleOptions {
 int run_console(const ConsoleOptions& options);
 
 struct GamesOptions {
-    std::string only;  // rows with this in their names; empty: all
+    std::string only;  // rows with this text in their names; empty: all
     bool json = false;
 };
 int run_games(const GamesOptions& options);
@@ -107,10 +107,10 @@ int run_solvers(const SolversOptions& options);
 struct WildOptions {
     std::uint64_t seed = 1;
     int count = 200;
-    double seconds = 0;                   // of wall time, after which no world begins; 0: no limit
+    double seconds = 0;                   // wall time after which no world begins; 0: no limit
     std::vector<std::string> invariants;  // empty: all
-    std::vector<std::string> engines;     // engines the worlds run in besides Fettle
-    int minimized = 3;                    // findings of each invariant
+    std::vector<std::string> engines;     // engines that run the worlds, too
+    int minimized = 3;                    // findings of each invariant that are minimized
     bool json = false;
 };
 int run_wild(const WildOptions& options);

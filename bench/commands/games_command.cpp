@@ -1,5 +1,5 @@
-// `fettle-bench games`: the cost of games: steps, frames, loading, reloading. It is processor time
-// of the game's thread, so that other load on the machine counts little.
+// `fettle-bench games`: the cost of games: steps, frames, loading, reloading. The figures are
+// processor time of the game's thread, so other load on the machine affects them little.
 
 #include <iostream>
 

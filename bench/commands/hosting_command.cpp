@@ -25,7 +25,7 @@ namespace {
 
 const Bound bytes_bound = at_most(64);  // per instance
 const Bound get_bound = at_most(15);    // ns, of a property by its handle in C
-constexpr int warm_up = 30;             // steps until the crowd has fallen together
+constexpr int warm_up = 30;             // steps until the crowd lies in a heap
 
 /// A way of hosting that is compared with the bare library.
 struct Way {

@@ -20,12 +20,12 @@ namespace {
 
 constexpr double mebibyte = 1048576;
 constexpr int bounded_bodies = 10000;     // the bounds are for this number
-constexpr std::int64_t first_steps = 60;  // steps; the first keyframe allocates its memory then
+constexpr std::int64_t first_steps = 60;  // steps in which the first keyframe allocates memory
 
 struct Run {
     double first_ms = 0;              // the first keyframe included
     std::vector<double> plain_ms;     // steps without a keyframe, after the warm-up
-    std::vector<double> keyframe_ms;  // steps with one
+    std::vector<double> keyframe_ms;  // steps with a keyframe
     double memory = 0;                // bytes
     double kept_s = 0;                // length of the stored past
     std::vector<double> travel_ms;    // travel to moments that are spread over all of it
@@ -51,14 +51,13 @@ Run measure(const PastOptions& options, Progress& progress) {
         progress.add(0.8 / static_cast<double>(steps));
     }
     if (run.keyframe_ms.empty())
-        throw std::runtime_error("no keyframe was made: let it run longer");
+        throw std::runtime_error("no keyframe was made: use more --seconds");
     run.memory = static_cast<double>(past.memory());
     const std::uint64_t present = engine.game().loop.hash();
     constexpr int moments = 8;
-    // The last target is the present.
     const std::int64_t oldest = past.oldest();
     run.kept_s = static_cast<double>(steps - oldest) / 60;
-    for (int i = 0; i <= moments; ++i) {
+    for (int i = 0; i <= moments; ++i) {  // the last target is the present
         const std::int64_t to = oldest + (steps - oldest) * i / moments;
         const WallClock clock;
         past.go_to(to);
@@ -66,7 +65,7 @@ Run measure(const PastOptions& options, Progress& progress) {
         progress.add(0.2 / (moments + 1));
     }
     if (engine.game().loop.hash() != present)
-        throw std::runtime_error("the present is another one after looking at the past");
+        throw std::runtime_error("the state differs after going to the past and back");
     return run;
 }
 

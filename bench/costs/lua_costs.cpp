@@ -15,8 +15,8 @@ namespace {
 constexpr int unrolled = 10;  // reduces the share of the loop itself
 constexpr int rounds = 200;   // per call
 constexpr int operations = unrolled * rounds;
-// A step follows after as many accesses as a busy game makes. With many more accesses per step, the
-// log for going back in time would reach its limit and stop, and its cost would not be measured.
+// As many accesses in a step as a busy game makes. With many more, the log for going back in time
+// would reach its limit and stop, and its cost would not be measured.
 constexpr int calls_a_step = 10;
 // LÖVE's clock has a resolution of microseconds, so its runs are longer.
 constexpr int rounds_in_love = 100 * rounds;
@@ -27,7 +27,7 @@ std::string repeated(const std::string& first, const std::string& second) {
     return text;
 }
 
-/// The same text for both: a global function that repeats one operation.
+/// A global function that repeats one operation; the same in Fettle, LÖVE and bare Lua.
 std::string function_of(const std::string& name, const std::string& ball, const std::string& before,
                         const std::string& inside) {
     return "function " + name + "(rounds)\n  local ball = " + ball + "\n  " + before +
@@ -39,12 +39,12 @@ std::string empty_loop(const std::string& ball) {
     return function_of("nothing", ball, "local x", "");
 }
 
-// Values alternate, because a write of an equal value stops early.
 std::string scalar_get(const std::string& ball, const std::string& property) {
     const std::string get = "x = ball." + property + " ";
     return function_of("get_" + property, ball, "local x", repeated(get, get));
 }
 
+// Values alternate, because a write of an equal value stops early.
 std::string scalar_set(const std::string& ball, const std::string& property) {
     return function_of("set_" + property, ball, "local a, b = 1.5, 2.5",
                        repeated("ball." + property + " = a ", "ball." + property + " = b "));

@@ -40,21 +40,21 @@ class PropertyEditor {
     /// Begins typing a formula in the row of a property of the shown instance.
     void begin_formula(const property::Property& property) { formula_begins_ = &property; }
 
-    /// Edits go to these instances, too, as far as they have the property.
+    /// Edits also change these instances if they have the property.
     void also_edit(const std::vector<property::Handle>& others, std::uint64_t revision) {
         mixed_.compare_with(others, revision);
     }
     /// True if something was edited; then other properties may not exist any more.
     bool draw(property::Handle instance, const property::Property& property, ImFont* bold);
-    /// Must be called once per frame, before and after all rows.
+    /// Must be called once per frame, before all rows, and `end_frame` after them.
     void begin_frame();
+    void end_frame() { fields_.end_frame(); }
     /// Ends a running drag, which becomes a step of undo. Must be called when the editor is hidden.
     void end_drag();
-    void end_frame() { fields_.end_frame(); }
     /// The rectangle of the property's widget in the last frame; empty if it was not visible.
     Rect widget_rect(const property::Property& property) const;
     bool about_to_type() const { return fields_.about_to_type(); }
-    /// Forgets the shown errors, because another instance is edited.
+    /// Removes the shown errors, because another instance is edited.
     void forget() {
         problems_.clear();
         formula_of_ = nullptr;

@@ -159,7 +159,7 @@ void Comparison::compare_change(const Review& review, const RepeatWith& repeat_w
     tell_difference("ab " + change_);
 }
 
-/// Only moments that both have are compared.
+/// Keeps only the steps that both sides have.
 void Comparison::cut_to_common_steps() {
     if (!shown()) return end();
     const std::int64_t first = std::max(a_.front().step, b_.front().step);
@@ -202,7 +202,7 @@ void Comparison::compare_branches(const Review& review, const ReviewBranch& othe
     tell_values(of_a, of_b);
 }
 
-/// Lists values that differ and do not come from the simulation.
+/// Logs values that differ and do not come from the simulation.
 void Comparison::tell_values(const NotedValues& a, const NotedValues& b) {
     constexpr std::size_t most_lines = 20;
     const std::vector<std::string> lines = differences(tree_, a, b);
@@ -213,7 +213,7 @@ void Comparison::tell_values(const NotedValues& a, const NotedValues& b) {
         tell("only the first " + std::to_string(NotedValues::most) + " values were compared");
 }
 
-/// Says how many instances end elsewhere, and which one is the farthest.
+/// Logs how many instances end elsewhere, and the farthest one.
 void Comparison::tell_difference(const std::string& what) {
     if (!shown()) return;
     std::size_t moved = 0, only_one = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// The game twice: the last seconds as they were (A) and with one property changed from their
-// beginning on (B); or the present branch of the past (A) and another one (B).
+// Compares two runs: the last seconds as they were (A) and with one property changed from their
+// beginning on (B); or the present branch of the past (A) and another branch (B).
 
 #include <cstdint>
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace fettle::console {
 
-/// Whether the instance has a place in the world by itself.
+/// Whether the instance has a position of its own.
 bool has_position(const property::Tree& tree, property::Handle instance);
 
 class Comparison {
@@ -48,7 +48,7 @@ class Comparison {
     /// Compares at the next `between_frames`. Throws Error for a path that names no writable
     /// property, and for another time than 0.1 to 60 s.
     void ask(const std::string& path, const property::Value& value, double seconds);
-    /// Compares the present branch of the past with another one, "" is the one that was left last.
+    /// Compares the present branch of the past with another one; "": the one that was left last.
     /// Throws Error(unknown_name) if there is no such branch.
     void ask_branch(const std::string& name);
     void end();
@@ -61,9 +61,9 @@ class Comparison {
     const std::vector<Moment>& b() const { return b_; }
     /// The name of A: "as it was", or the name of a branch.
     const std::string& original() const { return original_; }
-    /// "world.ball.mass = 3 kg", or the name of a branch
+    /// The name of B: "world.ball.mass = 3 kg", or the name of a branch.
     const std::string& change() const { return change_; }
-    /// Counts the comparisons.
+    /// The number of comparisons so far.
     int number() const { return number_; }
 
   private:

@@ -1,6 +1,6 @@
 #pragma once
 // The command line without its appearance: the effect of every key on the text, the history, the
-// candidates and the log. Its input are key names and characters, so it works (and is tested)
+// candidates and the log. Its input is key names and characters, so it works (and is tested)
 // without a window.
 
 #include <cstddef>
@@ -35,14 +35,13 @@ class Prompt {
     void paste(std::string_view text);
     /// Runs the typed command. An incomplete chunk gets another line instead, unless forced.
     void submit(bool force);
-    /// Runs a command and logs it with its output. False, and nothing has run, if it is incomplete,
-    /// unless forced.
-    /// `said` receives the evaluation.
+    /// Runs a command, logs it with its output, and stores the evaluation in `said`. An incomplete
+    /// command does not run and returns false, unless forced.
     bool run(const std::string& command, bool force = true, script::Evaluation* said = nullptr);
-    /// From now on the word at the beginning of a command stands for `command`; if that is empty,
-    /// for itself.
+    /// Replaces the word at the beginning of later commands by `command`; an empty `command` ends
+    /// this.
     void alias(const std::string& word, const std::string& command);
-    /// The command with the meaning of its first word, if that is an alias.
+    /// The command with an alias at its beginning replaced.
     std::string expanded(const std::string& command) const;
     /// The log is emptied when the running command has ended.
     void clear_log_afterwards() { clears_ = true; }
@@ -58,7 +57,7 @@ class Prompt {
     /// The rest of the latest command that begins with the typed text. It is shown dim behind the
     /// cursor, and Right or End accepts it.
     std::string_view suggestion() const;
-    /// The signature of the call that the cursor is in; none outside of calls.
+    /// The signature of the call around the cursor; none outside of calls.
     std::optional<SignatureHelp::Shown> signature() {
         return signature_help_.at(edit_.text(), edit_.cursor());
     }

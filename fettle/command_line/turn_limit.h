@@ -1,6 +1,6 @@
 #pragma once
-// The last resort against a game that is not trusted. Budgets stop scripts at an instruction; the
-// garbage collector of Lua and a step of the physics have none.
+// A time limit for games that are not trusted. Budgets stop scripts only between instructions, not
+// in Lua's garbage collector or in a step of physics.
 
 #include <condition_variable>
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace fettle::program {
 
-/// Ends the process with a message and the status of an error, if two calls of `turn_ends` are
-/// further apart than a number of seconds. Only its own thread measures time, so time during which
-/// the process did not run does not count.
+/// Ends the process with a message and an error status if the time between two calls of `turn_ends`
+/// is longer than the limit. A separate thread counts the time, so time in which the process is
+/// stopped does not count.
 class TurnLimit {
   public:
     /// 0: no limit.
@@ -19,7 +19,7 @@ class TurnLimit {
     ~TurnLimit();
     TurnLimit(const TurnLimit&) = delete;
 
-    /// `steps`: how many the game has made.
+    /// `steps`: number of steps that the game has made.
     void turn_ends(std::uint64_t steps);
 
   private:

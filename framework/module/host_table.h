@@ -34,8 +34,8 @@ class HostTable {
     std::function<property::Handle(const property::Class&, property::Handle parent,
                                    const char* name)>
         adopt{};
-    /// Whether the module does not know the class yet: during a reload, one of its own that it has
-    /// not registered again. It and its instances are not found then, as at the start of a game.
+    /// Whether the module has no such class yet: during a reload, one of its own that it has not
+    /// registered again. It and its instances are not found then, as at the start of a game.
     std::function<bool(const property::Class&)> unknown{};
     std::function<void(std::string_view)> print{};
 

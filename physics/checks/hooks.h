@@ -6,7 +6,7 @@
 
 namespace fettle::physics::detail {
 
-/// Tells the log of the host, if there is one.
+/// Passes the text to the log of the host, if there is one.
 void log(LogLevel level, const std::string& text) noexcept;
 /// Whether there is a log: a text need not be made otherwise.
 bool is_logged() noexcept;

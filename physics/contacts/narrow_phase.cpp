@@ -251,8 +251,8 @@ size_t collide_and_create(const NarrowPhaseInput& in) {
     });
 }
 
-/// A sensor of a body that does not move sees a sleeping body by waking it: contacts of two bodies
-/// that both rest are not collided.
+/// Wakes sleeping bodies at sensors of bodies that do not move. Otherwise the sensors would not
+/// report them, since contacts of two bodies that both rest are not collided.
 void wake_for_sensors(const NarrowPhaseInput& in) {
     if (in.objects.sensors == 0) return;
     for (const uint64_t pair : in.scratch.new_pairs) {

@@ -71,7 +71,7 @@ void mark_refiltered(ObjectState& objects, const Columns& columns, BroadPhaseSta
                                [&](uint32_t solid) { mark_moved(objects, broad_phase, solid); });
         return;
     }
-    // A long outline that does not move: fewer shapes can be paired with its parts than it has
+    // A long outline that does not move: the shapes near it are marked, which are fewer than its
     // parts.
     const BodyState& state = columns.states[body];
     Box4 box = no_box;

@@ -131,7 +131,7 @@ void set_joint_bodies(const Editing& editing, uint32_t joint, uint32_t a, uint32
 void set_joint_enabled(const Editing& editing, uint32_t joint, bool enabled);
 void set_joint_collide(const Editing& editing, uint32_t joint, bool collide);
 void set_joint_broken(const Editing& editing, uint32_t joint, bool broken);
-/// Breaks the joints with too much load: mean over a step, impulses times `rate`.
+/// Breaks joints whose mean load over a step is too large. The load is an impulse times `rate`.
 void break_joints(const Editing& editing, const JointScratch& scratch, float rate);
 
 }  // namespace fettle::physics::detail

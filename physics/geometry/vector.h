@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-// Functions of vectors, rotations and boxes as equations write them: `dot(a, b)` is `a.dot(b)`.
+// Functions of vectors, rotations and boxes in the form of equations: `dot(a, b)` is `a.dot(b)`.
 
 namespace fettle::physics::detail {
 
@@ -129,7 +129,7 @@ inline Vec2 rounded_up(const Position& p) {
 inline Position middle(const Position& a, const Position& b) {
     return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
 }
-/// At least the distance of a point from where its coordinates are rounded to single precision.
+/// An upper bound of the error when the coordinates are rounded to single precision.
 inline float rounding_of(const Position& p) {
     return std::numeric_limits<float>::epsilon() * float(std::fmax(std::fabs(p.x), std::fabs(p.y)));
 }

@@ -5,8 +5,8 @@
 #include <span>
 
 // Sums of impulses for the few bodies whose changes of velocity the user asked for. The passes of
-// the solver do not know about them: after each sub-step, the impulses of the constraints on these
-// bodies are added. A step without such bodies does none of this.
+// the solver are the same with and without them: after each sub-step, the impulses of the
+// constraints on these bodies are added. A step without such bodies does none of this.
 
 namespace fettle::physics::detail {
 

@@ -1,4 +1,4 @@
-"""Questions about what is where."""
+"""Queries: shapes at a point, in a box, on a ray, and along a motion."""
 
 from typing import NamedTuple
 
@@ -29,8 +29,8 @@ def _no_pose(pose):
 
 
 class Queries:
-    """Part of `World`. `only` of each question: `category`, `mask`, `group` (numbers), `sensors` (whether to find them) and
-    `accept`, a function that gets a shape and says whether it is found."""
+    """Part of `World`. Each query takes as `only`: `category`, `mask`, `group` (numbers), `sensors` (whether to find them) and
+    `accept`, a function that gets a shape and returns whether it is found."""
 
     __slots__ = ()
 
@@ -103,7 +103,7 @@ class Queries:
             check(lib.fettle_world_cast_geometry(self._pointer, geometry, geometries.to_pose(pose), *way, given, found, hit))
         return self._hit(found, hit)
 
-    # Visitors: `function` is called for each find. Where it returns False, the query ends.
+    # Visitors: `function` is called for each shape or hit. If it returns False, the query ends.
 
     def visit_point(self, point, function, **only):
         """Calls `function(shape)` for shapes that contain a point."""

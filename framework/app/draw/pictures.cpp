@@ -63,7 +63,7 @@ bool is_upright(const Vec2 (&corners)[4], const PictureArea& area) {
 
 void Pictures::begin_frame() {
     ++frame_;
-    if (pages_are_full_) {  // many pictures on them are out of use; the others are copied again
+    if (pages_are_full_) {  // removes unused pictures; those in use are copied again
         std::erase_if(entries_, [](const auto& entry) { return entry.second.own == nullptr; });
         pages_.clear();
         pages_are_full_ = false;
@@ -177,7 +177,7 @@ void Canvas::picture(const Picture& picture, const PictureArea& area, const Vec2
     const Pictures::Place place = pictures_.place(picture, smooth, multiplies);
     if (place.texture == nullptr) return;
     const sf::Color color = native(faded(tint));
-    // Within the area, so that its neighbors in the picture are not seen.
+    // Texels beside the area must not be mixed in.
     const auto whole = [&](double begin, double size, std::uint32_t all) {
         return begin <= 0 && begin + size >= static_cast<double>(all);
     };

@@ -1,6 +1,6 @@
 #pragma once
-// The texture of a gradient, and the texel of each pixel. A texture is right for any triangles,
-// colors at their corners are not.
+// The texture of a gradient, and the texel of each pixel. A texture is exact in triangles of any
+// shape; colors at their corners are not.
 
 #include <map>
 #include <string>
@@ -17,7 +17,7 @@ class Shade {
     /// before any transform. False if the gradient has no extent, and nothing can be drawn.
     bool begin(const property::Gradient& placed, const property::Vec2& across);
     void end() { texture_ = nullptr; }
-    /// Whether `begin` may forget textures, so that nothing may wait to be drawn with them.
+    /// Whether `begin` may free textures. Triangles that use them must be drawn before.
     bool full() const { return known_.size() >= most_known; }
     /// Null if no gradient is drawn.
     const sf::Texture* texture() const { return texture_; }

@@ -1,5 +1,5 @@
-// Opening a sound device. SFML 2 does not tell whether it has found one, and the libraries below it
-// write pages of messages to the terminal if there is none.
+// Opening a sound device. SFML 2 does not report whether it has found one, and the libraries below
+// it write pages of messages to the terminal if there is none.
 
 #include <sfml/sfml_audio.h>
 

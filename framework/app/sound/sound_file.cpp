@@ -26,7 +26,7 @@ std::size_t number_at(const std::string& bytes, std::size_t at, std::size_t size
 }
 
 /// A WAV file with which SFML ends the program: it divides by zero if the samples come before their
-/// format, and version 3 knows no positions for more than eight channels. That version also reads
+/// format, and version 3 has no positions for more than eight channels. That version also reads
 /// the variants of the format that store numbers in other ways.
 bool ends_the_program(const std::string& bytes) {
     for (const char* variant : {"RIFX", "RF64", "riff", "FORM"})

@@ -86,7 +86,7 @@ Result stop_all(void* context, Tree& tree, Handle, Row, Arguments arguments) {
 // --- Sources
 
 /// Sources of a tree whose services have ended have no memory any more. The context is not used
-/// then: the instance `audio` tells whether it still exists.
+/// then: the instance `audio` shows whether it still exists.
 Row make_source(void* context, Tree& tree, Handle self) {
     const Handle service = tree.child(tree.root(), "audio");
     if (!service || tree.class_of(service).name() != "Audio")

@@ -19,7 +19,7 @@ using property::Writer;
 
 namespace {
 
-/// Far above the size of an hour with the fastest possible events.
+/// Bytes; an hour with the fastest possible events takes far less.
 constexpr std::uintmax_t greatest_file = std::uintmax_t{4} << 30;
 
 }  // namespace
@@ -238,7 +238,7 @@ std::uint64_t Recording::steps() const {
     return count;
 }
 
-// --- The run again
+// --- Replay
 
 Replay::Replay(const Recording& recording, property::Tree& tree, script::Runtime& runtime,
                Loop& loop)
@@ -264,8 +264,8 @@ bool Replay::frame() {
         else
             loop_.turn();
         if (difference_.empty() && next_ < items.size() && items[next_].kind == Kind::step)
-            difference_ =
-                "step " + std::to_string(items[next_].step) + " was made then and is not made now";
+            difference_ = "step " + std::to_string(items[next_].step) +
+                          " was recorded, but the replay does not make it";
         return difference_.empty();
     }
     return false;
@@ -290,8 +290,8 @@ void Replay::feed(const Recording::Item& item) {
         case Kind::edit_ends:
             return tree_.end_edit();
         case Kind::step:
-            difference_ =
-                "step " + std::to_string(item.step) + " was made then and is not made now";
+            difference_ = "step " + std::to_string(item.step) +
+                          " was recorded, but the replay does not make it";
             return;
         default:
             break;
@@ -306,8 +306,8 @@ void Replay::feed(const Recording::Item& item) {
         else
             tree_.reset(item.instance, property);
     } catch (const std::exception& error) {
-        difference_ = "an edit that was made after step " + std::to_string(tree_.step()) +
-                      " is refused now: " + property::exception_text(error);
+        difference_ = "an edit recorded after step " + std::to_string(tree_.step()) +
+                      " is refused in the replay: " + property::exception_text(error);
     }
 }
 
@@ -333,7 +333,7 @@ void Replay::stepped() {
     if (next_ >= items.size()) return;  // the recording ends in the middle of a frame
     const Recording::Item& item = items[next_];
     if (item.kind != Recording::Item::Kind::step || item.step != tree_.step()) {
-        difference_ = now + " is made now and was not made then";
+        difference_ = now + " was not recorded, but the replay makes it";
         return;
     }
     ++next_;

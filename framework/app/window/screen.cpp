@@ -283,7 +283,7 @@ class SfmlWindow : public Window {
         buttons_before_.erase(let_go);
         return true;
     }
-    /// True for a release that the game knows, or whose press it does not know.
+    /// True for a release that was reported to the game, or whose press was not.
     bool is_known_release(const InputEvent& event) {
         if (event.kind != EventKind::mouse_released) return false;
         buttons_before_.erase(event.name);
@@ -309,14 +309,14 @@ class SfmlWindow : public Window {
             cursor_ = std::move(cursor);
         }
     }
-    /// True for the event with the size with which the window was first opened. The game knows this
-    /// size, and may have set another one meanwhile.
+    /// True for the event with the size with which the window was first opened. The game has this
+    /// size already, and may have set another one meanwhile.
     bool is_size_of_opening(const InputEvent& event) {
         if (event.kind != EventKind::resized) return false;
         const std::optional<property::Vec2> opened = std::exchange(opened_, std::nullopt);
         return opened && *opened == property::Vec2(event.x, event.y);
     }
-    /// A window that was opened again tells its size, since the system may not.
+    /// Reports the size of a window that was opened again, since the system may not.
     bool poll_size(InputEvent& event) {
         if (!std::exchange(reopened_, false) || size() == told_) return false;
         told_ = size();
@@ -337,8 +337,8 @@ class SfmlWindow : public Window {
     }
 
     WindowState state_;
-    property::Vec2 told_{0, 0};               // px, the size that the game knows
-    std::optional<property::Vec2> opened_{};  // px, until the system has told another size
+    property::Vec2 told_{0, 0};               // px, the size that was reported to the game
+    std::optional<property::Vec2> opened_{};  // px, until the system has reported another size
     bool reopened_ = false;
     unsigned next_gamepad_ = 0;  // to be reported
     std::unique_ptr<sf::Image> icon_;

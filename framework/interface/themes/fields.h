@@ -1,6 +1,6 @@
 #pragma once
 // Members of a row as properties. The rows are in the memory of this part, because the layout must
-// know at once when one of them changes.
+// follow at once when one of them changes.
 
 #include <optional>
 #include <string>

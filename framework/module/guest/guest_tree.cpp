@@ -104,7 +104,7 @@ const Class& Tree::class_of(Handle instance) const {
     const char* name = s.host->class_name(s.host->self, sent(instance));
     if (name == nullptr) {
         require(instance);  // throws if the instance was deleted
-        throw Error(ErrorKind::unknown_name, "the program does not know the class of the instance");
+        throw Error(ErrorKind::unknown_name, "the program has no class for the instance");
     }
     const auto found = s.by_name.find(name);
     if (found != s.by_name.end()) return *found->second;

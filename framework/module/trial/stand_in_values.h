@@ -21,10 +21,10 @@ struct StandInRows {
 /// The values of a property that the tree does not store, by row; of one that belongs to the
 /// structure of the tree, by `Handle::key`.
 struct StandInValues {
-    property::Value otherwise;  // where there is none
+    property::Value otherwise;  // of rows without an entry in `all`
     std::unordered_map<std::uint64_t, property::Value> all;
     std::unordered_set<std::uint64_t> overridden;
-    // Of a column in C: the memory of all rows.
+    // Only of a column in C: the memory of all rows.
     std::size_t cell_size = 0;
     std::vector<std::byte> cells;
     const StandInRows* rows = nullptr;

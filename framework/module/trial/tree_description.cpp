@@ -136,7 +136,7 @@ class InstanceList {
     std::unordered_map<std::uint64_t, std::uint32_t> numbers_;  // by `Handle::key`
 };
 
-// --- Bytes. One function for each structure tells its fields to a writer or a reader.
+// --- Bytes. One function for each structure passes its fields to a writer or a reader.
 
 class Writer {
   public:

@@ -1,5 +1,5 @@
 #pragma once
-// What the program of a trial needs to know of a game's tree, as plain data: its classes without
+// What the program of a trial needs of a game's tree, as plain data: its classes without
 // their functions, and its instances with their values.
 
 #include <cstdint>

@@ -14,7 +14,7 @@ namespace fettle::module {
 /// takes the place of an older one in a tree, and is tested and stepped.
 enum class TrialKind : std::uint8_t { open, attach, reload };
 
-/// All that the other process needs to know.
+/// All data that the other process needs.
 struct Trial {
     TrialKind kind = TrialKind::open;
     std::filesystem::path file;  ///< of the module, for messages

@@ -1,4 +1,4 @@
-// The program of a trial: reads what is to be tried out, and tells each phase and the result.
+// The program of a trial: reads what is to be tried out, and reports each phase and the result.
 
 #include <signal.h>
 #include <sys/resource.h>

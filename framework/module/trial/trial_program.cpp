@@ -7,7 +7,7 @@
 #include <mutex>
 
 /// The folder of the program. Defined in programs that are linked with an installed static library,
-/// which cannot tell where it was installed (`cmake/trial_place.cpp`).
+/// which does not contain the place of its installation (`cmake/trial_place.cpp`).
 extern "C" __attribute__((weak)) const char* fettle_trial_place();
 
 namespace fettle::module {

@@ -112,7 +112,7 @@ bool Changes::wants_deletion_notice(Handle handle, const Class& of, bool only_ow
 
 void Changes::queue_deletion(Handle handle, const Class& of, const Cause& cause) {
     // A watcher that did not receive the creation of the instance does not receive its deletion.
-    // Only the watchers of the instance itself had been told of it.
+    // Only the watchers of the instance itself have received it.
     const bool only_own = nodes[handle.index].fresh;
     const bool wanted = wants_deletion_notice(handle, of, only_own);
     if (!wanted && deleted_event->listeners == 0 && !nodes[handle.index].watched) return;

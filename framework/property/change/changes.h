@@ -84,7 +84,7 @@ struct Changes {
     bool wants_deletion_notice(Handle handle, const Class& of, bool only_own) const;
     /// The record that watchers of the deletion receive. Its cause is not known yet.
     Existence deletion_notice_of(Handle handle, const Class& of, bool with_values) const;
-    /// Marks all instances as old: the watchers of their classes know them now.
+    /// Marks all instances as old: the watchers of their classes have been notified of them.
     void forget_fresh();
     void compare_shadows();
 

@@ -65,7 +65,6 @@ void Changes::call(const Watcher& watcher, const What& what) {
     }
 }
 
-/// Calls the watchers that want the change now.
 void Changes::deliver_change(const Change& change, WatcherId until) {
     if (nodes.find(change.instance) == nullptr || change.old_value == change.new_value) return;
     watchers.of_change(change, until, queue.called);

@@ -52,7 +52,7 @@ inline constexpr const char being_moved[] = "is being moved";
 inline constexpr const char being_left[] = "is left by an instance that is being moved";
 
 /// While it lives, the instance, and those above it, can be neither deleted nor moved: a module is
-/// making it or gets to know its place. A null handle holds nothing.
+/// making or placing it. A null handle holds nothing.
 class Hold {
   public:
     Hold(Underway& underway, Handle instance, const char* state) : held_(underway.held) {

@@ -1,6 +1,6 @@
 #pragma once
-// The change from one state of a tree to another by a restore. The values that watchers know are
-// stored before it, so that the differences can be reported afterwards.
+// The change from one state of a tree to another by a restore. The values of watched cells
+// are stored before it, so that the differences can be reported afterwards.
 
 #include <cstdint>
 #include <span>

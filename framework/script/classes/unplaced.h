@@ -15,8 +15,7 @@ struct Unplaced {
     std::vector<property::Handle> handles;
     std::size_t limit = 64;  // number of instances for which a collection is worth its time
 
-    /// What was added since the last call; `all`: these replace the others, since some were
-    /// removed.
+    /// The instances added since the last call; `all`: the whole list, since some were removed.
     struct Changes {
         bool all = true;
         std::vector<property::Handle> handles;

@@ -74,7 +74,7 @@ std::string unit_of(const Machine& machine, std::string_view command) {
     return component ? read->unit : std::string();
 }
 
-// `quit` without brackets calls nothing: its help tells more than "function". Empty if the only
+// `quit` without brackets calls nothing: its help is more useful than "function". Empty if the only
 // result is no function that has help.
 std::vector<std::string> help_of_function(lua_State* L, Machine& machine,
                                           std::string_view command) {

@@ -109,7 +109,7 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
     for (const auto& [path, handle] : sorted) {
         std::vector<std::string> row = {path, tree.class_of(handle).name()};
         for (const Property* property : shared) {
-            // Half a vector tells nothing.
+            // Half a vector would be useless.
             const std::size_t width = property->type == Type::vec2 ? line_width : 28;
             row.push_back(cut(listed_value(tree, handle, *property, false), width));
         }
@@ -149,8 +149,7 @@ std::string entry_text(lua_State* L, const property::Tree& tree, const std::stri
     return short_text(L, -1);
 }
 
-/// An empty set. A script may ask for what is not there; a person has perhaps misspelt a name of
-/// the pattern.
+/// The text for an empty set: at the console, a name of the pattern is perhaps misspelt.
 std::string nothing_found(const property::Tree& tree, const std::string& pattern) {
     std::string text = "no instances";
     if (pattern.empty()) return text;

@@ -1,5 +1,5 @@
 #pragma once
-// Coroutines. Every switch to another Lua thread goes through this file, so that the runtime knows
+// Coroutines. Every switch to another Lua thread goes through this file, so that the runtime stores
 // the running thread, the budget of a command counts coroutines, and an error in a coroutine keeps
 // its own traceback.
 

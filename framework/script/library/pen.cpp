@@ -125,7 +125,7 @@ double length_at(lua_State* L, int index, const char* what, const char* of) {
 
 int circle(lua_State* L) {
     drop_self(L);
-    // One by one: of several wrong arguments, the first is told.
+    // One by one: of several wrong arguments, the first is reported.
     const Vec2 center = point_at(L, 1, "pen.circle");
     const double radius = length_at(L, 2, "pen.circle", "radius");
     painter(L).circle(center, radius, paint_at(L, 3, "pen.circle"));

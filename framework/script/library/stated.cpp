@@ -1,5 +1,5 @@
 // state("score", 0): a variable of a script that is a property of `game`, so that snapshots, saved
-// games, watchers and the inspector know it.
+// games, watchers and the inspector include it.
 
 #include <fettle/property/path.h>
 

@@ -32,8 +32,8 @@ std::string megabytes(std::size_t bytes) {
 
 // Whether Lua requests memory for a larger stack of `L`. Since version 5.4.5, the frames then have
 // offsets in place of addresses, and lua_getinfo, which uses them as addresses, ends the program.
-// No function of Lua tells it, but the first member of a frame is the position of its function, and
-// every offset is smaller than the largest stack (a million slots of 16 bytes).
+// No function of Lua returns this, but the first member of a frame is the position of its function,
+// and every offset is smaller than the largest stack (a million slots of 16 bytes).
 bool stack_grows(lua_State* L) {
     constexpr std::uintptr_t largest_stack = std::uintptr_t{1} << 25;
     lua_Debug frame;

@@ -52,7 +52,7 @@ bool is_letter(char c) {
            c == '_';
 }
 
-/// Lua names a byte that it does not know by its number, as in "near '<\\231>'". Puts the whole
+/// Lua names a byte that it does not accept by its number, as in "near '<\\231>'". Puts the whole
 /// word with that byte in its place.
 void name_foreign_letters(lua_State* L, std::string_view code, const char* name) {
     constexpr std::string_view before_byte = " near '<\\";

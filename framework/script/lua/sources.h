@@ -52,7 +52,7 @@ struct Sources {
     /// function or the message is at the top of the stack.
     int load(lua_State* L, const std::string& text, const std::string& name);
     /// The last text that did not compile: its message, and where in its line the token begins that
-    /// the message names. Lua tells the line only.
+    /// the message names. Lua reports only the line.
     struct Stop {
         std::string message;
         std::size_t column = 0;  // bytes before the token
@@ -61,7 +61,7 @@ struct Sources {
     Stop stop{};
 
     /// Sets `stop` for a text that did not compile; its message is at the top of the stack, and
-    /// gets a hint for those who know another language.
+    /// gets a hint if it is code of another language.
     void note_stop(lua_State* L, std::string_view code, const char* name);
 
     /// A line of a chunk, from 1; "" if unknown.

@@ -93,7 +93,7 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
             machine_.timers.restore(image.timers, now, image.next_timer);
         else
             machine_.timers.restore_from_file(now);
-        // A file knows no handlers: those of instances that go on stay.
+        // A file has no handlers: those of instances that still exist stay.
         if (memory) machine_.connections.restore(image.connections);
         had_handlers_ = memory ? std::vector<Handle>() : had_handlers;
         ended_timers_ = memory ? 0 : ended_timers;

@@ -1,6 +1,6 @@
 #pragma once
-// Looks: colors of shapes, which the physics library does not have. Kept by the slots of one world,
-// and only from the first shape on whose look is not the default.
+// Looks: colors of shapes, which the physics library does not have. A list by slot for each world,
+// empty until a shape gets a look other than the default.
 
 #include <cstdint>
 #include <optional>

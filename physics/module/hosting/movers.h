@@ -20,11 +20,11 @@ struct MoverSettings {
     std::uint32_t crouch = 0, climbing = 0;
 };
 
-/// How the mover was after its last step.
+/// The state of a mover after its last step.
 struct MoverResult {
     std::uint32_t crouched = 0, on_ground = 0, on_wall = 0, on_ceiling = 0, crushed = 0;
     float velocity_x = 0.0f, velocity_y = 0.0f;  // relative to the ground, m/s
-    float shown_x = 0.0f, shown_y = 0.0f;        // velocity that the body was given
+    float shown_x = 0.0f, shown_y = 0.0f;        // velocity given to the body
     float place_x = 0.0f, place_y = 0.0f;        // where the body must be after the step
     float normal_x = 0.0f, normal_y = 0.0f;      // of the ground
     float ground_x = 0.0f, ground_y = 0.0f;      // velocity of the ground
@@ -65,7 +65,7 @@ class Movers {
     std::vector<MoverRecord> records_;
 };
 
-/// The settings as the library takes them, clamped to its ranges.
+/// The settings for the library, clamped to its ranges.
 physics::MoverDef definition(const MoverRecord& record, const physics::Body& body);
 
 /// True if all numbers are in their ranges and the slots are in order.

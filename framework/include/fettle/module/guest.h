@@ -4,7 +4,7 @@
 //
 // The library has its own implementation of `property::Tree`, which forwards all calls through the
 // C interface. So the shared object works with any program with the same interface, whatever its
-// compiler. It knows the classes that the module defines; of other classes it knows names, bases,
+// compiler. It has the classes that the module defines; of other classes it has names, bases,
 // and values and methods by name. The program does watching, formulas, history and drawing order.
 
 #include <memory>

@@ -158,7 +158,7 @@ std::string why_no_name_of_a_scene(const fs::path& name) {
     for (const fs::path& part : name)
         if (part.string().starts_with('.')) return "hidden files are not a game's to write";
     std::string last = name.filename().string();
-    // Some file systems do not tell upper case from lower case.
+    // Some file systems do not distinguish upper case and lower case.
     std::transform(last.begin(), last.end(), last.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     for (const char* const ending : {".lua", ".so", ".sqlite", ".tweaks.json"})

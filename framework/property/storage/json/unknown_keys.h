@@ -1,5 +1,5 @@
 #pragma once
-// Keys of a scene file that this version does not know: a property of a newer class, a note of an
+// Keys of a scene file that this version does not have: a property of a newer class, a note of an
 // editor. Each instance keeps them, as JSON, in its ad-hoc text property `unknown_keys`. There they
 // can be seen and removed like other properties, and they are part of snapshots, undo and saved
 // files.

@@ -56,7 +56,7 @@ class Keeping {
     }
 
   private:
-    /// Two instances of one scene share one value in the file.
+    /// False, with a report, if two instances of one scene have different values: the file has one.
     bool is_consistent(const JournalRow& row, const fs::path& file) {
         if (row.kind != Kind::value) return true;
         const auto [first, is_first] = values_.try_emplace({file, row.inside, row.property}, &row);
@@ -74,7 +74,7 @@ class Keeping {
     /// references to other instances are kept by path; they are set when everything exists.
     void keep_outside_scenes() {
         for (bool more = true; more;) {
-            more = false;  // another tweak may refer to an instance of this one
+            more = false;  // another tweak may refer to an instance that this one creates
             for (auto& [file, rows] : scenes_)
                 std::erase_if(rows, [&, &file = file](JournalRow* row) {
                     if (!leads_out(*row, file)) return false;

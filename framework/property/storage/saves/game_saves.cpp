@@ -177,7 +177,7 @@ Thumbnail GameSaves::picture(const std::string& slot) const {
     if (!options_.writes) return {};
     try {
         return saves_.load(slot).thumbnail;
-    } catch (const std::exception&) {  // `list` tells why
+    } catch (const std::exception&) {  // `list` gives the reason
         return {};
     }
 }

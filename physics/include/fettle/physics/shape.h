@@ -111,13 +111,13 @@ class Shape {
     void set_sensor(bool sensor);
     bool hit_events() const;  ///< whether impacts above `WorldDef::hit_threshold` are reported
     void set_hit_events(bool enabled);
-    /// Its touches are reported if both shapes want it, from the next touch on. A touch whose begin
-    /// was reported is reported to its end.
+    /// Its touches are reported if this is true for both shapes, from the next touch on. A touch
+    /// whose begin was reported is reported to its end.
     bool contact_events() const;
     void set_contact_events(bool enabled);
     bool sensor_events() const;  ///< the same for a sensor, and for a shape in one
     void set_sensor_events(bool enabled);
-    bool before_solve() const;  ///< whether it is called: if both shapes want it
+    bool before_solve() const;  ///< the callback is called if this is true for both
     void set_before_solve(bool enabled);
     uint16_t material() const;  ///< a number of the host, without effect
     void set_material(uint16_t material);

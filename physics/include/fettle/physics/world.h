@@ -328,10 +328,10 @@ class World {
     /// world. It has no effect on shapes that are apart. It belongs to the state.
     void ignore_until_separated(const Shape& a, const Shape& b);
     /// A number of the host for two shapes that touch, without effect; 0 if there is none. It is
-    /// kept while their touch lasts, and can still be read after the step that tells `contact_end`.
-    /// A touch that a callback or `ignore_until_separated` ends has ended, although the shapes
-    /// overlap. If a touch begins in the step in which another of the same shapes ends, it takes
-    /// over the number. It belongs to the state.
+    /// kept while their touch lasts, and can still be read after the step that reports
+    /// `contact_end`. A touch that a callback or `ignore_until_separated` ends has ended, although
+    /// the shapes overlap. If a touch begins in the step in which another of the same shapes ends,
+    /// it takes over the number. It belongs to the state.
     uint64_t contact_data(const ContactId& id) const;
     /// Throws std::invalid_argument if the shapes do not touch; 0 removes the number and is always
     /// allowed.

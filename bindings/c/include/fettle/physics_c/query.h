@@ -1,8 +1,8 @@
-/* Questions about what is where. They include every edit made before them, and the order of what
- * they find is repeatable. `filter` may be null: then everything but sensors is found. Coordinates
+/* Queries for shapes. They include every edit made before them, and the order of their results is
+ * repeatable. `filter` may be null: then everything but sensors is found. Coordinates
  * are from -1e8 to 1e8 m.
  *
- * Each question comes as a list and as a visitor. A visitor is called for each find and returns
+ * Each query exists with a list and with a visitor. A visitor is called for each result and returns
  * whether to go on; callbacks.h describes what it may do. `user` is passed on to it. */
 
 #pragma once

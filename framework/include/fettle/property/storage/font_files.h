@@ -17,8 +17,8 @@ inline constexpr std::array fallback_fonts{"DroidSansFallbackFull.ttf", "wqy-zen
                                            "NotoSansCJK-Regular.ttc", "NanumGothic.ttf",
                                            "Symbola_hint.ttf"};
 
-/// The file of a font by its name, such as "DejaVuSans.ttf"; "" if it is not installed. A packaged
-/// game brings its fonts along, in the folder FETTLE_FONTS.
+/// The file of a font by its name, such as "DejaVuSans.ttf"; "" if it is not installed. The
+/// environment variable FETTLE_FONTS names the folder with the fonts of a packaged game.
 inline std::string font_file(const std::string& name) {
     // Debian's folders, then folders of other systems with the same fonts.
     static constexpr std::array folders{"/usr/share/fonts/truetype/dejavu",
