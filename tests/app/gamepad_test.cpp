@@ -64,7 +64,7 @@ TEST_CASE("a button has a number and a name") {
     CHECK(game.heard() == "-1.5 -1.left_shoulder");
 }
 
-TEST_CASE("setting a button by name is as pressing it") {
+TEST_CASE("setting a button by name has the effect of pressing it") {
     Game game(listener);
     game.set("input.gamepad_1.start", true);
     CHECK(game.get("input.gamepad_1.button_8").boolean());
@@ -171,7 +171,7 @@ TEST_CASE("a mapping that is malformed is refused and changes nothing") {
     CHECK(game.get("input.gamepad_1.mapping").text() == "xbox");
 }
 
-TEST_CASE("a gamepad that goes lets go of its named buttons") {
+TEST_CASE("a gamepad that is disconnected releases its named buttons") {
     Game game;
     game.set("input.gamepad_1.connected", true);
     game.set("input.gamepad_1.mapping", "a:b0");

@@ -69,7 +69,7 @@ TEST_CASE("physics counts for what it moves a second after other writers") {
     CHECK(writer_of(game, "crate") == "script");
 }
 
-TEST_CASE("light that is added is tinted by blame as light, and faint pictures stay faint") {
+TEST_CASE("blame tints added light as light and leaves faint pictures faint") {
     struct Pictures : app::NotingPainter {
         std::vector<std::pair<property::Blend, property::Color>> all;
         void picture(const property::Picture&, const property::PictureArea&, const Vec2&,

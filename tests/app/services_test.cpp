@@ -40,7 +40,7 @@ TEST_CASE("services that end before their tree leave none of their instances in 
          {"time ", "time.timings ", "view ", "view.show ", "audio ", "audio.buses ",
           "audio.buses.music ", "input ", "input.keys ", "input.mouse ", "input.gamepad_1 "})
         CHECK_THAT(told, contains(path));
-    // Nothing can bring them back.
+    // No undo and no restore can create them again.
     tree.undo();
     CHECK(tree.size() == 2);
     tree.restore(tree.snapshot());
@@ -113,7 +113,7 @@ TEST_CASE("services that find no room in a tree leave nothing in it") {
     }
 }
 
-TEST_CASE("a journey in time that was ordered from a loop ends with it") {
+TEST_CASE("a jump in time that was requested from a loop ends with it") {
     property::Tree tree;
     Services services(tree);
     script::Runtime runtime(tree, {});

@@ -88,7 +88,7 @@ TEST_CASE("the mouse and the size of the screen are those of the picture inside 
     CHECK(game.heard() == "vec(0, 500)\tvec(-10, -10)");
 }
 
-TEST_CASE("a rewind without a past is told once") {
+TEST_CASE("a rewind without a past is reported once") {
     Game game;
     std::vector<std::string> notes;
     game.runtime.on_note([&](std::string_view text) { notes.emplace_back(text); });

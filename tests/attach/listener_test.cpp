@@ -1,5 +1,5 @@
-// A game that listens, with terminals of all kinds on real sockets. All is in one thread: a
-// terminal speaks, then the game makes a frame.
+// A game with a listener, and terminals of all kinds on real sockets. All is in one thread: a
+// terminal sends, then the game makes a frame.
 
 #include <attach/listener.h>
 #include <attach/protocol.h>
@@ -170,7 +170,7 @@ mode_t mode_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-TEST_CASE("several terminals ask and hear what the game prints") {
+TEST_CASE("several terminals send commands and receive what the game prints") {
     Game game;
     Visitor one = game.terminal(), two = game.terminal();
     CHECK(answer_to(game, one, "1") == "  said 1");
@@ -294,7 +294,7 @@ TEST_CASE("a completion has a frame of its own and the next one after other requ
     CHECK(two.hear().size() == 20);
 }
 
-// --- The hostile ones. A terminal keeps its place and its answers meanwhile.
+// --- Hostile connections. A terminal keeps its place and its answers meanwhile.
 
 namespace {
 
@@ -320,7 +320,7 @@ TEST_CASE("hundreds of connections take no place from a terminal") {
     }
     CHECK(entered > 100);
     CHECK(game.most_connections <= 9);
-    // Somebody with the token still comes in.
+    // A terminal with the token still gets a place.
     crowd.clear();
     game.frames(10);
     Visitor late = game.terminal();
@@ -378,7 +378,7 @@ TEST_CASE("a flood of requests waits for its turn") {
         terminal.say(text_of({.text = "mine"}));
         game.frames();
         CHECK(game.commands.size() - before <= ListenLimits{}.requests);
-        // The flood does not keep the other one waiting for a single frame.
+        // The flood does not delay the other terminal by a single frame.
         const auto mine = terminal.hear();
         CHECK(std::ranges::count(mine, Message::Kind::answer, &Message::kind) == 1);
         flood.hear();
@@ -388,7 +388,7 @@ TEST_CASE("a flood of requests waits for its turn") {
 }
 
 TEST_CASE("a frame answers as many bytes as the limit allows for all terminals together") {
-    // The clock ends no turn here: what a frame does is counted.
+    // The limit of time is off, so only the number of bytes ends a turn.
     Game game({.busy_seconds = 1e9});
     std::vector<Visitor> crowd;
     for (int i = 0; i < 4; ++i) crowd.push_back(game.terminal());
@@ -444,7 +444,7 @@ TEST_CASE("a terminal that does not read its answers gets no more of them") {
     CHECK(answered < 50);
     CHECK(game.largest_buffer <= ListenLimits{}.kept + 3 * longest_answer);
     CHECK(answer_to(game, terminal, "1").starts_with("  said 1"));
-    // Once it reads, it gets its answers, and how many lines it has missed.
+    // When it reads again, it gets its answers and the number of lines that it has missed.
     std::size_t lost = 0;
     for (int i = 0; i < 30; ++i) {
         for (const Message& each : slow.hear()) lost += each.count;

@@ -1,4 +1,4 @@
-// Ghosts of what will move, onion skins of what moved, the row of overlays, the times of frames.
+// Ghosts of later poses, onion skins of earlier ones, the row of overlays, the times of frames.
 
 #include <algorithm>
 
@@ -21,8 +21,8 @@ const std::vector<property::Field> ghost_fields = {
     {.name = "points", .type = Type::list, .element = Type::vec2},
     {"angle", Type::number, "", ""}};
 
-/// A game with a world that says where `world.ball` goes: to the right, as many points as
-/// seconds, from where it is.
+/// A game whose world predicts the way of `world.ball`: from its position to the right, one point
+/// for each second.
 struct AheadRig : Rig {
     app::FrameLog log;
     int asked = 0;
@@ -226,13 +226,13 @@ TEST_CASE_METHOD(SkinnedRig, "after going back the later poses are skins too") {
     step_to(60);
     place(20);
     CHECK(skins().shown_at(20) == std::vector<std::int64_t>{0, 15, 30, 45, 60});
-    // The game goes on from there: what came later is forgotten.
+    // The game continues from there: the later poses are removed.
     now = 20;
     step_to(22);
     CHECK(skins().shown_at(22) == std::vector<std::int64_t>{0, 15});
 }
 
-TEST_CASE_METHOD(SkinnedRig, "the past of what is selected newly is read once") {
+TEST_CASE_METHOD(SkinnedRig, "the past of a newly selected instance is read once") {
     property::set(tree, "view.show.onion_skins", Value(false));
     step_to(40);
     CHECK(skins().skins().empty());
@@ -277,7 +277,7 @@ TEST_CASE_METHOD(AheadRig, "the buttons of overlays stay inside of a narrow pane
     }
 }
 
-TEST_CASE_METHOD(AheadRig, "where words need more than two rows, overlays are icons") {
+TEST_CASE_METHOD(AheadRig, "overlays are icons where words need more than two rows") {
     edit("console.overlays", true, property::Writer::console);
     draw(3);
     const auto& bar = state().views.overlay_bar;
@@ -293,7 +293,7 @@ TEST_CASE_METHOD(AheadRig, "where words need more than two rows, overlays are ic
 }
 
 TEST_CASE_METHOD(AheadRig,
-                 "a panel that is low grows by the row of overlays, which hides no prompt") {
+                 "a low panel grows by the row of overlays so that the prompt stays visible") {
     edit("console.height", 0.15, property::Writer::console);
     edit("console.scale", 2.0, property::Writer::console);
     edit("console.overlays", true, property::Writer::console);
@@ -381,7 +381,7 @@ TEST_CASE_METHOD(AheadRig, "times of frames never cover the prompt") {
 
 // --- Times of frames
 
-TEST_CASE_METHOD(AheadRig, "no bars of frames are behind the time that a frame has") {
+TEST_CASE_METHOD(AheadRig, "no bars of frames are behind the label of the time for a frame") {
     for (int i = 1; i <= 300; ++i) {
         log.add({.ms = {.draw = 100}, .frame = i, .step = i});
         (void)log.complete(100);

@@ -69,7 +69,7 @@ TEST_CASE("the rows of a table that is wider than the log break before the same 
     CHECK(rows.back().find("longer4") == rows[rows.size() - 5].find("head4"));
 }
 
-TEST_CASE("a long path breaks before one of its names, and a vector stays whole") {
+TEST_CASE("a long path breaks before one of its names and a vector stays whole") {
     Rig rig;
     rig.key("grave");
     rig.draw(3);

@@ -100,7 +100,7 @@ TEST_CASE_METHOD(Haunted,
     CHECK(surface.faults() == 0);
 }
 
-TEST_CASE("an instance that is hidden from the player is outlined, too") {
+TEST_CASE("an instance that is hidden from the player also has an outline") {
     Haunted rig;
     property::ClassDescriptor hidden{.name = "Hidden"};
     hidden.properties = {{.name = "position", .type = property::Type::vec2}};
@@ -167,8 +167,7 @@ struct Cards : Rig {
 
 }  // namespace
 
-TEST_CASE_METHOD(Cards,
-                 "a click selects what is drawn with a picture, where the picture is opaque") {
+TEST_CASE_METHOD(Cards, "a click selects an instance with a picture where the picture is opaque") {
     CHECK(clicked({3.5, -4}) == card);
     CHECK_FALSE(clicked({2.5, -4}));
     CHECK_FALSE(clicked({0.5, -4}));
@@ -207,7 +206,7 @@ TEST_CASE_METHOD(Cards, "all that are selected in a layer are outlined in one wa
     CHECK(walks == 1);
 }
 
-TEST_CASE("a click selects the widget that is seen there, before what lies behind it") {
+TEST_CASE("a click selects the visible widget before instances behind it") {
     Rig rig;
     // A button of 100 by 40 pixels over a body, and the part of the tree that knows where it is.
     static constexpr float left = 300, top = 500;

@@ -20,7 +20,7 @@ TEST_CASE("the time below a plot has from two to five labels") {
     }
 }
 
-TEST_CASE("a long error leaves room for the name in the legend, and the tooltip has it whole") {
+TEST_CASE("a long error leaves room for the name in the legend and is whole in the tooltip") {
     ObservingRig rig;
     rig.step(10);
     rig.run(
@@ -54,7 +54,7 @@ TEST_CASE("a long error leaves room for the name in the legend, and the tooltip 
     CHECK(rig.surface.faults() == 0);
 }
 
-TEST_CASE("beneath the mouse a condition was true or false") {
+TEST_CASE("the legend has the value of a condition at the mouse") {
     ObservingRig rig;
     rig.step(100);
     rig.run("plot world.ball.position.x > 70");

@@ -97,7 +97,7 @@ TEST_CASE("instances that are deleted are selected no more") {
     CHECK(selection.contains(rig.ball));
 }
 
-TEST_CASE("an instance below another one is left out, also when it was selected after it") {
+TEST_CASE("an instance below another selected one is left out in any order of selecting") {
     SelectionRig rig;
     const Handle ring = rig.tree.create(rig.tree.class_of(rig.ball), rig.ball, "ring");
     CHECK(console::topmost(rig.tree, {ring, rig.ball, rig.crate}) ==

@@ -132,7 +132,7 @@ TEST_CASE("a copy of the log has whole numbers") {
     CHECK(view.selected() == "18.095575 kg");
 }
 
-TEST_CASE("the log is filtered by whole numbers, too") {
+TEST_CASE("the log is also filtered by whole numbers") {
     Rig rig;
     rig.key("grave");
     rig.state().log.output("18.095575 kg");

@@ -166,7 +166,7 @@ TEST_CASE("edits and errors have marks at their steps") {
 }
 
 TEST_CASE(
-    "after going back the edits of later steps stay marked, until the game goes on from there") {
+    "after going back the edits of later steps stay marked until the game goes on from there") {
     Rig rig;
     console::TimeMarks& marks = rig.state().time_marks;
     const auto look = [&] {
@@ -308,7 +308,7 @@ TEST_CASE("a button of the time bar begins and ends a recording") {
     CHECK(without.bar().record_button().empty());
 }
 
-TEST_CASE("in a narrow bar the track and the time have room, and buttons are left out") {
+TEST_CASE("a narrow bar leaves out buttons and has room for the track and the time") {
     const unsigned width = GENERATE(300u, 400u, 1280u);
     const double scale = GENERATE(1.0, 2.0);
     INFO(width << ", scale " << scale);

@@ -53,7 +53,7 @@ TEST_CASE("a click in the list of tweaks keeps or drops the tweak") {
     rig.save("tweaks");
     CHECK(rig.surface.faults() == 0);
     rig.press(1, "drop");
-    // It is a typed command, so a recording contains it.
+    // A click runs a command, so a recording contains it.
     CHECK(rig.commands.back() == "drop_tweaks(\"world.ball.angle\")");
     CHECK(rig.logged("dropped 1 tweak"));
     REQUIRE(rig.tweaks->list().size() == 1);

@@ -1,4 +1,4 @@
-// The pictures of the console: the log with selection and links, sizes, fonts, any surface.
+// Pictures of the console: the log with selection and links, sizes, fonts, other surfaces.
 
 #include <algorithm>
 #include <cmath>

@@ -71,7 +71,7 @@ TEST_CASE("the gallery chooses the game from which the player comes back") {
     CHECK(contains(run_gallery(folder, "print(gallery.chosen)").out, "2\n"));
 }
 
-TEST_CASE("the program without arguments opens the gallery, which needs a display") {
+TEST_CASE("the program without arguments opens the gallery and reports a missing display") {
     const Folder folder;
     const Outcome run = fettle(folder, {});
     CHECK(run.status == 2);

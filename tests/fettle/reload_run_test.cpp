@@ -164,7 +164,7 @@ TEST_CASE("what a run writes itself is not read again") {
     CHECK(contains(end.err, "reloaded main.lua in "));
 }
 
-TEST_CASE("a changed scene is told truly and an error in it has its line") {
+TEST_CASE("a changed scene is reported correctly and an error in it has its line") {
     Run run;
     const std::string scene = R"({"fettle_scene": 1, "class": "Body", "properties": {"mass": )";
     run.folder.write("game/top.json", scene + "2}}");

@@ -104,7 +104,7 @@ class Terminal {
 
 }  // namespace
 
-TEST_CASE("an alias stands for a command in the terminal, too") {
+TEST_CASE("an alias stands for a command also in the terminal") {
     Folder folder;
     const Outcome done = repl(folder,
                               "world.ball = Body { Circle {} }\n"
@@ -226,7 +226,7 @@ TEST_CASE("in a terminal ctrl-c drops a line at every moment of a slow frame") {
     CHECK(terminal.ended_by("\x04") == 0);
 }
 
-TEST_CASE("in a terminal ctrl-c stops a command, also one that catches errors") {
+TEST_CASE("in a terminal ctrl-c stops even a command that catches errors") {
     const Folder folder;
     const std::string game = folder.write("game/main.lua", "");
     bool interrupted = false;

@@ -70,7 +70,7 @@ TEST_CASE("saved games are listed and deleted by their slots") {
     CHECK(contains(run.out, "is not a name of a slot"));
 }
 
-TEST_CASE("a loaded game tells which handlers its file could not hold") {
+TEST_CASE("loading a game reports which handlers its file could not hold") {
     const Folder folder;
     const std::string file = folder.write("main.lua", R"lua(
 class("Stays", Button) {}
@@ -95,7 +95,7 @@ function open() game.menu = Panel { Button { name = "save", pressed = function()
     CHECK(contains(other.err, "menu.save and 1 more"));
 }
 
-TEST_CASE("a loaded game tells which timers its file could not hold") {
+TEST_CASE("loading a game reports which timers its file could not hold") {
     const Folder folder;
     const std::string file = folder.write("main.lua", R"lua(
 every(5, print)
@@ -116,7 +116,7 @@ function later() world.box = Body {} after(3, function() print("once") end)
     CHECK(run("save_game('b')", "load_game('b')").err == "");
 }
 
-TEST_CASE("a variable of a saved game that has another type now stays and is told") {
+TEST_CASE("a variable of a saved game that has another type now stays and is reported") {
     const Folder folder;
     const std::string file = folder.write("main.lua", "state('best', 3) best = 7");
     const std::vector<std::string> load = {

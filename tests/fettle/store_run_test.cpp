@@ -169,7 +169,7 @@ TEST_CASE("going back in time and saved games leave the store as it is") {
     CHECK_FALSE(out == "4\t4\n");
 }
 
-TEST_CASE("a replay sees the store of the recorded start and does not write") {
+TEST_CASE("a replay reads the store of the recorded start and does not write") {
     const Folder folder;
     run(folder, "store.runs = 1");
     const std::string recording = (folder / "a.recording").string();

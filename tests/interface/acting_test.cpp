@@ -388,7 +388,7 @@ TEST_CASE("a menu that is not modal has the keyboard again after a modal one abo
     CHECK(s.focus().empty());
 }
 
-TEST_CASE("a rewind into a modal menu knows what had the keyboard before") {
+TEST_CASE("after a rewind into a modal menu its end returns the keyboard to the widget before") {
     Screen s(R"(
         game.m = Panel { Column { Button { name = "a", text = "a" }, Button { name = "b", text = "b" } } }
         game.m.column.b:focus())");

@@ -190,7 +190,7 @@ TEST_CASE("a function is there again when a destroyed body is restored and not f
     REQUIRE(calls == 1);
 }
 
-TEST_CASE("many bodies with functions are asked in the order of their slots with any threads") {
+TEST_CASE("functions of many bodies are called in the order of their slots with any threads") {
     std::vector<uint64_t> hashes;
     for (const int threads : {1, 3}) {
         World world;

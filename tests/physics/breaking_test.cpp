@@ -22,7 +22,7 @@ TEST_CASE("a joint breaks at its force and not below") {
     REQUIRE(rod.force().length() == 0.0f);
 }
 
-TEST_CASE("a broken joint tells which and how hard it was pulled and can be mended") {
+TEST_CASE("a broken joint is reported with its load and can be repaired") {
     World world({.sleeping = false});
     Body beam = world.create_body({.position = {2, 0}});
     beam.add(Box{.width = 4, .height = 0.2f});

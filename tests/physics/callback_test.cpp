@@ -61,7 +61,7 @@ TEST_CASE("a fast body is not stopped at a contact that a callback disables") {
     REQUIRE(ball.position().y > 4.0f);
 }
 
-TEST_CASE("a mixing function sees both shapes and the point and sets the friction of a contact") {
+TEST_CASE("a mixing function gets both shapes and the point and sets the friction of a contact") {
     World world({.sleeping = false});
     Body floor = add_floor(world);
     Body left = add_box(world, {-5, 0.5f}), right = add_box(world, {5, 0.5f});

@@ -61,7 +61,7 @@ TEST_CASE("a copied world goes on as the original does bit for bit") {
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("the hash sees the smallest change") {
+TEST_CASE("the smallest change of a world changes its hash") {
     World a, b;
     Body x = add_ball(a, {1, 2}), y = add_ball(b, {1, 2});
     REQUIRE(a.hash() == b.hash());

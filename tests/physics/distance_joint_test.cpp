@@ -88,7 +88,7 @@ TEST_CASE("a rod follows its length as the rope of a winch does") {
     REQUIRE(ball.velocity().length() < 0.1f);
 }
 
-TEST_CASE("a rod tells the force it holds with") {
+TEST_CASE("a rod reports the force that it holds with") {
     World world;
     Body ball = add_ball(world, {0, -2}, 0.5f, {.density = 5.0f});
     const DistanceJoint rod = hang(world, ball, {0, 0});

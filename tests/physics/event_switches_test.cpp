@@ -6,7 +6,7 @@
 
 namespace event_switches_test {
 
-// Which touches are reported and asked about, names of contacts, and pairs that are ignored.
+// Which touches are reported and passed to before-solve, ids of contacts, and ignored pairs.
 
 using namespace scenes;
 
@@ -111,7 +111,7 @@ TEST_CASE("sensors report only shapes that agree") {
     REQUIRE(heard.sensor_begins == 1);
 }
 
-TEST_CASE("before-solve is asked only about shapes that agree") {
+TEST_CASE("before-solve is called only for shapes that both allow it") {
     World world;
     Body floor = add_floor(world);
     Body asked = add_box(world, {0, 0.5f}), silent = add_box(world, {5, 0.5f});

@@ -303,7 +303,7 @@ TEST_CASE("a world far away is saved and cloned and repeated bit for bit") {
     for (const World* other : {&restored, &clone, &again}) CHECK(other->hash() == world.hash());
 }
 
-TEST_CASE("the hash of a world tells places apart that a float does not") {
+TEST_CASE("the hash of a world distinguishes places that a float does not") {
     const auto hash_at = [](double x) {
         World world;
         world.create_body({.position = {x, 0.0}});

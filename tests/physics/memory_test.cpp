@@ -152,7 +152,7 @@ TEST_CASE("a body that was made asleep takes no more") {
     REQUIRE(bytes < 800);  // no contact
 }
 
-TEST_CASE("a world tells where its memory is") {
+TEST_CASE("a world reports where its memory is") {
     const std::size_t before = bytes_in_use;
     auto world = std::make_unique<World>(WorldDef{.sleep_delay = 0.05f});
     const std::size_t empty = bytes_in_use - before;

@@ -385,7 +385,7 @@ TEST_CASE("the bounds of a world stop a mover") {
     CHECK(hero.x() == Approx(4.59f).margin(0.01f));
 }
 
-TEST_CASE("a mover sees what its mask and its own body allow") {
+TEST_CASE("a mover passes through shapes outside of its mask and through its own body") {
     World world;
     add_floor(world);
     add_static(world, Box{.width = 1, .height = 1, .center = {2, 0.5f}}, {.category = 4});

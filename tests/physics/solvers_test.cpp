@@ -244,7 +244,7 @@ TEST_CASE("bullets stop at walls under every solver") {
     CHECK(bullet.position().x < 0.1f);
 }
 
-TEST_CASE("the direct solver tells which problems it solved and which were too large for it") {
+TEST_CASE("the direct solver reports which problems it solved and which were too large for it") {
     World world({.gravity = {0, 0}, .sleeping = false, .solver = Solver::direct});
     add_floor(world);
     for (int i = 0; i < 3; ++i) add_box(world, {3.0f * float(i), 0.5f});

@@ -111,7 +111,7 @@ TEST_CASE("a bounce has the friction of Coulomb") {
     }
 }
 
-TEST_CASE("a spinning ball kicks off the floor, and its bounce never adds energy") {
+TEST_CASE("a spinning ball kicks off the floor and its bounce never adds energy") {
     const float spin = GENERATE(-20.0f, -5.0f, 5.0f, 20.0f);
     World world({.gravity = {0, 0}});
     Body floor = world.create_body({.type = BodyType::static_body});

@@ -338,7 +338,7 @@ TEST_CASE("every function outside of classes has one in C") {
     }
 }
 
-TEST_CASE("every enumerator of the library has one in C, with the same number") {
+TEST_CASE("every enumerator of the library has one in C with the same number") {
     const std::regex enumeration("enum class (\\w+)[^{;]*\\{([^}]*)\\}");
     size_t seen = 0;
     for (const std::string& file : headers()) {

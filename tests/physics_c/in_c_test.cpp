@@ -28,7 +28,7 @@ TEST_CASE("points of the world have in C the precision that they have in C++") {
     run_all(positions_in_c);
 }
 
-TEST_CASE("accounts, planes and colors are in C") {
+TEST_CASE("accounts and planes and colors are in C") {
     run_all(accounts_in_c);
 }
 

@@ -192,7 +192,7 @@ TEST_CASE("a physics module whose tree has ended reports this") {
     CHECK_THROWS_WITH(module.attach(another), contains("attached to a tree already"));
 }
 
-TEST_CASE("the length of a step that is refused is told with few digits") {
+TEST_CASE("the length of a step that is refused is reported with few digits") {
     Game game;
     CHECK_THROWS_WITH(game.physics.step(1e300),
                       contains("dt = 1e+300:") || contains("dt = 1e300:"));

@@ -389,8 +389,8 @@ TEST_CASE_METHOD(Game, "statistics belong to their world and are deleted with it
     CHECK_FALSE(tree.alive(statistics));
 }
 
-TEST_CASE_METHOD(Game,
-                 "an instance that does nothing where it is placed is told once for each kind") {
+TEST_CASE_METHOD(
+    Game, "an instance that does nothing where it is placed is reported once for each kind") {
     std::vector<std::string> told;
     physics.on_problem([&](const std::string& text) { told.push_back(text); });
     make("Body", Handle{}, "kept");  // may get its place later

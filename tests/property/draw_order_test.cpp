@@ -69,7 +69,7 @@ struct Stage {
 
 }  // namespace
 
-TEST_CASE_METHOD(Stage, "a drawer leaves out instances, and the layers around the others stay") {
+TEST_CASE_METHOD(Stage, "a drawer leaves out instances and keeps the layers around the others") {
     struct Chooser : Drawer {
         Tree& tree;
         std::string asked;

@@ -50,7 +50,7 @@ TEST_CASE_METHOD(Fixture, "an edit by a person is undone and redone") {
 }
 
 TEST_CASE_METHOD(Fixture,
-                 "a setting that no snapshot has is not an edit, and leaves redo as it is") {
+                 "a setting that no snapshot has is not an edit and leaves redo as it is") {
     const auto flag = [](const char* name, bool transient) {
         Property property{.name = name, .type = Type::boolean, .default_value = false};
         property.transient = transient;

@@ -6,7 +6,7 @@ namespace call_form_test {
 
 using stage::Stage;
 
-TEST_CASE("a call with a dot in place of a colon is told as it should be written") {
+TEST_CASE("the error for a call with a dot in place of a colon has the right form") {
     const auto [call, reported] = GENERATE(table<std::string, std::string>({
         {"world.add(Body {})",
          "add: needs an instance, not nil; call it with a colon: "

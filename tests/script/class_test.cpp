@@ -384,7 +384,7 @@ TEST_CASE("a class can be loaded again with new functions but not with other pro
     CHECK_THAT(s.errors.back().message, contains("other properties"));
 }
 
-TEST_CASE("two different definitions of a class are told apart") {
+TEST_CASE("two different definitions of a class are distinguished") {
     Stage s;
     s.run("class('Crate', Object) { worth = 1, label = 'new' }");
     const auto twice = [&](const char* second) { return s.fails(second); };

@@ -81,7 +81,7 @@ TEST_CASE("an instance prints as a table with units and a set as rows") {
     CHECK(s.console("world:all('Circle'):set('radius', 1) and nil") != "");
 }
 
-TEST_CASE("query takes the words behind it, the name of a class, and tells a misspelt name") {
+TEST_CASE("query takes the words behind it and the name of a class and reports a misspelt name") {
     Stage s;
     s.run("Ball = class('Ball', Body) {} world.ball = Ball { mass = 2, Circle {} }");
     CHECK_THAT(s.console("query mass > 1"), contains("world.ball"));
@@ -135,7 +135,7 @@ TEST_CASE("the console says what the name of a new property may mean") {
     CHECK(s.console("world.ball.hq = 3") == "world.ball.hq: nil → 3");
 }
 
-TEST_CASE("a table of instances says where its cells begin, and wide letters move no column") {
+TEST_CASE("a table of instances says where its cells begin and wide letters move no column") {
     Stage s;
     s.run("world.a = Body { mass = 2 } world['日本語'] = Body {} world['a b'] = Body {}");
     const stage::Evaluation typed = s.runtime->evaluate("print('first') return world:children()");

@@ -389,7 +389,7 @@ TEST_CASE("members that a class cannot have are reported and not ignored") {
     }
 }
 
-TEST_CASE("an error about a name in scene tells where the current scene is") {
+TEST_CASE("an error about a name in scene says where the current scene is") {
     Stage s;
     CHECK_THAT(s.fails("print(scene.enemy)"),
                contains("scene.enemy: scene has load and save") && contains("is game.scene"));

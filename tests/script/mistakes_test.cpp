@@ -63,7 +63,7 @@ TEST_CASE("a child with the name of a property is refused with the reason") {
         }
 }
 
-TEST_CASE("a handler that treats the record of its event as the instance is told so") {
+TEST_CASE("a handler that treats the record of its event as the instance gets a hint") {
     Stage s;
     s.run(R"(world.ball = Body {}
         world.ball:on("contact_begin", function(e)

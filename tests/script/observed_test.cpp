@@ -125,7 +125,7 @@ TEST_CASE("undo and redo print how values changed") {
     CHECK_THAT(s.console("undo"), contains("… 10 more changes"));
 }
 
-TEST_CASE("undo and redo name the instances that they make, delete and rename") {
+TEST_CASE("undo and redo name the instances that they make and delete and rename") {
     TwoBodies s;
     s.console("world.extra = Body { Circle {}, mass = 3 }");
     CHECK(s.console("undo") ==

@@ -44,7 +44,7 @@ TEST_CASE("words of other languages and of older versions of Lua have a hint") {
     CHECK_THAT(typed.error->message, contains(hint));
 }
 
-TEST_CASE("an unknown event has the classes that have it, or its name here") {
+TEST_CASE("the error for an unknown event names the classes that have it or its name here") {
     Stage s;
     CHECK_THAT(s.fails("world:on('contact_begin', print)"),
                contains("no event \"contact_begin\"; Body has it"));

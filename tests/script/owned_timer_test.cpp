@@ -75,7 +75,7 @@ TEST_CASE("an error in a coroutine of an instance goes to the caller or names th
     CHECK_THAT(s.errors[0].message, contains("later"));
 }
 
-TEST_CASE("an error of a function of Fettle tells where the timer was made") {
+TEST_CASE("an error of a function of Fettle has the place where the timer was made") {
     Stage s;
     s.run("world.b = Body {}\nafter(0.1, world.b.delete)\nworld.b:every(0.1, world.b.children)");
     s.step(10);

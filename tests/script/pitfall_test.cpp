@@ -140,7 +140,7 @@ std::string notes_about(const std::string& game) {
 
 }  // namespace
 
-TEST_CASE("a game is told what it made and nothing uses") {
+TEST_CASE("a note names the instances that a game made and does not use") {
     CHECK(notes_about("local kept = Body {} function start() world.a = kept end") == "");
     CHECK(notes_about("world.a = Body {} kept = Body {}") == "");
     CHECK_THAT(notes_about("Body {}"), contains("a Body was made, and added to nothing"));

@@ -56,7 +56,7 @@ TEST_CASE("a number that changed in the file changes the living instance and not
     CHECK(game.number("world.ball.number") == 6);
 }
 
-TEST_CASE("a reload tells that start has changed and is not called again") {
+TEST_CASE("a reload reports that start has changed and is not called again") {
     const auto code = [](const std::string& above, const std::string& gravity) {
         return above + "function start() print('start') world.size = " + gravity + " end";
     };

@@ -116,7 +116,7 @@ TEST_CASE("a table that was replaced is no longer in the store") {
     CHECK(store.path(table_at(store, "t"), "two words") == "store.t[\"two words\"]");
 }
 
-TEST_CASE("what was in a replaced table can be read by those who hold it, up to a size") {
+TEST_CASE("the content of a replaced table up to a size can be read through its userdata") {
     Store store({}, {});
     std::vector<std::shared_ptr<const Store::Content>> held;
     const std::string large(1 << 20, 'x');

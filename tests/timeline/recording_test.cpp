@@ -113,7 +113,7 @@ TEST_CASE("a recording with hashes after every tenth step finds a difference the
     REQUIRE(other.steps == 39);
 }
 
-TEST_CASE("a run can be written into a file after it has begun, with all that came before") {
+TEST_CASE("a run can be written into a file after it has begun with all that came before") {
     const File file, second;
     {
         Playing playing(game);
@@ -148,7 +148,7 @@ TEST_CASE("a run can be written into a file after it has begun, with all that ca
     }
 }
 
-TEST_CASE("a run that cannot be repeated is not written, and its file ends there") {
+TEST_CASE("a run that cannot be repeated is not written and its file ends there") {
     const File file;
     Playing playing(game);
     RunStart start;

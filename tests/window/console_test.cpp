@@ -187,7 +187,7 @@ TEST_CASE("a game in a window ends in order after a signal") {
     CHECK(contains(game.printed(), "stopped: it was interrupted") == runaway);
 }
 
-TEST_CASE("a run in a window is recorded from its first step when somebody asks for it later") {
+TEST_CASE("a run in a window is recorded from its first step when a recording is requested later") {
     if (skipped()) return;
     const TemporaryFolder player;
     fs::create_directories(player.path / "fettle");

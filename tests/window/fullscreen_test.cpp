@@ -180,7 +180,7 @@ TEST_CASE("the icon of the window is that which the game names last") {
           std::string::npos);
 }
 
-TEST_CASE("a run begins as the player wants it and its replay needs no player") {
+TEST_CASE("a run begins with the settings of the player and its replay does not need them") {
     if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) {
         std::cout << "SKIPPED: xvfb-run not found\n";
         return;

@@ -70,7 +70,7 @@ struct Row {
 
 }  // namespace
 
-TEST_CASE("rows of springs without damping keep their energy, also when they swing across") {
+TEST_CASE("rows of springs without damping keep their energy even when they swing across") {
     double least = 1.0, most = 1.0;
     for (unsigned seed = 0; seed < seeds_or(50); ++seed) {
         Random random{std::mt19937(seed)};
