@@ -12,7 +12,7 @@ namespace fettle::physics::detail {
 /// settings. Above that (h·ω > ½), the stiffness increasingly uses the position after the sub-step.
 /// This damps, and is stable for one spring of any stiffness. Each sub-step solves a spring once,
 /// though, so springs in a row pass on what they push one after the other: from h·ω = 1.5 on, such
-/// a row flies to pieces. A stiffer spring therefore has the stiffness of `greatest_turn`.
+/// a row breaks apart. A stiffer spring therefore has the stiffness of `greatest_turn`.
 struct Spring {
     static constexpr float greatest_turn = 1.25f;  ///< h·ω
 
