@@ -8,7 +8,7 @@ from ._call import check, ffi, lib
 
 
 class _Memory:
-    """What an array of numpy shows. It keeps the world alive, and the world knows whether any array is alive."""
+    """The memory that an array of numpy shows. It keeps the world alive, and the world has a weak reference to it."""
 
     def __init__(self, world, address, shape):
         self.world = world

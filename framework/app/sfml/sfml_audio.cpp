@@ -21,7 +21,7 @@ void ignore_message(const char*, int, const char*, int, const char*, ...) {}
 }  // namespace
 
 void silence_audio_libraries() {
-    ::setenv("ALSOFT_LOGLEVEL", "0", 0);  // a user may want the messages
+    ::setenv("ALSOFT_LOGLEVEL", "0", 0);  // a value of the user stays
     void* alsa = dlopen("libasound.so.2", RTLD_LAZY | RTLD_LOCAL);
     if (alsa == nullptr) return;
     using SetHandler = int (*)(void (*)(const char*, int, const char*, int, const char*, ...));
@@ -31,7 +31,7 @@ void silence_audio_libraries() {
 
 bool openal_device_opened() {
     // SFML uses the same library, so it is already loaded and adds no dependency. Where it is not
-    // found (a static build), nothing is known, and playing without a device does no harm.
+    // found (a static build), the device counts as open: playing without one does no harm.
     void* openal = dlopen("libopenal.so.1", RTLD_LAZY | RTLD_NOLOAD);
     if (openal == nullptr) return true;
     using Current = void* (*)();
