@@ -76,7 +76,7 @@ TEST_CASE("a long error of changed files takes several lines of its strip") {
     CHECK(after.lines.empty());
 }
 
-TEST_CASE("the caret is below the piece of a long line that it points into") {
+TEST_CASE("the caret is below the row of a wrapped line that has the error") {
     app::ErrorScreen screen({.reload = {}, .go_on = {}});
     script::ScriptError error = an_error();
     error.file = "main.lua";

@@ -21,8 +21,8 @@ const std::vector<property::Field> ghost_fields = {
     {.name = "points", .type = Type::list, .element = Type::vec2},
     {"angle", Type::number, "", ""}};
 
-/// A game whose world predicts the way of `world.ball`: from its position to the right, one point
-/// for each second.
+/// A game with an instance that predicts the way of `world.ball`: its position, and a point to the
+/// right for each second.
 struct AheadRig : Rig {
     app::FrameLog log;
     int asked = 0;
@@ -232,7 +232,8 @@ TEST_CASE_METHOD(SkinnedRig, "after going back the later poses are skins too") {
     CHECK(skins().shown_at(22) == std::vector<std::int64_t>{0, 15});
 }
 
-TEST_CASE_METHOD(SkinnedRig, "the past of a newly selected instance is read once") {
+TEST_CASE_METHOD(SkinnedRig,
+                 "onion skins read the past when they are shown and end with their instance") {
     property::set(tree, "view.show.onion_skins", Value(false));
     step_to(40);
     CHECK(skins().skins().empty());

@@ -1,4 +1,4 @@
-// Fuzzy matching, coloring and the log.
+// The coloring of lines, and the log.
 
 #include <algorithm>
 

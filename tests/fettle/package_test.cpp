@@ -236,7 +236,7 @@ PATH=/bin:/sbin:/usr/sbin chroot "$root" /game/out/cave-of-lamps --headless --st
     CHECK(folder.text("result") == expected);
 }
 
-TEST_CASE("a package needs to know what to make") {
+TEST_CASE("a package needs an argument for what to make") {
     const Folder folder;
     folder.write("game/main.lua", "");
     const std::string game = (folder / "game").string();

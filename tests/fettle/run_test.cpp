@@ -29,7 +29,8 @@ TEST_CASE("a folder with main lua is a game") {
     CHECK(run.out == "here\n");
 }
 
-TEST_CASE("names from other engines ask for the properties of pictures sounds and menus") {
+TEST_CASE(
+    "errors about names from other engines name the properties of pictures sounds and menus") {
     const auto [wrong, meant] = GENERATE(table<std::string, std::string>({
         {"Button { enabled = true }", "disabled"},
         {"Button { position = vec(1, 2) }", "offset"},

@@ -70,7 +70,7 @@ TEST_CASE("the smallest change of a world changes its hash") {
     REQUIRE(x.position() == Vec2(1, 2));
 }
 
-TEST_CASE("two worlds do not know each other") {
+TEST_CASE("two worlds do not affect each other") {
     World a, b({.gravity = {0, 0}});
     Body x = add_ball(a, {0, 0}), y = add_ball(b, {0, 0});
     run(a, 1.0f);

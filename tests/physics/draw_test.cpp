@@ -75,7 +75,7 @@ TEST_CASE("every geometry is drawn where it is") {
     REQUIRE_FALSE(sheet.polygons[4].closed);
 }
 
-TEST_CASE("colors tell static kinematic awake and sleeping bodies and sensors") {
+TEST_CASE("static kinematic awake and sleeping bodies and sensors have different colors") {
     World world;
     add_floor(world);
     Body box = add_box(world, {0, 0.5f});

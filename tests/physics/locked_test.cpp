@@ -474,7 +474,7 @@ TEST_CASE("worlds of several threads call back at the same time") {
     }
 }
 
-TEST_CASE("several threads may ask one world at the same time") {
+TEST_CASE("several threads may read one world at the same time") {
     World world;
     Things things = make_things(world);
     world.step(frame);

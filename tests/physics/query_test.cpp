@@ -123,7 +123,7 @@ TEST_CASE("an AABB query finds what overlaps the box and not what only its own b
     REQUIRE(world.query_aabb({{5.8f, 0.8f}, {7, 2}}).empty());
 }
 
-TEST_CASE("queries see what their filter lets them") {
+TEST_CASE("queries find what their filter accepts") {
     World world;
     Body a = add_ball(world, {0, 0}, 1.0f, {.category = 2});
     Body b = add_ball(world, {0, 0}, 1.0f, {.category = 4, .mask = 8});

@@ -89,7 +89,7 @@ TEST_CASE("the distance of two shapes is that of their nearest points in any pos
             Approx(4.0f - std::sqrt(0.5f)).epsilon(1e-4));
 }
 
-TEST_CASE("queries see by category and mask and group and function") {
+TEST_CASE("queries filter by category and mask and group and function") {
     World world;
     const ShapeDef grouped = {.group = -3};
     Body box = add_box(world, {4, 0}, 1.0f, grouped);

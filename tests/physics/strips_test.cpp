@@ -233,7 +233,8 @@ TEST_CASE("a heap larger than the cache ends the same however many threads share
     for (const int hands : {3, 4}) REQUIRE(run_with(hands, steps, 5).hashes == one.hashes);
 }
 
-TEST_CASE("bodies know their places when the list was in no order and then in that of the strips") {
+TEST_CASE(
+    "the places of bodies are right when the list was in no order and then in that of the strips") {
     World world;
     world.set_gravity({0, 0});
     std::vector<Body> row;

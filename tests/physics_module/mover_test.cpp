@@ -142,7 +142,7 @@ TEST_CASE_METHOD(Scene, "a mover that is turned walks on a wall") {
     CHECK(y(hero) > 7);
 }
 
-TEST_CASE_METHOD(Scene, "a sensor and a query see a mover") {
+TEST_CASE_METHOD(Scene, "a sensor and a query find a mover") {
     const Handle zone = body("Box", {0, 1}, "static");
     set(shape_of(zone), "sensor", true);
     int entered = 0;

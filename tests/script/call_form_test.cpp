@@ -34,7 +34,7 @@ TEST_CASE("the error for a call with a dot in place of a colon has the right for
     CHECK_THAT(s.fails(call), Catch::Matchers::Contains(reported));
 }
 
-TEST_CASE("other errors of methods do not ask for a dot or a colon") {
+TEST_CASE("other errors of methods have no hint about a dot or a colon") {
     const std::string call =
         GENERATE("world:add(3)", "tween(3, 'mass', 1, 1)", "('x'):rep({})", "scene.load(3)",
                  "world.ball.mass = 'x'", "world.ball:tween('none', 1, 1)");

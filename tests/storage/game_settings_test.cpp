@@ -117,7 +117,7 @@ TEST_CASE("the folder of a player belongs to the id of the game") {
     CHECK(player_folder("/games/a", "") == user_folder("/games/a"));
 }
 
-TEST_CASE("writing the settings of a player keeps settings that this version does not know") {
+TEST_CASE("writing the settings of a player keeps settings that this version does not have") {
     const GameFolder folder;
     CHECK_FALSE(read_player_settings(folder.path() / "none").fullscreen);
     write_player_settings(folder.path() / "player", {.fullscreen = true});

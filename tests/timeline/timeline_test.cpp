@@ -178,7 +178,8 @@ TEST_CASE("edits made in the present are kept while the past is shown") {
     REQUIRE(game.get("world.ball.mass").number() == 7);
 }
 
-TEST_CASE("handlers that a step asks see the time and the random numbers of that step again") {
+TEST_CASE(
+    "handlers that a repeated step calls get the time and the random numbers of that step again") {
     Playing game(R"(
         world.floor = Body { type = "static", Box { width = 20, height = 1 } }
         world.box = Body { position = vec(0, 0.99), velocity = vec(2, 0), Box {} }

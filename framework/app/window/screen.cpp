@@ -283,7 +283,7 @@ class SfmlWindow : public Window {
         buttons_before_.erase(let_go);
         return true;
     }
-    /// True for a release that was reported to the game, or whose press was not.
+    /// True for a release that was reported already, or whose press was not reported.
     bool is_known_release(const InputEvent& event) {
         if (event.kind != EventKind::mouse_released) return false;
         buttons_before_.erase(event.name);
