@@ -21,23 +21,15 @@ constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
 constexpr uint32_t archive_version = 22;
 constexpr uint32_t coordinate_size = sizeof(WorldCoordinate);
 
-/// Hash of the sizes of the records as they are saved: a field that is added or removed makes
-/// another format, also if `archive_version` was forgotten.
-uint32_t records() {
-    uint32_t mixed = 0x811c9dc5u;
-    const auto add = [&](size_t size) { mixed = (mixed ^ uint32_t(size)) * 0x01000193u; };
-    for (const size_t size : {encoded_size<BodyState>(),      encoded_size<Pose>(),
-                              encoded_size<BodyRecord>(),     encoded_size<BodyTraits>(),
-                              encoded_size<IgnoredPair>(),    encoded_size<ContactNote>(),
-                              encoded_size<SegmentRecord>(),  encoded_size<ShapeRecord>(),
-                              encoded_size<ShapeForm>(),      encoded_size<ContactRecord>(),
-                              encoded_size<ContactLinks>(),   encoded_size<ManifoldPose>(),
-                              encoded_size<Island>(),         encoded_size<JointRecord>(),
-                              encoded_size<FieldRecord>(),    encoded_size<WorldDef>(),
-                              encoded_size<StepStatistics>(), encoded_size<ContactBeginEvent>(),
-                              encoded_size<SensorEvent>(),    encoded_size<JointBreakEvent>()})
-        add(size);
-    return mixed;
+/// The format of the members of a world; also distinguishes formats for which `archive_version`
+/// was forgotten.
+uint32_t format_of_members() {
+    static const uint32_t hash = [] {
+        ArchiveFormat format;
+        format(WorldState());
+        return format.hash();
+    }();
+    return hash;
 }
 
 }  // namespace
@@ -48,7 +40,8 @@ using namespace detail;
 void World::save(std::vector<std::byte>& out) const {
     data_->self.may_copy("World::save");
     const size_t begin = out.size();
-    const SavedHeader header = {archive_magic, archive_version, records(), coordinate_size, 0, 0};
+    const SavedHeader header = {
+        archive_magic, archive_version, format_of_members(), coordinate_size, 0, 0};
     size_t needed = begin;
     ArchiveSize size(needed);
     size(header);
@@ -85,7 +78,7 @@ ArchiveReader unsealed(std::span<const std::byte> bytes) {
                   "single precision (FETTLE_PHYSICS_DOUBLE)"
                 : "the world was saved with positions in single precision, and this library has "
                   "double precision (FETTLE_PHYSICS_DOUBLE)");
-    if (header.coordinate != coordinate_size || header.records != records())
+    if (header.coordinate != coordinate_size || header.records != format_of_members())
         throw std::invalid_argument(
             "the world was saved by another version of this library, whose records have other "
             "fields");

@@ -86,6 +86,36 @@ class ArchiveSize : public ArchiveOutput<CountBytes> {
     explicit ArchiveSize(std::size_t& sum) : ArchiveOutput(CountBytes{sum}) {}
 };
 
+/// A hash of the sizes of everything that a writer can write: a field that is added or removed
+/// makes another format. The values do not count, nor the lengths of lists.
+class ArchiveFormat {
+  public:
+    template <class T>
+    void operator()(const T& value) {
+        if constexpr (ListsMembers<const T, ArchiveFormat>)
+            T::members(*this, value);
+        else if constexpr (std::is_same_v<T, std::size_t>)
+            add(sizeof(uint64_t));
+        else
+            add(encoded_size<T>());
+    }
+    template <class T>
+    void operator()(const std::vector<T>&) {
+        (*this)(T());
+    }
+    template <class T, std::size_t n>
+    void operator()(const std::array<std::vector<T>, n>& lists) {
+        each_of(*this, lists);
+    }
+    void operator()(const Events& events) { event_members(*this, events); }
+
+    uint32_t hash() const { return hash_; }
+
+  private:
+    void add(std::size_t size) { hash_ = (hash_ ^ uint32_t(size)) * 0x01000193u; }
+    uint32_t hash_ = 0x811c9dc5u;
+};
+
 /// Throws std::invalid_argument if the data end too early, or if a flag is neither 0 nor 1.
 class ArchiveReader {
   public:

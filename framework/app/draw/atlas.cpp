@@ -208,25 +208,4 @@ void Atlas::clear_glyphs() {
     shelf_ = {0, glyphs_from_, 0};
 }
 
-std::u32string decode_utf8(std::string_view text) {
-    std::u32string out;
-    out.reserve(text.size());
-    for (std::size_t i = 0; i < text.size();) {
-        const auto lead = static_cast<unsigned char>(text[i++]);
-        const int more = lead < 0x80       ? 0
-                         : lead >> 5 == 6  ? 1
-                         : lead >> 4 == 14 ? 2
-                         : lead >> 3 == 30 ? 3
-                                           : -1;
-        char32_t c = more <= 0 ? lead : lead & (0x3Fu >> more);
-        bool valid = more >= 0;
-        for (int k = 0; k < more && valid; ++k) {
-            valid = i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
-            if (valid) c = c << 6 | (static_cast<unsigned char>(text[i++]) & 0x3Fu);
-        }
-        out.push_back(valid && c <= 0x10FFFF ? c : U'\uFFFD');
-    }
-    return out;
-}
-
 }  // namespace fettle::app

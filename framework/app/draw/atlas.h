@@ -82,7 +82,4 @@ class Atlas {
     std::unordered_map<std::uint64_t, Glyph> glyphs_;
 };
 
-/// Invalid UTF-8 becomes replacement characters.
-std::u32string decode_utf8(std::string_view text);
-
 }  // namespace fettle::app

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include <fettle/property/utf8.h>
+
 #include <draw/canvas.h>
 
 namespace fettle::app {
@@ -23,7 +25,7 @@ constexpr float tab_gap = 0.3f;
 std::vector<std::u32string> lines_of(std::string_view text) {
     std::vector<std::u32string> lines(1);
     bool after_return = false;
-    for (const char32_t c : decode_utf8(text)) {
+    for (const char32_t c : property::decode_utf8(text)) {
         const bool ends = c == U'\r' || (c == U'\n' && !after_return);
         if (ends)
             lines.emplace_back();
@@ -138,7 +140,7 @@ float Canvas::text(float x, float y, std::string_view text, float size, SurfaceC
                    Face face) {
     draw_collected();
     Line line;
-    line.text = decode_utf8(text);
+    line.text = property::decode_utf8(text);
     if (!lay_out(line, size, face)) return 0;
     if (color.a > 0)
         draw_line_of_text(

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fettle/property/utf8.h>
+
 #include <fettle/script/runtime.h>
 
 #include <input/input_state.h>
@@ -17,22 +19,6 @@ using property::Value;
 using property::Vec2;
 
 namespace {
-
-std::string utf8(char32_t c) {
-    std::string text;
-    const auto put = [&](unsigned byte) { text.push_back(static_cast<char>(byte)); };
-    if (c < 0x80) {
-        put(c);
-    } else if (c < 0x800) {
-        put(0xC0u | (c >> 6)), put(0x80u | (c & 0x3F));
-    } else if (c < 0x10000) {
-        put(0xE0u | (c >> 12)), put(0x80u | ((c >> 6) & 0x3F)), put(0x80u | (c & 0x3F));
-    } else {
-        put(0xF0u | (c >> 18)), put(0x80u | ((c >> 12) & 0x3F));
-        put(0x80u | ((c >> 6) & 0x3F)), put(0x80u | (c & 0x3F));
-    }
-    return text;
-}
 
 /// Some windows also send escape, backspace, tab and delete as text. They are keys only.
 bool is_control(char32_t c) {
@@ -133,7 +119,11 @@ void Input::apply(const InputEvent& event) {
             set_switch(s.keys_instance, event.name, false);
             break;
         case EventKind::text:
-            if (!is_control(event.character)) s.type(utf8(event.character));
+            if (!is_control(event.character)) {
+                std::string typed;
+                property::append_code_point(typed, event.character);
+                s.type(typed);
+            }
             break;
         case EventKind::mouse_pressed:
         case EventKind::mouse_released:

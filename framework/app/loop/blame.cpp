@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include <fettle/property/drawing.h>
+#include <fettle/property/utf8.h>
 
 #include <loop/filled_box.h>
 #include <loop/tint_painter.h>
@@ -190,7 +191,7 @@ void Blame::draw_legend(Surface& surface, const ClipRectangle& room) const {
         lines.push_back(writer + "   " + std::to_string(count));
         // The end of a path says more than its beginning.
         for (std::size_t cut = 1; wide(lines.back()) > text_room && cut < writer.size(); ++cut)
-            if ((static_cast<unsigned char>(writer[cut]) & 0xc0) != 0x80)
+            if (!property::is_continuation(writer[cut]))
                 lines.back() = "…" + writer.substr(cut) + "   " + std::to_string(count);
         widest = std::max(widest, wide(lines.back()));
     }

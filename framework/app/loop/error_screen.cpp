@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include <fettle/property/utf8.h>
+
 #include <loop/filled_box.h>
 
 namespace fettle::app {
@@ -32,7 +34,7 @@ std::size_t fitting(Surface& surface, std::string_view text, float width, float 
         (fits(middle) ? low : high) = middle;
     }
     // Do not cut inside a character of several bytes.
-    while (low > 1 && (static_cast<unsigned char>(text[low]) & 0xC0) == 0x80) --low;
+    low = std::max<std::size_t>(1, property::code_point_boundary(text, low));
     const std::size_t space = text.substr(0, low).rfind(' ');
     return space == std::string_view::npos || space < low / 2 ? low : space + 1;
 }
@@ -137,10 +139,7 @@ std::vector<Line> broken(Surface& surface, const std::vector<Line>& lines, float
             piece.text = rest.substr(0, fitting(surface, rest, room, line.size, line.face));
             rest.remove_prefix(piece.text.size());
             if (begin > 0) piece.above = 0;
-            const int end = begin + static_cast<int>(std::count_if(
-                                        piece.text.begin(), piece.text.end(), [](char c) {
-                                            return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-                                        }));
+            const int end = begin + static_cast<int>(property::code_point_count(piece.text));
             pieces.push_back(std::move(piece));
             if (line.caret >= begin && (line.caret < end || rest.empty())) {
                 Line caret = line;

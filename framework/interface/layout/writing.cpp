@@ -4,10 +4,6 @@ namespace fettle::interface {
 
 namespace {
 
-bool continues(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
-
 std::string cut(property::Media& media, const Lettering& lettering, const std::string& line,
                 double width) {
     if (lettering.width(media, line) <= width) return line;
@@ -71,19 +67,6 @@ std::vector<std::string> fitted(property::Media& media, const Lettering& letteri
         at = end + 1;
     }
     return lines;
-}
-
-std::size_t byte_of(std::string_view text, std::int64_t n) {
-    std::size_t at = 0;
-    for (; n > 0 && at < text.size(); --n)
-        for (++at; at < text.size() && continues(text[at]);) ++at;
-    return at;
-}
-
-std::int64_t characters(std::string_view text) {
-    std::int64_t n = 0;
-    for (const char c : text) n += continues(c) ? 0 : 1;
-    return n;
 }
 
 }  // namespace fettle::interface

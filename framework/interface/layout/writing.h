@@ -1,11 +1,14 @@
 #pragma once
 // Text that fits a width.
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <fettle/property/media.h>
+#include <fettle/property/utf8.h>
 
 #include <widgets/widget.h>
 
@@ -26,8 +29,13 @@ std::vector<std::string> fitted(property::Media& media, const Lettering& letteri
                                 const std::string& text, double width, bool wrap);
 
 /// The place of the `n`th character of a text in UTF-8, in bytes; its end if there are fewer.
-std::size_t byte_of(std::string_view text, std::int64_t n);
+inline std::size_t byte_of(std::string_view text, std::int64_t n) {
+    return property::code_point_offset(text,
+                                       static_cast<std::size_t>(std::max<std::int64_t>(n, 0)));
+}
 /// Number of characters of a text in UTF-8.
-std::int64_t characters(std::string_view text);
+inline std::int64_t characters(std::string_view text) {
+    return static_cast<std::int64_t>(property::code_point_count(text));
+}
 
 }  // namespace fettle::interface

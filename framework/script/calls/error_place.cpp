@@ -2,6 +2,8 @@
 #include <cctype>
 #include <charconv>
 
+#include <fettle/property/utf8.h>
+
 #include <fettle/script/runtime.h>
 
 #include <calls/error_place.h>
@@ -65,7 +67,7 @@ void shorten_source(ScriptError& error) {
     std::size_t begin = column > before ? std::min(column - before, line.size()) : 0;
     std::size_t end = std::min(begin + most, line.size());
     const auto inside = [&](std::size_t at) {
-        return at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0) == 0x80;
+        return at < line.size() && property::is_continuation(line[at]);
     };
     while (inside(begin)) ++begin;
     while (end > begin && inside(end)) --end;

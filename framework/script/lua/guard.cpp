@@ -1,6 +1,7 @@
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
 #include <fettle/property/spelling.h>
+#include <fettle/property/utf8.h>
 
 #include <lua/guard.h>
 #include <lua/interpreter.h>
@@ -31,16 +32,12 @@ namespace {
 
 constexpr std::size_t max_message = 4096;  // bytes
 
-bool continues_character(char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
-}
-
 /// A message may quote a name or text of any length: the middle of a long message is left out.
 std::string limited(const std::string& message) {
     if (message.size() <= max_message) return message;
-    std::size_t begin = max_message / 2, end = message.size() - max_message / 2;
-    while (begin > 0 && continues_character(message[begin])) --begin;
-    while (end < message.size() && continues_character(message[end])) ++end;
+    const std::size_t begin = property::code_point_boundary(message, max_message / 2);
+    const std::size_t end =
+        property::next_code_point(message, message.size() - max_message / 2 - 1);
     return message.substr(0, begin) + " ... (" + std::to_string(end - begin) +
            " bytes left out) ... " + message.substr(end);
 }

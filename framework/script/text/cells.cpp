@@ -2,35 +2,13 @@
 #include <array>
 #include <span>
 
+#include <fettle/property/utf8.h>
 #include <fettle/script/cells.h>
 
 namespace fettle::script {
 
-namespace {
-
-bool is_continuation(char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
-}
-
-}  // namespace
-
-std::size_t next_code_point(std::string_view text, std::size_t offset) {
-    if (offset >= text.size()) return text.size();
-    ++offset;
-    while (offset < text.size() && is_continuation(text[offset])) ++offset;
-    return offset;
-}
-
-char32_t code_point_at(std::string_view text, std::size_t offset) {
-    const auto lead = static_cast<unsigned char>(text[offset]);
-    if (lead < 0x80) return lead;
-    const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-    if (next_code_point(text, offset) - offset != length) return 0xfffd;
-    char32_t c = lead & (0xffu >> (length + 1));
-    for (std::size_t i = 1; i < length; ++i)
-        c = c << 6 | (static_cast<unsigned char>(text[offset + i]) & 0x3f);
-    return c;
-}
+using property::code_point_at;
+using property::next_code_point;
 
 namespace {
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fettle/property/utf8.h>
 #include <fettle/property/value.h>
 #include <fettle/script/cells.h>
 
@@ -9,17 +10,11 @@
 namespace fettle::script {
 
 std::size_t shown_width(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-    }));
+    return property::code_point_count(text);
 }
 
 std::string cut(std::string_view text, std::size_t width) {
-    std::size_t shown = 0, end = 0;
-    while (end < text.size()) {
-        if ((static_cast<unsigned char>(text[end]) & 0xc0) != 0x80 && ++shown > width) break;
-        ++end;
-    }
+    const std::size_t end = property::code_point_offset(text, width);
     if (end == text.size()) return std::string(text);
     return std::string(text.substr(0, end)) + "…";
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include <fettle/property/utf8.h>
+
 namespace fettle::visuals {
 namespace {
 
@@ -109,33 +111,13 @@ class Setter {
 Layout Layout::of(std::string_view utf8, const Family& family, Align align, double wrap) {
     if (family.empty() || utf8.empty()) return {};
     Setter setter(family, wrap);
-    // A letter has at most four bytes; the last one may be cut, which `decoded` allows.
+    // A letter has at most four bytes; the last one may be cut, which decodes to U+FFFD.
     std::size_t left = most_letters;
-    for (const char32_t c : decoded(utf8.substr(0, 4 * most_letters))) {
+    for (const char32_t c : property::decode_utf8(utf8.substr(0, 4 * most_letters))) {
         if (left-- == 0) break;
         setter.add(c);
     }
     return setter.finish(align);
-}
-
-std::u32string decoded(std::string_view utf8) {
-    std::u32string out;
-    for (std::size_t i = 0; i < utf8.size();) {
-        const auto lead = static_cast<unsigned char>(utf8[i++]);
-        const int more = lead < 0x80             ? 0
-                         : (lead & 0xE0) == 0xC0 ? 1
-                         : (lead & 0xF0) == 0xE0 ? 2
-                         : (lead & 0xF8) == 0xF0 ? 3
-                                                 : -1;
-        char32_t c = more < 1 ? lead : lead & (0x3Fu >> more);
-        bool valid = more >= 0;
-        for (int n = 0; valid && n < more; ++n) {
-            valid = i < utf8.size() && (static_cast<unsigned char>(utf8[i]) & 0xC0) == 0x80;
-            if (valid) c = c << 6 | (static_cast<unsigned char>(utf8[i++]) & 0x3Fu);
-        }
-        out.push_back(valid && c <= 0x10FFFF ? c : U'\uFFFD');
-    }
-    return out;
 }
 
 }  // namespace fettle::visuals

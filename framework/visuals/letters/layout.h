@@ -29,7 +29,4 @@ struct Layout {
     static Layout of(std::string_view utf8, const Family& family, Align align, double wrap);
 };
 
-/// Bytes that are not UTF-8 become replacement characters.
-std::u32string decoded(std::string_view utf8);
-
 }  // namespace fettle::visuals

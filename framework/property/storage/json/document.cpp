@@ -4,6 +4,7 @@
 #include <array>
 
 #include <fettle/property/storage/scene.h>
+#include <fettle/property/utf8.h>
 #include <nlohmann/json.hpp>
 
 namespace fettle::property {
@@ -253,11 +254,9 @@ std::size_t Document::line(std::size_t offset) const {
 void Document::fail(ErrorKind kind, std::size_t offset, const std::string& reason) const {
     const std::size_t number = line(offset);
     const std::size_t start = line_starts_[number - 1];
-    const auto columns = std::count_if(
-        source_.begin() + static_cast<std::ptrdiff_t>(start),
-        source_.begin() + static_cast<std::ptrdiff_t>(std::min(offset, source_.size())),
-        [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
-    throw SceneError(kind, file_name_, number, static_cast<std::size_t>(columns) + 1, reason);
+    const std::size_t end = std::min(offset, source_.size());
+    const std::string_view before = std::string_view(source_).substr(start, end - start);
+    throw SceneError(kind, file_name_, number, code_point_count(before) + 1, reason);
 }
 
 std::string_view kind_words(Document::Kind kind) {

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include <fettle/property/error.h>
+#include <fettle/property/utf8.h>
 
 #include <json/document.h>
 #include <tweaks/tweaks_state.h>
@@ -77,9 +78,7 @@ void require_names(const std::string& path, bool root_too) {
 
 std::string shortened(const std::string& text, std::size_t longest) {
     if (text.size() <= longest) return text;
-    std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80) --end;
-    return text.substr(0, end) + "...";
+    return text.substr(0, code_point_boundary(text, longest)) + "...";
 }
 
 std::string problem_of(const JournalRow& row) {
