@@ -383,8 +383,10 @@ void Console::between_frames() {
 float Console::covered_below() const {
     const State& s = *state_;
     float top = s.screen.height;
-    for (const Rect& rect : {s.views.time_bar.rect(), s.views.watch_list.rect(),
-                             s.views.plot_view.rect(), s.views.frame_view.rect()})
+    if (s.status.was_open && !s.views.time_bar.rect().empty())
+        top = s.views.time_bar.rect().low.y - s.views.time_bar.tip_room();
+    for (const Rect& rect :
+         {s.views.watch_list.rect(), s.views.plot_view.rect(), s.views.frame_view.rect()})
         if (s.status.was_open && !rect.empty()) top = std::min(top, rect.low.y);
     return std::max(0.0f, s.screen.height - top);
 }

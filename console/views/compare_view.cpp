@@ -93,8 +93,14 @@ void CompareView::draw_title(const Rect& place, const std::string& name, const s
     const float em = ImGui::GetFontSize();
     list.AddRectFilled(place.low, ImVec2(place.high.x, place.low.y + 1.4f * em), palette::raised);
     draw_text(list, ImVec2(place.low.x + 0.5f * em, place.low.y + 0.2f * em), color, name);
-    draw_text_fit(list, ImVec2(place.low.x + 2 * em, place.low.y + 0.2f * em), palette::text, what,
-                  std::max(1.0f, place.high.x - place.low.x - 4 * em));
+    const float room = std::max(1.0f, place.high.x - place.low.x - 4 * em);
+    // A change begins with a path, and its value is at its end.
+    draw_path_fit(list, ImVec2(place.low.x + 2 * em, place.low.y + 0.2f * em), palette::text, what,
+                  room);
+    const Rect bar{place.low, ImVec2(place.high.x - 1.4f * em, place.low.y + 1.4f * em)};
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (text_width(what) > room && ImGui::IsWindowHovered() && bar.contains(mouse.x, mouse.y))
+        ImGui::SetTooltip("%s", widget_text(what).c_str());
 }
 
 void CompareView::draw_side(const Rect& place, const property::Tree& tree, const Comparison& runs,

@@ -217,8 +217,13 @@ void LogView::scroll(float line_height) {
 }
 
 void LogView::draw(float height, float cell) {
-    ImGui::BeginChild("log", ImVec2(0, height));
     float line_height = ImGui::GetTextLineHeightWithSpacing();
+    // Whole rows: the topmost one is not cut.
+    if (const float rest = std::fmod(height, line_height); rest < height) {
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + rest);
+        height -= rest;
+    }
+    ImGui::BeginChild("log", ImVec2(0, height));
     float width = ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize;
     wrap(static_cast<std::size_t>(std::max(8.0f, std::floor(width / cell) - gutter)));
 

@@ -281,9 +281,17 @@ void PromptView::draw_candidate(std::size_t index, float width, float label_widt
         draw_text(list, ImVec2(text.x + x, text.y), palette::accent,
                   std::string_view(label).substr(byte, next_code_point(label, byte) - byte));
     }
-    float used = label_width + 3 * cell;
-    draw_text_fit(list, ImVec2(at.x + used, text.y), palette::dim, facts(candidate.completion),
-                  width - used - cell);
+    const float used = label_width + 3 * cell, room = width - used - cell;
+    const std::string shown = facts(candidate.completion);
+    draw_text_fit(list, ImVec2(at.x + used, text.y), palette::dim, shown, room);
+    // The whole numbers, and what is cut.
+    const bool label_fits = columns(label) * cell <= label_width;
+    if (hovered &&
+        (shown != candidate.completion.detail || text_width(shown) > room || !label_fits))
+        ImGui::SetTooltip("%s", widget_text(wrapped((label_fits ? "" : label + "\n") +
+                                                        candidate.completion.detail,
+                                                    48 * cell))
+                                    .c_str());
     if (clicked) prompt_.accept_candidate(index);
 }
 

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "rig.h"
 
+#include <look/imgui_compat.h>
+
 namespace prompt_test {
 
 using namespace fettle::console;
@@ -153,7 +155,7 @@ TEST_CASE("Tab shows candidates and typing narrows them") {
     rig.key("tab");
     REQUIRE(rig.menu().open());
     CHECK(rig.menu().candidates().size() == 3);
-    CHECK(rig.menu().selection().detail == "0.6 · number · 0 to inf");
+    CHECK(rig.menu().selection().detail == "0.612345 · number · 0 to inf");
     rig.type("o");
     CHECK(rig.menu().selection().label == "force");
     rig.key("backspace");
@@ -310,6 +312,23 @@ TEST_CASE("ctrl L clears the log") {
     rig.run("world.ball.mass");
     rig.draw();
     CHECK(rig.logged("world.ball.mass"));
+}
+
+TEST_CASE("the whole value of a candidate is shown where the mouse is") {
+    OpenRig rig;
+    const auto tooltip = [] {
+        const ImGuiWindow* const window = ImGui::FindWindowByName("##Tooltip_00");
+        return window != nullptr && window->Active;
+    };
+    rig.type("world.ball.");
+    rig.key("tab");
+    rig.draw(3);
+    const Rect menu = rig.state().views.prompt_view.menu_rect();
+    REQUIRE_FALSE(menu.empty());
+    CHECK_FALSE(tooltip());
+    rig.move(menu.middle().x, menu.low.y + 20);  // the first row shows 0.6123
+    rig.draw(3);
+    CHECK(tooltip());
 }
 
 }  // namespace prompt_test

@@ -8,6 +8,7 @@
 
 #include <classes/script_classes.h>
 #include <console/help.h>
+#include <console/long_text.h>
 #include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
@@ -365,16 +366,17 @@ class Search {
         (by_name ? names_ : docs_).push_back({"  " + shown, doc});
     }
 
-    std::vector<std::string> lines() {
+    std::vector<std::string> lines(FoldedLines& folded) {
         std::sort(names_.begin(), names_.end(), property::NaturalOrder{});
         std::sort(docs_.begin(), docs_.end(), property::NaturalOrder{});
         names_.insert(names_.end(), docs_.begin(), docs_.end());
         const std::size_t total = names_.size();
-        if (total > max_lines) names_.resize(max_lines);
+        if (total > max_lines + max_folded) names_.resize(max_lines + max_folded);
+        std::vector<std::vector<std::string>> others;
+        if (names_.size() > max_lines) others.assign(names_.begin() + max_lines, names_.end());
+        names_.resize(std::min(names_.size(), max_lines));
         std::vector<std::string> result = columns(names_);
-        if (total > max_lines)
-            result.push_back("… " + std::to_string(total - max_lines) + " more (" +
-                             std::to_string(total) + " found)");
+        fold_rest(result, columns(others), max_lines, total, "found", folded);
         return result;
     }
 
@@ -390,7 +392,8 @@ class Search {
 
 }  // namespace
 
-std::vector<std::string> find_lines(const property::Tree& tree, std::string_view word) {
+std::vector<std::string> find_lines(const property::Tree& tree, std::string_view word,
+                                    FoldedLines& folded) {
     Search search(word);
     for (const Class* of : tree.classes()) {
         search.look(of->name(), of->name(), of->doc());
@@ -419,7 +422,7 @@ std::vector<std::string> find_lines(const property::Tree& tree, std::string_view
         ++instances;
         search.look(name, tree.path(handle), tree.class_of(handle).name());
     });
-    std::vector<std::string> lines = search.lines();
+    std::vector<std::string> lines = search.lines(folded);
     if (!lines.empty()) return lines;
     std::set<std::string>& known = search.known();
     tree.each_below(tree.root(), [&](Handle handle) { known.insert(tree.name(handle)); });
@@ -445,34 +448,50 @@ int help(lua_State* L) {
         print_line(machine, classes);
         return 0;
     }
-    for (std::string& line : help_lines(L, 1)) print_line(machine, std::move(line));
+    // A callback that the game lacks is nil, and has documentation.
+    const bool missing = lua_isnil(L, 1) && !machine.recording.missing.empty();
+    for (std::string& line :
+         missing ? help_for(machine, machine.recording.missing) : help_lines(L, 1))
+        print_line(machine, std::move(line));
     return 0;
 }
 
-/// Paths with classes, as far as they fit.
-std::vector<std::string> lines_of(const property::Tree& tree, const std::vector<Handle>& found) {
+/// Paths with classes, the first fifty of them; the others are folded.
+std::vector<std::string> lines_of(const property::Tree& tree, const std::vector<Handle>& found,
+                                  FoldedLines& folded) {
     constexpr std::size_t most = 50;
     std::vector<std::vector<std::string>> rows;
-    for (std::size_t i = 0; i < std::min(found.size(), most); ++i)
+    for (std::size_t i = 0; i < std::min(found.size(), most + max_folded); ++i)
         rows.push_back({"  " + tree.path(found[i]), tree.class_of(found[i]).name()});
-    std::vector<std::string> lines = columns(rows);
-    if (found.size() > most)
-        lines.push_back("… " + std::to_string(found.size() - most) + " more (" +
-                        std::to_string(found.size()) + " found)");
+    std::vector<std::string> all = columns(rows), lines;
+    for (std::size_t i = 0; i < std::min(all.size(), most); ++i) lines.push_back(all[i]);
+    all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(lines.size()));
+    fold_rest(lines, std::move(all), most, found.size(), "found", folded);
     if (found.empty()) lines.push_back("it holds for nothing");
     return lines;
+}
+
+/// Prints lines, one of which stands for folded ones.
+void print_folded(Machine& machine, std::vector<std::string> lines, FoldedLines folded) {
+    Recording& recording = machine.recording;
+    folded.line += recording.lines.size();
+    for (std::string& line : lines) print_line(machine, std::move(line));
+    if (recording.active && !folded.lines.empty() && folded.line < recording.lines.size())
+        recording.folded.push_back(std::move(folded));
 }
 
 int search(lua_State* L) {
     if (lua_type(L, 1) != LUA_TSTRING) refuse_type(L, 1, "find: needs a text");
     Machine& machine = machine_of(L);
     if (const std::string text = string_at(L, 1); property::Condition::is_meant(text)) {
-        for (std::string& line : lines_of(machine.tree, those_for_which(L, text)))
-            print_line(machine, std::move(line));
+        FoldedLines folded;
+        std::vector<std::string> lines = lines_of(machine.tree, those_for_which(L, text), folded);
+        print_folded(machine, std::move(lines), std::move(folded));
         return 0;
     }
-    for (std::string& line : find_lines(machine.tree, string_at(L, 1)))
-        print_line(machine, std::move(line));
+    FoldedLines folded;
+    std::vector<std::string> lines = find_lines(machine.tree, string_at(L, 1), folded);
+    print_folded(machine, std::move(lines), std::move(folded));
     return 0;
 }
 

@@ -141,7 +141,8 @@ class Console : public app::Layer {
     /// calls `listen(false)`.
     bool listens() const;
     void listen(bool listens);  ///< sets `listens`
-    /// Pixels at the lower edge of the window that the console covers now.
+    /// Pixels at the lower edge of the window that the console covers now, with the tooltips of its
+    /// time bar.
     float covered_below() const;
     /// Selects an instance: it becomes `it`, the inspector shows it, and it gets an outline in the
     /// game.
