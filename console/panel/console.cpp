@@ -169,6 +169,7 @@ void Console::State::connect_lists() {
     views.watch_list.menu = views.log_view.menu;
     views.watch_list.run = context_menu.run;
     observing.found = comparison.found = options.found;
+    comparison.scripts_draw = options.scripts_draw;
 }
 
 /// The time bar, plots, and the figures of frames.

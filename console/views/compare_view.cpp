@@ -103,6 +103,21 @@ void CompareView::draw_title(const Rect& place, const std::string& name, const s
         ImGui::SetTooltip("%s", widget_text(what).c_str());
 }
 
+/// Says at the lower edge of a run what its picture lacks.
+void CompareView::draw_note(const Rect& place) const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const FontScope font(fonts().sans);
+    const float pad = 0.5f * ImGui::GetFontSize(), high = ImGui::GetTextLineHeight();
+    std::string text = "without what scripts draw in draw(pen)";
+    const float room = place.high.x - place.low.x - 2 * pad;
+    if (text_width(text) > room) text = "without draw(pen)";
+    const ImVec2 at(place.low.x + pad, place.high.y - high - 4);
+    const float wide = std::min(text_width(text), std::max(1.0f, room));
+    list.AddRectFilled(ImVec2(at.x - 4, at.y - 2), ImVec2(at.x + wide + 4, at.y + high + 2),
+                       palette::well, ImGui::GetStyle().FrameRounding);
+    draw_text_fit(list, at, palette::dim, text, wide);
+}
+
 void CompareView::draw_side(const Rect& place, const property::Tree& tree, const Comparison& runs,
                             bool second, const property::Seen& seen, GamePictures& pictures) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -197,6 +212,7 @@ void CompareView::draw(const Rect& place, const property::Tree& tree, const Comp
     draw_side(below(right), tree, runs, true, seen, pictures);
     draw_title(left, "A", runs.original(), palette::dim);
     draw_title(right, "B", runs.change(), palette::accent);
+    if (runs.lacks_drawing()) draw_note(left);
     char text[48];
     std::snprintf(text, sizeof text, "step %lld  %.2f s",
                   static_cast<long long>(runs.a()[shown_].step), static_cast<double>(shown_) * dt);

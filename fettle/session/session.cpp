@@ -290,6 +290,7 @@ void Session::make_console(app::Clipboard* clipboard) {
             [this](const std::string& branch, std::int64_t from, const auto& look) {
                 loop_->timeline().review_branch(branch, from, look);
             },
+        .scripts_draw = [this] { return runtime_->draws(); },
         .share = [this](const std::string& name) { return share(name); },
         .record = [this](bool on) { return record(on); },
         .records = keeps_recording()

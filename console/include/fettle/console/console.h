@@ -62,6 +62,9 @@ struct Options {
     std::function<void(const std::string& branch, std::int64_t from,
                        const std::function<void(std::int64_t step)>& look)>
         review_branch{};
+    /// Whether scripts draw by themselves (script::Runtime::draws), which a comparison of two runs
+    /// leaves out and then says so.
+    std::function<bool()> scripts_draw{};
     /// Writes this moment into a file, and returns a message about the file. Without it, `share` is
     /// refused.
     std::function<std::string(const std::string& file)> share{};

@@ -195,6 +195,9 @@ class Runtime {
     /// that calls it does not call `Tree::draw`. Returns false if a script raised an error; what a
     /// module throws reaches the caller.
     bool draw(property::Painter& painter);
+    /// Whether scripts draw by themselves: in `draw`, in `draw_behind`, or in the `draw` of a
+    /// class.
+    bool draws() const;
     /// A frame, `seconds` of real time after the last one: a transition of go_to_scene goes on, and
     /// tweens and timers in real time do. The scene is replaced at the barrier that follows.
     void advance(double seconds);
