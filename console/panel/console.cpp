@@ -227,6 +227,7 @@ void Console::State::follow_settings() {
         ui.release_all();
         input.fed_button = input.fed_key = input.fed_text = false;
         screen.panel_rect = screen.inspector_rect = {};
+        screen.height_edge = screen.width_edge = {};
         views.time_bar.hide();
         views.watch_list.hide();
         views.plot_view.hide();

@@ -280,6 +280,7 @@ void Session::make_console(app::Clipboard* clipboard) {
                         float x,
                         float y) { return view.to_world(property::Vec2(x, y) - view.corner()); },
         .to_pixels = [&view](property::Vec2 world) { return view.to_window(world); },
+        .game_covered = [this] { return loop_->halted() && !looks_back(); },
         .tweaks = tweaks_.get(),
         .review = [this](std::int64_t from,
                          const auto& look) { loop_->timeline().review(from, look); },

@@ -45,6 +45,9 @@ struct Options {
     /// cannot be clicked.
     std::function<property::Vec2(float x, float y)> to_world{};
     std::function<property::Vec2(property::Vec2 world)> to_pixels{};
+    /// Whether something covers the picture of the game, such as an error: then no marks are drawn
+    /// over it.
+    std::function<bool()> game_covered{};
     /// Tweaks to list, keep and drop; null: nothing of them is shown.
     property::Tweaks* tweaks = nullptr;
     /// Shows the kept past: calls `look` after each step from `from` on, with the tree as it was
