@@ -1,5 +1,8 @@
 // The command line, key by key, without a window.
 
+#include <chrono>
+#include <string>
+
 #include "catch.h"
 #include "rig.h"
 
@@ -329,6 +332,23 @@ TEST_CASE("the whole value of a candidate is shown where the mouse is") {
     rig.move(menu.middle().x, menu.low.y + 20);  // the first row shows 0.6123
     rig.draw(3);
     CHECK(tooltip());
+}
+
+TEST_CASE("a frame with a long text in the prompt takes no longer than its text") {
+    OpenRig rig;
+    const auto seconds = [&](const std::string& text) {
+        rig.state().prompt.edit().assign(text);
+        rig.draw(2);
+        const auto begin = std::chrono::steady_clock::now();
+        rig.draw(3);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    std::string words, lines;
+    for (int i = 0; i < 16'000; ++i) words += "x = 12 ";
+    for (int i = 0; i < 5'000; ++i) lines += "line = " + std::to_string(i) + "\n";
+    // It took minutes, and seconds, while the columns before each word were counted anew.
+    CHECK(seconds(words) < 1);
+    CHECK(seconds(lines) < 1);
 }
 
 }  // namespace prompt_test
