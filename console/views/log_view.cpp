@@ -167,7 +167,12 @@ void LogView::wrap_line(std::uint64_t number, const LogLine& whole) {
     if (whole.kind == LineKind::caret) return;
     if (whole.table && whole.cells.size() == whole.table->begins.size())
         return wrap_cells(number, whole);
-    wrap_part(number, whole, {number, 0, whole.text.size(), true}, hanging_indent(whole.text));
+    // Two blanks in code do not separate columns.
+    const bool is_code = whole.kind == LineKind::command || whole.kind == LineKind::continuation ||
+                         whole.kind == LineKind::source;
+    const std::size_t blanks = std::min(whole.text.find_first_not_of(' '), whole.text.size());
+    wrap_part(number, whole, {number, 0, whole.text.size(), true},
+              is_code ? std::min(blanks, columns_ / 2) : hanging_indent(whole.text));
 }
 
 void LogView::filter(std::string_view text) {

@@ -25,6 +25,15 @@ TEST_CASE("wrapped rows of a table begin below its last column") {
     CHECK(rows.back().find("bbb") == rows[rows.size() - 2].find("aaa"));
 }
 
+TEST_CASE("wrapped rows of a command begin as the command does, whatever blanks are in it") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    rig.state().log.command("x = 1" + std::string(40, ' ') + std::string(100, 'b'));
+    rig.draw(3);
+    CHECK(rig.state().views.log_view.shown_rows().back().starts_with("bbb"));
+}
+
 TEST_CASE("a column of a table that begins behind the middle of the log has rows of its own") {
     Rig rig;
     rig.key("grave");
