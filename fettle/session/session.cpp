@@ -333,10 +333,6 @@ float Session::covered_below() const {
 #endif
 }
 
-bool Session::looks_back() const {
-    return services_->clock.step < services_->clock.newest;
-}
-
 void Session::restart() {
     if (replayed_ != nullptr) return;  // a recording ends there
     const auto refuse = [](const std::string& why) {

@@ -1,12 +1,11 @@
 #pragma once
-// Help texts from the class descriptors: help(x), `path?`, find("word").
+// Help texts from the class descriptors: help(x), `path?`.
 
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <fettle/property/tree.h>
-#include <fettle/script/runtime.h>
 
 #include <lua/lua_api.h>
 
@@ -22,12 +21,7 @@ std::vector<std::string> class_help(Machine& machine, const property::Class& of)
 std::vector<std::string> help_lines(lua_State* L, int index);
 /// Help for a path or name; empty if it is not known.
 std::vector<std::string> help_for(Machine& machine, const std::string& path);
-/// Lists the entries whose name or documentation contains the word. `folded`: gets those beyond the
-/// first fifty.
-std::vector<std::string> find_lines(const property::Tree& tree, std::string_view word,
-                                    FoldedLines& folded);
-
-/// Adds `help` and `find` to the table of globals at the top of the stack.
+/// Adds `help` to the table of globals at the top of the stack.
 void open_help(lua_State* L);
 
 }  // namespace fettle::script
