@@ -119,18 +119,21 @@ void Inspector::draw(ImFont* bold) {
 // --- Outline
 
 void Inspector::draw_outline(float height) {
+    const float row_height = ImGui::GetFrameHeight();
+    const float shown = std::max(1.0f, std::floor(height / row_height));  // whole rows
+    height = std::min(height, shown * row_height);
+    if (height < outline_height_) scroll_to_selected_ = true;
+    outline_height_ = height;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::well);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, 0));
     ImGui::BeginChild("outline", ImVec2(0, height));
     const auto& rows = outline_.rows(ImGui::GetTime());
-    float row_height = ImGui::GetFrameHeight();
     if (scroll_to_selected_) {
-        std::ptrdiff_t row = outline_.row_of(selected());
-        float y = static_cast<float>(row) * row_height;
-        float view = ImGui::GetScrollY();
+        const auto row = static_cast<float>(outline_.row_of(selected()));
+        const float y = row * row_height, view = ImGui::GetScrollY();
         if (row >= 0 && (y < view || y + row_height > view + height))
-            // Versions of Dear ImGui differ in how they round half a pixel.
-            ImGui::SetScrollY(std::max(0.0f, std::floor(y - height / 2)));
+            // The row in the middle, and none that is cut.
+            ImGui::SetScrollY(std::max(0.0f, row - std::floor(shown / 2)) * row_height);
         scroll_to_selected_ = false;
     }
     if (rows.empty() && outline_.problem().empty())
@@ -255,12 +258,18 @@ void Inspector::draw_several(ImFont* bold) {
     ImGui::PushStyleColor(ImGuiCol_Text, alike ? class_color(kind) : palette::dim);
     ImGui::TextUnformatted(alike ? kind.c_str() : "what all of them have");
     ImGui::PopStyleColor();
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    // Buttons without room in a row begin another one.
+    const auto button = [&](const char* label) {
+        const ImGuiStyle& style = ImGui::GetStyle();
+        const float wide = text_width(label) + 2 * style.FramePadding.x;
+        if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + wide <= right) ImGui::SameLine();
+        return low_button(label);
+    };
     if (low_button("Delete")) delete_selection();
-    ImGui::SameLine();
-    if (low_button("Clone")) clone_selection();
+    if (button("Clone")) clone_selection();
     for (const int axis : {0, 1}) {
-        ImGui::SameLine();
-        if (low_button(axis == 0 ? "Align x" : "Align y")) align(tree_, selection(), axis);
+        if (button(axis == 0 ? "Align x" : "Align y")) align(tree_, selection(), axis);
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("Gives all the mean of their positions along %c",
                               axis == 0 ? 'x' : 'y');

@@ -32,6 +32,7 @@ class Inspector {
     std::function<void(const std::string& path)> menu;
 
     property::Handle selected() const { return selection_.last(); }
+    const InstanceTree& outline() const { return outline_; }
     /// All selected instances that are alive; `selected` is the last one.
     std::vector<property::Handle> selection() const { return selection_.all(); }
     /// The same without a copy; its `others` may contain deleted instances.
@@ -82,6 +83,7 @@ class Inspector {
     std::string last_path_;  // path of the selected instance; shown when it is deleted
     std::string scroll_to_property_;
     bool scroll_to_selected_ = false;
+    float outline_height_ = 0;  // px, in the last frame
     float outline_share_ = 0.36f;
 };
 

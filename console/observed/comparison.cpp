@@ -216,6 +216,7 @@ void Comparison::tell_values(const NotedValues& a, const NotedValues& b) {
 /// Logs how many instances end elsewhere, and the farthest one.
 void Comparison::tell_difference(const std::string& what) {
     if (!shown()) return;
+    lacks_drawing_ = scripts_draw && scripts_draw();
     std::size_t moved = 0, only_one = 0;
     const Pose* farthest = nullptr;
     double most = 0;

@@ -45,6 +45,9 @@ class Comparison {
     /// Receives the results, in addition to the log; optional.
     std::function<void(const std::string& line)> found;
 
+    /// Whether scripts draw by themselves; optional.
+    std::function<bool()> scripts_draw;
+
     /// Compares at the next `between_frames`. Throws Error for a path that names no writable
     /// property, and for another time than 0.1 to 60 s.
     void ask(const std::string& path, const property::Value& value, double seconds);
@@ -63,6 +66,9 @@ class Comparison {
     const std::string& original() const { return original_; }
     /// The name of B: "world.ball.mass = 3 kg", or the name of a branch.
     const std::string& change() const { return change_; }
+    /// Whether there is more in the game's pictures than in those of the runs: what scripts draw by
+    /// themselves. Their functions read variables that have no past, and may change them.
+    bool lacks_drawing() const { return lacks_drawing_; }
     /// The number of comparisons so far.
     int number() const { return number_; }
 
@@ -91,6 +97,7 @@ class Comparison {
     std::optional<AskedBranch> asked_branch_;
     std::vector<Moment> a_, b_;
     std::string original_, change_;
+    bool lacks_drawing_ = false;
     int number_ = 0;
 };
 

@@ -169,6 +169,7 @@ void Console::State::connect_lists() {
     views.watch_list.menu = views.log_view.menu;
     views.watch_list.run = context_menu.run;
     observing.found = comparison.found = options.found;
+    comparison.scripts_draw = options.scripts_draw;
 }
 
 /// The time bar, plots, and the figures of frames.
@@ -226,6 +227,7 @@ void Console::State::follow_settings() {
         ui.release_all();
         input.fed_button = input.fed_key = input.fed_text = false;
         screen.panel_rect = screen.inspector_rect = {};
+        screen.height_edge = screen.width_edge = {};
         views.time_bar.hide();
         views.watch_list.hide();
         views.plot_view.hide();
@@ -383,8 +385,10 @@ void Console::between_frames() {
 float Console::covered_below() const {
     const State& s = *state_;
     float top = s.screen.height;
-    for (const Rect& rect : {s.views.time_bar.rect(), s.views.watch_list.rect(),
-                             s.views.plot_view.rect(), s.views.frame_view.rect()})
+    if (s.status.was_open && !s.views.time_bar.rect().empty())
+        top = s.views.time_bar.rect().low.y - s.views.time_bar.tip_room();
+    for (const Rect& rect :
+         {s.views.watch_list.rect(), s.views.plot_view.rect(), s.views.frame_view.rect()})
         if (s.status.was_open && !rect.empty()) top = std::min(top, rect.low.y);
     return std::max(0.0f, s.screen.height - top);
 }

@@ -163,7 +163,8 @@ void Console::State::prompt_key(const InputEvent& event) {
 
 bool Console::State::over_windows(float x, float y) const {
     return screen.popup_open || screen.panel_rect.contains(x, y) ||
-           screen.inspector_rect.contains(x, y) || views.time_bar.rect().contains(x, y) ||
+           screen.inspector_rect.contains(x, y) || screen.height_edge.contains(x, y) ||
+           screen.width_edge.contains(x, y) || views.time_bar.rect().contains(x, y) ||
            views.watch_list.rect().contains(x, y) || views.plot_view.rect().contains(x, y) ||
            views.frame_view.rect().contains(x, y) || views.compare_view.rect().contains(x, y) ||
            views.prompt_view.menu_rect().contains(x, y);

@@ -21,8 +21,8 @@ namespace {
 constexpr int panel_flags =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
-constexpr float margin = 8;       // pixels around the windows
-constexpr float handle_size = 6;  // width of the edge for resizing, in pixels
+constexpr float margin = 8;        // pixels around the windows
+constexpr float handle_size = 16;  // width of the edges for resizing, half of it outside, in pixels
 // The least sizes of the windows, in ems.
 constexpr float least_panel = 26, least_height = 8.5f;  // the panel: its width and height
 constexpr float least_log = 6.5f;    // the panel without overlays: title, a line and prompt
@@ -32,6 +32,27 @@ constexpr float low_plot = 4.5f, low_list = 2, low_frames = 5;  // in low window
 constexpr float least_beside = 15;      // the inspector: its width beside the panel
 constexpr float useful_inspector = 14;  // its height below the panel, with some properties
 constexpr float least_legend = 80;      // in pixels: the legend of `view.show.blame`
+
+/// A window without a picture over an edge, which can be dragged. Returns whether it is.
+bool edge_is_dragged(const char* name, const Rect& place, ImGuiMouseCursor cursor) {
+    ImGui::SetNextWindowPos(place.low);
+    ImGui::SetNextWindowSize(ImVec2(place.high.x - place.low.x, place.high.y - place.low.y));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar(3);
+    ImGui::InvisibleButton("edge", ImVec2(std::max(1.0f, place.high.x - place.low.x),
+                                          std::max(1.0f, place.high.y - place.low.y)));
+    const bool active = ImGui::IsItemActive();
+    if (active || ImGui::IsItemHovered()) ImGui::SetMouseCursor(cursor);
+    ImGui::End();
+    return active;
+}
 
 }  // namespace
 
@@ -46,6 +67,7 @@ void Console::State::frame(double seconds) {
     draw_part([&] { draw_in_game(); });
     draw_part([&] { draw_box(); });
     float right = 0;
+    screen.height_edge = screen.width_edge = {};
     if (inspector_is_beside()) {
         right = inspector_width() + margin;
         draw_part([&] { draw_inspector(screen.width - right, inspector_width()); });
@@ -190,7 +212,7 @@ void Console::State::draw_time_bar(float right) {
 
 /// Draws the pictures over the game and under the windows.
 void Console::State::draw_in_game() {
-    if (!options.to_pixels) return;
+    if (!options.to_pixels || (options.game_covered && options.game_covered())) return;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     ghosts.look(static_cast<double>(settings.number("ghost_time")));
     ghosts.draw(list, options.to_pixels);
@@ -287,8 +309,8 @@ void Console::State::draw_panel(float panel_width, float panel_height, float cel
         draw_log(std::max(1.0f, log_height), cell);
     ImGui::Spacing();
     views.prompt_view.draw(prompt_height, cell, !ImGui::IsAnyItemActive());
-    draw_height_handle();
     ImGui::End();
+    draw_height_handle();
 }
 
 void Console::State::draw_log(float log_height, float cell) {
@@ -399,19 +421,14 @@ void Console::State::draw_title(float cell) {
 }
 
 void Console::State::draw_height_handle() {
-    ImVec2 before = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos(
-        ImVec2(screen.panel_rect.low.x, screen.panel_rect.high.y - handle_size));
-    ImGui::InvisibleButton("height",
-                           ImVec2(screen.panel_rect.high.x - screen.panel_rect.low.x, handle_size));
-    if (ImGui::IsItemHovered() || ImGui::IsItemActive())
-        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
-    if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.y != 0) {
-        float share = (ImGui::GetIO().MousePos.y - screen.panel_rect.low.y) / screen.height;
-        settings.set("height", property::Value(std::clamp<double>(share, 0.15, 1)));
-    }
-    ImGui::SetCursorScreenPos(before);
-    ImGui::Dummy(ImVec2(0, 0));  // newer Dear ImGui needs an item after a cursor move
+    const Rect& panel = screen.panel_rect;
+    screen.height_edge = {ImVec2(panel.low.x, panel.high.y - handle_size / 2),
+                          ImVec2(panel.high.x, panel.high.y + handle_size / 2)};
+    if (!edge_is_dragged("##height", screen.height_edge, ImGuiMouseCursor_ResizeNS) ||
+        ImGui::GetIO().MouseDelta.y == 0)
+        return;
+    const float share = (ImGui::GetIO().MousePos.y - panel.low.y) / screen.height;
+    settings.set("height", property::Value(std::clamp<double>(share, 0.15, 1)));
 }
 
 // --- The inspector
@@ -425,8 +442,8 @@ void Console::State::draw_inspector(float left, float inspector_width) {
     ImGui::Begin("##inspector", nullptr, panel_flags);
     screen.inspector_rect = window_rect();
     inspector.draw(ui.bold());
-    draw_width_handle();
     ImGui::End();
+    draw_width_handle();
 }
 
 /// Draws the inspector in the room between the panel and the views at the lower edge, if there is
@@ -449,22 +466,17 @@ void Console::State::draw_inspector_below() {
 }
 
 void Console::State::draw_width_handle() {
-    // The whole edge: a window cuts off what is drawn in the half of its padding.
-    const float thick = std::max(handle_size, ImGui::GetStyle().WindowPadding.x);
-    ImGui::PushClipRect(screen.inspector_rect.low, screen.inspector_rect.high, false);
-    ImGui::SetCursorScreenPos(screen.inspector_rect.low);
-    ImGui::InvisibleButton(
-        "width", ImVec2(thick, screen.inspector_rect.high.y - screen.inspector_rect.low.y));
-    ImGui::PopClipRect();
-    if (ImGui::IsItemHovered() || ImGui::IsItemActive())
-        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0) {
-        float wide = screen.inspector_rect.high.x - ImGui::GetIO().MousePos.x;
-        const float scale = settings.number("scale");
-        const float most = std::min(2000.0f, screen.width * 0.6f / scale);
-        settings.set("inspector_width", property::Value(std::clamp<double>(
-                                            wide / scale, 200, std::max(200.0f, most))));
-    }
+    const Rect& side = screen.inspector_rect;
+    screen.width_edge = {ImVec2(side.low.x - handle_size / 2, side.low.y),
+                         ImVec2(side.low.x + handle_size / 2, side.high.y)};
+    if (!edge_is_dragged("##width", screen.width_edge, ImGuiMouseCursor_ResizeEW) ||
+        ImGui::GetIO().MouseDelta.x == 0)
+        return;
+    const float wide = side.high.x - ImGui::GetIO().MousePos.x;
+    const float scale = settings.number("scale");
+    const float most = std::min(2000.0f, screen.width * 0.6f / scale);
+    settings.set("inspector_width",
+                 property::Value(std::clamp<double>(wide / scale, 200, std::max(200.0f, most))));
 }
 
 }  // namespace fettle::console

@@ -76,6 +76,7 @@ struct Input {
 struct Screen {
     float width = 0, height = 0;  // of the surface; 0 before the first draw
     Rect panel_rect, inspector_rect, filter_rect;
+    Rect height_edge, width_edge;  // of the panel and of the inspector, to be dragged
     bool popup_open = false;
     bool building = false;     // a frame is being built; no other may begin inside it
     std::string part_problem;  // the last one in the log

@@ -205,15 +205,46 @@ void Log::table(std::span<const std::string> rows, const script::TableLines& of)
     }
 }
 
+void Log::fold(std::string text, std::size_t first) {
+    LogLine fold{LineKind::fold, std::move(text)};
+    const auto rest = std::next(lines_.begin(), static_cast<std::ptrdiff_t>(first));
+    fold.hidden.assign(std::make_move_iterator(rest), std::make_move_iterator(lines_.end()));
+    lines_.erase(rest, lines_.end());
+    push(std::move(fold));
+}
+
 void Log::output(const script::Evaluation& said) {
     Log all;
     auto table = said.tables.begin();
     auto printed = said.printed.begin();
+    auto folded = said.folded.begin();
     for (std::size_t i = 0; i < said.lines.size(); ++i) {
+        const bool folds = folded != said.folded.end();
         if (table != said.tables.end() && table->first == i) {
             const std::size_t rows = std::min(table->cells.size(), said.lines.size() - i);
-            all.table(std::span(said.lines).subspan(i, rows), *table++);
+            const auto shown = std::span(said.lines).subspan(i, rows);
             i += rows - 1;
+            if (folds && folded->line == i + 1 && !folded->cells.empty()) {
+                // One table, whose last rows are hidden.
+                script::TableLines whole = *table++;
+                const auto more = std::span(folded->lines)
+                                      .first(std::min(folded->cells.size(), folded->lines.size()));
+                std::vector<std::string> lines(shown.begin(), shown.end());
+                lines.insert(lines.end(), more.begin(), more.end());
+                whole.cells.insert(whole.cells.end(), folded->cells.begin(), folded->cells.end());
+                const std::size_t first = all.lines_.size() + rows;
+                all.table(lines, whole);
+                for (std::size_t k = more.size(); k < folded->lines.size(); ++k)
+                    all.output(folded->lines[k]);
+                all.fold(said.lines[++i], first);
+                ++folded;
+            } else {
+                all.table(shown, *table++);
+            }
+        } else if (folds && folded->line == i) {
+            const std::size_t first = all.lines_.size();
+            for (const std::string& line : folded++->lines) all.output(line);
+            all.fold(said.lines[i], first);
         } else if (printed != said.printed.end() && *printed == i) {
             all.printed(said.lines[i]);
             ++printed;
@@ -227,9 +258,9 @@ void Log::output(const script::Evaluation& said) {
     const auto rest = std::next(lines.begin(), shown);
     for (auto line = lines.begin(); line != rest; ++line) push(std::move(*line));
     if (rest == lines.end()) return;
-    LogLine fold{LineKind::fold, "… " + std::to_string(lines.end() - rest) + " more lines"};
-    fold.hidden.assign(std::make_move_iterator(rest), std::make_move_iterator(lines.end()));
-    push(std::move(fold));
+    all.fold("… " + std::to_string(lines.end() - rest) + " more lines",
+             static_cast<std::size_t>(shown));
+    push(std::move(lines.back()));
 }
 
 void Log::unfold(std::size_t index) {

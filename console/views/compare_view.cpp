@@ -93,8 +93,29 @@ void CompareView::draw_title(const Rect& place, const std::string& name, const s
     const float em = ImGui::GetFontSize();
     list.AddRectFilled(place.low, ImVec2(place.high.x, place.low.y + 1.4f * em), palette::raised);
     draw_text(list, ImVec2(place.low.x + 0.5f * em, place.low.y + 0.2f * em), color, name);
-    draw_text_fit(list, ImVec2(place.low.x + 2 * em, place.low.y + 0.2f * em), palette::text, what,
-                  std::max(1.0f, place.high.x - place.low.x - 4 * em));
+    const float room = std::max(1.0f, place.high.x - place.low.x - 4 * em);
+    // A change begins with a path, and its value is at its end.
+    draw_path_fit(list, ImVec2(place.low.x + 2 * em, place.low.y + 0.2f * em), palette::text, what,
+                  room);
+    const Rect bar{place.low, ImVec2(place.high.x - 1.4f * em, place.low.y + 1.4f * em)};
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (text_width(what) > room && ImGui::IsWindowHovered() && bar.contains(mouse.x, mouse.y))
+        ImGui::SetTooltip("%s", widget_text(what).c_str());
+}
+
+/// Says at the lower edge of a run what its picture lacks.
+void CompareView::draw_note(const Rect& place) const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const FontScope font(fonts().sans);
+    const float pad = 0.5f * ImGui::GetFontSize(), high = ImGui::GetTextLineHeight();
+    std::string text = "without what scripts draw in draw(pen)";
+    const float room = place.high.x - place.low.x - 2 * pad;
+    if (text_width(text) > room) text = "without draw(pen)";
+    const ImVec2 at(place.low.x + pad, place.high.y - high - 4);
+    const float wide = std::min(text_width(text), std::max(1.0f, room));
+    list.AddRectFilled(ImVec2(at.x - 4, at.y - 2), ImVec2(at.x + wide + 4, at.y + high + 2),
+                       palette::well, ImGui::GetStyle().FrameRounding);
+    draw_text_fit(list, at, palette::dim, text, wide);
 }
 
 void CompareView::draw_side(const Rect& place, const property::Tree& tree, const Comparison& runs,
@@ -191,6 +212,7 @@ void CompareView::draw(const Rect& place, const property::Tree& tree, const Comp
     draw_side(below(right), tree, runs, true, seen, pictures);
     draw_title(left, "A", runs.original(), palette::dim);
     draw_title(right, "B", runs.change(), palette::accent);
+    if (runs.lacks_drawing()) draw_note(left);
     char text[48];
     std::snprintf(text, sizeof text, "step %lld  %.2f s",
                   static_cast<long long>(runs.a()[shown_].step), static_cast<double>(shown_) * dt);

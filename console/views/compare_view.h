@@ -31,6 +31,7 @@ class CompareView {
     std::size_t shown() const { return shown_; }
 
   private:
+    void draw_note(const Rect& place) const;
     void draw_side(const Rect& place, const property::Tree& tree, const Comparison& runs,
                    bool second, const property::Seen& seen, GamePictures& pictures) const;
     void draw_title(const Rect& place, const std::string& name, const std::string& what,

@@ -140,10 +140,13 @@ Rect FrameView::draw_buttons(const app::FrameLog& log) {
 
 void FrameView::draw_heading(const Rect& room) const {
     const Timings& ms = shown_->ms;
-    const std::string text = "frame " + std::to_string(shown_->frame) + "   " + in_ms(ms.frame) +
-                             ", works " + in_ms(ms.work());
-    draw_text_fit(*ImGui::GetWindowDrawList(), room.low, palette::text, text,
-                  room.high.x - room.low.x);
+    const float wide = room.high.x - room.low.x;
+    const std::string works = "works " + in_ms(ms.work());
+    std::string text =
+        "frame " + std::to_string(shown_->frame) + "   " + in_ms(ms.frame) + ", " + works;
+    if (text_width(text) > wide) text = in_ms(ms.frame) + ", " + works;
+    if (text_width(text) > wide) text = works;
+    draw_text_fit(*ImGui::GetWindowDrawList(), room.low, palette::text, text, wide);
 }
 
 /// Returns the index of the frame under the mouse.

@@ -167,7 +167,12 @@ void LogView::wrap_line(std::uint64_t number, const LogLine& whole) {
     if (whole.kind == LineKind::caret) return;
     if (whole.table && whole.cells.size() == whole.table->begins.size())
         return wrap_cells(number, whole);
-    wrap_part(number, whole, {number, 0, whole.text.size(), true}, hanging_indent(whole.text));
+    // Two blanks in code do not separate columns.
+    const bool is_code = whole.kind == LineKind::command || whole.kind == LineKind::continuation ||
+                         whole.kind == LineKind::source;
+    const std::size_t blanks = std::min(whole.text.find_first_not_of(' '), whole.text.size());
+    wrap_part(number, whole, {number, 0, whole.text.size(), true},
+              is_code ? std::min(blanks, columns_ / 2) : hanging_indent(whole.text));
 }
 
 void LogView::filter(std::string_view text) {
@@ -217,8 +222,13 @@ void LogView::scroll(float line_height) {
 }
 
 void LogView::draw(float height, float cell) {
-    ImGui::BeginChild("log", ImVec2(0, height));
     float line_height = ImGui::GetTextLineHeightWithSpacing();
+    // Whole rows: the topmost one is not cut.
+    if (const float rest = std::fmod(height, line_height); rest < height) {
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + rest);
+        height -= rest;
+    }
+    ImGui::BeginChild("log", ImVec2(0, height));
     float width = ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize;
     wrap(static_cast<std::size_t>(std::max(8.0f, std::floor(width / cell) - gutter)));
 

@@ -63,7 +63,11 @@ void PromptView::draw(float height, float cell, bool focused) {
         draw_text(list, text_origin, color, head);
         text_origin.x += columns(head) * cell;
     }
-    for (std::size_t i = 0; i < prompt_.edit().line_count(); ++i)
+    const auto first =
+        static_cast<std::size_t>(std::max(0.0f, (corner.y - origin.y) / line_height));
+    const auto last =
+        static_cast<std::size_t>(std::max(0.0f, (end.y - origin.y) / line_height)) + 1;
+    for (std::size_t i = first; i < std::min(last, prompt_.edit().line_count()); ++i)
         draw_text(list, ImVec2(origin.x, origin.y + static_cast<float>(i) * line_height),
                   i == 0 ? palette::accent : palette::faint, i == 0 ? "›" : "·");
     draw_lines(text_origin, line_height, cell);
@@ -111,25 +115,47 @@ void PromptView::mouse(ImVec2 origin, float line_height, float cell) {
     if (!ImGui::IsMouseDown(0)) dragging_ = false;
 }
 
+/// Only what is visible is drawn: a pasted text may have many lines, and long ones.
 void PromptView::draw_lines(ImVec2 origin, float line_height, float cell) {
-    const TextEdit& edit = prompt_.edit();
+    const ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float top = list.GetClipRectMin().y, bottom = list.GetClipRectMax().y;
+    const std::string_view text = prompt_.edit().text();
+    float y = origin.y;
+    for (std::size_t begin = 0; begin <= text.size() && y < bottom; y += line_height) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        if (y + line_height > top)
+            draw_line(text.substr(begin, end - begin), begin, ImVec2(origin.x, y), line_height,
+                      cell);
+        begin = end + 1;
+    }
+}
+
+/// `base`: where the line begins in the text.
+void PromptView::draw_line(std::string_view line, std::size_t base, ImVec2 at, float line_height,
+                           float cell) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    auto [from, to] = edit.selection();
-    std::size_t base = 0;
-    for (std::size_t i = 0; i < edit.line_count(); ++i) {
-        std::string_view line = edit.line(i);
-        ImVec2 at(origin.x, origin.y + static_cast<float>(i) * line_height);
-        std::size_t begin = std::clamp(from, base, base + line.size()) - base;
-        std::size_t end = std::clamp(to, base, base + line.size()) - base;
-        if (from < to && from <= base + line.size() && to >= base)
-            list.AddRectFilled(
-                ImVec2(at.x + columns(line.substr(0, begin)) * cell, at.y),
-                ImVec2(at.x + columns(line.substr(0, end)) * cell, at.y + line_height),
-                palette::selection);
-        for (const Span& span : highlight_command(line))
-            draw_text(list, ImVec2(at.x + columns(line.substr(0, span.begin)) * cell, at.y),
-                      token_color(span.token), line.substr(span.begin, span.end - span.begin));
-        base += line.size() + 1;
+    const float left = list.GetClipRectMin().x, right = list.GetClipRectMax().x;
+    const auto [from, to] = prompt_.edit().selection();
+    const std::size_t begin = std::clamp(from, base, base + line.size()) - base;
+    const std::size_t end = std::clamp(to, base, base + line.size()) - base;
+    if (from < to && from <= base + line.size() && to >= base)
+        list.AddRectFilled(ImVec2(at.x + columns(line.substr(0, begin)) * cell, at.y),
+                           ImVec2(at.x + columns(line.substr(0, end)) * cell, at.y + line_height),
+                           palette::selection);
+    float x = at.x;
+    std::size_t done = 0;
+    const auto pass = [&](std::size_t until) {
+        x += columns(line.substr(done, until - done)) * cell;
+        done = until;
+    };
+    for (const Span& span : highlight_command(line)) {
+        pass(span.begin);
+        if (x > right) break;
+        const float start = x;
+        pass(span.end);
+        if (x >= left)
+            draw_text(list, ImVec2(start, at.y), token_color(span.token),
+                      line.substr(span.begin, span.end - span.begin));
     }
 }
 
@@ -281,9 +307,17 @@ void PromptView::draw_candidate(std::size_t index, float width, float label_widt
         draw_text(list, ImVec2(text.x + x, text.y), palette::accent,
                   std::string_view(label).substr(byte, next_code_point(label, byte) - byte));
     }
-    float used = label_width + 3 * cell;
-    draw_text_fit(list, ImVec2(at.x + used, text.y), palette::dim, facts(candidate.completion),
-                  width - used - cell);
+    const float used = label_width + 3 * cell, room = width - used - cell;
+    const std::string shown = facts(candidate.completion);
+    draw_text_fit(list, ImVec2(at.x + used, text.y), palette::dim, shown, room);
+    // The whole numbers, and what is cut.
+    const bool label_fits = columns(label) * cell <= label_width;
+    if (hovered &&
+        (shown != candidate.completion.detail || text_width(shown) > room || !label_fits))
+        ImGui::SetTooltip("%s", widget_text(wrapped((label_fits ? "" : label + "\n") +
+                                                        candidate.completion.detail,
+                                                    48 * cell))
+                                    .c_str());
     if (clicked) prompt_.accept_candidate(index);
 }
 

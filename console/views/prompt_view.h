@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <string>
+#include <string_view>
 
 #include <look/rect.h>
 #include <prompt/prompt.h>
@@ -31,6 +32,8 @@ class PromptView {
   private:
     void mouse(ImVec2 origin, float line_height, float cell);
     void draw_lines(ImVec2 origin, float line_height, float cell);
+    void draw_line(std::string_view line, std::size_t base, ImVec2 at, float line_height,
+                   float cell);
     void draw_caret(ImVec2 origin, float line_height, float cell, bool focused);
     void draw_candidate(std::size_t index, float width, float label_width, float cell);
     /// Texts with line breaks, and the height of both with the name, in pixels; 0 if there are

@@ -20,7 +20,8 @@ namespace {
 constexpr int flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
                       ImGuiWindowFlags_NoFocusOnAppearing;
-constexpr float knob = 5;  // half its width in pixels
+constexpr float knob = 5;     // half its width in pixels
+constexpr float tip_gap = 4;  // pixels between the bar and its tooltips
 
 std::string seconds_text(double seconds) {
     char text[32];
@@ -122,6 +123,9 @@ void TimeBar::draw(ImVec2 corner, float width, float opacity, ImFont* bold) {
     ImGui::SetNextWindowBgAlpha(opacity);
     ImGui::Begin("##time", nullptr, flags);
     rect_ = window_rect();
+    // Most tooltips have one line or two.
+    tip_room_ =
+        2 * ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().WindowPadding.y + 2 * tip_gap;
     draw_branch_menu();
     const float lanes = static_cast<float>(branches_.size()) * lane_height();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lanes);
@@ -161,7 +165,7 @@ void TimeBar::draw(ImVec2 corner, float width, float opacity, ImFont* bold) {
 void TimeBar::tip(const std::string& text) const {
     const float half = text_width(text) / 2 + ImGui::GetStyle().WindowPadding.x;
     const float x = std::max(ImGui::GetIO().MousePos.x, rect_.low.x + half);
-    ImGui::SetNextWindowPos(ImVec2(x, rect_.low.y - 4), ImGuiCond_Always, ImVec2(0.5f, 1));
+    ImGui::SetNextWindowPos(ImVec2(x, rect_.low.y - tip_gap), ImGuiCond_Always, ImVec2(0.5f, 1));
     ImGui::SetTooltip("%s", widget_text(text).c_str());
 }
 

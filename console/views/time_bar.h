@@ -47,6 +47,8 @@ class TimeBar {
     /// Draws a window of that width with its lower left corner at `corner`.
     void draw(ImVec2 corner, float width, float opacity, ImFont* bold);
     const Rect& rect() const { return rect_; }
+    /// Pixels above it where its tooltips are.
+    float tip_room() const { return tip_room_; }
     void hide() { rect_ = {}; }
     /// Pauses the game and goes to a step.
     void go_to(std::int64_t step);
@@ -103,6 +105,7 @@ class TimeBar {
     bool opens_menu_ = false;
     std::vector<std::pair<std::string, Rect>> entries_;  // of the menu, as it was drawn last
     bool playing_ = false;
+    float tip_room_ = 0;
     double played_to_ = 0;  // step, with the part of the next one
 };
 

@@ -115,4 +115,8 @@ std::string Session::recording_problem() const {
     return recorder_ ? recorder_->problem() : std::string();
 }
 
+bool Session::looks_back() const {
+    return services_->clock.step < services_->clock.newest;
+}
+
 }  // namespace fettle::program

@@ -280,6 +280,7 @@ void Session::make_console(app::Clipboard* clipboard) {
                         float x,
                         float y) { return view.to_world(property::Vec2(x, y) - view.corner()); },
         .to_pixels = [&view](property::Vec2 world) { return view.to_window(world); },
+        .game_covered = [this] { return loop_->halted() && !looks_back(); },
         .tweaks = tweaks_.get(),
         .review = [this](std::int64_t from,
                          const auto& look) { loop_->timeline().review(from, look); },
@@ -290,6 +291,7 @@ void Session::make_console(app::Clipboard* clipboard) {
             [this](const std::string& branch, std::int64_t from, const auto& look) {
                 loop_->timeline().review_branch(branch, from, look);
             },
+        .scripts_draw = [this] { return runtime_->draws(); },
         .share = [this](const std::string& name) { return share(name); },
         .record = [this](bool on) { return record(on); },
         .records = keeps_recording()
@@ -329,10 +331,6 @@ float Session::covered_below() const {
 #else
     return 0;
 #endif
-}
-
-bool Session::looks_back() const {
-    return services_->clock.step < services_->clock.newest;
 }
 
 void Session::restart() {

@@ -121,6 +121,26 @@ TEST_CASE_METHOD(CompareRig, "a comparison holds the past as it was and as it wo
     CHECK(value("world.ball.mass") == Value(1.0));
 }
 
+TEST_CASE_METHOD(CompareRig, "a comparison says that it lacks what scripts draw by themselves") {
+    bool scripts_draw = false;
+    runs().scripts_draw = [&] { return scripts_draw; };
+    const auto triangles = [&] {
+        draw(2);
+        surface.clear();
+        draw();
+        return surface.triangle_count();
+    };
+    runs().ask("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    CHECK_FALSE(runs().lacks_drawing());
+    const std::size_t before = triangles();
+    scripts_draw = true;
+    runs().ask("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    CHECK(runs().lacks_drawing());
+    CHECK(triangles() > before + 40);  // two for each letter
+}
+
 TEST_CASE_METHOD(CompareRig, "instances on the screen are in neither run") {
     property::ClassDescriptor layer{.name = "Sheet"};
     layer.properties = {{.name = "space",

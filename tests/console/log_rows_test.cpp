@@ -1,10 +1,14 @@
 // The rows of the log: where lines, paths and tables break.
 
+#include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "catch.h"
 #include "rig.h"
+
+#include <look/imgui_compat.h>
 
 namespace log_rows_test {
 
@@ -19,6 +23,15 @@ TEST_CASE("wrapped rows of a table begin below its last column") {
     rig.draw(3);
     const auto rows = rig.state().views.log_view.shown_rows();
     CHECK(rows.back().find("bbb") == rows[rows.size() - 2].find("aaa"));
+}
+
+TEST_CASE("wrapped rows of a command begin as the command does, whatever blanks are in it") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    rig.state().log.command("x = 1" + std::string(40, ' ') + std::string(100, 'b'));
+    rig.draw(3);
+    CHECK(rig.state().views.log_view.shown_rows().back().starts_with("bbb"));
 }
 
 TEST_CASE("a column of a table that begins behind the middle of the log has rows of its own") {
@@ -109,6 +122,53 @@ TEST_CASE("the caret is below the place that it marks where the source line is w
     INFO(above << '\n' << marked);
     REQUIRE(marked.find("^^^^") != std::string::npos);
     CHECK(above.substr(marked.find('^'), 4) == "boll");
+}
+
+TEST_CASE("the topmost row of the log is whole") {
+    Rig rig;
+    rig.key("grave");
+    for (int i = 0; i < 100; ++i) rig.console.print("line " + std::to_string(i));
+    for (const double height : {0.4, 0.41, 0.42, 0.43}) {
+        property::set(rig.tree, "console.height", property::Value(height));
+        rig.draw(4);
+        const auto& view = rig.state().views.log_view;
+        const ImGuiWindow* log = nullptr;
+        for (const ImGuiWindow* each : ImGui::GetCurrentContext()->Windows)
+            if (std::string_view(each->Name).find("/log_") != std::string_view::npos) log = each;
+        REQUIRE(log != nullptr);
+        const float rows = log->Size.y / view.line_height();
+        CHECK(rows == Approx(std::round(rows)));
+        CHECK(view.text_end().y == Approx(log->Pos.y + log->Size.y));
+    }
+}
+
+TEST_CASE("the rows of a long table that are left out are below a fold") {
+    script::Evaluation said;
+    script::TableLines table{0, true, {}};
+    script::FoldedLines folded{3, {}, {}};
+    for (const char* row : {"path  mass", "a     1.23456789", "b     2"}) {
+        said.lines.emplace_back(row);
+        table.cells.push_back({0, 6});
+    }
+    said.lines.emplace_back("… 2 more (4 instances)");
+    for (const char* row : {"long  3.23456789", "d     4"}) {
+        folded.lines.emplace_back(row);
+        folded.cells.push_back({0, 6});
+    }
+    folded.lines.emplace_back("… 7 more");  // more than are folded
+    said.tables = {table};
+    said.folded = {folded};
+    console::Log log;
+    log.output(said);
+    REQUIRE(log.lines().size() == 4);
+    CHECK(log.lines().back().kind == console::LineKind::fold);
+    CHECK(log.lines().back().text == "… 2 more (4 instances)");
+    log.unfold(3);
+    REQUIRE(log.lines().size() == 6);
+    CHECK(log.lines()[1].text == "a     1.235");
+    CHECK(log.lines()[3].text == "long  3.235");
+    CHECK(log.lines()[3].table == log.lines()[1].table);
+    CHECK(log.lines()[5].text == "… 7 more");
 }
 
 }  // namespace log_rows_test

@@ -265,4 +265,19 @@ TEST_CASE("a click selects the visible widget before instances behind it") {
     CHECK(rig.state().screen.popup_open);
 }
 
+TEST_CASE("no outline is drawn over what covers the game") {
+    Haunted rig;
+    bool covered = true;
+    rig.state().options.game_covered = [&] { return covered; };
+    const auto triangles = [&] {
+        rig.draw(3);
+        rig.surface.clear();
+        rig.draw();
+        return rig.surface.triangle_count();
+    };
+    const std::size_t without = triangles();
+    covered = false;
+    CHECK(triangles() > without + 20);
+}
+
 }  // namespace outline_test

@@ -1,7 +1,12 @@
 // The command line, key by key, without a window.
 
+#include <chrono>
+#include <string>
+
 #include "catch.h"
 #include "rig.h"
+
+#include <look/imgui_compat.h>
 
 namespace prompt_test {
 
@@ -153,7 +158,7 @@ TEST_CASE("Tab shows candidates and typing narrows them") {
     rig.key("tab");
     REQUIRE(rig.menu().open());
     CHECK(rig.menu().candidates().size() == 3);
-    CHECK(rig.menu().selection().detail == "0.6 · number · 0 to inf");
+    CHECK(rig.menu().selection().detail == "0.612345 · number · 0 to inf");
     rig.type("o");
     CHECK(rig.menu().selection().label == "force");
     rig.key("backspace");
@@ -310,6 +315,40 @@ TEST_CASE("ctrl L clears the log") {
     rig.run("world.ball.mass");
     rig.draw();
     CHECK(rig.logged("world.ball.mass"));
+}
+
+TEST_CASE("the whole value of a candidate is shown where the mouse is") {
+    OpenRig rig;
+    const auto tooltip = [] {
+        const ImGuiWindow* const window = ImGui::FindWindowByName("##Tooltip_00");
+        return window != nullptr && window->Active;
+    };
+    rig.type("world.ball.");
+    rig.key("tab");
+    rig.draw(3);
+    const Rect menu = rig.state().views.prompt_view.menu_rect();
+    REQUIRE_FALSE(menu.empty());
+    CHECK_FALSE(tooltip());
+    rig.move(menu.middle().x, menu.low.y + 20);  // the first row shows 0.6123
+    rig.draw(3);
+    CHECK(tooltip());
+}
+
+TEST_CASE("a frame with a long text in the prompt takes no longer than its text") {
+    OpenRig rig;
+    const auto seconds = [&](const std::string& text) {
+        rig.state().prompt.edit().assign(text);
+        rig.draw(2);
+        const auto begin = std::chrono::steady_clock::now();
+        rig.draw(3);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    std::string words, lines;
+    for (int i = 0; i < 16'000; ++i) words += "x = 12 ";
+    for (int i = 0; i < 5'000; ++i) lines += "line = " + std::to_string(i) + "\n";
+    // It took minutes, and seconds, while the columns before each word were counted anew.
+    CHECK(seconds(words) < 1);
+    CHECK(seconds(lines) < 1);
 }
 
 }  // namespace prompt_test

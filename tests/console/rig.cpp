@@ -203,7 +203,8 @@ Interpreter Rig::stand_in() {
         std::stable_sort(names.begin(), names.end(),
                          [](const auto& a, const auto& b) { return a.first > b.first; });
         for (const auto& [score, name] : names)
-            found.push_back({name, name, "0.6 · number · 0 to inf", "About " + name + ".", from});
+            found.push_back(
+                {name, name, "0.612345 · number · 0 to inf", "About " + name + ".", from});
         return found;
     };
     return interpreter;

@@ -4,6 +4,8 @@
 #include "catch.h"
 #include "rig.h"
 
+#include <look/imgui_compat.h>
+
 namespace selection_test {
 
 using namespace fettle;
@@ -293,6 +295,15 @@ TEST_CASE("deleted instances leave the selection") {
     rig.tree.destroy(rig.ball);
     rig.draw(2);
     CHECK(rig.selection().empty());
+}
+
+TEST_CASE("the buttons for several instances stay in a narrow inspector with large text") {
+    SelectionRig rig;
+    property::set(rig.tree, "console.scale", Value(2.0));
+    rig.select_all();
+    const ImGuiWindow* const inspector = ImGui::FindWindowByName("##inspector");
+    REQUIRE(inspector != nullptr);
+    CHECK(inspector->ContentSize.x <= inspector->WorkRect.GetWidth());
 }
 
 }  // namespace selection_test

@@ -3,6 +3,8 @@
 #include "catch.h"
 #include "rig.h"
 
+#include <look/imgui_compat.h>
+
 namespace time_bar_test {
 
 using namespace fettle;
@@ -352,6 +354,19 @@ TEST_CASE("bookmarks have names and each branch has its own marks") {
     marks.follow("2", {{"first", 50}});
     CHECK(marks.bookmarks() == All{{"start", 20}, {"other", 60}});
     CHECK(marks.unbookmark("") == 2);
+}
+
+TEST_CASE("what is drawn above the time bar leaves room for its tooltips") {
+    Bar bar;
+    Rig& rig = bar.rig;
+    rig.draw(2);
+    const console::Rect play = rig.state().views.time_bar.play_button();
+    rig.move(play.middle().x, play.middle().y);
+    rig.draw(3);
+    const ImGuiWindow* const tip = ImGui::FindWindowByName("##Tooltip_00");
+    REQUIRE(tip != nullptr);
+    REQUIRE(tip->Active);
+    CHECK(tip->Pos.y >= rig.surface.height() - rig.console.covered_below());
 }
 
 }  // namespace time_bar_test

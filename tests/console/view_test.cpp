@@ -446,4 +446,28 @@ TEST_CASE("Chinese and Japanese letters are drawn in two cells each") {
     CHECK(rig.state().prompt.edit().column_of(rig.input().size()) == 5);
 }
 
+TEST_CASE("the edges of the windows are dragged from either side") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    const auto drag = [&](float x, float y, float to_x, float to_y) {
+        rig.move(x, y);
+        rig.draw(2);
+        rig.button(true, x, y);
+        rig.draw(2);
+        rig.move(to_x, to_y);
+        rig.draw(2);
+        rig.button(false, to_x, to_y);
+        rig.draw(2);
+    };
+    for (const float beside : {7.0f, -7.0f}) {
+        const console::Rect panel = rig.state().screen.panel_rect;
+        drag(300, panel.high.y + beside, 300, panel.high.y + 60);
+        CHECK(rig.state().screen.panel_rect.high.y == Approx(panel.high.y + 60).margin(12));
+        const console::Rect side = rig.state().screen.inspector_rect;
+        drag(side.low.x + beside, 200, side.low.x - 50, 200);
+        CHECK(rig.state().screen.inspector_rect.low.x == Approx(side.low.x - 50).margin(12));
+    }
+}
+
 }  // namespace view_test

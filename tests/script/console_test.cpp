@@ -135,6 +135,32 @@ TEST_CASE("the console says what the name of a new property may mean") {
     CHECK(s.console("world.ball.hq = 3") == "world.ball.hq: nil → 3");
 }
 
+TEST_CASE("what a list leaves out is folded behind the line that counts it") {
+    Stage s;
+    s.run("for i = 1, 107 do world['b' .. i] = Body {} end");
+    const stage::Evaluation typed = s.runtime->evaluate("world:children()");
+    REQUIRE(typed.folded.size() == 1);
+    CHECK(typed.lines.size() == 32);
+    CHECK(typed.folded[0].line == 31);
+    CHECK(typed.lines[31] == "… 77 more (107 instances)");
+    CHECK(typed.folded[0].lines.size() == 77);
+    CHECK(typed.folded[0].cells.size() == 77);
+    CHECK(typed.tables[0].cells.size() == 31);
+    CHECK(typed.folded[0].lines.back().starts_with("world.b107"));
+    const stage::Evaluation found = s.runtime->evaluate("find Body and mass > 0");
+    REQUIRE(found.folded.size() == 1);
+    CHECK(found.lines[found.folded[0].line] == "… 57 more (107 found)");
+    CHECK(found.folded[0].lines.size() == 57);
+    const stage::Evaluation world = s.runtime->evaluate("print('x') return world");
+    REQUIRE(world.folded.size() == 1);
+    CHECK(world.lines[world.folded[0].line] == "… 77 more (107 children)");
+    const stage::Evaluation many = s.runtime->evaluate(
+        "local t = {} for i = 1, 2000 do t[i] = 'a long text of entry ' .. i end return t");
+    REQUIRE(many.folded.size() == 1);
+    CHECK(many.folded[0].lines.size() == 1001);
+    CHECK(many.folded[0].lines.back() == "… 970 more");
+}
+
 TEST_CASE("a table of instances says where its cells begin and wide letters move no column") {
     Stage s;
     s.run("world.a = Body { mass = 2 } world['日本語'] = Body {} world['a b'] = Body {}");

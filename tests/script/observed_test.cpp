@@ -167,6 +167,12 @@ TEST_CASE("help of a callback that the game defines is its documentation") {
     CHECK_THAT(s.console("update?"), contains("Called every frame"));
 }
 
+TEST_CASE("help of a callback that the game lacks is its documentation") {
+    Stage s;
+    CHECK_THAT(s.console("help(update)"), contains("Called every frame"));
+    CHECK_THAT(s.console("help(nil)"), contains("nil"));
+}
+
 TEST_CASE("functions that need a console are refused without one and do nothing in a replay") {
     Stage s;
     s.run("world.ball = Body {}");

@@ -254,4 +254,16 @@ end
     }
 }
 
+TEST_CASE("a runtime knows whether its scripts draw by themselves") {
+    Stage s;
+    CHECK_FALSE(s.runtime->draws());
+    s.run("Lamp = class(\"Lamp\", Body) {}");
+    CHECK_FALSE(s.runtime->draws());
+    s.run("function Lamp:draw(pen) end");
+    CHECK(s.runtime->draws());
+    Stage other;
+    other.run("function draw_behind(pen) end");
+    CHECK(other.runtime->draws());
+}
+
 }  // namespace pen_test

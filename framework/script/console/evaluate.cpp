@@ -100,10 +100,14 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
                    !help.empty()) {
             for (std::string& line : help) evaluation.lines.push_back(std::move(line));
         } else {
-            TableLines table{evaluation.lines.size(), true, {}};
-            for (std::string& line : long_text(L, 1, command, table))
+            const std::size_t first = evaluation.lines.size();
+            TableLines table{first, true, {}};
+            FoldedLines folded;
+            for (std::string& line : long_text(L, 1, command, table, folded))
                 evaluation.lines.push_back(std::move(line));
             if (!table.cells.empty()) evaluation.tables.push_back(std::move(table));
+            folded.line += first;
+            if (!folded.lines.empty()) evaluation.folded.push_back(std::move(folded));
         }
     } else {
         std::string line;
@@ -288,6 +292,7 @@ void take_lines(Machine& machine, Evaluation& evaluation) {
     Recording& recording = machine.recording;
     evaluation.lines = std::exchange(recording.lines, {});
     evaluation.printed = std::exchange(recording.texts, {});
+    evaluation.folded = std::exchange(recording.folded, {});
     if (const std::size_t more = std::exchange(recording.dropped_lines, 0); more > 0)
         evaluation.lines.push_back("… " + std::to_string(more) +
                                    (more == 1 ? " more line" : " more lines"));

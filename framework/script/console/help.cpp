@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <set>
 
-#include <fettle/property/condition.h>
 #include <fettle/property/natural_order.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
@@ -350,83 +348,6 @@ std::vector<std::string> help_lines(lua_State* L, int index) {
     return {short_text(L, index) + " · " + describe_type(L, index)};
 }
 
-// --- Search
-
-namespace {
-
-class Search {
-  public:
-    explicit Search(std::string_view word) : word_(lower(word)) {}
-
-    void look(const std::string& name, const std::string& shown, const std::string& doc) {
-        known_.insert(name);
-        const bool by_name = lower(name).find(word_) != std::string::npos;
-        if (!by_name && lower(doc).find(word_) == std::string::npos) return;
-        (by_name ? names_ : docs_).push_back({"  " + shown, doc});
-    }
-
-    std::vector<std::string> lines() {
-        std::sort(names_.begin(), names_.end(), property::NaturalOrder{});
-        std::sort(docs_.begin(), docs_.end(), property::NaturalOrder{});
-        names_.insert(names_.end(), docs_.begin(), docs_.end());
-        const std::size_t total = names_.size();
-        if (total > max_lines) names_.resize(max_lines);
-        std::vector<std::string> result = columns(names_);
-        if (total > max_lines)
-            result.push_back("… " + std::to_string(total - max_lines) + " more (" +
-                             std::to_string(total) + " found)");
-        return result;
-    }
-
-    /// Names that were looked at.
-    std::set<std::string>& known() { return known_; }
-
-  private:
-    static constexpr std::size_t max_lines = 50;
-    std::string word_;
-    std::set<std::string> known_;
-    std::vector<std::vector<std::string>> names_, docs_;  // found by name, or by documentation only
-};
-
-}  // namespace
-
-std::vector<std::string> find_lines(const property::Tree& tree, std::string_view word) {
-    Search search(word);
-    for (const Class* of : tree.classes()) {
-        search.look(of->name(), of->name(), of->doc());
-        for (const Property* property : of->properties())
-            if (property->owner == of && !property->hidden)
-                search.look(property->name, of->name() + "." + property->name, property->doc);
-        for (const Method* method : of->methods())
-            if (method->owner == of)
-                search.look(method->name, of->name() + ":" + signature(*method), method->doc);
-        for (const property::Event* event : of->events())
-            if (event->owner == of)
-                search.look(event->name, of->name() + " event " + event->name, event->doc);
-    }
-    for (const GlobalDoc& method : instance_docs())
-        search.look(method.name, "any instance:" + plain_signatures(method.signature), method.doc);
-    for (const auto* docs : {&global_docs(), &library_docs(), &callback_docs(), &variable_docs()})
-        for (const GlobalDoc& doc : *docs) search.look(doc.name, shown_name(doc), doc.doc);
-    for (const TypeDoc& type : type_docs())
-        for (const MemberDoc& member : type.members)
-            search.look(member.name, std::string(type.name) + "." + member.name, member.doc);
-    std::size_t instances = 0;
-    tree.each_below(tree.root(), [&](Handle handle) {
-        if (handle == tree.root() || instances >= 200) return;
-        const std::string name = tree.name(handle);
-        if (lower(name).find(lower(word)) == std::string::npos) return;
-        ++instances;
-        search.look(name, tree.path(handle), tree.class_of(handle).name());
-    });
-    std::vector<std::string> lines = search.lines();
-    if (!lines.empty()) return lines;
-    std::set<std::string>& known = search.known();
-    tree.each_below(tree.root(), [&](Handle handle) { known.insert(tree.name(handle)); });
-    return {"nothing has \"" + std::string(word) + "\"" +
-            property::suggestion(word, std::vector<std::string>(known.begin(), known.end()))};
-}
-
 namespace {
 
 int help(lua_State* L) {
@@ -445,33 +366,10 @@ int help(lua_State* L) {
         print_line(machine, classes);
         return 0;
     }
-    for (std::string& line : help_lines(L, 1)) print_line(machine, std::move(line));
-    return 0;
-}
-
-/// Paths with classes, as far as they fit.
-std::vector<std::string> lines_of(const property::Tree& tree, const std::vector<Handle>& found) {
-    constexpr std::size_t most = 50;
-    std::vector<std::vector<std::string>> rows;
-    for (std::size_t i = 0; i < std::min(found.size(), most); ++i)
-        rows.push_back({"  " + tree.path(found[i]), tree.class_of(found[i]).name()});
-    std::vector<std::string> lines = columns(rows);
-    if (found.size() > most)
-        lines.push_back("… " + std::to_string(found.size() - most) + " more (" +
-                        std::to_string(found.size()) + " found)");
-    if (found.empty()) lines.push_back("it holds for nothing");
-    return lines;
-}
-
-int search(lua_State* L) {
-    if (lua_type(L, 1) != LUA_TSTRING) refuse_type(L, 1, "find: needs a text");
-    Machine& machine = machine_of(L);
-    if (const std::string text = string_at(L, 1); property::Condition::is_meant(text)) {
-        for (std::string& line : lines_of(machine.tree, those_for_which(L, text)))
-            print_line(machine, std::move(line));
-        return 0;
-    }
-    for (std::string& line : find_lines(machine.tree, string_at(L, 1)))
+    // A callback that the game lacks is nil, and has documentation.
+    const bool missing = lua_isnil(L, 1) && !machine.recording.missing.empty();
+    for (std::string& line :
+         missing ? help_for(machine, machine.recording.missing) : help_lines(L, 1))
         print_line(machine, std::move(line));
     return 0;
 }
@@ -480,7 +378,6 @@ int search(lua_State* L) {
 
 void open_help(lua_State* L) {
     add_function<help>(L, "help");
-    add_function<search>(L, "find");
 }
 
 }  // namespace fettle::script

@@ -1,5 +1,5 @@
 #pragma once
-// Help texts from the class descriptors: help(x), `path?`, find("word").
+// Help texts from the class descriptors: help(x), `path?`.
 
 #include <string>
 #include <string_view>
@@ -21,10 +21,7 @@ std::vector<std::string> class_help(Machine& machine, const property::Class& of)
 std::vector<std::string> help_lines(lua_State* L, int index);
 /// Help for a path or name; empty if it is not known.
 std::vector<std::string> help_for(Machine& machine, const std::string& path);
-/// Lists all entries whose name or documentation contains the word.
-std::vector<std::string> find_lines(const property::Tree& tree, std::string_view word);
-
-/// Adds `help` and `find` to the table of globals at the top of the stack.
+/// Adds `help` to the table of globals at the top of the stack.
 void open_help(lua_State* L);
 
 }  // namespace fettle::script

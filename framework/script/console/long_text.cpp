@@ -24,10 +24,25 @@ namespace {
 constexpr std::size_t max_rows = 30;
 constexpr std::size_t max_columns = 6;
 
-void add_count(std::vector<std::string>& lines, std::size_t total, const char* what) {
-    if (total > max_rows)
-        lines.push_back("… " + std::to_string(total - max_rows) + " more (" +
-                        std::to_string(total) + " " + what + ")");
+/// Takes the lines behind the first rows away.
+std::vector<std::string> take_rest(std::vector<std::string>& lines, std::size_t shown) {
+    const auto rest = lines.begin() + static_cast<std::ptrdiff_t>(std::min(shown, lines.size()));
+    std::vector<std::string> taken(std::make_move_iterator(rest),
+                                   std::make_move_iterator(lines.end()));
+    lines.erase(rest, lines.end());
+    return taken;
+}
+
+/// The same for a table with a row for each of them, `head` rows above.
+void fold_table(std::vector<std::string>& lines, std::size_t head, std::size_t total,
+                const char* what, TableLines& table, FoldedLines& folded) {
+    auto& cells = table.cells;
+    if (const std::size_t shown = head + max_rows; cells.size() > shown) {
+        const auto rest = cells.begin() + static_cast<std::ptrdiff_t>(shown);
+        folded.cells.assign(rest, cells.end());
+        cells.erase(rest, cells.end());
+    }
+    fold_rest(lines, take_rest(lines, head + max_rows), max_rows, total, what, folded);
 }
 
 // The value of a property in a list. A formula with an error affects only its own line.
@@ -43,7 +58,7 @@ std::string listed_value(const property::Tree& tree, Handle handle, const Proper
 
 // One row for each property in order of name: name, value with unit. Then the children.
 std::vector<std::string> instance_lines(const property::Tree& tree, Handle handle,
-                                        TableLines& table) {
+                                        TableLines& table, FoldedLines& folded) {
     std::vector<std::string> lines = {tree.path(handle) + " · " + tree.class_of(handle).name()};
     std::vector<std::vector<std::string>> rows;
     for (const Property* property : tree.properties(handle)) {
@@ -56,11 +71,13 @@ std::vector<std::string> instance_lines(const property::Tree& tree, Handle handl
     table.head = false;
     for (std::string& line : columns(rows, &table.cells)) lines.push_back(std::move(line));
     std::vector<std::vector<std::string>> children;
-    for (Handle child = tree.first_child(handle); child && children.size() < max_rows;
+    for (Handle child = tree.first_child(handle); child && children.size() < max_rows + max_folded;
          child = tree.next_sibling(child))
         children.push_back({"  ." + tree.name(child), tree.class_of(child).name()});
-    for (std::string& line : columns(children)) lines.push_back(std::move(line));
-    add_count(lines, tree.child_count(handle), "children");
+    std::vector<std::string> rows_of_children = columns(children);
+    std::vector<std::string> rest = take_rest(rows_of_children, max_rows);
+    for (std::string& line : rows_of_children) lines.push_back(std::move(line));
+    fold_rest(lines, std::move(rest), max_rows, tree.child_count(handle), "children", folded);
     return lines;
 }
 
@@ -72,7 +89,8 @@ bool worth_a_column(const Property& property) {
 // One row for each instance: its path, and the properties of all instances that the command names
 // or that have a value other than the default.
 std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handle> handles,
-                                   std::string_view command, TableLines& table) {
+                                   std::string_view command, TableLines& table,
+                                   FoldedLines& folded) {
     std::erase_if(handles, [&](Handle h) { return !tree.alive(h); });
     if (handles.empty()) return {"no instances"};
     std::vector<std::pair<std::string, Handle>> sorted;
@@ -81,7 +99,7 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
     std::ranges::stable_sort(sorted, property::NaturalOrder{},
                              &std::pair<std::string, Handle>::first);
     const std::size_t total = sorted.size();
-    if (sorted.size() > max_rows) sorted.resize(max_rows);
+    if (sorted.size() > max_rows + max_folded) sorted.resize(max_rows + max_folded);
 
     std::vector<const Property*> shared, others;
     for (const Property* property : tree.class_of(sorted.front().second).properties()) {
@@ -116,7 +134,7 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
         rows.push_back(std::move(row));
     }
     std::vector<std::string> lines = columns(rows, &table.cells);
-    add_count(lines, total, "instances");
+    fold_table(lines, 1, total, "instances", table, folded);
     return lines;
 }
 
@@ -170,18 +188,18 @@ std::string nothing_found(const property::Tree& tree, const std::string& pattern
 }
 
 std::vector<std::string> table_lines(lua_State* L, int index, std::string_view command,
-                                     TableLines& table) {
+                                     TableLines& table, FoldedLines& folded) {
     Machine& machine = machine_of(L);
     index = lua_absindex(L, index);
     if (const auto handles = only_instances(L, index); !handles.empty())
-        return set_lines(machine.tree, handles, command, table);
+        return set_lines(machine.tree, handles, command, table, folded);
     if (is_set(L, index)) return {nothing_found(machine.tree, machine.recording.nothing)};
     std::string line = short_text(L, index);
     if (cell_count(line) <= 76 && line.find("…") == std::string::npos) return {line};
 
     const auto length = static_cast<lua_Integer>(lua_rawlen(L, index));
     std::vector<std::vector<std::string>> rows;
-    for (lua_Integer i = 1; i <= length && rows.size() < max_rows; ++i) {
+    for (lua_Integer i = 1; i <= length && rows.size() < max_rows + max_folded; ++i) {
         lua_rawgeti(L, index, i);
         rows.push_back({"  " + std::to_string(i), short_text(L, -1)});
         lua_pop(L, 1);
@@ -202,10 +220,10 @@ std::vector<std::string> table_lines(lua_State* L, int index, std::string_view c
     }
     std::sort(named.begin(), named.end(), property::NaturalOrder{});
     for (auto& row : named)
-        if (rows.size() < max_rows) rows.push_back(std::move(row));
+        if (rows.size() < max_rows + max_folded) rows.push_back(std::move(row));
     table.head = false;
     std::vector<std::string> lines = columns(rows, &table.cells);
-    add_count(lines, total, "entries");
+    fold_table(lines, 0, total, "entries", table, folded);
     return lines;
 }
 
@@ -249,14 +267,25 @@ std::vector<std::string> description_lines(lua_State* L, int index, const Descri
 
 }  // namespace
 
+void fold_rest(std::vector<std::string>& lines, std::vector<std::string> rest, std::size_t shown,
+               std::size_t total, const char* what, FoldedLines& folded) {
+    if (total <= shown) return;
+    if (const std::size_t known = shown + rest.size(); !rest.empty() && total > known)
+        rest.push_back("… " + std::to_string(total - known) + " more");
+    folded.line = lines.size();
+    folded.lines = std::move(rest);
+    lines.push_back("… " + std::to_string(total - shown) + " more (" + std::to_string(total) + " " +
+                    what + ")");
+}
+
 std::vector<std::string> long_text(lua_State* L, int index, std::string_view command,
-                                   TableLines& table) {
+                                   TableLines& table, FoldedLines& folded) {
     Machine& machine = machine_of(L);
     if (const auto* box = instance_at(L, index)) {
         if (!machine.tree.alive(box->handle)) return {short_text(L, index)};
-        return instance_lines(machine.tree, box->handle, table);
+        return instance_lines(machine.tree, box->handle, table, folded);
     }
-    if (lua_type(L, index) == LUA_TTABLE) return table_lines(L, index, command, table);
+    if (lua_type(L, index) == LUA_TTABLE) return table_lines(L, index, command, table, folded);
     if (const DescriptionKind* kind = description_kind(L, index))
         return description_lines(L, index, *kind);
     if (lua_type(L, index) == LUA_TSTRING)

@@ -172,6 +172,7 @@ int read_global(lua_State* L) {
     if (name == "it") throw Error(ErrorKind::unknown_name, "it: nothing is selected");
     // A missing callback is nil and not an error, because a game may test for it.
     if (among(callback_names(), name)) {
+        if (machine.recording.active) machine.recording.missing = name;
         lua_pushnil(L);
         return 1;
     }

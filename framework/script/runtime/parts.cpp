@@ -4,6 +4,7 @@
 #include <fettle/script/runtime.h>
 
 #include <classes/class_definition.h>
+#include <console/find.h>
 #include <console/help.h>
 #include <handlers/connections.h>
 #include <handlers/coroutines.h>
@@ -95,6 +96,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_time(L);
     open_stated(L);
     open_help(L);
+    open_find(L);
     open_vec(L);
     open_color(L, machine);
     open_list(L, machine);

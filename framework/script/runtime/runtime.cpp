@@ -333,6 +333,15 @@ bool Runtime::draw(property::Painter& painter) {
     return ok;
 }
 
+bool Runtime::draws() const {
+    Machine& machine = live();
+    if (defines("draw") || defines("draw_behind")) return true;
+    const std::vector<const property::Class*> all = machine.tree.classes();
+    return std::any_of(all.begin(), all.end(), [&](const property::Class* of) {
+        return machine.classes.has_function(*of, "draw");
+    });
+}
+
 void Runtime::advance(double seconds) {
     Machine& machine = live();
     const Life::Use use(machine.life);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fettle/property/tree.h>
+#include <fettle/script/runtime.h>
 
 namespace fettle::script {
 
@@ -28,7 +29,9 @@ struct Recording {
     const property::Property* last_read = nullptr;  // its unit is shown with the result
     std::vector<std::string> lines;                 // printed
     std::vector<std::size_t> texts;                 // which of the lines come from `print`
+    std::vector<FoldedLines> folded;                // what some of the lines stand for
     std::string nothing;            // the pattern of the last query that has found nothing
+    std::string missing;            // the callback that was read last and that the game lacks
     std::size_t dropped = 0;        // edits beyond the limit
     std::size_t dropped_lines = 0;  // printed lines beyond the limit
 

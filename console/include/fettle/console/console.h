@@ -45,6 +45,9 @@ struct Options {
     /// cannot be clicked.
     std::function<property::Vec2(float x, float y)> to_world{};
     std::function<property::Vec2(property::Vec2 world)> to_pixels{};
+    /// Whether something covers the picture of the game, such as an error: then no marks are drawn
+    /// over it.
+    std::function<bool()> game_covered{};
     /// Tweaks to list, keep and drop; null: nothing of them is shown.
     property::Tweaks* tweaks = nullptr;
     /// Shows the kept past: calls `look` after each step from `from` on, with the tree as it was
@@ -62,6 +65,9 @@ struct Options {
     std::function<void(const std::string& branch, std::int64_t from,
                        const std::function<void(std::int64_t step)>& look)>
         review_branch{};
+    /// Whether scripts draw by themselves (script::Runtime::draws), which a comparison of two runs
+    /// leaves out and then says so.
+    std::function<bool()> scripts_draw{};
     /// Writes this moment into a file, and returns a message about the file. Without it, `share` is
     /// refused.
     std::function<std::string(const std::string& file)> share{};
@@ -141,7 +147,8 @@ class Console : public app::Layer {
     /// calls `listen(false)`.
     bool listens() const;
     void listen(bool listens);  ///< sets `listens`
-    /// Pixels at the lower edge of the window that the console covers now.
+    /// Pixels at the lower edge of the window that the console covers now, with the tooltips of its
+    /// time bar.
     float covered_below() const;
     /// Selects an instance: it becomes `it`, the inspector shows it, and it gets an outline in the
     /// game.

@@ -103,6 +103,13 @@ struct TableLines {
     std::vector<std::vector<std::size_t>> cells;  ///< of each row, the bytes where its cells begin
 };
 
+/// Lines that another line of an answer stands for: "… 77 more (107 instances)".
+struct FoldedLines {
+    std::size_t line = 0;                           ///< the line that stands for them
+    std::vector<std::string> lines;                 ///< a thousand at most
+    std::vector<std::vector<std::size_t>> cells{};  ///< if they go on a table that ends above it
+};
+
 /// Result of one console command.
 struct Evaluation {
     bool ok = false;                 ///< whether it ran to its end
@@ -110,6 +117,7 @@ struct Evaluation {
     std::vector<std::string> lines;  // printed text, results and old and new values of assignments,
                                      // in order
     std::vector<TableLines> tables{};    ///< which of the lines are tables
+    std::vector<FoldedLines> folded{};   ///< what some of the lines stand for, in order
     std::vector<std::size_t> printed{};  ///< which of the lines are texts of `print`, in order
     std::optional<ScriptError> error;    ///< none if it is ok
     property::Value result;              // the last result; nil if it is not a value of the tree
@@ -187,6 +195,9 @@ class Runtime {
     /// that calls it does not call `Tree::draw`. Returns false if a script raised an error; what a
     /// module throws reaches the caller.
     bool draw(property::Painter& painter);
+    /// Whether scripts draw by themselves: in `draw`, in `draw_behind`, or in the `draw` of a
+    /// class.
+    bool draws() const;
     /// A frame, `seconds` of real time after the last one: a transition of go_to_scene goes on, and
     /// tweens and timers in real time do. The scene is replaced at the barrier that follows.
     void advance(double seconds);

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fettle/property/condition.h>
+#include <fettle/property/natural_order.h>
+#include <fettle/property/spelling.h>
+
+#include <console/find.h>
+#include <console/long_text.h>
+#include <lua/environment.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <objects/instance_set.h>
+#include <reference/language.h>
+#include <reference/signature.h>
+#include <sandbox/sandbox.h>
+#include <text/columns.h>
+#include <text/words.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+using property::Method;
+
+namespace {
+
+class Search {
+  public:
+    explicit Search(std::string_view word) : word_(lower(word)) {}
+
+    void look(const std::string& name, const std::string& shown, const std::string& doc) {
+        known_.insert(name);
+        const bool by_name = lower(name).find(word_) != std::string::npos;
+        if (!by_name && lower(doc).find(word_) == std::string::npos) return;
+        (by_name ? names_ : docs_).push_back({"  " + shown, doc});
+    }
+
+    std::vector<std::string> lines(FoldedLines& folded) {
+        std::sort(names_.begin(), names_.end(), property::NaturalOrder{});
+        std::sort(docs_.begin(), docs_.end(), property::NaturalOrder{});
+        names_.insert(names_.end(), docs_.begin(), docs_.end());
+        const std::size_t total = names_.size();
+        if (total > max_lines + max_folded) names_.resize(max_lines + max_folded);
+        std::vector<std::vector<std::string>> others;
+        if (names_.size() > max_lines) others.assign(names_.begin() + max_lines, names_.end());
+        names_.resize(std::min(names_.size(), max_lines));
+        std::vector<std::string> result = columns(names_);
+        fold_rest(result, columns(others), max_lines, total, "found", folded);
+        return result;
+    }
+
+    /// Names that were looked at.
+    std::set<std::string>& known() { return known_; }
+
+  private:
+    static constexpr std::size_t max_lines = 50;
+    std::string word_;
+    std::set<std::string> known_;
+    std::vector<std::vector<std::string>> names_, docs_;  // found by name, or by documentation only
+};
+
+}  // namespace
+
+std::vector<std::string> find_lines(const property::Tree& tree, std::string_view word,
+                                    FoldedLines& folded) {
+    Search search(word);
+    for (const Class* of : tree.classes()) {
+        search.look(of->name(), of->name(), of->doc());
+        for (const Property* property : of->properties())
+            if (property->owner == of && !property->hidden)
+                search.look(property->name, of->name() + "." + property->name, property->doc);
+        for (const Method* method : of->methods())
+            if (method->owner == of)
+                search.look(method->name, of->name() + ":" + signature(*method), method->doc);
+        for (const property::Event* event : of->events())
+            if (event->owner == of)
+                search.look(event->name, of->name() + " event " + event->name, event->doc);
+    }
+    for (const GlobalDoc& method : instance_docs())
+        search.look(method.name, "any instance:" + plain_signatures(method.signature), method.doc);
+    for (const auto* docs : {&global_docs(), &library_docs(), &callback_docs(), &variable_docs()})
+        for (const GlobalDoc& doc : *docs) search.look(doc.name, shown_name(doc), doc.doc);
+    for (const TypeDoc& type : type_docs())
+        for (const MemberDoc& member : type.members)
+            search.look(member.name, std::string(type.name) + "." + member.name, member.doc);
+    std::size_t instances = 0;
+    tree.each_below(tree.root(), [&](Handle handle) {
+        if (handle == tree.root() || instances >= 200) return;
+        const std::string name = tree.name(handle);
+        if (lower(name).find(lower(word)) == std::string::npos) return;
+        ++instances;
+        search.look(name, tree.path(handle), tree.class_of(handle).name());
+    });
+    std::vector<std::string> lines = search.lines(folded);
+    if (!lines.empty()) return lines;
+    std::set<std::string>& known = search.known();
+    tree.each_below(tree.root(), [&](Handle handle) { known.insert(tree.name(handle)); });
+    return {"nothing has \"" + std::string(word) + "\"" +
+            property::suggestion(word, std::vector<std::string>(known.begin(), known.end()))};
+}
+
+namespace {
+
+/// Paths with classes, the first fifty of them; the others are folded.
+std::vector<std::string> lines_of(const property::Tree& tree, const std::vector<Handle>& found,
+                                  FoldedLines& folded) {
+    constexpr std::size_t most = 50;
+    std::vector<std::vector<std::string>> rows;
+    for (std::size_t i = 0; i < std::min(found.size(), most + max_folded); ++i)
+        rows.push_back({"  " + tree.path(found[i]), tree.class_of(found[i]).name()});
+    std::vector<std::string> all = columns(rows), lines;
+    for (std::size_t i = 0; i < std::min(all.size(), most); ++i) lines.push_back(all[i]);
+    all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(lines.size()));
+    fold_rest(lines, std::move(all), most, found.size(), "found", folded);
+    if (found.empty()) lines.push_back("it holds for nothing");
+    return lines;
+}
+
+/// Prints lines, one of which stands for folded ones.
+void print_folded(Machine& machine, std::vector<std::string> lines, FoldedLines folded) {
+    Recording& recording = machine.recording;
+    folded.line += recording.lines.size();
+    for (std::string& line : lines) print_line(machine, std::move(line));
+    if (recording.active && !folded.lines.empty() && folded.line < recording.lines.size())
+        recording.folded.push_back(std::move(folded));
+}
+
+int search(lua_State* L) {
+    if (lua_type(L, 1) != LUA_TSTRING) refuse_type(L, 1, "find: needs a text");
+    Machine& machine = machine_of(L);
+    if (const std::string text = string_at(L, 1); property::Condition::is_meant(text)) {
+        FoldedLines folded;
+        std::vector<std::string> lines = lines_of(machine.tree, those_for_which(L, text), folded);
+        print_folded(machine, std::move(lines), std::move(folded));
+        return 0;
+    }
+    FoldedLines folded;
+    std::vector<std::string> lines = find_lines(machine.tree, string_at(L, 1), folded);
+    print_folded(machine, std::move(lines), std::move(folded));
+    return 0;
+}
+
+}  // namespace
+
+void open_find(lua_State* L) {
+    add_function<search>(L, "find");
+}
+
+}  // namespace fettle::script
