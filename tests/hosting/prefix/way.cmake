@@ -34,6 +34,19 @@ int main(void) {
   return()
 endif()
 
+# A static library cannot tell where it was installed; pkg-config knows where the program of trials is.
+if(WAY STREQUAL "pkgconfig_module")
+  foreach(question IN ITEMS --cflags --libs --variable=trial)
+    execute_process(COMMAND "${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${LIBRARIES}/pkgconfig"
+      "${PKG_CONFIG}" ${question} fettle-module OUTPUT_VARIABLE answer COMMAND_ERROR_IS_FATAL ANY OUTPUT_STRIP_TRAILING_WHITESPACE)
+    separate_arguments(answer${question} UNIX_COMMAND "${answer}")
+  endforeach()
+  must("${CC}" -std=c11 -c "${SOURCES}/examples/bare/bare.c" -o program.o ${answer--cflags})
+  must("${CXX}" program.o -o program ${answer--libs} "-Wl,-rpath,${LIBRARIES}")
+  must("${CMAKE_COMMAND}" -E env "FETTLE_TRIAL=${answer--variable=trial}" "${here}/program" "${MODULE}")
+  return()
+endif()
+
 # All files that the compiler reads for the headers of the parts that need neither window nor script.
 if(WAY STREQUAL "headers")
   file(GLOB headers RELATIVE "${PREFIX}/include" "${PREFIX}/include/fettle/physics/*.h" "${PREFIX}/include/fettle/property/*.h"
