@@ -74,8 +74,8 @@ class Builder {
 
   private:
     void step() {
-        // A step of the exact solver may take some tenths of a second where there are many contacts,
-        // and ten times as long with the sanitizers.
+        // A step of the exact solver may take some tenths of a second where there are many
+        // contacts, and ten times as long with the sanitizers.
         const bool exact = world_.solver() == Solver::direct;
         spent_ += exact ? 1 + world_.contacts().size() / 4 : 1;
         if (spent_ > 60) return;
