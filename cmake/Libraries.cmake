@@ -38,10 +38,12 @@ endfunction()
 #   NEEDS PART...       parts of Fettle that its users need too
 #   PACKAGES NAME...    files of cmake/packages/ that its users need; those in BEHIND only where it is static
 #   PKGCONFIG NAME...   the same as pkg-config calls them; PKGCONFIG_BEHIND likewise
+#   VARIABLES NAME=VALUE...  more variables of its file for pkg-config
 #   )
 # gives the target fettle_NAME its alias Fettle::NAME, flags, visibility and versions, and installs it.
 function(fettle_library name text)
-  cmake_parse_arguments(of "" "INCLUDE;HEADERS" "WITHOUT;NEEDS;PACKAGES;BEHIND;PKGCONFIG;PKGCONFIG_BEHIND;LIBS_BEHIND" ${ARGN})
+  cmake_parse_arguments(of "" "INCLUDE;HEADERS" "WITHOUT;NEEDS;PACKAGES;BEHIND;PKGCONFIG;PKGCONFIG_BEHIND;LIBS_BEHIND;VARIABLES"
+    ${ARGN})
   set(target fettle_${name})
   add_library(Fettle::${name} ALIAS ${target})
   fettle_compile_options(${target})
@@ -93,7 +95,7 @@ function(fettle_library name text)
   if(of_PACKAGES)
     set_property(GLOBAL APPEND PROPERTY fettle_packages ${of_PACKAGES})
   endif()
-  fettle_pkgconfig(${name} "${text}" "${of_NEEDS}" "${of_PKGCONFIG}" "${defines}" "${of_LIBS_BEHIND}")
+  fettle_pkgconfig(${name} "${text}" "${of_NEEDS}" "${of_PKGCONFIG}" "${defines}" "${of_LIBS_BEHIND}" "${of_VARIABLES}")
 endfunction()
 
 # fettle_with_vectors(TARGET): TARGET and its users include <fettle/vector/...>, headers without a library.
@@ -119,7 +121,7 @@ function(fettle_plugin name)
   fettle_install(${target} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/fettle/modules" COMPONENT runtime)
 endfunction()
 
-function(fettle_pkgconfig name text needs packages defines libs)
+function(fettle_pkgconfig name text needs packages defines libs variables)
   set(requires)
   foreach(need IN LISTS needs)
     list(APPEND requires "fettle-${need} = ${PROJECT_VERSION}")
@@ -128,13 +130,15 @@ function(fettle_pkgconfig name text needs packages defines libs)
   list(JOIN requires ", " requires)
   list(TRANSFORM defines PREPEND "-D")
   list(JOIN libs " " libs)
+  list(TRANSFORM variables APPEND "\n")
+  list(JOIN variables "" variables)
   # Relative to the file, so that a prefix may be moved.
   string(REGEX REPLACE "[^/]+" ".." up "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
   set(file "${PROJECT_BINARY_DIR}/pkgconfig/fettle-${name}.pc")
   file(WRITE "${file}" "prefix=\${pcfiledir}/${up}
 libdir=\${prefix}/${CMAKE_INSTALL_LIBDIR}
 includedir=\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}
-
+${variables}
 Name: fettle-${name}
 Description: ${text}
 Version: ${PROJECT_VERSION}

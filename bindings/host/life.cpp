@@ -45,7 +45,7 @@ void check(const fettle_hosted_def& def) {
     constexpr std::uint64_t least = std::uint64_t{16} << 20, most = std::uint64_t{1} << 46;
     if (def.lua_memory < least || def.lua_memory > most)
         throw Failure{FETTLE_INVALID, "lua_memory = " + std::to_string(def.lua_memory) +
-                                          ": expected at least 16 MiB, in bytes"};
+                                          ": expected 16 MiB to 64 TiB, in bytes"};
 }
 
 /// A function of the caller, called by scripts.

@@ -187,7 +187,8 @@ bool LogView::passes(const LogLine& whole) const {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
     const auto same = [&](char a, char b) { return lower(a) == lower(b); };
     const auto contains = [&](std::string_view text) {
-        return !std::ranges::search(text, filter_, same).empty();
+        return std::search(text.begin(), text.end(), filter_.begin(), filter_.end(), same) !=
+               text.end();
     };
     return contains(whole.text) || (!whole.numbers.empty() && contains(whole.whole()));
 }

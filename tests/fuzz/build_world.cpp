@@ -74,9 +74,10 @@ class Builder {
 
   private:
     void step() {
-        // The exact solver is slow where there are many contacts, and slower with the sanitizers.
+        // A step of the exact solver may take some tenths of a second where there are many
+        // contacts, and ten times as long with the sanitizers.
         const bool exact = world_.solver() == Solver::direct;
-        spent_ += exact ? 1 + world_.contacts().size() / 16 : 1;
+        spent_ += exact ? 1 + world_.contacts().size() / 4 : 1;
         if (spent_ > 60) return;
         world_.step(choose_.of(16) == 0 ? choose_.size() : 1.0f / 60);
         if (const auto fault = world_.validate()) {

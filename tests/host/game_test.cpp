@@ -150,6 +150,12 @@ TEST_CASE("null and stale pointers and wrong definitions are refused") {
     def.call_seconds = -1;
     CHECK(fettle_hosted_create(&def, &game) == FETTLE_INVALID);
     CHECK_THAT(fettle_last_error(), contains("call_seconds"));
+    fettle_hosted_def_init(&def, sizeof def);
+    for (const uint64_t memory : {uint64_t{1}, ~uint64_t{0}}) {
+        def.lua_memory = memory;
+        CHECK(fettle_hosted_create(&def, &game) == FETTLE_INVALID);
+        CHECK_THAT(fettle_last_error(), contains("expected 16 MiB to 64 TiB"));
+    }
     require(fettle_hosted_create(nullptr, &game));
     require(fettle_hosted_destroy(game));
     CHECK(fettle_hosted_destroy(game) == FETTLE_STALE);

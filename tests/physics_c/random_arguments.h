@@ -2,14 +2,18 @@
 
 #include <fettle_physics.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
-#include <random>
+#include <thread>
 #include <type_traits>
+#include <utility>
 #include <vector>
+
+#include "numbers.h"
 
 // Arguments for functions in C: some with a meaning, some without. Pointers are null or lead to
 // enough memory, as the headers demand; all numbers may be anything.
@@ -18,15 +22,12 @@ namespace random_arguments {
 
 class Arguments {
   public:
-    explicit Arguments(uint32_t seed) : random_(seed) {
+    explicit Arguments(Numbers numbers) : random_(std::move(numbers)) {
         for (auto& world : worlds_) fettle_world_create(nullptr, &world);
         fettle_world_destroy(worlds_[3]);  // a stale pointer
         fettle_owner_create("ask the owner", &owner_);
-        fettle_world_start_recording(worlds_[0], record, &recording_);
-        for (int i = 0; i < 9; ++i) fettle_world_step(worlds_[0], 0.02f);
-        fettle_world_stop_recording(worlds_[0]);
-        fettle_replay_create(recording_.data(), recording_.size(), &replay_);
-        scratch_.resize(1 << 16);
+        fettle_replay_create(recording().data(), recording().size(), &replay_);
+        for (auto& memory : memory_) memory.scratch.resize(1 << 16);
     }
     ~Arguments() {
         for (fettle_world* world : worlds_) fettle_world_destroy(world);
@@ -40,21 +41,32 @@ class Arguments {
     Arguments(const Arguments&) = delete;
     Arguments& operator=(const Arguments&) = delete;
 
-    uint32_t below(uint32_t count) { return uint32_t(random_()) % count; }
+    uint32_t below(uint32_t count) { return random_.below(count); }
+    /// Whether the input that chooses the arguments ended.
+    bool ended() const { return random_.ended(); }
 
     /// Calls a function with arguments of the types that it has, and looks at what it made.
     template <class Result, class... Parameters>
     void call(Result (*function)(Parameters...)) {
-        new_world_ = nullptr;
-        new_owner_ = nullptr;
-        new_replay_ = nullptr;
+        Memory& made = memory();
+        made.world = nullptr;
+        made.owner = nullptr;
+        made.replay = nullptr;
         [[maybe_unused]] const Result result = function(make<Parameters>()...);
-        if (new_owner_ != nullptr) fettle_owner_destroy(new_owner_);
-        fettle_replay_destroy(new_replay_);
-        if (new_world_ != nullptr) {
+        after_call();
+    }
+    /// Looks at what a call made.
+    void after_call() {
+        if (depth_ == 0) calls_inside_ = 0;
+        Memory& made = memory();
+        if (made.owner != nullptr) fettle_owner_destroy(made.owner);
+        fettle_replay_destroy(made.replay);
+        if (made.world != nullptr) {
             fettle_world*& place = worlds_[below(3)];
-            fettle_world_destroy(place);
-            place = new_world_;
+            if (fettle_world_destroy(place) == FETTLE_DONE)
+                place = made.world;
+            else
+                fettle_world_destroy(made.world);  // the call is inside one of the place
         }
         bool locked;
         for (int i = 0; i < 3; ++i)
@@ -66,7 +78,49 @@ class Arguments {
     const fettle_world* world(int i) const { return worlds_[i]; }
     fettle_world* world(int i) { return worlds_[i]; }
 
+    /// Restores what a world saved, sometimes with a changed byte or without its end.
+    void restore() {
+        const void* bytes = nullptr;
+        size_t size = 0;
+        if (fettle_world_save(worlds_[below(3)], &bytes, &size) != FETTLE_DONE) return;
+        const auto changed = damaged(bytes, size);
+        fettle_world_restore(worlds_[below(3)], changed.data(), changed.size());
+    }
+    /// The same with a recording.
+    void replay() {
+        const auto changed = damaged(recording().data(), recording().size());
+        fettle_replay* made = nullptr;
+        if (fettle_replay_create(changed.data(), changed.size(), &made) != FETTLE_DONE) return;
+        if (below(2) == 0) std::swap(made, replay_);
+        fettle_replay_destroy(made);
+    }
+
   private:
+    static constexpr uint32_t most = 9;
+
+    static const std::vector<std::byte>& recording() {
+        static const std::vector<std::byte> recorded = [] {
+            std::vector<std::byte> bytes;
+            fettle_world* world = nullptr;
+            fettle_world_create(nullptr, &world);
+            fettle_world_create_body(world, nullptr, nullptr);
+            fettle_world_start_recording(world, record, &bytes);
+            for (int i = 0; i < 9; ++i) fettle_world_step(world, 0.02f);
+            fettle_world_destroy(world);
+            return bytes;
+        }();
+        return recorded;
+    }
+    std::vector<std::byte> damaged(const void* bytes, size_t size) {
+        const auto* const begin = static_cast<const std::byte*>(bytes);
+        std::vector<std::byte> copy(begin, begin + size);
+        if (below(4) == 0) copy[below(uint32_t(size))] ^= std::byte{4};
+        if (below(4) == 0) copy.resize(below(uint32_t(size)));
+        return copy;
+    }
+    /// Makes a call inside a function that a call called; `user` leads to the arguments.
+    static void inside(void* user);
+
     template <class T>
     T make() {
         if constexpr (std::is_floating_point_v<T>)
@@ -76,7 +130,7 @@ class Arguments {
         else if constexpr (std::is_same_v<T, int32_t>)
             return below(8) == 0 ? int32_t(random_()) : int32_t(below(14)) - 1;
         else if constexpr (std::is_same_v<T, uint32_t>)
-            return below(9);                              // a room, or a number of elements
+            return below(most);                           // a room, or a number of elements
         else if constexpr (std::is_same_v<T, fettle_id>)  // and size_t
             return id();
         else if constexpr (std::is_same_v<T, fettle_world*> ||
@@ -117,11 +171,13 @@ class Arguments {
     }
 
     // Functions that a world may call; they read it.
-    static bool pass(void*, const fettle_world* world, fettle_id a, fettle_id) {
+    static bool pass(void* user, const fettle_world* world, fettle_id a, fettle_id) {
+        inside(user);
         float friction;
         return fettle_shape_friction(world, a, &friction) == FETTLE_DONE || a != 0;
     }
-    static bool accept(void*, const fettle_world* world, fettle_id shape) {
+    static bool accept(void* user, const fettle_world* world, fettle_id shape) {
+        inside(user);
         return fettle_world_step(const_cast<fettle_world*>(world), 1) == FETTLE_LOCKED &&
                fettle_shape_is_valid(world, shape);
     }
@@ -137,21 +193,24 @@ class Arguments {
     fettle_pair_filter callback(fettle_pair_filter) { return below(2) == 0 ? pass : nullptr; }
     fettle_contact_callback callback(fettle_contact_callback) {
         if (below(2) == 0) return nullptr;
-        return [](void*, const fettle_world*, fettle_contact_edit* contact) {
+        return [](void* user, const fettle_world*, fettle_contact_edit* contact) {
+            inside(user);
             contact->friction = std::numeric_limits<float>::quiet_NaN();
             contact->restitution = 7;
         };
     }
     fettle_velocity_function callback(fettle_velocity_function) {
         if (below(2) == 0) return nullptr;
-        return [](void*, const fettle_world* world, fettle_velocity_edit* edit) {
+        return [](void* user, const fettle_world* world, fettle_velocity_edit* edit) {
+            inside(user);
             refuse_step(world);
             edit->velocity = {std::numeric_limits<float>::quiet_NaN(), 1e30f};
         };
     }
     fettle_position_function callback(fettle_position_function) {
         if (below(2) == 0) return nullptr;
-        return [](void*, const fettle_world* world, fettle_position_edit* edit) {
+        return [](void* user, const fettle_world* world, fettle_position_edit* edit) {
+            inside(user);
             refuse_step(world);
             edit->pose.position.x += 1;
             edit->pose.angle = std::numeric_limits<float>::infinity();
@@ -169,16 +228,21 @@ class Arguments {
     }
     fettle_recording_sink callback(fettle_recording_sink) {
         if (below(4) == 0) return nullptr;
-        return [](void*, const fettle_world* world, const void*, size_t) { refuse_step(world); };
+        return [](void* user, const fettle_world* world, const void*, size_t) {
+            inside(user);
+            refuse_step(world);
+        };
     }
     fettle_refresh_callback callback(fettle_refresh_callback) {
         if (below(2) == 0) return nullptr;
-        return [](void*, const fettle_world*, int32_t, uint32_t) {};
+        return [](void* user, const fettle_world*, int32_t, uint32_t) { inside(user); };
     }
     fettle_after_step callback(fettle_after_step) {
         if (below(8) == 0) return nullptr;
-        return
-            [](void*, fettle_world* world) { fettle_world_create_body(world, nullptr, nullptr); };
+        return [](void* user, fettle_world* world) {
+            inside(user);
+            fettle_world_create_body(world, nullptr, nullptr);
+        };
     }
     fettle_start_tasks callback(fettle_start_tasks) {
         if (below(2) == 0) return nullptr;
@@ -187,11 +251,12 @@ class Arguments {
     /// Also a fettle_finish_tasks.
     fettle_unlocked_callback callback(fettle_unlocked_callback) {
         if (below(2) == 0) return nullptr;
-        return [](void*) {};
+        return [](void* user) { inside(user); };
     }
     fettle_shape_visitor callback(fettle_shape_visitor) { return below(4) == 0 ? nullptr : accept; }
     fettle_ray_visitor callback(fettle_ray_visitor) {
-        return [](void*, const fettle_world*, const fettle_ray_hit* hit) {
+        return [](void* user, const fettle_world*, const fettle_ray_hit* hit) {
+            inside(user);
             return hit->fraction >= 0;
         };
     }
@@ -199,46 +264,45 @@ class Arguments {
     // Pointers to input.
     const char* pointer(const char*) { return "text"; }
     const float* pointer(const float*) {
-        for (auto& one : numbers_) one = number();
-        return numbers_;
+        return fill(memory().numbers, [this] { return number(); });
     }
     const fettle_line_point* pointer(const fettle_line_point*) {
-        for (auto& one : line_points_) one = {{number(), number()}, below(3), below(2) == 0};
-        return line_points_;
+        return fill(memory().line_points, [this] {
+            return fettle_line_point{{number(), number()}, below(3), below(2) == 0};
+        });
     }
     const fettle_movement* pointer(const fettle_movement*) {
         const auto pose = [this] { return fettle_pose{{number(), number()}, number()}; };
         return store(fettle_movement{pose(), pose(), {number(), number()}});
     }
     const fettle_vec2* pointer(const fettle_vec2*) {
-        for (auto& point : points_) point = {number(), number()};
-        return points_;
+        return fill(memory().points, [this] { return fettle_vec2{number(), number()}; });
     }
     const fettle_aabb* pointer(const fettle_aabb*) {
         return store(fettle_aabb{{number(), number()}, {number(), number()}});
     }
     const fettle_segment_surface* pointer(const fettle_segment_surface*) {
-        for (auto& one : surfaces_) one = {number(), number(), number(), number(), below(70000)};
-        return surfaces_;
+        return fill(memory().surfaces, [this] {
+            return fettle_segment_surface{number(), number(), number(), number(), below(70000)};
+        });
     }
     const fettle_mover_plane* pointer(const fettle_mover_plane*) {
-        for (auto& one : planes_) {
+        return fill(memory().planes, [this] {
             const float angle = number();
-            one = {{std::cos(angle), std::sin(angle)}, {number(), number()}, number(), id()};
-        }
-        return planes_;
+            return fettle_mover_plane{
+                {std::cos(angle), std::sin(angle)}, {number(), number()}, number(), id()};
+        });
     }
     const fettle_pose* pointer(const fettle_pose*) {
         return store(fettle_pose{{number(), number()}, number()});
     }
     const fettle_id* pointer(const fettle_id*) {
-        for (auto& one : id_list_) one = id();
-        return id_list_;
+        return fill(memory().ids, [this] { return id(); });
     }
     fettle_world* const* pointer(fettle_world* const*) { return world_list(); }
     const fettle_world* const* pointer(const fettle_world* const*) { return world_list(); }
-    const void* pointer(const void*) { return scratch_.data(); }
-    void* pointer(void*) { return nullptr; }
+    const void* pointer(const void*) { return scratch(); }
+    void* pointer(void*) { return this; }
     template <class Def>
     requires requires(const Def& def) { def.size; }
     const Def* pointer(const Def*) {
@@ -327,45 +391,56 @@ class Arguments {
     }
     void mend(fettle_geometry& geometry) {
         geometry.points = pointer(static_cast<const fettle_vec2*>(nullptr));
-        geometry.point_count = below(9);
+        geometry.point_count = below(most);
     }
     void mend(fettle_query_filter& filter) {
         filter.accept = below(2) == 0 ? accept : nullptr;
+        filter.user = this;
     }
     void mend(fettle_debug_draw& draw) {
+        draw.user = this;
         draw.polygon = nullptr;
         draw.color_of = nullptr;
         if (below(2) == 0)
-            draw.color_of = [](void*, const fettle_world* world, fettle_id body, fettle_id) {
+            draw.color_of = [](void* user, const fettle_world* world, fettle_id body, fettle_id) {
+                inside(user);
                 refuse_step(world);
                 return uint32_t(fettle_body_is_valid(world, body));
             };
-        draw.circle = [](void*, fettle_position, float, float, uint32_t) {};
+        draw.circle = [](void* user, fettle_position, float, float, uint32_t) { inside(user); };
         draw.segment = [](void*, fettle_position, fettle_position, uint32_t) {};
         draw.point = [](void*, fettle_position, uint32_t) {};
     }
 
     // Pointers to results.
     fettle_world** pointer(fettle_world**) {
-        return &new_world_;
+        return &memory().world;
     }
     fettle_owner** pointer(fettle_owner**) {
-        return &new_owner_;
+        return &memory().owner;
     }
     fettle_replay** pointer(fettle_replay**) {
-        return &new_replay_;
+        return &memory().replay;
     }
     template <class Out>
     requires(!std::is_const_v<Out> && !std::is_void_v<Out>) Out* pointer(Out*) {
         if constexpr (requires(Out out) { out.size; }) begin(*reinterpret_cast<Out*>(scratch()));
         return reinterpret_cast<Out*>(scratch());
     }
+    /// Numbers of elements that are passed to functions are below `most`.
+    template <class Value, size_t room, class Make>
+    Value* fill(Value (&list)[room], const Make& make_one) {
+        static_assert(most <= room);
+        std::generate_n(list, most, make_one);
+        return list;
+    }
     /// Memory for one input; a call has at most four.
     std::byte* room() {
-        return inputs_[next_++ % std::size(inputs_)];
+        Memory& of = memory();
+        return of.inputs[of.next++ % std::size(of.inputs)];
     }
     std::byte* scratch() {
-        return scratch_.data();
+        return memory().scratch.data();
     }
 
     template <class Value>
@@ -375,8 +450,7 @@ class Arguments {
         return reinterpret_cast<const Value*>(bytes);
     }
     fettle_world** world_list() {
-        for (auto& one : world_list_) one = worlds_[below(3)];
-        return world_list_;
+        return fill(memory().worlds, [this] { return worlds_[below(3)]; });
     }
     void remember_ids() {
         if (ids_.size() > 200) ids_.erase(ids_.begin(), ids_.begin() + 100);
@@ -390,25 +464,36 @@ class Arguments {
         for (uint32_t i = 0; i < count && i < 4; ++i) ids_.push_back(found[i]);
     }
 
-    std::mt19937_64 random_;
+    /// What pointers of a call lead to. A call inside a callback must not write to that of the
+    /// outer call.
+    struct Memory {
+        fettle_world* world = nullptr;  // what the call made
+        fettle_owner* owner = nullptr;
+        fettle_replay* replay = nullptr;
+        fettle_segment_surface surfaces[16] = {};
+        fettle_mover_plane planes[16] = {};
+        fettle_vec2 points[16] = {};
+        float numbers[16] = {};
+        fettle_line_point line_points[16] = {};
+        fettle_id ids[16] = {};
+        fettle_world* worlds[16] = {};
+        alignas(16) std::byte inputs[4][512] = {};
+        uint32_t next = 0;
+        std::vector<std::byte> scratch;
+    };
+    Memory& memory() {
+        return memory_[depth_];
+    }
+
+    Numbers random_;
     fettle_world* worlds_[4] = {};
-    fettle_world* new_world_ = nullptr;
     fettle_owner* owner_ = nullptr;
-    fettle_owner* new_owner_ = nullptr;
     fettle_replay* replay_ = nullptr;
-    fettle_replay* new_replay_ = nullptr;
-    std::vector<std::byte> recording_;
-    fettle_segment_surface surfaces_[16] = {};
-    fettle_mover_plane planes_[16] = {};
     std::vector<fettle_id> ids_;
-    std::vector<std::byte> scratch_;
-    fettle_vec2 points_[64] = {};
-    float numbers_[16] = {};
-    fettle_line_point line_points_[16] = {};
-    fettle_id id_list_[128] = {};
-    fettle_world* world_list_[16] = {};
-    alignas(16) std::byte inputs_[4][512] = {};
-    uint32_t next_ = 0;
+    Memory memory_[3];
+    size_t depth_ = 0;  // how many calls the present one is inside
+    uint32_t calls_inside_ = 0;
+    const std::thread::id thread_ = std::this_thread::get_id();
 };
 
 }  // namespace random_arguments

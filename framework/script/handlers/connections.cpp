@@ -185,7 +185,7 @@ std::vector<property::Handle> Connections::instances() const {
         if (entry.connect != nullptr && entry.instance && entry.connection.active())
             found.push_back(entry.instance);
     std::ranges::sort(found, before);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

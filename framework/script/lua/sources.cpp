@@ -13,9 +13,8 @@
 
 namespace fettle::script {
 
-const char* take_piece(lua_State* L, std::string_view& left, std::size_t* size,
-                       std::size_t longest) {
-    *size = std::min(left.size(), longest);
+const char* take_piece(lua_State* L, std::string_view& left, std::size_t* size, std::size_t most) {
+    *size = std::min(left.size(), most);
     machine_of(L).budget.charge_by_the_clock(L, *size);
     const char* const piece = left.data();
     left.remove_prefix(*size);

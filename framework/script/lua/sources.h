@@ -33,9 +33,9 @@ int load_text(lua_State* L, std::string_view code, const char* name);
 void place_overflow(lua_State* L, std::string_view code, const char* name, lua_Reader reader);
 
 /// The next piece of a text that is compiled, for a function that lua_load calls: short enough to
-/// be compiled within milliseconds. `longest`: bytes.
+/// be compiled within milliseconds. `most`: bytes.
 const char* take_piece(lua_State* L, std::string_view& left, std::size_t* size,
-                       std::size_t longest = 256);
+                       std::size_t most = 256);
 
 /// The text without a byte order mark at its beginning.
 std::string_view without_byte_order_mark(std::string_view text);

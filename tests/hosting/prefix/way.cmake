@@ -34,6 +34,23 @@ int main(void) {
   return()
 endif()
 
+# A static library cannot tell where it was installed; pkg-config knows where the program of trials is.
+if(WAY STREQUAL "pkgconfig_module")
+  function(ask question answer)
+    execute_process(COMMAND "${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${LIBRARIES}/pkgconfig"
+      "${PKG_CONFIG}" ${question} fettle-module OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY OUTPUT_STRIP_TRAILING_WHITESPACE)
+    separate_arguments(text UNIX_COMMAND "${text}")
+    set(${answer} "${text}" PARENT_SCOPE)
+  endfunction()
+  ask(--cflags flags)
+  ask(--libs libs)
+  ask(--variable=trial trial)
+  must("${CC}" -std=c11 -c "${SOURCES}/examples/bare/bare.c" -o program.o ${flags})
+  must("${CXX}" program.o -o program ${libs} "-Wl,-rpath,${LIBRARIES}")
+  must("${CMAKE_COMMAND}" -E env "FETTLE_TRIAL=${trial}" "${here}/program" "${MODULE}")
+  return()
+endif()
+
 # All files that the compiler reads for the headers of the parts that need neither window nor script.
 if(WAY STREQUAL "headers")
   file(GLOB headers RELATIVE "${PREFIX}/include" "${PREFIX}/include/fettle/physics/*.h" "${PREFIX}/include/fettle/property/*.h"

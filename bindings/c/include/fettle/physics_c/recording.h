@@ -6,8 +6,9 @@
 
 FETTLE_PHYSICS_C_BEGIN
 
-/** Gets the next bytes of a recording, to be appended to a file or to memory. They are valid for
-    the call. */
+/** Gets the next part of a recording, to be appended to a file or to memory. The bytes are valid
+   for the call. Flush a file after each part: a recording that is cut off within a part is refused.
+ */
 typedef void (*fettle_recording_sink)(void* user, const fettle_world* world, const void* bytes,
                                       size_t size);
 

@@ -36,7 +36,8 @@ FETTLE_HOST_BEGIN
     have been destroyed since. */
 typedef struct fettle_hosted fettle_hosted;
 
-/** Names an instance of the tree; 0 names none. One of a deleted instance is refused. */
+/** Names an instance of the tree; 0 names none. One of a deleted instance is refused. Each game
+    counts for itself: the same number may name an instance in another game, too. */
 typedef uint64_t fettle_instance;
 
 /** Version of the library, as in "0.1.0". */

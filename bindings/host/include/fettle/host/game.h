@@ -11,7 +11,7 @@ typedef struct fettle_hosted_def {
     uint32_t size;
     bool console;             /* true: there is a console (console.h) */
     uint64_t seed;            /* 0; of the random numbers of scripts */
-    uint64_t lua_memory;      /* 512 MiB, in bytes; at least 16 MiB: what Lua may use */
+    uint64_t lua_memory;      /* 512 MiB, in bytes; 16 MiB to 64 TiB: what Lua may use */
     double call_seconds;      /* 10; a call into scripts that takes longer is stopped; 0: none is */
     const char* assets;       /* null; folder for files that the folder of the game does not have */
     const char* history_file; /* null: commands are not kept; file for the commands of all runs */
