@@ -49,7 +49,7 @@ class SceneRunner {
         for (const std::string& name : options.engines) engine_named(name);
         if (options.scenes.empty()) {
             for (const CatalogueEntry& entry : catalogue()) {
-                if (entry.make && entry.by_default) scenes_.push_back(&entry);
+                if (entry.by_default) scenes_.push_back(&entry);
             }
         }
         for (const std::string& name : options.scenes) scenes_.push_back(&scene_named(name));
@@ -92,13 +92,6 @@ class SceneRunner {
 
     /// Prints which figures will be missing, and why.
     void explain_gaps() const {
-        if (options_.scenes.empty()) {
-            for (const CatalogueEntry& entry : catalogue()) {
-                if (entry.make) continue;
-                std::cerr << "not available: " << entry.name << " needs " << entry.missing
-                          << ", which are not supported yet\n";
-            }
-        }
         for (const EngineKind* kind : engines_) {
             if (!kind->make) {
                 std::cerr << kind->name << ": not built in; install " << kind->package

@@ -145,7 +145,7 @@ int run_threads(const ThreadsOptions& options) {
     std::vector<const CatalogueEntry*> scenes;
     for (const std::string& name : options.scenes) scenes.push_back(&scene_named(name));
     for (const CatalogueEntry& entry : catalogue())
-        if (options.scenes.empty() && entry.make) scenes.push_back(&entry);
+        if (options.scenes.empty()) scenes.push_back(&entry);
 
     const std::string several = "on " + std::to_string(options.threads);
     Verdict verdict("threads");

@@ -10,9 +10,7 @@ namespace fettle::bench {
 
 struct CatalogueEntry {
     std::string_view name;
-    /// Null if the scene cannot be built yet; `missing` contains the reason.
     Scene (*make)();
-    std::string_view missing;
     /// Whether it runs when no scene is named.
     bool by_default = true;
     /// Maximum time per step divided by that of Box2D 2.4; 0: the design sets no bound.
@@ -20,8 +18,7 @@ struct CatalogueEntry {
 };
 
 std::span<const CatalogueEntry> catalogue();
-/// Throws std::invalid_argument for a name that does not exist, with a list of the names, or with
-/// what the scene is missing.
+/// Throws std::invalid_argument for a name that does not exist, with a list of the names.
 const CatalogueEntry& scene_named(std::string_view name);
 
 Scene large_pyramid();

@@ -2,7 +2,7 @@
 #include <collision/collide_solids.h>
 #include <collision/ellipse.h>
 #include <collision/large_polygon.h>
-#include <collision/piece.h>
+#include <collision/outline_piece.h>
 #include <collision/turned_copy.h>
 
 #include <utility>

@@ -14,7 +14,7 @@ enum class FormKind : uint32_t {
     border,   ///< a half-plane of the world's border
     ellipse,  ///< its center; collision/ellipse.h describes its axes
     large,    ///< a convex polygon of many vertices, see collision/large_polygon.h
-    piece,    ///< a convex part of a longer outline, see collision/piece.h
+    piece,    ///< a convex part of a longer outline, see collision/outline_piece.h
     outline   ///< an outline: its pieces collide instead
 };
 

@@ -2,7 +2,7 @@
 
 #include <collision/climb.h>
 #include <collision/ellipse.h>
-#include <collision/piece.h>
+#include <collision/outline_piece.h>
 #include <distance/distance.h>
 
 namespace fettle::physics::detail {
@@ -133,7 +133,7 @@ Probe cast_ellipse(const EllipseForm& e, Vec2 p, Vec2 d) {
     return best;
 }
 
-Probe cast_piece(const Piece& piece, Vec2 p, Vec2 d) {
+Probe cast_piece(const OutlinePiece& piece, Vec2 p, Vec2 d) {
     const Convex& form = piece.form;
     Probe best;
     if (!piece.one_sided() && signed_distance(form, p) < 0.0f) return best;
@@ -172,7 +172,7 @@ float signed_distance(const Solid& shape, Vec2 p) {
 
 Probe cast_segment(const Solid& shape, Vec2 p, Vec2 d) {
     if (shape.kind == FormKind::ellipse) return cast_ellipse(ellipse_of(shape.form), p, d);
-    if (shape.kind == FormKind::piece) return cast_piece(Piece(shape), p, d);
+    if (shape.kind == FormKind::piece) return cast_piece(OutlinePiece(shape), p, d);
     if (shape.kind == FormKind::large) {
         Probe probe =
             cast_segment(shape.form, unrotate(shape.rotation, p), unrotate(shape.rotation, d));

@@ -7,7 +7,8 @@
 // properties. For the rest of the library, each convex part is a shape with its own leaf in the
 // tree, so the cost of a body on a chain does not depend on the length of the chain. The pool
 // contains the vertices of a part and, behind them, two unit normals for each vertex: those of the
-// edges of the whole outline before and after it, zero at a free end: see collision/piece.h.
+// edges of the whole outline before and after it, zero at a free end: see
+// collision/outline_piece.h.
 
 namespace fettle::physics::detail {
 

@@ -21,7 +21,8 @@ struct FormPart {
 struct FormData {
     ShapeType type = ShapeType::circle;
     std::vector<FormPart> parts;
-    std::vector<Vec2> vertices;  ///< of a piece, its limits are behind them: collision/piece.h
+    std::vector<Vec2>
+        vertices;  ///< of a piece, its limits are behind them: collision/outline_piece.h
     std::vector<Vec2> normals;
     float radius = 0.0f;
     AreaMoments moments;

@@ -1,7 +1,7 @@
 // The obstacles of a mover: shapes near it, as planes and along a motion.
 
 #include <collision/ellipse.h>
-#include <collision/piece.h>
+#include <collision/outline_piece.h>
 #include <contacts/border.h>
 #include <contacts/contact_list.h>
 #include <distance/distance.h>
@@ -172,7 +172,7 @@ Plane Obstacles::deepest(const Obstacle& obstacle, Vec2 offset) const {
     } else {
         const bool parts = solid.kind == FormKind::piece;
         for (int i = 0; i < form.count; ++i) {
-            if (parts && Piece(solid).is_inner(i)) continue;
+            if (parts && OutlinePiece(solid).is_inner(i)) continue;
             const Vec2 normal = solid.kind == FormKind::large
                                     ? rotate(solid.rotation, form.normals[i])
                                     : form.normals[i];

@@ -16,8 +16,8 @@ struct ContactSolver {
     std::span<ContactExtra> extras;
     std::span<const RollingContact> rolling;
     float inverse_h = 0.0f;
-    float push_speed = 3.0f;
-    float restitution_threshold = 1.0f;
+    float push_speed = 0.0f;
+    float restitution_threshold = 0.0f;
 
     /// Called before the sub-steps, which compute no impacts. Contacts whose shapes approach fast
     /// enough within `dt` (s) get their restitution times that speed as separation speed; without

@@ -2,7 +2,7 @@
 
 #include <collision/ellipse.h>
 #include <collision/large_polygon.h>
-#include <collision/piece.h>
+#include <collision/outline_piece.h>
 #include <distance/distance.h>
 #include <geometry/trigonometry.h>
 #include <state/limits.h>
@@ -120,7 +120,7 @@ class FieldOnBody {
             const Vec2 v = form.vertices[i], next = form.vertices[(i + 1) % form.count];
             middle = middle + (1.0f / float(form.count)) * v;
             if (form.count == 1) break;
-            if (solid.kind == FormKind::piece && Piece(solid).is_inner(i)) continue;
+            if (solid.kind == FormKind::piece && OutlinePiece(solid).is_inner(i)) continue;
             const Vec2 n = form.normals[i], arm = 0.5f * (v + next) + form.radius * n;
             blow_on_edge(wind, arm, n, length(next - v));
         }

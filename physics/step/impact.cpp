@@ -1,5 +1,5 @@
 #include <collision/collide_solids.h>
-#include <collision/piece.h>
+#include <collision/outline_piece.h>
 #include <contacts/border.h>
 #include <distance/core.h>
 #include <distance/distance.h>
@@ -77,7 +77,7 @@ class Obstacle {
     /// A segment of a chain stops nothing that comes from behind it.
     bool is_from_behind(const Position& start) const {
         return !is_border_ && obstacle_.shape.kind == FormKind::piece &&
-               !Piece(obstacle_.shape).faces(from_obstacle(start, now_));
+               !OutlinePiece(obstacle_.shape).faces(from_obstacle(start, now_));
     }
 
   private:

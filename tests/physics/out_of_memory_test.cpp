@@ -8,7 +8,7 @@
 
 #include <new>
 
-namespace damaged_test {
+namespace out_of_memory_test {
 
 using namespace scenes;
 
@@ -178,4 +178,4 @@ TEST_CASE("a damaged world can be assigned to and handles of a copy that it take
     REQUIRE_FALSE(world.validate());
 }
 
-}  // namespace damaged_test
+}  // namespace out_of_memory_test

@@ -13,9 +13,9 @@ namespace fettle::physics::detail {
 
 /// A convex part of an outline. With two vertices, it is a segment that is solid only on the side
 /// of its first edge.
-class Piece {
+class OutlinePiece {
   public:
-    explicit Piece(const Solid& solid)
+    explicit OutlinePiece(const Solid& solid)
         : form(solid.form),
           rotation_(solid.rotation),
           limits_(solid.limits),

@@ -1,7 +1,7 @@
 #include <collision/climb.h>
 #include <collision/clip.h>
 #include <collision/ellipse.h>
-#include <collision/piece.h>
+#include <collision/outline_piece.h>
 
 namespace fettle::physics::detail {
 namespace {
@@ -24,7 +24,7 @@ float sign_of(Vec2 v) {
 
 }  // namespace
 
-Piece::Verdict Piece::decide(int vertex, Vec2 direction) const {
+OutlinePiece::Verdict OutlinePiece::decide(int vertex, Vec2 direction) const {
     const Vec2 d = unrotate(rotation_, direction);
     const Vec2 before = limits_[2 * vertex], after = limits_[2 * vertex + 1];
     // A free end of a chain pushes in all directions except backwards.
@@ -40,11 +40,11 @@ Piece::Verdict Piece::decide(int vertex, Vec2 direction) const {
     return is_inner(vertex) ? Verdict::leaves : Verdict::pushes;
 }
 
-bool Piece::continues(int vertex) const {
+bool OutlinePiece::continues(int vertex) const {
     return sign_of(limits_[2 * vertex]) != 0.0f && sign_of(limits_[2 * vertex + 1]) != 0.0f;
 }
 
-int Piece::edge_at(int vertex, Vec2 direction) const {
+int OutlinePiece::edge_at(int vertex, Vec2 direction) const {
     const int previous = vertex > 0 ? vertex - 1 : form.count - 1;
     int best = -1;
     float most = -2.0f;
@@ -68,7 +68,7 @@ struct Axes {
     float greatest() const { return max(outer.separation, inner); }
 };
 
-Axes axes_of(const Piece& piece, auto&& nearest) {
+Axes axes_of(const OutlinePiece& piece, auto&& nearest) {
     const Convex& form = piece.form;
     Axes axes;
     for (int i = 0; i < form.count; ++i) {
@@ -118,20 +118,20 @@ float overhang(float height, Vec2 where) {
 /// True if no segment beside a corner of the outline would push: the tip of a thin shape on the
 /// corner is deeper in both segments than the shape is wide, so each leaves it to the other.
 /// `least`: the overlap along the best direction, `through_face`: through the face of this segment.
-bool is_left_by_all(const Piece& piece, float least, float through_face) {
+bool is_left_by_all(const OutlinePiece& piece, float least, float through_face) {
     return piece.one_sided() && least > 0.0f && through_face < 4.0f * least + beyond;
 }
 
 /// True if the shape is in front of another piece: the overlap through an inner edge is smaller.
 /// The back of a segment has no other piece behind it. A body that the segment holds may be behind
 /// it by more than the thickness of the body.
-bool is_behind_inner(const Piece& piece, float inner, float outer) {
+bool is_behind_inner(const OutlinePiece& piece, float inner, float outer) {
     return !piece.one_sided() && inner > outer + beyond;
 }
 
 /// A circle: its center is a point, so the nearest feature of the piece decides.
-void collide_circle(const Piece& a, Vec2 center, float radius, Vec2 offset, float margin, bool held,
-                    Manifold& m) {
+void collide_circle(const OutlinePiece& a, Vec2 center, float radius, Vec2 offset, float margin,
+                    bool held, Manifold& m) {
     const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center); });
     if (axes.greatest() > radius + margin) return;
     const bool in_front = a.faces(center, held ? radius + far_behind : 0.0f);
@@ -167,7 +167,7 @@ void collide_circle(const Piece& a, Vec2 center, float radius, Vec2 offset, floa
     const float distance = std::sqrt(least);
     const Vec2 direction = distance > 1e-9f ? (1.0f / distance) * (center - p) : n;
     if (!in_front && !a.continues(vertex)) return;
-    if (a.decide(vertex, direction) != Piece::Verdict::pushes) return;
+    if (a.decide(vertex, direction) != OutlinePiece::Verdict::pushes) return;
     if (axes.greatest() <= 0.0f) return;
     one_point(p, direction, distance, radius, offset, margin, feature_of(vertex, 255), m);
     m.corner = distance;
@@ -186,7 +186,7 @@ int crossed_beyond(const EllipseForm& e, Vec2 center, Vec2 v1, Vec2 v2) {
 }
 
 /// Pushes an ellipse with the corner that is nearest to it, if there is one.
-void push_with_corner(const Piece& a, const EllipseForm& e, Vec2 offset, float margin,
+void push_with_corner(const OutlinePiece& a, const EllipseForm& e, Vec2 offset, float margin,
                       bool in_front, Manifold& m) {
     const float reach = max(e.first, e.second) + margin;
     for (int i = 0; i < a.form.count && m.count == 0; ++i) {
@@ -194,14 +194,14 @@ void push_with_corner(const Piece& a, const EllipseForm& e, Vec2 offset, float m
         if (length_squared(to_center) > reach * reach) continue;
         const RimPoint rim = nearest_on_rim(e, a.form.vertices[i] - offset);
         if (rim.distance <= 0.0f || (!in_front && !a.continues(i))) continue;
-        if (a.decide(i, -rim.normal) == Piece::Verdict::pushes)
+        if (a.decide(i, -rim.normal) == OutlinePiece::Verdict::pushes)
             one_point(a.form.vertices[i], -rim.normal, rim.distance, 0.0f, offset, margin,
                       feature_of(i, 255), m);
     }
 }
 
-void collide_ellipse(const Piece& a, const EllipseForm& e, Vec2 offset, float margin, bool held,
-                     Manifold& m) {
+void collide_ellipse(const OutlinePiece& a, const EllipseForm& e, Vec2 offset, float margin,
+                     bool held, Manifold& m) {
     const Vec2 center = e.center + offset;
     const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center) - e.reach(n); });
     const float depth = held ? e.reach(a.form.normals[0]) + far_behind : 0.0f;
@@ -229,7 +229,7 @@ void collide_ellipse(const Piece& a, const EllipseForm& e, Vec2 offset, float ma
     const int vertex = before ? edge : next;
     const Vec2 p = before ? v1 : v2;
     const RimPoint rim = nearest_on_rim(e, p - offset);
-    if (a.decide(vertex, -rim.normal) != Piece::Verdict::pushes) {
+    if (a.decide(vertex, -rim.normal) != OutlinePiece::Verdict::pushes) {
         const float gap = axes.outer.separation;
         if (is_left_by_all(a, -rim.distance, -gap))
             one_point(deepest - gap * n, n, gap, 0.0f, offset, margin, feature_of(edge, 254), m);
@@ -268,8 +268,8 @@ EdgePoint nearest_on_edges(const Convex& form, Vec2 p) {
 /// A polygon, a capsule, or a piece of another outline.
 class PolygonOnPiece {
   public:
-    PolygonOnPiece(const Piece& a, const Convex& b, const Piece* piece_b, Vec2 offset, float margin,
-                   bool held, Manifold& m)
+    PolygonOnPiece(const OutlinePiece& a, const Convex& b, const OutlinePiece* piece_b, Vec2 offset,
+                   float margin, bool held, Manifold& m)
         : a_(a), b_(b), piece_b_(piece_b), offset_(offset), margin_(margin), held_(held), m_(m) {}
 
     void collide() {
@@ -295,7 +295,7 @@ class PolygonOnPiece {
 
   private:
     /// True if most of the other shape is in front of the plane of a one-sided segment.
-    bool in_front(const Piece& piece, const Convex& other, Vec2 to_other) const {
+    bool in_front(const OutlinePiece& piece, const Convex& other, Vec2 to_other) const {
         if (!piece.one_sided()) return true;
         const Vec2 n = piece.form.normals[0];
         const float low = lowest(other, n), high = -lowest(other, -n);
@@ -338,7 +338,7 @@ class PolygonOnPiece {
             const float distance = length(near.point - p);
             if (distance <= face_preference) continue;
             const Vec2 direction = (1.0f / distance) * (near.point - p);
-            if (a_.decide(i, direction) != Piece::Verdict::pushes) continue;
+            if (a_.decide(i, direction) != OutlinePiece::Verdict::pushes) continue;
             one_point(a_.form.vertices[i], direction, distance, b_.radius, offset_, margin_,
                       feature_of(i, near.edge), m_);
             if (near.part == 0.0f || near.part == 1.0f) m_.corner = distance;
@@ -350,7 +350,7 @@ class PolygonOnPiece {
         const Vec2 n = a_.form.normals[edge];
         if (piece_b_ != nullptr) {
             const int vertex = support(b_, -n);
-            if (piece_b_->decide(vertex, -n) == Piece::Verdict::leaves &&
+            if (piece_b_->decide(vertex, -n) == OutlinePiece::Verdict::leaves &&
                 !is_face(*piece_b_, vertex, -n))
                 return;
         }
@@ -370,11 +370,11 @@ class PolygonOnPiece {
             push_with_a(a_.edge_at(vertex, outwards), axis.separation);
             return;
         }
-        const Piece::Verdict verdict = a_.decide(vertex, outwards);
-        if (verdict == Piece::Verdict::leaves) return;
+        const OutlinePiece::Verdict verdict = a_.decide(vertex, outwards);
+        if (verdict == OutlinePiece::Verdict::leaves) return;
         const int edge = a_.edge_at(vertex, outwards);
         if (edge < 0) return;
-        if (verdict == Piece::Verdict::flat) {
+        if (verdict == OutlinePiece::Verdict::flat) {
             push_with_a(edge, axis.separation);
             return;
         }
@@ -385,7 +385,7 @@ class PolygonOnPiece {
     }
 
     /// True if a direction is almost the normal of an edge of the outline at the vertex.
-    static bool is_face(const Piece& piece, int vertex, Vec2 direction) {
+    static bool is_face(const OutlinePiece& piece, int vertex, Vec2 direction) {
         const int edge = piece.edge_at(vertex, direction);
         return edge >= 0 && dot(piece.form.normals[edge], direction) > 1.0f - 1e-5f;
     }
@@ -407,8 +407,9 @@ class PolygonOnPiece {
         if (!(std::fabs(cross(n, d)) > 1e-3f * distance)) return false;
         const Vec2 direction = flipped ? (-1.0f / distance) * d : (1.0f / distance) * d;
         const int on_a = flipped ? o : r, on_b = flipped ? r : o;
-        if (a_.decide(on_a, direction) != Piece::Verdict::pushes) return true;
-        if (piece_b_ != nullptr && piece_b_->decide(on_b, -direction) != Piece::Verdict::pushes)
+        if (a_.decide(on_a, direction) != OutlinePiece::Verdict::pushes) return true;
+        if (piece_b_ != nullptr &&
+            piece_b_->decide(on_b, -direction) != OutlinePiece::Verdict::pushes)
             return true;
         one_point(a_.form.vertices[on_a], direction, distance, b_.radius, offset_, margin_,
                   feature_of(on_a, on_b), m_);
@@ -423,9 +424,9 @@ class PolygonOnPiece {
         if (!edges.are_beside()) edges.clip(flipped, margin_, offset_, m_);
     }
 
-    const Piece& a_;
+    const OutlinePiece& a_;
     const Convex& b_;
-    const Piece* piece_b_;
+    const OutlinePiece* piece_b_;
     Vec2 offset_;
     float margin_;
     bool held_;
@@ -438,14 +439,14 @@ void collide_piece(const Solid& piece, const Solid& other, Vec2 offset, float ma
                    Manifold& m) {
     m.count = 0;
     m.corner = 0.0f;
-    const Piece a(piece);
+    const OutlinePiece a(piece);
     if (other.kind == FormKind::ellipse) {
         collide_ellipse(a, ellipse_of(other.form), offset, margin, held, m);
     } else if (other.form.count == 1) {
         collide_circle(a, other.form.vertices[0] + offset, other.form.radius, offset, margin, held,
                        m);
     } else if (other.kind == FormKind::piece) {
-        const Piece b(other);
+        const OutlinePiece b(other);
         PolygonOnPiece(a, other.form, &b, offset, margin, held, m).collide();
     } else {
         PolygonOnPiece(a, other.form, nullptr, offset, margin, held, m).collide();
