@@ -3,7 +3,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include <fettle/property/spelling.h>
 #include <fettle/script/synonyms.h>
 
 #include <input/actions.h>
@@ -55,12 +54,9 @@ const std::vector<std::string>& all_names() {
         throw std::invalid_argument("no key, button or axis is called \"" + name +
                                     "\": there are gamepad_1 to gamepad_" +
                                     std::to_string(Input::gamepad_count));
-    std::string hint;
-    for (const std::string_view meant : script::property_synonyms(name == " " ? "spacebar" : name))
-        if (hint.empty() && std::ranges::find(all_names(), meant) != all_names().end())
-            hint = " (did you mean \"" + std::string(meant) + "\"?)";
-    if (hint.empty()) hint = property::suggestion(plain, all_names());
-    throw std::invalid_argument("no key, button or axis is called \"" + name + "\"" + hint);
+    const auto meant = script::property_synonyms(name == " " ? "spacebar" : name);
+    throw std::invalid_argument("no key, button or axis is called \"" + name + "\"" +
+                                script::hint_at(meant, plain, all_names()));
 }
 
 /// The gamepad of "gamepad.a" (0) or "gamepad_2.a" (2), and the rest of the name.

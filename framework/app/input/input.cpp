@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <fettle/property/utf8.h>
-
 #include <fettle/script/runtime.h>
 
 #include <input/input_state.h>

@@ -23,10 +23,6 @@ bool is_number_text(const std::string& text) {
     return read.ec == std::errc() && read.ptr == end;
 }
 
-double number_in(const Value& value) {
-    return value.is(Type::integer) ? static_cast<double>(value.integer()) : value.number();
-}
-
 std::string way_to_write_vec(const Value& value) {
     if (value.is_numeric()) return write("vec(x, y)");
     if (!is_list_of_numbers(value) || value.list().size() != 2) return {};
@@ -39,10 +35,10 @@ std::string way_to_write_color(const Value& value) {
     const List& list = value.list();
     if (list.size() != 3 && list.size() != 4) return {};
     double greatest = 1;
-    for (const Value& each : list) greatest = std::max(greatest, number_in(each));
+    for (const Value& each : list) greatest = std::max(greatest, each.as_double());
     const auto channel = [&](std::size_t i) {
         const double scale = greatest > 1 ? 1 / 255.0 : 1;
-        return static_cast<float>(std::clamp(scale * number_in(list[i]), 0.0, 1.0));
+        return static_cast<float>(std::clamp(scale * list[i].as_double(), 0.0, 1.0));
     };
     const Color color{channel(0), channel(1), channel(2), list.size() == 4 ? channel(3) : 1};
     return write(value_text(Value(color)));

@@ -47,22 +47,32 @@ std::size_t valid_code_point_size(std::string_view text) {
     return size;
 }
 
-char32_t code_point_at(std::string_view text, std::size_t offset) {
-    const std::size_t size = valid_code_point_size(text.substr(offset));
+namespace {
+
+/// `size`: `valid_code_point_size` of the text.
+char32_t first_code_point(std::string_view text, std::size_t size) {
     if (size == 0) return U'\uFFFD';
-    const auto lead = static_cast<unsigned char>(text[offset]);
+    const auto lead = static_cast<unsigned char>(text[0]);
     char32_t code_point = size == 1 ? lead : lead & (0xffu >> (size + 1));
     for (std::size_t i = 1; i < size; ++i)
-        code_point = code_point << 6 | (static_cast<unsigned char>(text[offset + i]) & 0x3f);
+        code_point = code_point << 6 | (static_cast<unsigned char>(text[i]) & 0x3f);
     return code_point;
+}
+
+}  // namespace
+
+char32_t code_point_at(std::string_view text, std::size_t offset) {
+    text.remove_prefix(offset);
+    return first_code_point(text, valid_code_point_size(text));
 }
 
 std::u32string decode_utf8(std::string_view text) {
     std::u32string code_points;
     code_points.reserve(text.size());
-    for (std::size_t i = 0; i < text.size();) {
-        code_points.push_back(code_point_at(text, i));
-        i += std::max<std::size_t>(1, valid_code_point_size(text.substr(i)));
+    while (!text.empty()) {
+        const std::size_t size = valid_code_point_size(text);
+        code_points.push_back(first_code_point(text, size));
+        text.remove_prefix(std::max<std::size_t>(1, size));
     }
     return code_points;
 }

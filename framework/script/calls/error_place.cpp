@@ -3,7 +3,6 @@
 #include <charconv>
 
 #include <fettle/property/utf8.h>
-
 #include <fettle/script/runtime.h>
 
 #include <calls/error_place.h>

@@ -132,14 +132,11 @@ void print_folded(Machine& machine, std::vector<std::string> lines, FoldedLines 
 int search(lua_State* L) {
     if (lua_type(L, 1) != LUA_TSTRING) refuse_type(L, 1, "find: needs a text");
     Machine& machine = machine_of(L);
-    if (const std::string text = string_at(L, 1); property::Condition::is_meant(text)) {
-        FoldedLines folded;
-        std::vector<std::string> lines = lines_of(machine.tree, those_for_which(L, text), folded);
-        print_folded(machine, std::move(lines), std::move(folded));
-        return 0;
-    }
+    const std::string text = string_at(L, 1);
     FoldedLines folded;
-    std::vector<std::string> lines = find_lines(machine.tree, string_at(L, 1), folded);
+    std::vector<std::string> lines = property::Condition::is_meant(text)
+                                         ? lines_of(machine.tree, those_for_which(L, text), folded)
+                                         : find_lines(machine.tree, text, folded);
     print_folded(machine, std::move(lines), std::move(folded));
     return 0;
 }

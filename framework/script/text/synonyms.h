@@ -17,10 +17,6 @@ std::string without_get_or_set(std::string_view name);
 std::string snake_case(std::string_view name);
 /// ` (did you mean position = vec(x, y)?)`: how to write what is meant.
 std::string hint_of(std::string_view meant);
-/// ` (did you mean "angle"?)`: of `meant`, such as the names above, the first one that is known;
-/// else the known name nearest to `name`. "" if there is none.
-std::string hint_at(const std::vector<std::string_view>& meant, std::string_view name,
-                    const std::vector<std::string>& known);
 /// Callbacks and events that a function named `name` may be meant for.
 std::vector<std::string_view> callback_synonyms(std::string_view name);
 
