@@ -5,16 +5,20 @@ namespace fettle::physics::detail {
 
 RecordingHeader recording_header() {
     constexpr uint32_t magic = 0x72546546;  // "FeTr"
-    constexpr uint32_t version = 2;
+    constexpr uint32_t version = 3;
     return {magic, version, sizeof(WorldCoordinate), 0};
 }
 
-uint64_t chunk_checksum(ChunkKind kind, uint64_t number, std::span<const std::byte> content) {
-    const uint64_t place = (number << 3 | uint64_t(kind)) * 0x9e3779b97f4a7c15u;
-    return checksum(content) ^ place;
+namespace {
+
+/// A number that differs for each kind of chunk and each place.
+uint64_t place_of(ChunkKind kind, uint64_t number) {
+    return (number << 3 | uint64_t(kind)) * 0x9e3779b97f4a7c15u;
 }
 
-namespace {
+uint32_t size_check(ChunkKind kind, uint64_t number, uint64_t size) {
+    return uint32_t(((place_of(kind, number) ^ size) * 0xd6e8feb86659fd93u) >> 32);
+}
 
 [[noreturn]] void refuse_damaged(size_t number, const char* what) {
     throw std::invalid_argument("the recording is damaged: part " + std::to_string(number) + what);
@@ -45,27 +49,37 @@ bool may_follow(ChunkKind last, ChunkKind kind) {
 
 }  // namespace
 
-std::vector<Chunk> chunks_of(std::span<const std::byte> recording) {
+ChunkHeader chunk_header(ChunkKind kind, uint64_t number, std::span<const std::byte> content) {
+    return {kind, size_check(kind, number, content.size()), content.size(),
+            checksum(content) ^ place_of(kind, number)};
+}
+
+Chunks chunks_of(std::span<const std::byte> recording) {
     if (header_of(recording) != recording_header())
         throw std::invalid_argument("the recording was made by another version of this library");
-    std::vector<Chunk> chunks;
+    Chunks chunks;
     for (auto left = recording.subspan(sizeof(RecordingHeader)); !left.empty();) {
-        const size_t number = chunks.size();
-        ChunkHeader chunk = {};
-        if (left.size() < sizeof chunk) refuse_damaged(number, " is cut off");
-        Decoder{left.data()}(chunk);
-        left = left.subspan(sizeof chunk);
-        if (chunk.size > left.size()) refuse_damaged(number, " is cut off");
-        const auto content = left.first(size_t(chunk.size));
+        const size_t number = chunks.whole.size();
+        ChunkHeader header = {};
+        chunks.cut_off = left.size() < sizeof header;
+        if (chunks.cut_off) break;
+        Decoder{left.data()}(header);
+        left = left.subspan(sizeof header);
+        if (header.size_check != size_check(header.kind, number, header.size))
+            refuse_damaged(number, ": the checksum of its size differs");
+        chunks.cut_off = header.size > left.size();
+        if (chunks.cut_off) break;
+        const auto content = left.first(size_t(header.size));
         left = left.subspan(content.size());
-        if (chunk.checksum != chunk_checksum(chunk.kind, number, content) || chunk.unused != 0)
+        if (header.checksum != chunk_header(header.kind, number, content).checksum)
             refuse_damaged(number, ": its checksum differs");
-        const bool fits = number == 0 ? chunk.kind == ChunkKind::state
-                                      : may_follow(chunks.back().kind, chunk.kind);
+        const bool fits = number == 0 ? header.kind == ChunkKind::state
+                                      : may_follow(chunks.whole.back().kind, header.kind);
         if (!fits) refuse_damaged(number, " is not what belongs there");
-        chunks.push_back({chunk.kind, content});
+        chunks.whole.push_back({header.kind, content});
     }
-    if (chunks.empty()) throw std::invalid_argument("the recording is empty");
+    if (chunks.whole.empty())
+        throw std::invalid_argument("the recording ends before the world that it begins with");
     return chunks;
 }
 

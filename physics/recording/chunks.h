@@ -13,7 +13,8 @@
 
 // The format of a recording: a header, and then chunks, each with a checksum that also depends on
 // its kind and its place. The first chunk is a saved world. For each step follow the edits before
-// it, if there were any, the step, and its result. A recording may end after any chunk.
+// it, if there were any, the step, and its result. A recording may end anywhere after the first
+// chunk: what is left of a chunk that was not written whole is not read.
 
 namespace fettle::physics::detail {
 
@@ -34,11 +35,11 @@ RecordingHeader recording_header();
 
 struct ChunkHeader {
     ChunkKind kind;
-    uint32_t unused;  ///< 0
-    uint64_t size;    ///< bytes after this header
+    uint32_t size_check;  ///< of kind, number and size, as the content may have been cut off
+    uint64_t size;        ///< bytes after this header
     uint64_t checksum;
 
-    static void fields(auto& io, auto& s) { io(s.kind, s.unused, s.size, s.checksum); }
+    static void fields(auto& io, auto& s) { io(s.kind, s.size_check, s.size, s.checksum); }
 };
 static_assert(sizeof(ChunkHeader) == 24);
 
@@ -56,11 +57,17 @@ struct Chunk {
     std::span<const std::byte> content;
 };
 
-/// The checksum in the header of the chunk with this number.
-uint64_t chunk_checksum(ChunkKind kind, uint64_t number, std::span<const std::byte> content);
+/// The header of the chunk with this number.
+ChunkHeader chunk_header(ChunkKind kind, uint64_t number, std::span<const std::byte> content);
 
-/// The chunks of a recording. Throws std::invalid_argument if it is damaged.
-std::vector<Chunk> chunks_of(std::span<const std::byte> recording);
+struct Chunks {
+    std::vector<Chunk> whole;
+    bool cut_off = false;  ///< the recording ends within the next one
+};
+
+/// The chunks of a recording. Throws std::invalid_argument if it is damaged, or ends within the
+/// first one.
+Chunks chunks_of(std::span<const std::byte> recording);
 
 /// Appends numbers and records to bytes, in the order of saving/words.h.
 class ByteWriter {

@@ -106,8 +106,7 @@ class Recorder : public Witness {
         ChunkHeader header = {};
         Decoder{&chunk_[header_at_]}(header);
         const auto content = std::span(chunk_).subspan(header_at_ + sizeof header);
-        header.size = content.size();
-        header.checksum = chunk_checksum(header.kind, number_++, content);
+        header = chunk_header(header.kind, number_++, content);
         Encoder{&chunk_[header_at_]}(header);
     }
 

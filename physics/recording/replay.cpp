@@ -78,6 +78,7 @@ struct Replay::Data {
     std::vector<std::byte> bytes;
     std::vector<Chunk> chunks;
     size_t next = 1;  ///< chunk
+    bool cut_off = false;
     uint64_t steps = 0, repeated = 0;
     bool over = false;
     World world;
@@ -148,7 +149,9 @@ struct Replay::Data {
 
 Replay::Replay(std::span<const std::byte> recording) : data_(new Data) {
     Data& data = *data_;
-    data.chunks = chunks_of(recording);
+    Chunks chunks = chunks_of(recording);
+    data.chunks = std::move(chunks.whole);
+    data.cut_off = chunks.cut_off;
     data.bytes.assign(recording.begin(), recording.end());
     for (Chunk& chunk : data.chunks) {
         const auto at = size_t(chunk.content.data() - recording.data());
@@ -170,6 +173,10 @@ Replay::Data& Replay::data() const {
 
 uint64_t Replay::steps() const {
     return data().steps;
+}
+
+bool Replay::is_cut_off() const {
+    return data().cut_off;
 }
 
 const World& Replay::world() const {

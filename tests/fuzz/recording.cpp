@@ -41,7 +41,7 @@ void seal_again(std::vector<std::byte>& bytes) {
         const std::size_t begin = at + sizeof chunk;
         if (chunk.size > bytes.size() - begin) return;
         const auto content = std::span<const std::byte>(bytes).subspan(begin, chunk.size);
-        chunk.checksum = detail::chunk_checksum(chunk.kind, number, content);
+        chunk = detail::chunk_header(chunk.kind, number, content);
         std::memcpy(&bytes[at], &chunk, sizeof chunk);
         at = begin + chunk.size;
     }

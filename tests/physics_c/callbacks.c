@@ -379,7 +379,7 @@ static const char* a_recording_is_repeated(void) {
     fettle_replayed_step step;
     fettle_world* copy = NULL;
     uint64_t hash, repeated_hash, steps;
-    bool repeated, is_recorded;
+    bool repeated, is_recorded, is_cut_off;
     int count = 0, edits = 0;
     memset(&recorded, 0, sizeof recorded);
     recorded.scene = new_scene();
@@ -399,6 +399,8 @@ static const char* a_recording_is_repeated(void) {
     DONE_C(fettle_replay_create(recorded.bytes, recorded.size, &replay));
     DONE_C(fettle_replay_steps(replay, &steps));
     CHECK_C(steps == 20);
+    DONE_C(fettle_replay_is_cut_off(replay, &is_cut_off));
+    CHECK_C(!is_cut_off);
     for (;;) {
         DONE_C(fettle_replay_step(replay, &step, &repeated));
         if (!repeated) break;
@@ -410,6 +412,10 @@ static const char* a_recording_is_repeated(void) {
     DONE_C(fettle_replay_destroy(replay));
     DONE_C(fettle_world_hash(copy, &repeated_hash));
     CHECK_C(repeated_hash == hash);
+    DONE_C(fettle_replay_create(recorded.bytes, recorded.size - 1, &replay));
+    DONE_C(fettle_replay_is_cut_off(replay, &is_cut_off));
+    CHECK_C(is_cut_off);
+    DONE_C(fettle_replay_destroy(replay));
     recorded.bytes[recorded.size - 9] ^= 1;
     CHECK_C(fettle_replay_create(recorded.bytes, recorded.size, &replay) == FETTLE_INVALID);
     CHECK_C(strstr(fettle_last_error(), "checksum") != NULL);

@@ -29,7 +29,7 @@ inline constexpr Call every_call[] = {
     CALL(fettle_shape_set_segment_surface), CALL(fettle_shape_segment_surface_override),
     CALL(fettle_shape_set_segment_surfaces), CALL(fettle_world_start_recording),
     CALL(fettle_world_stop_recording), CALL(fettle_world_is_recorded),
-    CALL(fettle_replay_steps), CALL(fettle_replay_step),
+    CALL(fettle_replay_steps), CALL(fettle_replay_is_cut_off), CALL(fettle_replay_step),
     CALL(fettle_replay_world), CALL(fettle_set_log), CALL(fettle_set_failure_function),
     CALL(fettle_body_set_target), CALL(fettle_world_after_step), CALL(fettle_world_reserve),
     CALL(fettle_world_moved_bodies),

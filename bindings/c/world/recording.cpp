@@ -55,6 +55,13 @@ fettle_code fettle_replay_steps(const fettle_replay* replay, uint64_t* steps) {
     });
 }
 
+fettle_code fettle_replay_is_cut_off(const fettle_replay* replay, bool* is_cut_off) {
+    return guarded(__func__, [&] {
+        bool& result = needed("is_cut_off", is_cut_off);
+        result = needed("replay", replay).replay.is_cut_off();
+    });
+}
+
 fettle_code fettle_replay_step(fettle_replay* replay, fettle_replayed_step* step, bool* repeated) {
     return guarded(__func__, [&] {
         fettle_replay& stepped = needed("replay", replay);

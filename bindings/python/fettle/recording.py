@@ -43,6 +43,13 @@ class Replay:
         check(lib.fettle_replay_steps(self._pointer, out))
         return out[0]
 
+    @property
+    def is_cut_off(self):
+        """Whether the recording ends within a part that was written; the parts before are replayed."""
+        out = ffi.new("bool*")
+        check(lib.fettle_replay_is_cut_off(self._pointer, out))
+        return out[0]
+
     def step(self):
         """Repeats the next step; None at the end, and after a step that was not the same."""
         told, repeated = ffi.new("fettle_replayed_step*"), ffi.new("bool*")

@@ -25,6 +25,12 @@ export class Replay {
     done(c.fettle_replay_steps(this.#pointer, out));
     return view.u64[out >> 3];
   }
+  get isCutOff() {
+    begin();
+    const out = room(1);
+    done(c.fettle_replay_is_cut_off(this.#pointer, out));
+    return view.u8[out] !== 0;
+  }
   step() {
     begin();
     const { size, read } = classes.replayedStep, out = room(size), repeated = room(1);

@@ -36,6 +36,8 @@ export declare class Replay implements Iterable<ReplayedStep> {
   constructor(recording: Uint8Array);
   /** Number of steps in the recording. */
   readonly steps: bigint;
+  /** Whether the recording ends within a part that was given to the function; the parts before are replayed. */
+  readonly isCutOff: boolean;
   /** Repeats the next step; null at the end, and after a step that was not the same. */
   step(): ReplayedStep | null;
   /** A copy of the world after the last repeated step. */

@@ -16,6 +16,10 @@
 #include <fettle/property/tree.h>
 #include <fettle/script/export.h>
 
+namespace fettle::script {
+struct Machine;  // not exported
+}
+
 FETTLE_SCRIPT_BEGIN
 
 namespace fettle::property {
@@ -28,7 +32,6 @@ class Tweaks;
 
 namespace fettle::script {
 
-struct FETTLE_SCRIPT_PRIVATE Machine;
 struct ConsoleFunctions;
 struct Observed;
 

@@ -48,15 +48,17 @@ struct ReplayedStep {
 class Replay {
   public:
     /// `recording` is copied. Throws std::invalid_argument if it is not a recording, was made by
-    /// another version of the library, is damaged, or is cut off in the middle of a part that was
-    /// given to the sink.
+    /// another version of the library, is damaged, or ends within the first part that was given to
+    /// the sink. If it ends within a later part, because the program ended while it wrote a file,
+    /// the parts before can be replayed.
     explicit Replay(std::span<const std::byte> recording);
     ~Replay();
     /// `other` can be assigned to and destroyed then; its functions throw std::invalid_argument.
     Replay(Replay&& other) noexcept;
     Replay& operator=(Replay&& other) noexcept;  ///< the earlier replay ends
 
-    uint64_t steps() const;  ///< in the recording
+    uint64_t steps() const;   ///< in the recording
+    bool is_cut_off() const;  ///< the recording ends within a part that was given to the sink
     /// Repeats the next step. Empty at the end, and after a step that was not the same. Throws
     /// std::invalid_argument if the edits before the step do not make a valid world, which damage
     /// that the checksums do not notice may cause; the replay ends then.

@@ -11,11 +11,13 @@
 #include <fettle/physics/world.h>
 #include <fettle/physics_module/export.h>
 
+namespace fettle::physics_module {
+class Hosting;  // not exported
+}
+
 FETTLE_PHYSICS_MODULE_BEGIN
 
 namespace fettle::physics_module {
-
-class FETTLE_PHYSICS_MODULE_PRIVATE Hosting;
 
 /// Registers the classes World, Body, Shape, Joint and Field and all classes that derive from them,
 /// creates `game.world`, and steps every world below the root. Before `attach`, and after the tree

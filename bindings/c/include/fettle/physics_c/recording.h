@@ -7,8 +7,7 @@
 FETTLE_PHYSICS_C_BEGIN
 
 /** Gets the next part of a recording, to be appended to a file or to memory. The bytes are valid
-   for the call. Flush a file after each part: a recording that is cut off within a part is refused.
- */
+   for the call. Flush a file after each part: what is cut off cannot be replayed. */
 typedef void (*fettle_recording_sink)(void* user, const fettle_world* world, const void* bytes,
                                       size_t size);
 
@@ -42,7 +41,7 @@ typedef struct fettle_replayed_step {
 } fettle_replayed_step;
 
 /** A replay of a recording, which is copied. FETTLE_INVALID if the bytes are not a recording, were
-    made by another version of the library, or are damaged or cut off. */
+    made by another version of the library, are damaged, or end within the first part. */
 fettle_code fettle_replay_create(const void* bytes, size_t size, fettle_replay** replay);
 
 /** A null pointer is ignored. A replay must not be used after. */
@@ -50,6 +49,10 @@ fettle_code fettle_replay_destroy(fettle_replay* replay);
 
 /** Number of steps in the recording. */
 fettle_code fettle_replay_steps(const fettle_replay* replay, uint64_t* steps);
+
+/** Whether the recording ends within a part that was given to the function. The parts before it are
+    replayed. */
+fettle_code fettle_replay_is_cut_off(const fettle_replay* replay, bool* is_cut_off);
 
 /** Repeats the next step. `repeated` is false, and `step` all zeros, at the end and after a step
    that was not the same. FETTLE_INVALID if damage that the checksums do not notice made the edits

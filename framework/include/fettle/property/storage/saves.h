@@ -14,11 +14,13 @@
 #include <fettle/property/storage/export.h>
 #include <fettle/property/storage/scene.h>
 
+namespace fettle::property {
+class Database;  // not exported
+}
+
 FETTLE_STORAGE_BEGIN
 
 namespace fettle::property {
-
-class FETTLE_STORAGE_PRIVATE Database;
 
 /// A small picture of the game: rows from the top, four bytes a pixel (red, green, blue, opacity).
 struct Thumbnail {
