@@ -114,7 +114,8 @@ class Game {
                                               .detail = {},
                                               .doc = {}});
                                   },
-                              .note = [this](const std::string& what) { notes.push_back(what); }},
+                              .note = [this](const std::string& what) { notes.push_back(what); },
+                              .now = [this] { return clock += tick; }},
             limits);
     }
     Listener& listener() { return *listener_; }
@@ -143,6 +144,9 @@ class Game {
 
     std::vector<std::string> commands, notes;
     std::size_t completions = 0, lines_of_answer = 1;
+    // A test must not depend on the time that the machine needs, so each look at the clock takes
+    // the same time.
+    double clock = 0, tick = 1e-9;
     double longest_frame = 0;
     std::size_t most_connections = 0, largest_buffer = 0;
 
@@ -405,6 +409,46 @@ TEST_CASE("a frame answers as many bytes as the limit allows for all terminals t
     CHECK(most == 2);
     CHECK(game.commands.size() >= 20);
     tell_cost("large requests of several", game);
+}
+
+TEST_CASE("a frame serves as many terminals as its time allows and the next one the others") {
+    Game game;
+    std::vector<Visitor> crowd;
+    for (int i = 0; i < 8; ++i) crowd.push_back(game.terminal());
+    game.frames(2);
+    for (Visitor& each : crowd) each.hear();
+    game.tick = ListenLimits{}.busy_seconds / 3;
+    const std::string run = text_of({.text = "1"});
+    std::vector<std::size_t> heard(crowd.size());
+    std::size_t most_heard = 0, most_commands = 0;
+    for (int frame = 0; frame < 80; ++frame) {
+        if (frame % 8 == 0) game.listener().print("a line");
+        for (Visitor& each : crowd) each.say(run);
+        const std::size_t before = game.commands.size();
+        game.frames();
+        most_commands = std::max(most_commands, game.commands.size() - before);
+        std::size_t now = 0;
+        for (std::size_t i = 0; i < crowd.size(); ++i) {
+            const std::size_t messages = crowd[i].hear().size();
+            heard[i] += messages;
+            now += messages > 0 ? 1 : 0;
+        }
+        most_heard = std::max(most_heard, now);
+    }
+    CHECK(most_commands <= 2);
+    CHECK(most_heard <= 2);
+    // Nobody waits for ever.
+    for (const std::size_t each : heard) CHECK(each >= 18);
+}
+
+TEST_CASE("a frame takes at least one connection however little time it has") {
+    Game game;
+    game.tick = 0.1;
+    Visitor one = game.visitor(), two = game.visitor();
+    one.say(greeting(game.place().token));
+    two.say(greeting(game.place().token));
+    game.frames(1);
+    CHECK(game.listener().connections() == 1);
 }
 
 TEST_CASE("a frame answers one completion") {
