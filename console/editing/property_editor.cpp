@@ -21,7 +21,8 @@ using property::Vec2;
 
 namespace {
 
-constexpr float label_share = 0.40f;
+// The column of names has this part of a row, or up to the larger one where names need it.
+constexpr float label_share = 0.40f, largest_label_share = 0.55f;
 constexpr int visible_elements = 12;
 
 Value zero_of(Type type) {
@@ -43,6 +44,16 @@ Value zero_of(Type type) {
         default:
             return Value();
     }
+}
+
+/// The fields of a vector have no room for the unit.
+bool unit_is_in_label(const Property& property) {
+    return property.type == Type::vec2 && !property.unit.empty();
+}
+
+/// Width of the place of a mark before each name.
+float label_mark() {
+    return ImGui::GetFontSize() * 0.7f;
 }
 
 bool small_button(const char* id, const char* sign, const char* tip) {
@@ -67,6 +78,11 @@ bool small_button(const char* id, const char* sign, const char* tip) {
 Rect PropertyEditor::widget_rect(const Property& property) const {
     auto found = widgets_.find(&property);
     return found == widgets_.end() ? Rect() : found->second;
+}
+
+bool PropertyEditor::name_is_cut(const Property& property) const {
+    const auto found = name_is_cut_.find(&property);
+    return found != name_is_cut_.end() && found->second;
 }
 
 std::string PropertyEditor::problem(const Property& property) const {
@@ -98,7 +114,8 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     ImGui::PushID(&property);
     float start = ImGui::GetCursorPosX();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    float label_width = std::floor(available * label_share);
+    const float label_width = std::floor(
+        std::clamp(widest_label_, available * label_share, available * largest_label_share));
     bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
     const property::Formula* formula = tree_.formula(instance, property);
     std::string source = formula != nullptr ? formula->source : std::string();
@@ -183,10 +200,26 @@ void PropertyEditor::mixed_line(float start, float indent, const std::string& te
     if (ImGui::IsItemHovered() && text_width(text) > room) ImGui::SetTooltip("%s", text.c_str());
 }
 
+void PropertyEditor::fit_labels(const std::vector<const Property*>& properties) {
+    const FontScope font(fonts().sans);
+    if (fitted_ == properties && fitted_size_ == ImGui::GetFontSize()) return;
+    fitted_ = properties;
+    fitted_size_ = ImGui::GetFontSize();
+    widest_label_ = 0;
+    for (const Property* each : properties)
+        if (!each->hidden) widest_label_ = std::max(widest_label_, name_width(*each));
+}
+
+float PropertyEditor::name_width(const Property& property) {
+    float width = label_mark() + ImGui::GetStyle().ItemSpacing.x + text_width(property.name);
+    if (unit_is_in_label(property)) width += text_width(" ") + text_width(property.unit);
+    return std::ceil(width);
+}
+
 void PropertyEditor::label(const Target& target, float width, bool overridden, bool formula,
                            ImFont* bold) {
     ImVec2 at = ImGui::GetCursorScreenPos();
-    float mark = ImGui::GetFontSize() * 0.7f;
+    const float mark = label_mark();
     ImGui::Dummy(ImVec2(width - ImGui::GetStyle().ItemSpacing.x, ImGui::GetFrameHeight()));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     float y = at.y + ImGui::GetStyle().FramePadding.y;
@@ -201,13 +234,13 @@ void PropertyEditor::label(const Target& target, float width, bool overridden, b
     ImU32 color = target.property->read_only ? palette::dim : palette::text;
     const FontScope font(fonts().sans);
     float room = width - mark - ImGui::GetStyle().ItemSpacing.x;
-    // The fields of a vector have no room for the unit.
-    if (target.property->type == Type::vec2 && !target.property->unit.empty()) {
+    if (unit_is_in_label(*target.property)) {
         const float unit = text_width(target.property->unit);
         draw_text(list, ImVec2(at.x + mark + room - unit, y), palette::dim, target.property->unit);
         room -= unit + text_width(" ");
     }
     draw_text_fit(list, ImVec2(at.x + mark, y), color, target.property->name, room);
+    name_is_cut_[target.property] = text_width(target.property->name) > room;
     if (!ImGui::IsItemHovered()) return;
     if (ImGui::IsMouseClicked(1) && menu) menu(tree_.path(target.instance, *target.property));
     // A double click on the name does the same: the sign is small.
