@@ -51,6 +51,16 @@ bool unit_is_in_label(const Property& property) {
     return property.type == Type::vec2 && !property.unit.empty();
 }
 
+/// The least width of a field of a vector that has another one beside it.
+float component_width() {
+    return text_width("x -0.0000") + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+/// Width of a small button behind a value.
+float button_width() {
+    return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+}
+
 /// Width of the place of a mark before each name.
 float label_mark() {
     return ImGui::GetFontSize() * 0.7f;
@@ -114,8 +124,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     ImGui::PushID(&property);
     float start = ImGui::GetCursorPosX();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float label_width = std::floor(
-        std::clamp(widest_label_, available * label_share, available * largest_label_share));
+    const float label_width = std::floor(label_column(available));
     bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
     const property::Formula* formula = tree_.formula(instance, property);
     std::string source = formula != nullptr ? formula->source : std::string();
@@ -138,7 +147,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         Value value =
             formula != nullptr ? tree_.peek(instance, property) : tree_.get(instance, property);
         mixed = mixed_.look(tree_, property, value);
-        float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+        const float button = button_width();
         ImGui::BeginGroup();
         if (!formula_line(target, source, available - label_width - button))
             widget(target, value, available - label_width - button);
@@ -208,6 +217,15 @@ void PropertyEditor::fit_labels(const std::vector<const Property*>& properties) 
     widest_label_ = 0;
     for (const Property* each : properties)
         if (!each->hidden) widest_label_ = std::max(widest_label_, name_width(*each));
+}
+
+float PropertyEditor::label_column(float available) const {
+    const float usual = available * label_share;
+    // Values give no room away with which the fields of a vector are side by side.
+    const float beside =
+        available - 2 * component_width() - ImGui::GetStyle().ItemInnerSpacing.x - button_width();
+    const float largest = beside >= usual ? beside : available * largest_label_share;
+    return std::clamp(widest_label_, usual, largest);
 }
 
 float PropertyEditor::name_width(const Property& property) {
@@ -362,8 +380,7 @@ std::optional<Vec2> PropertyEditor::vector_fields(const Target& target, Vec2 val
     look.unit = {};
     float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     float half = std::floor((width - gap) / 2);
-    const bool beside =
-        one_row || half >= text_width("x -0.0000") + 2 * ImGui::GetStyle().FramePadding.x;
+    const bool beside = one_row || half >= component_width();
     look.label = "x";
     auto x = fields_.number("##x", value.x, look, beside ? half : width);
     if (beside) ImGui::SameLine(0, gap);
@@ -412,8 +429,7 @@ void PropertyEditor::editable_reference(const Target& target, Handle to, float w
         reference(to, width);
         return;
     }
-    float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
-    reference(to, width - button);
+    reference(to, width - button_width());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (auto chosen = references_.draw(*target.property, to))
         write(target, *chosen ? Value(*chosen) : Value());

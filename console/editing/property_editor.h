@@ -84,6 +84,7 @@ class PropertyEditor {
     void remark(float left, ImU32 color, const std::string& text);
     /// The width that the name of a property needs, with its marks.
     static float name_width(const property::Property& property);
+    float label_column(float available) const;
     bool written_by_simulation(property::Handle instance, const property::Property& property) const;
     void mixed_line(float start, float indent, const std::string& text);
     /// Width of the column with the last writer: a text, or a mark if there is no room for one.
