@@ -84,7 +84,12 @@ class PropertyEditor {
     void remark(float left, ImU32 color, const std::string& text);
     /// The width that the name of a property needs, with its marks.
     static float name_width(const property::Property& property);
+    /// The width of the column of names in a row with so much room.
     float label_column(float available) const;
+    /// The least width of a field of a vector that has another one beside it.
+    static float component_width();
+    /// Width of a small button behind a value.
+    static float button_width();
     bool written_by_simulation(property::Handle instance, const property::Property& property) const;
     void mixed_line(float start, float indent, const std::string& text);
     /// Width of the column with the last writer: a text, or a mark if there is no room for one.
