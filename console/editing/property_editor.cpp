@@ -21,7 +21,6 @@ using property::Vec2;
 
 namespace {
 
-constexpr float label_share = 0.40f;
 constexpr int visible_elements = 12;
 
 Value zero_of(Type type) {
@@ -98,7 +97,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     ImGui::PushID(&property);
     float start = ImGui::GetCursorPosX();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    float label_width = std::floor(available * label_share);
+    const float label_width = std::floor(label_column(available));
     bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
     const property::Formula* formula = tree_.formula(instance, property);
     std::string source = formula != nullptr ? formula->source : std::string();
@@ -121,7 +120,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         Value value =
             formula != nullptr ? tree_.peek(instance, property) : tree_.get(instance, property);
         mixed = mixed_.look(tree_, property, value);
-        float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+        const float button = button_width();
         ImGui::BeginGroup();
         if (!formula_line(target, source, available - label_width - button))
             widget(target, value, available - label_width - button);
@@ -181,41 +180,6 @@ void PropertyEditor::mixed_line(float start, float indent, const std::string& te
                   room);
     ImGui::Dummy(ImVec2(std::max(1.0f, room), ImGui::GetTextLineHeight()));
     if (ImGui::IsItemHovered() && text_width(text) > room) ImGui::SetTooltip("%s", text.c_str());
-}
-
-void PropertyEditor::label(const Target& target, float width, bool overridden, bool formula,
-                           ImFont* bold) {
-    ImVec2 at = ImGui::GetCursorScreenPos();
-    float mark = ImGui::GetFontSize() * 0.7f;
-    ImGui::Dummy(ImVec2(width - ImGui::GetStyle().ItemSpacing.x, ImGui::GetFrameHeight()));
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    float y = at.y + ImGui::GetStyle().FramePadding.y;
-    const bool may_be = !target.property->read_only && define && ImGui::IsItemHovered();
-    const bool on_mark = ImGui::IsItemHovered() && ImGui::GetIO().MousePos.x < at.x + 2 * mark;
-    if (formula || may_be)
-        draw_text(list, ImVec2(at.x - mark * 0.1f, y),
-                  formula || on_mark ? palette::note : palette::faint, "ƒ");
-    else if (overridden)
-        list.AddCircleFilled(ImVec2(at.x + mark * 0.35f, at.y + ImGui::GetFrameHeight() / 2),
-                             ImGui::GetFontSize() * 0.14f, palette::accent);
-    ImU32 color = target.property->read_only ? palette::dim : palette::text;
-    const FontScope font(fonts().sans);
-    float room = width - mark - ImGui::GetStyle().ItemSpacing.x;
-    // The fields of a vector have no room for the unit.
-    if (target.property->type == Type::vec2 && !target.property->unit.empty()) {
-        const float unit = text_width(target.property->unit);
-        draw_text(list, ImVec2(at.x + mark + room - unit, y), palette::dim, target.property->unit);
-        room -= unit + text_width(" ");
-    }
-    draw_text_fit(list, ImVec2(at.x + mark, y), color, target.property->name, room);
-    if (!ImGui::IsItemHovered()) return;
-    if (ImGui::IsMouseClicked(1) && menu) menu(tree_.path(target.instance, *target.property));
-    // A double click on the name does the same: the sign is small.
-    if (may_be && ((on_mark && ImGui::IsMouseClicked(0)) || ImGui::IsMouseDoubleClicked(0)))
-        begin_formula(*target.property);
-    if (fields_.typing()) return;  // a tooltip could cover the field
-    const FontScope mono(fonts().mono);
-    tooltip(target, bold);
 }
 
 bool PropertyEditor::reset_button(const Target& target) {
@@ -329,8 +293,7 @@ std::optional<Vec2> PropertyEditor::vector_fields(const Target& target, Vec2 val
     look.unit = {};
     float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     float half = std::floor((width - gap) / 2);
-    const bool beside =
-        one_row || half >= text_width("x -0.0000") + 2 * ImGui::GetStyle().FramePadding.x;
+    const bool beside = one_row || half >= component_width();
     look.label = "x";
     auto x = fields_.number("##x", value.x, look, beside ? half : width);
     if (beside) ImGui::SameLine(0, gap);
@@ -379,8 +342,7 @@ void PropertyEditor::editable_reference(const Target& target, Handle to, float w
         reference(to, width);
         return;
     }
-    float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
-    reference(to, width - button);
+    reference(to, width - button_width());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (auto chosen = references_.draw(*target.property, to))
         write(target, *chosen ? Value(*chosen) : Value());

@@ -9,6 +9,7 @@
 #include <string>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include <fettle/property/tree.h>
 
@@ -44,6 +45,9 @@ class PropertyEditor {
     void also_edit(const std::vector<property::Handle>& others, std::uint64_t revision) {
         mixed_.compare_with(others, revision);
     }
+    /// Must be called before the rows of an instance, with all of them: makes their column of names
+    /// wide enough for the longest one, as far as the values leave room.
+    void fit_labels(const std::vector<const property::Property*>& properties);
     /// True if something was edited; then other properties may not exist any more.
     bool draw(property::Handle instance, const property::Property& property, ImFont* bold);
     /// Must be called once per frame, before all rows, and `end_frame` after them.
@@ -53,6 +57,8 @@ class PropertyEditor {
     void end_drag();
     /// The rectangle of the property's widget in the last frame; empty if it was not visible.
     Rect widget_rect(const property::Property& property) const;
+    /// Whether the name had less room than it needs when it was last drawn.
+    bool name_is_cut(const property::Property& property) const;
     bool about_to_type() const { return fields_.about_to_type(); }
     /// Removes the shown errors, because another instance is edited.
     void forget() {
@@ -76,6 +82,14 @@ class PropertyEditor {
     bool reset_button(const Target& target);
     /// Draws a line of text below the widget.
     void remark(float left, ImU32 color, const std::string& text);
+    /// The width that the name of a property needs, with its marks.
+    static float name_width(const property::Property& property);
+    /// The width of the column of names in a row with so much room.
+    float label_column(float available) const;
+    /// The least width of a field of a vector that has another one beside it.
+    static float component_width();
+    /// Width of a small button behind a value.
+    static float button_width();
     bool written_by_simulation(property::Handle instance, const property::Property& property) const;
     void mixed_line(float start, float indent, const std::string& text);
     /// Width of the column with the last writer: a text, or a mark if there is no room for one.
@@ -117,6 +131,8 @@ class PropertyEditor {
                            const property::Value& before, const property::Value& after) const;
 
     property::Tree& tree_;
+    std::vector<const property::Property*> fitted_;  // whose names `widest_label_` is for
+    float fitted_size_ = 0, widest_label_ = 0;
     MixedValues mixed_;
     Fields fields_;
     ReferencePicker references_;
@@ -127,10 +143,8 @@ class PropertyEditor {
     std::unordered_map<const property::Property*, std::string> problems_;
     property::Handle problems_of_;
     std::unordered_map<const property::Property*, Rect> widgets_, gutters_;
+    std::unordered_map<const property::Property*, bool> name_is_cut_;
 };
-
-/// The descriptor in one line: "number · kg · 0 to inf · default 1".
-std::string describe(const property::Tree& tree, const property::Property& property);
 
 /// The writer of a value as text: "main.lua:30", "console, step 412", "physics".
 std::string writer_text(const property::Cause& cause);

@@ -319,6 +319,7 @@ void Inspector::draw_properties(ImFont* bold) {
     bool unfolded = true;
     Handle shown = selected();
     const std::vector<const Property*> properties = grouped_by_class(tree_.properties(shown));
+    editor_.fit_labels(properties);
     for (const Property* property : properties) {
         if (property->hidden || !all_have(*property)) continue;
         bool ad_hoc = property->binding.kind == property::BindingKind::ad_hoc;

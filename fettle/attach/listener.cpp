@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <utility>
 
@@ -79,29 +80,63 @@ std::size_t Listener::largest_buffer() const {
     return largest;
 }
 
+double Listener::now() const {
+    if (answers_.now) return answers_.now();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
 void Listener::frame() {
     printed_lines_ = printed_bytes_ = 0;
+    began_ = now();
     take_connections();
     if (connections_.empty()) return;
+    receive_all();
+    answer();
+    send_all();
+    end_late();
+    remove_gone();
+}
+
+void Listener::in_turns(std::size_t& first, const std::function<bool(std::size_t)>& handle) const {
+    const std::size_t count = connections_.size(), begin = first;
+    bool some = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t next = (begin + i) % count;
+        if (some && is_late()) {
+            first = next;
+            return;
+        }
+        some = handle(next) || some;
+    }
+}
+
+void Listener::receive_all() {
     std::vector<pollfd> ready;
     ready.reserve(connections_.size());
     for (const Connection& each : connections_)
-        ready.push_back({.fd = each.socket,
-                         .events = static_cast<short>(each.out.empty() ? POLLIN : POLLIN | POLLOUT),
-                         .revents = 0});
+        ready.push_back({.fd = each.socket, .events = POLLIN, .revents = 0});
     ::poll(ready.data(), ready.size(), 0);
-    for (std::size_t i = 0; i < ready.size(); ++i)
-        if ((ready[i].revents & (POLLIN | POLLHUP | POLLERR)) != 0) receive(connections_[i]);
-    answer();
-    for (Connection& each : connections_) send(each);
-    end_late();
-    remove_gone();
+    in_turns(first_received_, [&](std::size_t each) {
+        const bool has = (ready[each].revents & (POLLIN | POLLHUP | POLLERR)) != 0;
+        if (has) receive(connections_[each]);
+        return has;
+    });
+}
+
+void Listener::send_all() {
+    in_turns(first_sent_, [&](std::size_t each) {
+        Connection& to = connections_[each];
+        const bool has = !to.out.empty() || to.lost > 0;
+        send(to);
+        return has;
+    });
 }
 
 // --- Connections
 
 void Listener::take_connections() {
-    for (std::size_t i = 0; i < limits_.accepted; ++i) {
+    for (std::size_t i = 0; i < limits_.accepted && (i == 0 || !is_late()); ++i) {
         const int socket = ::accept4(socket_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (socket < 0) return;
         if (!is_own(socket)) {
@@ -109,7 +144,7 @@ void Listener::take_connections() {
             continue;
         }
         make_room();
-        connections_.push_back({.socket = socket, .since = Clock::now()});
+        connections_.push_back({.socket = socket, .since = now()});
     }
 }
 
@@ -129,11 +164,9 @@ void Listener::refuse(Connection& whom, std::string_view why) {
 }
 
 void Listener::end_late() {
-    const auto now = Clock::now();
+    const double present = now();
     for (Connection& each : connections_)
-        if (!each.greeted &&
-            std::chrono::duration<double>(now - each.since).count() > limits_.greeting_seconds)
-            each.gone = true;
+        if (!each.greeted && present - each.since > limits_.greeting_seconds) each.gone = true;
 }
 
 void Listener::remove_gone() {
@@ -162,7 +195,7 @@ void Listener::receive(Connection& from) {
         }
         from.in.append(bytes.data(), static_cast<std::size_t>(count));
         have += static_cast<std::size_t>(count);
-        if (from.in.size() > longest_request) break;
+        if (from.in.size() > longest_request || is_late()) break;
     }
     if (from.greeted) return;
     const std::size_t end = from.in.find('\n');
@@ -192,7 +225,6 @@ void Listener::greet(Connection& who, std::string_view line) {
 /// first.
 void Listener::answer() {
     Turn turn;
-    const auto begin = Clock::now();
     const std::size_t count = connections_.size();
     first_ = (first_ + 1) % count;
     for (bool some = true; some && !turn.ends;) {
@@ -204,10 +236,8 @@ void Listener::answer() {
                 continue;
             }
             some = true;
-            // A command may take as long as a typed one, but is then the last of the frame.
-            const std::chrono::duration<double> busy = Clock::now() - begin;
             turn.ends = turn.ends || ++turn.requests >= limits_.requests ||
-                        turn.bytes >= limits_.answered || busy.count() > limits_.busy_seconds;
+                        turn.bytes >= limits_.answered || is_late();
         }
     }
 }

@@ -3,7 +3,6 @@
 // the memory of each connection and the number of connections have limits, so that no connection
 // can delay the game. Sockets never wait.
 
-#include <chrono>
 #include <cstddef>
 #include <deque>
 #include <filesystem>
@@ -25,11 +24,12 @@ struct ListenLimits {
     std::size_t waiting = 8;    // that have not sent it; beyond it, the oldest is disconnected
     double greeting_seconds = 2;
     std::size_t accepted = 4;  // connections of a frame
-    // A frame begins no further request after this number of requests, after a completion, after
-    // this number of bytes of requests and answers, or after this time; and no completion after
-    // another request.
-    std::size_t requests = 8, answered = 32768;
+    // All that a frame does for all connections ends after this time, and goes on in the next
+    // frame. What has begun is finished: a command takes as long as a typed one.
     double busy_seconds = 0.0005;
+    // A frame begins no further request after this number of requests, after a completion, or after
+    // this number of bytes of requests and answers; and no completion after another request.
+    std::size_t requests = 8, answered = 32768;
     std::size_t received = 16384;  // bytes of a frame and connection
     std::size_t kept = 65536;      // bytes of answers before requests have to wait
     // What a frame sends of the game's output: lines, and bytes after which no more lines are sent.
@@ -44,6 +44,8 @@ class Listener {
             complete;
         /// A terminal has attached, or is gone.
         std::function<void(const std::string& what)> note;
+        /// Seconds since any moment. Without it, the clock of the system is read.
+        std::function<double()> now{};
     };
 
     /// Begins to listen for `game`. Throws FileError.
@@ -63,10 +65,9 @@ class Listener {
     std::size_t largest_buffer() const;
 
   private:
-    using Clock = std::chrono::steady_clock;
     struct Connection {
         int socket = -1;
-        Clock::time_point since{};
+        double since = 0;
         bool greeted = false;
         bool ending = false;  // when everything is sent
         bool gone = false;
@@ -80,7 +81,14 @@ class Listener {
         bool ends = false;  // no more of them in this frame
     };
 
+    double now() const;
+    /// Whether the time of this frame is over.
+    bool is_late() const { return now() - began_ > limits_.busy_seconds; }
+    /// Calls `handle` with the connections, beginning where the last frame had no more time; each
+    /// frame handles one at least. `handle` says whether it had anything to do.
+    void in_turns(std::size_t& first, const std::function<bool(std::size_t)>& handle) const;
     void take_connections();
+    void receive_all();
     void make_room();
     void receive(Connection& from);
     void greet(Connection& who, std::string_view line);
@@ -88,6 +96,7 @@ class Listener {
     bool answer_next(Connection& to, Turn& turn);
     std::string answer_to(const Request& request, Turn& turn);
     void tell_lost(Connection& to);
+    void send_all();
     void send(Connection& to);
     void refuse(Connection& whom, std::string_view why);
     void end_late();
@@ -99,7 +108,9 @@ class Listener {
     ListenLimits limits_;
     int socket_ = -1;
     std::deque<Connection> connections_;
+    double began_ = 0;       // the frame
     std::size_t first_ = 0;  // whose requests are answered first in this frame
+    std::size_t first_received_ = 0, first_sent_ = 0;
     std::size_t printed_lines_ = 0, printed_bytes_ = 0;  // of this frame
 };
 

@@ -18,6 +18,16 @@ std::string line_of(const Json& message) {
     return message.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+/// Adds a text as JSON. Most lines are plain, and are not copied into a tree of values before.
+void append_text(std::string& out, std::string_view text) {
+    const bool plain = std::ranges::all_of(
+        text, [](char c) { return c >= ' ' && c < 0x7f && c != '"' && c != '\\'; });
+    if (plain)
+        out.append("\"").append(text).append("\"");
+    else
+        out += Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 /// An object of plain values and of lists of them. Anything nested deeper is not built in memory.
 std::optional<Json> object_in(std::string_view line, int deepest) {
     bool fits = true;
@@ -93,18 +103,22 @@ std::string lost_text(std::size_t lines) {
 }
 
 std::string answer_text(const script::Evaluation& said) {
-    Json lines = Json::array();
+    std::string text = said.incomplete ? R"({"incomplete":true,"said":[)" : R"({"said":[)";
     if (!said.incomplete) {
         const std::vector<std::string> all = lines_of(said);
+        const auto add = [&](bool first, std::string_view line) {
+            if (!first) text += ',';
+            append_text(text, line);
+        };
         std::size_t bytes = 0, taken = 0;
         for (; taken < all.size() && bytes + all[taken].size() <= longest_answer; ++taken) {
             bytes += all[taken].size() + 16;
-            lines.push_back(all[taken]);
+            add(taken == 0, all[taken]);
         }
         if (taken < all.size())
-            lines.push_back("  … " + std::to_string(all.size() - taken) + " more lines");
+            add(taken == 0, "  … " + std::to_string(all.size() - taken) + " more lines");
     }
-    return line_of({{"said", std::move(lines)}, {"incomplete", said.incomplete}});
+    return text + "]}\n";
 }
 
 std::string candidates_text(const std::vector<script::Completion>& found) {

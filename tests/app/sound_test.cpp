@@ -307,7 +307,7 @@ TEST_CASE("errors name the value and the nearest name") {
     fails("Sound { bus = 'efects' }", "audio.buses has no \"efects\" (did you mean \"effects\"?)");
     fails("Sound {}:play()", "it has no file to play: set `file`");
     fails("Synth { sustain = 0, decay = 0 }:play()", "it has no length");
-    fails("Sound { range = 0 }", "from 0.001 to 1000000 m");
+    fails("Sound { range = 0 }", "from 0.001 to 1e6 m");
     fails("Sound { pitch = 0 }", "from 0.01 to 100");
     fails("Synth { frequency = 1e300 }", "from 1 to 20000 Hz");
     fails("Synth { attack = 0/0 }", "Synth.attack");

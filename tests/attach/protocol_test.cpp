@@ -74,6 +74,10 @@ TEST_CASE("messages come back as they were") {
     const auto answer = read_message(without_end(answer_text(said)));
     CHECK(answer->lines == std::vector<std::string>{"  3 kg", "✗ console:1: no"});
     CHECK(!answer->incomplete);
+    const script::Evaluation signs{
+        .lines = {"\"x\\y\"", "ü \x7f", "\x01\t", ""}, .error = {}, .result = {}};
+    CHECK(read_message(without_end(answer_text(signs)))->lines ==
+          std::vector<std::string>{"  \"x\\y\"", "  ü \x7f", "  \x01\t", "  "});
     const auto found = read_message(without_end(candidates_text(
         {{.text = "mass", .label = "mass", .detail = "3 kg", .doc = "", .replace_from = 6}})));
     REQUIRE(found->found.size() == 1);

@@ -109,4 +109,31 @@ TEST_CASE("a text of several lines is edited in one line and keeps its line ends
     CHECK(rig.value("world.ball.label").text() == "one\ntwo and more");
 }
 
+TEST_CASE("the column of names is as wide as the names of an instance need") {
+    Rig rig;
+    const auto scale = GENERATE(1.0, 2.0);
+    property::set(rig.tree, "console.scale", Value(scale));
+    rig.key("grave");
+    rig.console.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));
+    rig.draw(3);
+    rig.widget("position");
+    const Handle ball = rig.console.selected();
+    CHECK_FALSE(rig.state().inspector.editor().name_is_cut(rig.tree.property(ball, "position")));
+    const auto lines_of_position = [&] {
+        const console::Rect fields =
+            rig.state().inspector.editor().widget_rect(rig.tree.property(ball, "position"));
+        return (fields.high.y - fields.low.y) / ImGui::GetFrameHeight();
+    };
+    const float before = lines_of_position();
+    // A name that would leave its value no room is cut, and no vector needs another line for it.
+    rig.tree.set_or_add(ball, "the_longest_of_all_names_of_properties_in_this_game", Value(1));
+    rig.draw(3);
+    rig.widget("position");
+    CHECK(lines_of_position() == before);
+    const ImVec2 value = rig.widget("the_longest_of_all_names_of_properties_in_this_game");
+    CHECK(value.x > 0);
+    CHECK(rig.state().inspector.editor().name_is_cut(
+        rig.tree.property(ball, "the_longest_of_all_names_of_properties_in_this_game")));
+}
+
 }  // namespace property_row_test

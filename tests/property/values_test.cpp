@@ -8,6 +8,9 @@
 #include <random>
 #include <variant>
 
+#include <fettle/property/bound_text.h>
+#include <fettle/property/coercion.h>
+
 #include "catch.h"
 #include "fixture.h"
 
@@ -356,6 +359,19 @@ TEST_CASE(
     CHECK(number_text(-infinity) == "-inf");
     CHECK(number_text(-0.0) == "-0");
     CHECK(number_text(1e6) == "1000000");
+}
+
+TEST_CASE("large bounds of ranges are short texts in errors") {
+    CHECK(bound_text(1e8) == "1e8");
+    CHECK(bound_text(-2.5e7) == "-25e6");
+    CHECK(bound_text(65536) == "65536");
+    CHECK(bound_text(2147483647) == "2147483647");
+    CHECK(bound_text(static_cast<double>(0.1f), Precision::single_precision) == "0.1");
+    CHECK(bound_text(-infinity) == "-inf");
+    Tree tree;
+    const Property wide{.name = "at", .type = Type::number, .unit = "m", .range = {-1e8, 1e8}};
+    CHECK_THAT(message_of([&] { coerced(tree, wide, Value(1e9), "ball.at"); }),
+               contains("a number from -1e8 to 1e8 m, got 1000000000"));
 }
 
 TEST_CASE("a change of a value does not affect its copies") {

@@ -161,6 +161,15 @@ TEST_CASE("what a list leaves out is folded behind the line that counts it") {
     CHECK(many.folded[0].lines.back() == "… 970 more");
 }
 
+TEST_CASE("folded rows have the columns of the rows above them") {
+    Stage s;
+    s.run("for i = 1, 107 do world['b' .. i] = Body {} end world.b107.name = 'long_name_107'");
+    const stage::Evaluation found = s.runtime->evaluate("find Body and mass > 0");
+    REQUIRE(found.folded.size() == 1);
+    const std::size_t column = found.lines[0].rfind("Body");
+    for (const std::string& line : found.folded[0].lines) CHECK(line.rfind("Body") == column);
+}
+
 TEST_CASE("a table of instances says where its cells begin and wide letters move no column") {
     Stage s;
     s.run("world.a = Body { mass = 2 } world['日本語'] = Body {} world['a b'] = Body {}");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <fettle/property/bound_text.h>
 #include <fettle/property/coercion.h>
 #include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
@@ -22,10 +23,10 @@ std::string range_text(const Property& property, const Range& range) {
     const bool high = range.max != std::numeric_limits<double>::infinity();
     const std::string unit = property.unit.empty() ? "" : " " + property.unit;
     if (!low && !high) return property.unit.empty() ? "" : " in" + unit;
-    if (!high) return " of at least " + number_text(range.min, property.precision()) + unit;
-    if (!low) return " of at most " + number_text(range.max, property.precision()) + unit;
-    return " from " + number_text(range.min, property.precision()) + " to " +
-           number_text(range.max, property.precision()) + unit;
+    if (!high) return " of at least " + bound_text(range.min, property.precision()) + unit;
+    if (!low) return " of at most " + bound_text(range.max, property.precision()) + unit;
+    return " from " + bound_text(range.min, property.precision()) + " to " +
+           bound_text(range.max, property.precision()) + unit;
 }
 
 /// The type and range that `property`, or an element of its list, accepts.

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include <fettle/property/bound_text.h>
 #include <fettle/property/value.h>
 
 #include "quoting.h"
@@ -59,6 +60,16 @@ std::string number_text(double number, Precision precision) {
         as_float ? std::to_chars(buffer, buffer + sizeof buffer, narrow, format)
                  : std::to_chars(buffer, buffer + sizeof buffer, number, format);
     return {buffer, end.ptr};
+}
+
+std::string bound_text(double bound, Precision precision) {
+    constexpr double many_zeros = 1e6;
+    if (!std::isfinite(bound) || std::abs(bound) < many_zeros) return number_text(bound, precision);
+    int zeros = 0;
+    double digits = bound;
+    for (; std::fmod(digits, 10) == 0; ++zeros) digits /= 10;
+    if (std::abs(digits) > 99) return number_text(bound, precision);
+    return number_text(digits) + "e" + std::to_string(zeros);
 }
 
 namespace {

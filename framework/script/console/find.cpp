@@ -10,7 +10,7 @@
 #include <fettle/property/spelling.h>
 
 #include <console/find.h>
-#include <console/long_text.h>
+#include <console/folded_rows.h>
 #include <lua/environment.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -28,6 +28,17 @@ using property::Method;
 
 namespace {
 
+constexpr std::size_t max_lines = 50;
+
+/// Lines for the rows of what was found, of which there are `total`.
+std::vector<std::string> found_lines(std::vector<std::vector<std::string>>& rows, std::size_t total,
+                                     FoldedLines& folded) {
+    rows.resize(std::min(rows.size(), max_lines + max_folded));
+    std::vector<std::string> lines = columns(rows);
+    fold_rows(lines, {.shown = max_lines, .total = total, .what = "found"}, folded);
+    return lines;
+}
+
 class Search {
   public:
     explicit Search(std::string_view word) : word_(lower(word)) {}
@@ -43,21 +54,13 @@ class Search {
         std::sort(names_.begin(), names_.end(), property::NaturalOrder{});
         std::sort(docs_.begin(), docs_.end(), property::NaturalOrder{});
         names_.insert(names_.end(), docs_.begin(), docs_.end());
-        const std::size_t total = names_.size();
-        if (total > max_lines + max_folded) names_.resize(max_lines + max_folded);
-        std::vector<std::vector<std::string>> others;
-        if (names_.size() > max_lines) others.assign(names_.begin() + max_lines, names_.end());
-        names_.resize(std::min(names_.size(), max_lines));
-        std::vector<std::string> result = columns(names_);
-        fold_rest(result, columns(others), max_lines, total, "found", folded);
-        return result;
+        return found_lines(names_, names_.size(), folded);
     }
 
     /// Names that were looked at.
     std::set<std::string>& known() { return known_; }
 
   private:
-    static constexpr std::size_t max_lines = 50;
     std::string word_;
     std::set<std::string> known_;
     std::vector<std::vector<std::string>> names_, docs_;  // found by name, or by documentation only
@@ -105,19 +108,14 @@ std::vector<std::string> find_lines(const property::Tree& tree, std::string_view
 
 namespace {
 
-/// Paths with classes, the first fifty of them; the others are folded.
+/// Paths with classes.
 std::vector<std::string> lines_of(const property::Tree& tree, const std::vector<Handle>& found,
                                   FoldedLines& folded) {
-    constexpr std::size_t most = 50;
+    if (found.empty()) return {"it holds for nothing"};
     std::vector<std::vector<std::string>> rows;
-    for (std::size_t i = 0; i < std::min(found.size(), most + max_folded); ++i)
+    for (std::size_t i = 0; i < std::min(found.size(), max_lines + max_folded); ++i)
         rows.push_back({"  " + tree.path(found[i]), tree.class_of(found[i]).name()});
-    std::vector<std::string> all = columns(rows), lines;
-    for (std::size_t i = 0; i < std::min(all.size(), most); ++i) lines.push_back(all[i]);
-    all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(lines.size()));
-    fold_rest(lines, std::move(all), most, found.size(), "found", folded);
-    if (found.empty()) lines.push_back("it holds for nothing");
-    return lines;
+    return found_lines(rows, found.size(), folded);
 }
 
 /// Prints lines, one of which stands for folded ones.

@@ -6,6 +6,7 @@
 #include <fettle/property/spelling.h>
 #include <fettle/script/cells.h>
 
+#include <console/folded_rows.h>
 #include <console/long_text.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -24,16 +25,7 @@ namespace {
 constexpr std::size_t max_rows = 30;
 constexpr std::size_t max_columns = 6;
 
-/// Takes the lines behind the first rows away.
-std::vector<std::string> take_rest(std::vector<std::string>& lines, std::size_t shown) {
-    const auto rest = lines.begin() + static_cast<std::ptrdiff_t>(std::min(shown, lines.size()));
-    std::vector<std::string> taken(std::make_move_iterator(rest),
-                                   std::make_move_iterator(lines.end()));
-    lines.erase(rest, lines.end());
-    return taken;
-}
-
-/// The same for a table with a row for each of them, `head` rows above.
+/// Folds the rows of a table, `head` rows above them.
 void fold_table(std::vector<std::string>& lines, std::size_t head, std::size_t total,
                 const char* what, TableLines& table, FoldedLines& folded) {
     auto& cells = table.cells;
@@ -42,7 +34,7 @@ void fold_table(std::vector<std::string>& lines, std::size_t head, std::size_t t
         folded.cells.assign(rest, cells.end());
         cells.erase(rest, cells.end());
     }
-    fold_rest(lines, take_rest(lines, head + max_rows), max_rows, total, what, folded);
+    fold_rows(lines, {.before = head, .shown = max_rows, .total = total, .what = what}, folded);
 }
 
 // The value of a property in a list. A formula with an error affects only its own line.
@@ -74,10 +66,14 @@ std::vector<std::string> instance_lines(const property::Tree& tree, Handle handl
     for (Handle child = tree.first_child(handle); child && children.size() < max_rows + max_folded;
          child = tree.next_sibling(child))
         children.push_back({"  ." + tree.name(child), tree.class_of(child).name()});
-    std::vector<std::string> rows_of_children = columns(children);
-    std::vector<std::string> rest = take_rest(rows_of_children, max_rows);
-    for (std::string& line : rows_of_children) lines.push_back(std::move(line));
-    fold_rest(lines, std::move(rest), max_rows, tree.child_count(handle), "children", folded);
+    const std::size_t before = lines.size();
+    for (std::string& line : columns(children)) lines.push_back(std::move(line));
+    fold_rows(lines,
+              {.before = before,
+               .shown = max_rows,
+               .total = tree.child_count(handle),
+               .what = "children"},
+              folded);
     return lines;
 }
 
@@ -266,17 +262,6 @@ std::vector<std::string> description_lines(lua_State* L, int index, const Descri
 }
 
 }  // namespace
-
-void fold_rest(std::vector<std::string>& lines, std::vector<std::string> rest, std::size_t shown,
-               std::size_t total, const char* what, FoldedLines& folded) {
-    if (total <= shown) return;
-    if (const std::size_t known = shown + rest.size(); !rest.empty() && total > known)
-        rest.push_back("… " + std::to_string(total - known) + " more");
-    folded.line = lines.size();
-    folded.lines = std::move(rest);
-    lines.push_back("… " + std::to_string(total - shown) + " more (" + std::to_string(total) + " " +
-                    what + ")");
-}
 
 std::vector<std::string> long_text(lua_State* L, int index, std::string_view command,
                                    TableLines& table, FoldedLines& folded) {

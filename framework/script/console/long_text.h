@@ -18,10 +18,4 @@ namespace fettle::script {
 std::vector<std::string> long_text(lua_State* L, int index, std::string_view command,
                                    TableLines& table, FoldedLines& folded);
 
-/// Adds "… 77 more (107 WHAT)" for `total` rows of which `shown` are lines, and folds `rest` there.
-void fold_rest(std::vector<std::string>& lines, std::vector<std::string> rest, std::size_t shown,
-               std::size_t total, const char* what, FoldedLines& folded);
-/// How many rows are folded at most.
-inline constexpr std::size_t max_folded = 1000;
-
 }  // namespace fettle::script

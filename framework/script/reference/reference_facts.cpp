@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fettle/property/bound_text.h>
 #include <fettle/property/natural_order.h>
 
 #include <reference/reference_facts.h>
@@ -27,23 +28,15 @@ std::string unit_text(const std::string& unit) {
     return unit.empty() ? "–" : unit;
 }
 
-/// A bound as text: 1e8 in place of 100000000, whose zeros are hard to count.
-std::string bound_text(double bound) {
-    constexpr double many_zeros = 1e6;
-    if (!std::isfinite(bound) || std::abs(bound) < many_zeros) return property::number_text(bound);
-    int zeros = 0;
-    double digits = bound;
-    for (; std::fmod(digits, 10) == 0; ++zeros) digits /= 10;
-    if (std::abs(digits) > 99) return property::number_text(bound);
-    return property::number_text(digits) + "e" + std::to_string(zeros);
-}
-
 std::string bounds_text(const Property& property) {
     const auto& [low, high] = property.range;
     const auto endless = [&](double bound) { return std::isinf(bound) && !property.infinity; };
-    if (endless(high)) return "at least " + bound_text(low);
-    if (endless(low)) return "at most " + bound_text(high);
-    return bound_text(low) + " to " + bound_text(high);
+    const auto text = [&](double bound) {
+        return property::bound_text(bound, property.precision());
+    };
+    if (endless(high)) return "at least " + text(low);
+    if (endless(low)) return "at most " + text(high);
+    return text(low) + " to " + text(high);
 }
 
 bool has_range(const Property& property) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fettle/property/tree.h>
+#include <fettle/script/reference.h>
 
 namespace fettle::script {
 
@@ -23,8 +24,6 @@ bool has_range(const property::Property& property);
 bool is_computed(const property::Property& property);
 /// "1"; "computed" for a read-only property; "nil".
 std::string default_text(const property::Tree& tree, const property::Property& property);
-/// "number · kg · 0 to inf · default 1 · read-only"
-std::string property_facts(const property::Tree& tree, const property::Property& property);
 /// "raycast(from, to [, filter])"
 std::string signature(const property::Method& method);
 /// "read-only, simulated, not saved"; "" if there are no flags.

@@ -14,6 +14,7 @@ std::size_t shown_width(std::string_view text) {
 }
 
 std::string cut(std::string_view text, std::size_t width) {
+    if (text.size() <= width) return std::string(text);  // has no more characters than bytes
     const std::size_t end = property::code_point_offset(text, width);
     if (end == text.size()) return std::string(text);
     return std::string(text.substr(0, end)) + "…";

@@ -1,7 +1,7 @@
 #pragma once
 // The reference of everything that a game can use, from the class descriptors of a tree and the
-// descriptions of the language: annotations for editors, and pages for readers. All of it is
-// generated.
+// descriptions of the language: annotations for editors, pages for readers, and one line for a
+// property. All of it is generated.
 
 #include <string>
 #include <vector>
@@ -16,6 +16,9 @@ namespace fettle::script {
 /// One file of LuaCATS annotations (`---@meta`) for lua-language-server. All modules and services
 /// must be attached to `tree`; the children of its root are globals.
 std::string annotations(const property::Tree& tree);
+
+/// The descriptor in one line: "number · kg · 0 to inf · default 1 · read-only".
+std::string property_facts(const property::Tree& tree, const property::Property& property);
 
 struct ReferencePage {
     std::string file;  // "README.md", "classes/Body.md"
