@@ -3191,7 +3191,7 @@ function load_game(slot) end
 ---@param ... string|fun(): any
 function pin(what, ...) end
 
----In the console: shows the last seconds once more, as they were, and then pauses at the present. Without seconds, or with more than is kept, it begins with the oldest step that is kept. In the past it shows what follows.
+---In the console: shows the last seconds once more, as they were; at the present the game goes on, unless it was paused before. Without seconds, or with more than is kept, it begins with the oldest step that is kept. In the past it shows what follows.
 ---@param seconds? number
 function play_back(seconds) end
 

@@ -238,6 +238,28 @@ TEST_CASE("music fades over to other music of its bus") {
     CHECK(game.errors.empty());
 }
 
+TEST_CASE("music that fades out and is played again goes on where it is") {
+    SoundGame game;
+    game.run(R"(
+        one = Music { file = "song.wav", fade = 0.5 }
+        two = Music { file = "song.wav", fade = 0.5 }
+        a = one:play()
+    )");
+    game.turns(60);
+    game.run("b = two:play()");
+    game.turns(15);
+    game.run("fade, at = a.fade, a.time again = one:play { volume = 0.7 }");
+    CHECK(game.print("again == a, a.fade == fade, a.time == at, a.volume, #one:children()") ==
+          "true\ttrue\ttrue\t0.7\t1");
+    game.turns(6);  // both turn round: what was louder fades out
+    CHECK(game.print("a.fade > fade, a.time > at, b.fade < 0.5") == "true\ttrue\ttrue");
+    game.turns(25);
+    CHECK(game.print("a.fade, b:alive()") == "1.0\tfalse");
+    game.run("one:stop(1) one:play { fade = 0, time = 0.25 }");
+    CHECK(game.print("one:play() == a, a.fade_to, a.time") == "true\t1.0\t0.25");
+    CHECK(game.errors.empty());
+}
+
 TEST_CASE("loudness is that of the source and its voice and its bus and everything") {
     SoundGame game;
     game.run(R"(
@@ -420,6 +442,27 @@ TEST_CASE("presets sound and mutations are those of the seed") {
     CHECK_THAT(first.printed, contains("coin\ttrue\t0.3\ttrue"));
     CHECK_THAT(first.printed, contains("power_up\ttrue\t0.3\ttrue"));
     CHECK(first.print("Synth.coin().frequency") == "988.0");
+}
+
+TEST_CASE("a preset of a derived class makes an instance of that class") {
+    SoundGame game;
+    game.run(R"(
+        Boom = class("Boom", Synth) { heard = 0, volume = 0.9 }
+        function Boom:finished() self.heard = self.heard + 1 end
+        game.boom = Boom.explosion { decay = 0.05, sustain = 0 }
+        boom:play()
+        function Boom.coin() return "its own" end
+    )");
+    game.turns(30);
+    CHECK(game.print("boom.class, boom.volume, boom.frequency, boom.heard, Boom.coin()") ==
+          "Boom\t0.9\t160.0\t1\tits own");
+    CHECK(game.print("Synth.explosion().class") == "Synth");
+    const auto fails = [&](const char* what) {
+        return game.print(std::string("select(2, pcall(function() ") + what + " end))");
+    };
+    CHECK_THAT(fails("Boom:explosion()"), contains("call it with a dot"));
+    CHECK_THAT(fails("boom:explosion()"), contains("call it with a dot"));
+    CHECK(game.errors.empty());
 }
 
 TEST_CASE("the filter of a synth is its low pass") {
