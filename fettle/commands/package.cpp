@@ -13,8 +13,8 @@
 #include <files/game_path.h>
 #include <files/packed_game.h>
 #include <files/settings.h>
+#include <game/packed_modules.h>
 #include <packing/package_problems.h>
-#include <packing/packed_modules.h>
 #include <packing/standalone.h>
 
 namespace fettle::program {

@@ -7,20 +7,15 @@
 #include <random>
 #include <string>
 
-#include <fettle/app/loop.h>
 #include <fettle/property/path.h>
-#include <fettle/property/storage/assets.h>
-#include <fettle/property/storage/game_files.h>
 
-#include <sound/audio_state.h>
-
-#include "sound_measures.h"
-#include "temporary_folder.h"
+#include "sound_game.h"
 
 namespace sound_test {
 
 using namespace fettle;
 using namespace fettle::app;
+using sound_game::SoundGame;
 using sound_measures::tone_file;
 
 namespace {
@@ -29,50 +24,6 @@ std::string bytes_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
-
-script::Options seeded() {
-    script::Options options;
-    options.seed = 3;
-    return options;
-}
-
-struct SoundGame {
-    TemporaryFolder folder;
-    property::GameFiles files;
-    property::Assets assets{files, folder.path};
-    property::Tree tree;
-    Services services{tree, &assets};
-    script::Runtime runtime{tree, seeded()};
-    Loop loop{tree, runtime, services};
-    std::string printed, errors;
-
-    SoundGame() {
-        runtime.on_print([this](std::string_view text) {
-            printed += (printed.empty() ? "" : " ") + std::string(text);
-        });
-        runtime.on_error([this](const script::ScriptError& error) { errors += error.message; });
-        write("hit.wav", tone_file(440, 0.25));
-        write("song.wav", tone_file(220, 2));
-    }
-    void write(const std::string& name, const std::string& bytes) const {
-        std::ofstream(folder.path / name, std::ios::binary) << bytes;
-    }
-    void run(std::string_view chunk) { runtime.run(chunk, "test"); }
-    void turns(int count) {
-        for (int i = 0; i < count; ++i) loop.turn();
-    }
-    std::string print(const std::string& expression) {
-        printed.clear();
-        run("print(" + expression + ")");
-        return printed;
-    }
-    std::string error(const std::string& chunk) {
-        errors.clear();
-        run(chunk);
-        return errors;
-    }
-    std::vector<Heard> heard() { return services.audio.state().heard(false); }
-};
 
 }  // namespace
 
@@ -420,68 +371,6 @@ TEST_CASE("a file that is too large when it is decoded is played as music only")
     const SoundFile silent(
         sound_measures::wave_file(800, 2, 22000, [](unsigned, double) { return 0.0; }));
     CHECK(silent.decoded_size() > greatest_decoded);
-}
-
-TEST_CASE("presets sound and mutations are those of the seed") {
-    const char* script = R"(
-        for _, name in ipairs { "coin", "jump", "hit", "explosion", "blip", "power_up" } do
-            local synth = Synth[name] { volume = 0.3 }
-            local high = 0
-            for _, column in ipairs(synth:wave_form(50)) do high = math.max(high, column.y) end
-            print(name, high > 0.2 and high < 3, synth.volume, synth.duration < 2)
-            local before = synth.frequency
-            for _ = 1, 4 do synth:mutate(0.2) end
-            print(synth.frequency, synth.decay, synth.slide)
-        end
-    )";
-    SoundGame first, second;
-    first.run(script);
-    second.run(script);
-    CHECK(first.errors.empty());
-    CHECK(first.printed == second.printed);
-    CHECK_THAT(first.printed, contains("coin\ttrue\t0.3\ttrue"));
-    CHECK_THAT(first.printed, contains("power_up\ttrue\t0.3\ttrue"));
-    CHECK(first.print("Synth.coin().frequency") == "988.0");
-}
-
-TEST_CASE("a preset of a derived class makes an instance of that class") {
-    SoundGame game;
-    game.run(R"(
-        Boom = class("Boom", Synth) { heard = 0, volume = 0.9 }
-        function Boom:finished() self.heard = self.heard + 1 end
-        game.boom = Boom.explosion { decay = 0.05, sustain = 0 }
-        boom:play()
-        function Boom.coin() return "its own" end
-    )");
-    game.turns(30);
-    CHECK(game.print("boom.class, boom.volume, boom.frequency, boom.heard, Boom.coin()") ==
-          "Boom\t0.9\t160.0\t1\tits own");
-    CHECK(game.print("Synth.explosion().class") == "Synth");
-    const auto fails = [&](const char* what) {
-        return game.print(std::string("select(2, pcall(function() ") + what + " end))");
-    };
-    CHECK_THAT(fails("Boom:explosion()"), contains("call it with a dot"));
-    CHECK_THAT(fails("boom:explosion()"), contains("call it with a dot"));
-    CHECK(game.errors.empty());
-}
-
-TEST_CASE("the filter of a synth is its low pass") {
-    SoundGame game;
-    game.run("game.s = Synth { filter = 800 } print(game.s.low_pass) game.s.low_pass = 500");
-    CHECK(game.errors.empty());
-    CHECK_THAT(game.printed, contains("800.0"));
-    CHECK(game.print("game.s.filter") == "500.0");
-    CHECK(game.print("(pcall(function() game.s.filter = 5 end))") == "false");
-}
-
-TEST_CASE("a synth that nothing holds lives until its voices end") {
-    SoundGame game;
-    game.run("Synth.explosion():play()");
-    game.run("for i = 1, 200 do Synth {} end");
-    game.turns(5);
-    CHECK(game.print("#audio.voices") == "1");
-    game.turns(80);
-    CHECK(game.print("#audio.voices") == "0");
 }
 
 TEST_CASE("voices are in snapshots and go on in another game") {

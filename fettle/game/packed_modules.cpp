@@ -1,4 +1,4 @@
-#include <packing/packed_modules.h>
+#include <game/packed_modules.h>
 
 #include <dlfcn.h>
 
