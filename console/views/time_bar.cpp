@@ -75,6 +75,7 @@ void TimeBar::play_back(double seconds) {
         from = std::max(now.oldest, now.newest - static_cast<std::int64_t>(std::llround(steps)));
     }
     playing_ = true;
+    goes_on_ = !now.paused;
     played_to_ = static_cast<double>(from);
     go_to(from);
 }
@@ -82,8 +83,14 @@ void TimeBar::play_back(double seconds) {
 void TimeBar::play_on(double seconds) {
     if (!playing_) return;
     const Times now = times();
-    if (!now.paused || played_to_ >= static_cast<double>(now.newest)) {
+    if (!now.paused) {
         playing_ = false;
+        return;
+    }
+    if (played_to_ >= static_cast<double>(now.newest)) {
+        if (now.in_past()) return;  // the last step is shown from the next barrier on
+        playing_ = false;
+        if (goes_on_) set("paused", false);
         return;
     }
     played_to_ =

@@ -53,6 +53,7 @@ class TimeBar {
     /// Pauses the game and goes to a step.
     void go_to(std::int64_t step);
     /// Plays the last seconds up to the newest step; in the past, the steps after the present one.
+    /// At the newest step the game goes on, unless it was paused before.
     void play_back(double seconds);
     /// Call once a frame, with its length in seconds: goes on with playing back.
     void play_on(double seconds);
@@ -105,6 +106,7 @@ class TimeBar {
     bool opens_menu_ = false;
     std::vector<std::pair<std::string, Rect>> entries_;  // of the menu, as it was drawn last
     bool playing_ = false;
+    bool goes_on_ = false;  // the game ran when playing back began
     float tip_room_ = 0;
     double played_to_ = 0;  // step, with the part of the next one
 };

@@ -1650,7 +1650,7 @@ Sprite = {}
 ---@field text_height number Height of all lines. · m · any finite number · read-only
 ---@field text_width number Width of the longest line. · m · any finite number · read-only
 ---@field visible boolean Whether it is drawn. · true or false · default true
----@field wrap number Longest line; words beyond it begin another line, and a word that is longer has one of its own. 0: no limit. Pixels in a layer on the screen. · m · 0 to 1e9 · default 0
+---@field wrap number Longest line; words beyond it begin another line, and a word that is longer has one of its own. Chinese, Japanese and Korean are divided between characters. 0: no limit. Pixels in a layer on the screen. · m · 0 to 1e9 · default 0
 local fettle_Text = {}
 
 ---Written text in the world or, in a layer, on the screen. What it hangs below moves it, as a Sprite.
@@ -1709,9 +1709,10 @@ Layer = {}
 ---@field instance Tilemap The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----A map of the Tiled editor. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to meet it.
+---A map of the Tiled editor, or one that a script makes of a `tileset`. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to meet it.
 ---@class Tilemap : Object
 ---@field animation_time number Time since the animations of the tiles began. · s · 0 to 1e9 · default 0 · simulated
+---@field cells vec For a map without a file: the number of cells side by side, and of rows. Cells that were written stay when it changes. · 0 to 2048 · default vec(0, 0)
 ---@field columns integer Number of cells side by side; 0 for an infinite map. · any integer · read-only
 ---@field corner vec Where the lower left corner of the map is in the world; of an infinite map, the upper left corner of cell (0, 0). Objects are placed once, when they are made. · m · -1e6 to 1e6 · default vec(0, 0)
 ---@field map string A map file of the Tiled editor in the game's folder (TMJ or TMX). Another name makes the instances of that file in place of those that were made. · any text · default ""
@@ -1719,6 +1720,9 @@ Layer = {}
 ---@field rows integer Number of rows of cells; 0 for an infinite map. · any integer · read-only
 ---@field size vec Width and height of the map; 0 for an infinite map. · m · any finite vec · read-only
 ---@field smooth boolean Whether pixels are mixed when tiles are enlarged; otherwise each is a square. · true or false · default false
+---@field solid_tiles integer[] For an image `tileset`: the numbers of the tiles that bodies meet. · 1 to 1e6 · default {}
+---@field tile_size vec Width and height of a tile in the image `tileset`. A tileset file and a map file have their own. · px · 1 to 4096 · default vec(16, 16)
+---@field tileset string For a map without a file: an image with tiles, or a tileset file of the Tiled editor (TSJ or TSX). The map has one layer, `tiles`, of empty cells, for `set_tile`. · any text · default ""
 local fettle_Tilemap = {}
 
 ---The cell at a point of the world.
@@ -1773,7 +1777,7 @@ function fettle_Tilemap:tile_property(tile, name) end
 ---@overload fun(self: Tilemap, event: "cell_changed", handler: fun(record: Tilemap.cell_changed)): Connection
 function fettle_Tilemap:on(event, handler) end
 
----A map of the Tiled editor. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to meet it.
+---A map of the Tiled editor, or one that a script makes of a `tileset`. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to meet it.
 ---@class Class.Tilemap : Class
 ---@overload fun(members?: table): Tilemap
 Tilemap = {}
@@ -3191,7 +3195,7 @@ function load_game(slot) end
 ---@param ... string|fun(): any
 function pin(what, ...) end
 
----In the console: shows the last seconds once more, as they were, and then pauses at the present. Without seconds, or with more than is kept, it begins with the oldest step that is kept. In the past it shows what follows.
+---In the console: shows the last seconds once more, as they were; at the present the game goes on, unless it was paused before. Without seconds, or with more than is kept, it begins with the oldest step that is kept. In the past it shows what follows.
 ---@param seconds? number
 function play_back(seconds) end
 

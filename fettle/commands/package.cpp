@@ -13,6 +13,7 @@
 #include <files/game_path.h>
 #include <files/packed_game.h>
 #include <files/settings.h>
+#include <game/packed_modules.h>
 #include <packing/package_problems.h>
 #include <packing/standalone.h>
 
@@ -67,12 +68,6 @@ PackageFacts facts_of(const fs::path& game) {
             .author = author};
 }
 
-void require_no_modules(const ArchiveFiles& files) {
-    if (files.contains("modules.json"))
-        throw FileError(
-            "modules.json: an archive cannot bring native modules along; use --linux or --deb");
-}
-
 void tell_left_out(const PackedGame& packed) {
     std::string names;
     for (const std::string& each : packed.left_out) names += (names.empty() ? "" : ", ") + each;
@@ -89,7 +84,7 @@ int package(const PackageOptions& options) {
         throw FileError(options.game.string() + ": is an archive already; name the game's folder");
     const PackageFacts facts = facts_of(game);
     const PackedGame packed = packed_game(game, read_settings(game).package_exclude);
-    const ArchiveFiles& files = packed.files;
+    ArchiveFiles files = packed.files;
     const std::vector<std::string> problems = problems_of(packed, options.made);
     for (const std::string& problem : problems) tell(problem);
     if (!problems.empty()) {
@@ -100,12 +95,13 @@ int package(const PackageOptions& options) {
     }
     tell_left_out(packed);
     if (!options.file.empty()) {
-        require_no_modules(files);
+        require_installed_modules(game);
         write_archive(options.file, files);
         print_line(options.file.string() + ": " + std::to_string(files.size()) +
                    (files.size() == 1 ? " file" : " files") + ". Play it with fettle run " +
                    options.file.string());
     }
+    if (!options.linux_run.empty() || !options.deb.empty()) bring_modules(game, files);
     if (!options.linux_run.empty()) {
         make_folder(options.linux_run, facts, files);
         print_line(options.linux_run.string() + ": " + facts.id + " in it starts the game");

@@ -7,6 +7,7 @@
 #include <fettle/physics_module/physics_module.h>
 #endif
 
+#include <files/archive.h>
 #include <files/game_path.h>
 
 namespace fettle::program {
@@ -23,7 +24,15 @@ constexpr const char* manifest_name = "modules.json";
 void each_in_manifest(const fs::path& game, const std::function<void(const std::string&)>& take) {
     property::GameFiles files;
     files.stay_below(folder_of(game));
+    if (const auto archive = archive_of(game); !archive.empty())
+        for (auto& [name, content] : read_archive(archive, manifest_name))
+            files.put(archive / name, std::move(content));
     property::read_module_list(files, folder_of(game), take);
+}
+
+bool is_path(const std::string& name) {
+    const fs::path file(name);
+    return file.has_parent_path() || file.extension() == ".so";
 }
 
 }  // namespace
@@ -37,7 +46,7 @@ std::vector<std::string> manifest(const fs::path& game) {
 fs::path module_file(const std::string& name, const fs::path& game) {
     const fs::path given(name);
     const fs::path folder = folder_of(game);
-    if (given.has_parent_path() || given.extension() == ".so") {
+    if (is_path(name)) {
         std::error_code error;
         return given.is_absolute() || fs::exists(given, error) ? given : folder / given;
     }
@@ -48,6 +57,10 @@ fs::path module_file(const std::string& name, const fs::path& game) {
     if (fs::exists(installed, error)) return installed;
     throw FileError("module \"" + name + "\": there is neither " + beside.string() + " nor " +
                     installed.string());
+}
+
+fs::path listed_module_file(const std::string& name, const fs::path& game) {
+    return is_path(name) ? (folder_of(game) / name).lexically_normal() : module_file(name, game);
 }
 
 /// A plugged-in module, with the values that `game.modules` shows.
@@ -61,13 +74,12 @@ struct GameModules::Plugged {
 };
 
 GameModules::GameModules(const fs::path& game, std::span<const std::string> named) {
-    // Paths in a manifest are relative to its folder, paths on the command line to the current
-    // folder.
     each_in_manifest(game, [&](const std::string& name) {
-        const fs::path file(name);
-        const bool is_path = file.has_parent_path() || file.extension() == ".so";
-        plugins_.open(is_path ? (folder_of(game) / file).lexically_normal()
-                              : module_file(name, game));
+        if (is_path(name) && !archive_of(game).empty())
+            throw FileError("\"" + name +
+                            "\": an archive brings no native code along; it can name modules that "
+                            "are installed with Fettle");
+        plugins_.open(listed_module_file(name, game));
     });
     for (const std::string& name : named) {
         const fs::path file = module_file(name, game);

@@ -58,8 +58,14 @@ class GameModules {
 /// property::SceneError and property::FileError.
 std::vector<std::string> manifest(const std::filesystem::path& game);
 
-/// The file of a module: `name` itself if it is a path, else NAME.so in the game's folder or among
-/// the installed modules. Throws FileError that lists the searched places.
+/// The file of a module that the manifest names; a path is relative to the folder of the game.
+/// Throws FileError as `module_file` does.
+std::filesystem::path listed_module_file(const std::string& name,
+                                         const std::filesystem::path& game);
+
+/// The file of a module that the command line names: `name` itself if it is a path, else NAME.so in
+/// the game's folder or among the installed modules. Throws FileError that lists the searched
+/// places.
 std::filesystem::path module_file(const std::string& name, const std::filesystem::path& game);
 
 }  // namespace fettle::program

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fettle/module/trial_program.h>
 #include <fettle/property/storage/font_files.h>
 
 #include <files/game_path.h>
@@ -43,7 +44,9 @@ std::vector<fs::path> libraries() {
     dl_iterate_phdr(
         [](dl_phdr_info* info, std::size_t, void* to) {
             const fs::path file(info->dlpi_name);
-            if (file.has_parent_path() && !belongs_to_system(file.filename().string()))
+            // A module is a file of the game, or was added to it.
+            const bool module = file.extension() == ".so";
+            if (file.has_parent_path() && !module && !belongs_to_system(file.filename().string()))
                 static_cast<std::vector<fs::path>*>(to)->push_back(file);
             return 0;
         },
@@ -65,6 +68,18 @@ void write_with_folder(const fs::path& file, const std::string& content) {
     write_file(file, content);
 }
 
+/// The program that tries out native modules; this one looks for it beside itself.
+void copy_trial_program(const fs::path& to) {
+    std::error_code error;
+    for (const fs::path& place : module::trial_program_places()) {
+        if (!fs::is_regular_file(place, error)) continue;
+        fs::copy_file(place, to / place.filename());
+        fs::permissions(to / place.filename(), executable);
+        return;
+    }
+    throw FileError("modules.json: the program fettle-trial, which tries out modules, is missing");
+}
+
 /// Everything but the game's start: the program, its libraries, assets and fonts, and the game.
 void fill(const fs::path& folder, const ArchiveFiles& files) {
     fs::create_directories(folder / "bin");
@@ -72,6 +87,7 @@ void fill(const fs::path& folder, const ArchiveFiles& files) {
     fs::create_directories(folder / "share/fettle/fonts");
     fs::copy_file("/proc/self/exe", folder / "bin/fettle");
     fs::permissions(folder / "bin/fettle", executable);
+    if (files.contains("modules.json")) copy_trial_program(folder / "bin");
     // Libraries are found by their own names, which a link may have.
     for (const fs::path& library : libraries())
         fs::copy_file(fs::canonical(library), folder / "lib" / library.filename(),

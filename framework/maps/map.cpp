@@ -26,6 +26,10 @@ Map read_map(const std::string& file, const ReadFile& read) {
     return Reader(file, read).map();
 }
 
+Tileset read_tileset(const std::string& file, const ReadFile& read) {
+    return Reader(file, read).tileset();
+}
+
 std::string Reader::beside(const std::string& from, const std::string& name) {
     return (std::filesystem::path(from).parent_path() / name).lexically_normal().generic_string();
 }

@@ -22,6 +22,7 @@ class Reader {
     Reader(const std::string& file, const ReadFile& read) : file_(file), read_(read) {}
 
     Map map();
+    Tileset tileset();
 
   private:
     // --- map.cpp

@@ -26,6 +26,11 @@ void Reader::end_of_tilesets() {
         next_gid_ = std::max(next_gid_, std::int64_t{set.first_gid} + set.count);
 }
 
+Tileset Reader::tileset() {
+    const Json json = parse_document(file_, read_(file_));
+    return tileset({file_, json, {}}, file_);
+}
+
 /// `in`: the file that names the tileset.
 Tileset Reader::tileset(const Place& outer, const std::string& in) {
     if (!outer.json.is_object()) outer.fail("a tileset is not an object");

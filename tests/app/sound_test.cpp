@@ -7,20 +7,15 @@
 #include <random>
 #include <string>
 
-#include <fettle/app/loop.h>
 #include <fettle/property/path.h>
-#include <fettle/property/storage/assets.h>
-#include <fettle/property/storage/game_files.h>
 
-#include <sound/audio_state.h>
-
-#include "sound_measures.h"
-#include "temporary_folder.h"
+#include "sound_game.h"
 
 namespace sound_test {
 
 using namespace fettle;
 using namespace fettle::app;
+using sound_game::SoundGame;
 using sound_measures::tone_file;
 
 namespace {
@@ -29,50 +24,6 @@ std::string bytes_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
-
-script::Options seeded() {
-    script::Options options;
-    options.seed = 3;
-    return options;
-}
-
-struct SoundGame {
-    TemporaryFolder folder;
-    property::GameFiles files;
-    property::Assets assets{files, folder.path};
-    property::Tree tree;
-    Services services{tree, &assets};
-    script::Runtime runtime{tree, seeded()};
-    Loop loop{tree, runtime, services};
-    std::string printed, errors;
-
-    SoundGame() {
-        runtime.on_print([this](std::string_view text) {
-            printed += (printed.empty() ? "" : " ") + std::string(text);
-        });
-        runtime.on_error([this](const script::ScriptError& error) { errors += error.message; });
-        write("hit.wav", tone_file(440, 0.25));
-        write("song.wav", tone_file(220, 2));
-    }
-    void write(const std::string& name, const std::string& bytes) const {
-        std::ofstream(folder.path / name, std::ios::binary) << bytes;
-    }
-    void run(std::string_view chunk) { runtime.run(chunk, "test"); }
-    void turns(int count) {
-        for (int i = 0; i < count; ++i) loop.turn();
-    }
-    std::string print(const std::string& expression) {
-        printed.clear();
-        run("print(" + expression + ")");
-        return printed;
-    }
-    std::string error(const std::string& chunk) {
-        errors.clear();
-        run(chunk);
-        return errors;
-    }
-    std::vector<Heard> heard() { return services.audio.state().heard(false); }
-};
 
 }  // namespace
 
@@ -238,6 +189,28 @@ TEST_CASE("music fades over to other music of its bus") {
     CHECK(game.errors.empty());
 }
 
+TEST_CASE("music that fades out and is played again goes on where it is") {
+    SoundGame game;
+    game.run(R"(
+        one = Music { file = "song.wav", fade = 0.5 }
+        two = Music { file = "song.wav", fade = 0.5 }
+        a = one:play()
+    )");
+    game.turns(60);
+    game.run("b = two:play()");
+    game.turns(15);
+    game.run("fade, at = a.fade, a.time again = one:play { volume = 0.7 }");
+    CHECK(game.print("again == a, a.fade == fade, a.time == at, a.volume, #one:children()") ==
+          "true\ttrue\ttrue\t0.7\t1");
+    game.turns(6);  // both turn round: what was louder fades out
+    CHECK(game.print("a.fade > fade, a.time > at, b.fade < 0.5") == "true\ttrue\ttrue");
+    game.turns(25);
+    CHECK(game.print("a.fade, b:alive()") == "1.0\tfalse");
+    game.run("one:stop(1) one:play { fade = 0, time = 0.25 }");
+    CHECK(game.print("one:play() == a, a.fade_to, a.time") == "true\t1.0\t0.25");
+    CHECK(game.errors.empty());
+}
+
 TEST_CASE("loudness is that of the source and its voice and its bus and everything") {
     SoundGame game;
     game.run(R"(
@@ -398,47 +371,6 @@ TEST_CASE("a file that is too large when it is decoded is played as music only")
     const SoundFile silent(
         sound_measures::wave_file(800, 2, 22000, [](unsigned, double) { return 0.0; }));
     CHECK(silent.decoded_size() > greatest_decoded);
-}
-
-TEST_CASE("presets sound and mutations are those of the seed") {
-    const char* script = R"(
-        for _, name in ipairs { "coin", "jump", "hit", "explosion", "blip", "power_up" } do
-            local synth = Synth[name] { volume = 0.3 }
-            local high = 0
-            for _, column in ipairs(synth:wave_form(50)) do high = math.max(high, column.y) end
-            print(name, high > 0.2 and high < 3, synth.volume, synth.duration < 2)
-            local before = synth.frequency
-            for _ = 1, 4 do synth:mutate(0.2) end
-            print(synth.frequency, synth.decay, synth.slide)
-        end
-    )";
-    SoundGame first, second;
-    first.run(script);
-    second.run(script);
-    CHECK(first.errors.empty());
-    CHECK(first.printed == second.printed);
-    CHECK_THAT(first.printed, contains("coin\ttrue\t0.3\ttrue"));
-    CHECK_THAT(first.printed, contains("power_up\ttrue\t0.3\ttrue"));
-    CHECK(first.print("Synth.coin().frequency") == "988.0");
-}
-
-TEST_CASE("the filter of a synth is its low pass") {
-    SoundGame game;
-    game.run("game.s = Synth { filter = 800 } print(game.s.low_pass) game.s.low_pass = 500");
-    CHECK(game.errors.empty());
-    CHECK_THAT(game.printed, contains("800.0"));
-    CHECK(game.print("game.s.filter") == "500.0");
-    CHECK(game.print("(pcall(function() game.s.filter = 5 end))") == "false");
-}
-
-TEST_CASE("a synth that nothing holds lives until its voices end") {
-    SoundGame game;
-    game.run("Synth.explosion():play()");
-    game.run("for i = 1, 200 do Synth {} end");
-    game.turns(5);
-    CHECK(game.print("#audio.voices") == "1");
-    game.turns(80);
-    CHECK(game.print("#audio.voices") == "0");
 }
 
 TEST_CASE("voices are in snapshots and go on in another game") {

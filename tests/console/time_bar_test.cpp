@@ -282,11 +282,21 @@ TEST_CASE("playing back shows each step of the past again and ends at the presen
     CHECK(bar.rig.commands.back() == "time:go_to(300)");
     bar.rig.draw(2);
     CHECK_FALSE(bar.bar().plays_back());
+    CHECK_FALSE(bar.paused());  // the game goes on
     bar.bar().play_back(1);
     CHECK(bar.rig.commands.back() == "time:go_to(240)");
     bar.click(bar.bar().play_back_button());  // stops
     bar.rig.draw();
     CHECK_FALSE(bar.bar().plays_back());
+}
+
+TEST_CASE("a game that was paused is paused after it was played back") {
+    Bar bar(300, true);
+    bar.bar().play_back(1);
+    bar.bar().play_on(1e9);
+    bar.rig.draw(2);
+    CHECK_FALSE(bar.bar().plays_back());
+    CHECK(bar.paused());
 }
 
 TEST_CASE("a button of the time bar begins and ends a recording") {

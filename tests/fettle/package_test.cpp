@@ -242,11 +242,50 @@ TEST_CASE("a package needs an argument for what to make") {
     const std::string game = (folder / "game").string();
     CHECK(fettle(folder, {"package", game}).status == 2);
     CHECK(fettle(folder, {"package", game, "--file", "x.zip"}).status == 2);
-    folder.write("game/modules.json", R"({"modules": []})");
-    const Outcome native =
-        fettle(folder, {"package", game, "--file", (folder / "a.fettle").string()});
+}
+
+TEST_CASE("a package brings the native modules of its game along") {
+    const Folder folder;
+    folder.write("game/main.lua", "world.ball = Body { Circle {} } print(modules.physics.file)");
+    folder.write("game/modules.json", R"({"modules": ["physics"]})");
+    folder.write("game/game.json", R"({"name": "Game With Wheels"})");
+    const std::string game = (folder / "game").string();
+    const std::string to = (folder / "made").string();
+    const Outcome made = fettle(folder, {"package", game, "--linux", to});
+    INFO(made.out << made.err);
+    REQUIRE(made.status == 0);
+    CHECK(fs::exists(to + "/game/physics.so"));
+    CHECK_FALSE(fs::exists(to + "/lib/physics.so"));
+    const std::string output = (folder / "result").string();
+    const std::string command =
+        quoted(to + "/game-with-wheels") + " --headless --steps 2 > " + quoted(output) + " 2>&1";
+    const int status = std::system(command.c_str());
+    INFO(folder.text("result"));
+    CHECK(status == 0);
+    CHECK(folder.text("result") == to + "/game/physics.so\n");
+}
+
+TEST_CASE("an archive names installed modules and brings no native code along") {
+    const Folder folder;
+    folder.write("game/main.lua", "print(modules.physics.file)");
+    folder.write("game/modules.json", R"({"modules": ["physics"]})");
+    const std::string game = (folder / "game").string();
+    const std::string archive = (folder / "a.fettle").string();
+    const Outcome made = fettle(folder, {"package", game, "--file", archive});
+    INFO(made.err);
+    REQUIRE(made.status == 0);
+    const Outcome run = fettle(folder, {"run", archive, "--headless", "--steps", "1"});
+    CHECK(run.status == 0);
+    CHECK(contains(run.out, "physics.so"));
+    folder.write("game/own.so", "");
+    folder.write("game/modules.json", R"({"modules": ["own.so"]})");
+    const Outcome native = fettle(folder, {"package", game, "--file", archive});
     CHECK(native.status == 3);
-    CHECK(contains(native.err, "cannot bring native modules along"));
+    CHECK(contains(native.err, "\"own.so\": an archive cannot bring native modules along"));
+    const Outcome damaged =
+        fettle(folder, {"package", game, "--linux", (folder / "none").string()});
+    CHECK(damaged.status == 3);
+    CHECK(contains(damaged.err, "\"own.so\": it cannot be loaded: "));
 }
 
 TEST_CASE("a game in a sandbox is limited and plugs in nothing") {

@@ -114,6 +114,14 @@ TEST_CASE("text that is too long wraps or is cut") {
     CHECK(s.size("l").y > 2.5 * cut);
 }
 
+TEST_CASE("a label without spaces wraps where its language allows it") {
+    Placed s(R"(game.l = Label { size = vec(200, 0), text = "one" })");
+    const double one = s.size("l").y;
+    s.set("l.text", Value("我知道，火车一个小时前就开走了，下一班要等到明天早上才会来。"));
+    CHECK(s.size("l").y > 1.9 * one);
+    CHECK(s.draw().letters == 30);  // nothing is cut
+}
+
 TEST_CASE("a button or a toggle that wraps its text is as high as its lines") {
     Placed s(R"(game.p = Column { size = vec(200, 0), align = "start",
         Button { size = vec(200, 0), text = "one two three four five six seven eight nine ten" },

@@ -126,6 +126,21 @@ TEST_CASE_METHOD(Written, "lines and tabs and wrapping change the measure") {
     CHECK(height() == 0);
 }
 
+TEST_CASE_METHOD(Written, "Chinese wraps between characters and not before a full stop") {
+    tree.set(text, "text", Value("我知道火车开走了"));
+    const double eight = width();
+    tree.set(text, "wrap", Value(eight / 2 + 0.01));
+    CHECK(height() == Approx(2.4));
+    CHECK(width() == Approx(eight / 2));
+    tree.set(text, "text", Value("我知道火。"));  // the last character comes along
+    tree.set(text, "wrap", Value(eight / 2 + 0.01));
+    CHECK(height() == Approx(2.4));
+    CHECK(width() < eight / 2);
+    tree.set(text, "text", Value("Ham\u200bburg"));
+    tree.set(text, "wrap", Value(3.0));
+    CHECK(height() == Approx(2.4));
+}
+
 TEST_CASE_METHOD(Written,
                  "a text without an instance is divided into lines as one of an instance") {
     const double one = width();

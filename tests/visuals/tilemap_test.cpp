@@ -41,6 +41,55 @@ TEST_CASE_METHOD(Land, "the layers of a map become its children in order") {
     CHECK(problems.empty());
 }
 
+TEST_CASE_METHOD(Land, "a map without a file has empty cells and the tiles of an image") {
+    const Handle top = tree.create(tree.class_named("Tilemap"));
+    tree.set(top, "tileset", Value("tiles.tga"));
+    tree.set(top, "cells", Value(Vec2(6, 3)));
+    tree.set(top, "pixels_per_unit", Value(16.0));
+    tree.move(top, tree.root(), "map");
+    CHECK(tree.get(top, "columns") == Value(6));
+    CHECK(tree.get(top, "size") == Value(Vec2(6, 3)));
+    CHECK(tile(top, 5, 2) == 0);
+    call(top, "set_tile", {Value(5), Value(2), Value(4)});
+    call(top, "set_tile", {Value(0), Value(0), Value(1), Value("tiles"), Value("x")});
+    CHECK(tile(top, 5, 2) == 4);
+    CHECK_THROWS_WITH(call(top, "set_tile", {Value(0), Value(0), Value(5)}), contains("1 to 4"));
+    CHECK_THROWS_WITH(call(top, "set_tile", {Value(6), Value(0), Value(1)}), contains("0 to 5"));
+    CHECK(draw().size() == 2);
+    // It grows, and a saved copy has the same cells.
+    tree.set(top, "cells", Value(Vec2(8, 4)));
+    step(1);
+    CHECK(tree.get(top, "rows") == Value(4));
+    CHECK(tile(top, 5, 2) == 4);
+    call(top, "set_tile", {Value(7), Value(3), Value(2)});
+    const Handle copy = load_scene_text(tree, scene_text(tree, top), "level.json", tree.root());
+    CHECK(tile(copy, 7, 3) == 2);
+    CHECK(tile(copy, 5, 2) == 4);
+    CHECK(problems.empty());
+}
+
+TEST_CASE_METHOD(Land, "bodies meet the solid tiles of a map without a file") {
+    define_bodies();
+    const auto make = [&](const char* name, const char* tiles) {
+        const Handle top = tree.create(tree.class_named("Tilemap"));
+        tree.set(top, "tileset", Value(tiles));
+        tree.set(top, "solid_tiles", Value(List{Value(1), Value(3)}));
+        tree.set(top, "cells", Value(Vec2(4, 3)));
+        tree.move(top, tree.root(), name);
+        for (int x = 0; x < 4; ++x) call(top, "set_tile", {Value(x), Value(2), Value(1)});
+        step(1);
+        return top;
+    };
+    CHECK(chains(make("of_image", "tiles.tga")).size() == 1);
+    CHECK(chains(make("of_file", "tiles.tsj")).size() == 1);
+    tree.set(find(tree.root(), "of_image"), "solid_tiles", Value(List{}));
+    step(1);
+    CHECK(chains(find(tree.root(), "of_image")).empty());
+    CHECK(problems.empty());
+    CHECK_THROWS_WITH(make("none", "nothing.png"), contains("tileset could not be read"));
+    CHECK_FALSE(problems.empty());
+}
+
 TEST_CASE_METHOD(Land, "cells are read and written") {
     const Handle top = map();
     CHECK(tree.get(top, "columns") == Value(4));

@@ -179,6 +179,25 @@ void Audio::State::cross_fade(Handle voice, double fade) {
     }
 }
 
+void Audio::State::set_given(Handle voice, const Play& how) {
+    const auto set = [&](const Property* property, const Value& to) {
+        if (!to.is_nil()) tree.set(voice, *property, to);
+    };
+    set(of_voice.volume, how.volume);
+    set(of_voice.pitch, how.pitch);
+    set(of_voice.time, how.time);
+    set(of_voice.position, how.position);
+}
+
+/// Music that fades out goes on from its present loudness and its present time.
+void Audio::State::fade_in_again(Handle voice, const Play& how, double fade) {
+    set_given(voice, how);
+    tree.set(voice, *of_voice.playing, true);
+    tree.set(voice, *of_voice.fade_time, fade);
+    tree.set(voice, *of_voice.fade_to, 1.0);
+    cross_fade(voice, fade);
+}
+
 Handle Audio::State::play(Handle source, const Play& how) {
     const bool streams = is_music(source);
     if (duration(source) <= 0)
@@ -188,27 +207,24 @@ Handle Audio::State::play(Handle source, const Play& how) {
     double fade = how.fade.is_nil() ? 0 : how.fade.number();
     require_fade(fade);
     if (streams) {
-        for (const Handle voice : by_age())
-            if (source_of(voice) == source && !ends(voice)) return voice;
         if (how.fade.is_nil()) fade = number(source, *of_music_fade);
+        for (const Handle voice : by_age()) {
+            if (source_of(voice) != source || value(voice, *of_voice.over).boolean()) continue;
+            if (ends(voice)) fade_in_again(voice, how, fade);
+            return voice;
+        }
     }
     std::int64_t order = 1;
     for (const Handle voice : voices)
         order = std::max(order, tree.peek(voice, *of_voice.order).integer() + 1);
     const Handle voice = tree.create(*classes.voice, source);
     try {
-        const auto set = [&](const Property* property, const Value& to) {
-            if (!to.is_nil()) tree.set(voice, *property, to);
-        };
-        set(of_voice.order, order);
-        set(of_voice.volume, how.volume);
-        set(of_voice.pitch, how.pitch);
-        set(of_voice.time, how.time);
-        set(of_voice.position, how.position);
-        if (clock.paused) set(of_voice.pauses, false);
+        tree.set(voice, *of_voice.order, order);
+        set_given(voice, how);
+        if (clock.paused) tree.set(voice, *of_voice.pauses, false);
         if (fade > 0) {
-            set(of_voice.fade_time, fade);
-            set(of_voice.fade, 0.0);
+            tree.set(voice, *of_voice.fade_time, fade);
+            tree.set(voice, *of_voice.fade, 0.0);
         }
     } catch (...) {
         tree.destroy(voice);

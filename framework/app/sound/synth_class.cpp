@@ -255,12 +255,13 @@ void set_preset(Audio::State& state, Handle synth, const std::string& name) {
 std::string_view Audio::library() {
     return R"(
 for _, name in ipairs { "coin", "jump", "hit", "explosion", "blip", "power_up" } do
-    Synth[name] = function(values)
-        if values ~= nil and type(values) ~= "table" then
+    Synth[name] = function(class, values)
+        local by_dot = not pcall(class.alive, class) and values ~= class
+        if not by_dot or values ~= nil and type(values) ~= "table" then
             error("Synth." .. name .. ": takes a table of values, or nothing" ..
-                (values == Synth and "; call it with a dot" or ""), 2)
+                (by_dot and "" or "; call it with a dot, on a class"), 2)
         end
-        local synth = Synth {}
+        local synth = class {}
         synth:preset(name)
         for key, value in pairs(values or {}) do synth[key] = value end
         return synth

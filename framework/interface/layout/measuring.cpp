@@ -98,7 +98,8 @@ double Layout::longest_word(const Widget& widget) const {
     double longest = 0;
     std::istringstream words(widget.content.text);
     for (std::string word; words >> word;)
-        longest = std::max(longest, lettering.width(media_, word));
+        for (const Piece& piece : pieces(word))
+            longest = std::max(longest, lettering.width(media_, piece.text));
     return std::max(std::ceil(longest), widget.placing.min_size.x);
 }
 

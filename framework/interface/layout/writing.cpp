@@ -1,5 +1,7 @@
 #include <layout/writing.h>
 
+#include <fettle/property/line_breaks.h>
+
 namespace fettle::interface {
 
 namespace {
@@ -18,23 +20,21 @@ std::string cut(property::Media& media, const Lettering& lettering, const std::s
     return line.substr(0, byte_of(line, fits)) + dots;
 }
 
-/// A line divided at spaces. A word that is longer than the width is cut.
+/// A piece that is longer than the width is cut.
 void wrap_line(property::Media& media, const Lettering& lettering, const std::string& line,
                double width, std::vector<std::string>& to) {
     std::string now;
-    std::size_t at = 0;
-    do {
-        const std::size_t end = std::min(line.find(' ', at), line.size());
-        const std::string word = line.substr(at, end - at);
-        const std::string longer = now.empty() ? word : now + " " + word;
-        if (!now.empty() && lettering.width(media, longer) > width) {
-            to.push_back(now);
-            now = cut(media, lettering, word, width);
-        } else {
-            now = now.empty() ? cut(media, lettering, word, width) : longer;
+    bool begun = false;
+    for (const Piece& piece : pieces(line)) {
+        const std::string longer = now + (piece.after_space ? " " : "") + piece.text;
+        if (begun && lettering.width(media, longer) <= width) {
+            now = longer;
+            continue;
         }
-        at = end + 1;
-    } while (at <= line.size());
+        if (!now.empty()) to.push_back(now);
+        now = cut(media, lettering, piece.text, width);
+        begun = !now.empty();
+    }
     to.push_back(now);
 }
 
@@ -47,6 +47,24 @@ Lettering Lettering::of(const Widget& widget) {
 
 double Lettering::width(property::Media& media, std::string_view text) const {
     return text.empty() ? 0 : media.text_size(text, style()).x;
+}
+
+std::vector<Piece> pieces(const std::string& line) {
+    std::vector<Piece> all{{}};
+    char32_t before = 0;
+    for (std::size_t at = 0; at < line.size();) {
+        const std::size_t next = property::next_code_point(line, at);
+        const char32_t c = property::code_point_at(line, at);
+        if (c == U' ')
+            all.push_back({.text = {}, .after_space = true});
+        else if (before != 0 && property::may_divide(before, c))
+            all.push_back({.text = line.substr(at, next - at)});
+        else
+            all.back().text.append(line, at, next - at);
+        before = c == U' ' ? 0 : c;
+        at = next;
+    }
+    return all;
 }
 
 std::vector<std::string> fitted(property::Media& media, const Lettering& lettering,

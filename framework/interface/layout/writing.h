@@ -24,7 +24,15 @@ struct Lettering {
     double width(property::Media& media, std::string_view text) const;
 };
 
-/// The lines of `text`. Lines longer than `width` are divided at spaces (`wrap`) or end with "…".
+/// A part of a line inside of which it is not divided.
+struct Piece {
+    std::string text{};
+    bool after_space = false;  // a space is before it, which vanishes where the line is divided
+};
+/// The parts between the spaces, and between characters where property::may_divide says so.
+std::vector<Piece> pieces(const std::string& line);
+
+/// The lines of `text`. Lines longer than `width` are divided (`wrap`) or end with "…".
 std::vector<std::string> fitted(property::Media& media, const Lettering& lettering,
                                 const std::string& text, double width, bool wrap);
 

@@ -15,6 +15,7 @@
 #include <handlers/subscriptions.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
+#include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/class_object.h>
 #include <objects/generic_methods.h>
@@ -257,13 +258,38 @@ int construct(lua_State* L) {
                 of.name() + "." + name + ": no such name" + property::suggestion(name, names));
 }
 
+// Upvalues: a function and a class, which is its first argument.
+int call_with_class(lua_State* L) {
+    for (const int upvalue : {2, 1}) {
+        lua_pushvalue(L, lua_upvalueindex(upvalue));
+        lua_insert(L, 1);
+    }
+    lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+    return lua_gettop(L);
+}
+
+/// Whether a library of the framework defined the function at the top of the stack.
+bool is_of_library(lua_State* L) {
+    lua_Debug facts;
+    lua_pushvalue(L, -1);
+    lua_getinfo(L, ">S", &facts);
+    return is_library(facts);
+}
+
 int class_index(lua_State* L) {
     const Class* of = class_object_at(L, 1);
     Machine& machine = machine_of(L);
     if (!of || lua_type(L, 2) != LUA_TSTRING)
         throw Error(ErrorKind::bad_name, "a class has functions by name");
     const std::string name = string_at(L, 2);
-    if (machine.classes.push_function(L, *of, 2)) return 1;
+    if (machine.classes.push_function(L, *of, 2)) {
+        // Such a function makes an instance, of a derived class if it is called there.
+        if (is_of_library(L)) {
+            lua_pushvalue(L, 1);
+            lua_pushcclosure(L, call_with_class, 2);
+        }
+        return 1;
+    }
     if (name == "states" && machine.classes.push_states(L, *of)) return 1;
     if (push_class_field(L, machine, *of, name)) return 1;
     // `on` and `watch` of a class are about all of its instances; other functions are those of each

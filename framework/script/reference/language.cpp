@@ -100,9 +100,9 @@ const std::vector<GlobalDoc>& global_docs() {
          "Adds a path or an expression to the watch list of the console: "
          "pin(\"world.ball.mass\")."},
         {"play_back", "play_back(seconds?: number)",
-         "In the console: shows the last seconds once more, as they were, and then pauses at the "
-         "present. Without seconds, or with more than is kept, it begins with the oldest step "
-         "that is kept. In the past it shows what follows."},
+         "In the console: shows the last seconds once more, as they were; at the present the game "
+         "goes on, unless it was paused before. Without seconds, or with more than is kept, it "
+         "begins with the oldest step that is kept. In the past it shows what follows."},
         {"plot", "plot(...: string|fun(): any)",
          "Shows values over time, of numbers, vectors and booleans, with the past as far as it is "
          "kept: plot(\"world.ball.velocity\"). Without an argument the plot ends."},

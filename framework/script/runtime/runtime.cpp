@@ -223,7 +223,7 @@ Reloaded Runtime::reload(const std::vector<std::string>& files) {
     machine.hints.forget();
     Reloaded result = state_->top_level.reload([&] {
         for (const auto& [library, chunk] : state_->libraries)
-            run_chunk(machine, chunk, library, "library");
+            run_chunk(machine, chunk, library_chunk(library), "library");
         return run_chunk(machine, text, name, "reload", false);
     });
     if (!result.done) return result;

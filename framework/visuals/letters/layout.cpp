@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include <fettle/property/line_breaks.h>
 #include <fettle/property/utf8.h>
 
 namespace fettle::visuals {
@@ -26,6 +27,12 @@ class Setter {
             line.end = tab_stop * std::ceil((line.end + least_tab) / tab_stop - 1e-6);
             before_ = 0;
             breaks_at(line);
+            return;
+        }
+        if (before_ != 0 && property::may_divide(before_, c)) breaks_at(line);
+        if (c == property::zero_width_space) {
+            before_ = c;
+            before_font_ = nullptr;
             return;
         }
         Font& font = family_.with(c);

@@ -24,8 +24,9 @@ struct Layout {
     static constexpr double line_height = 1.2;
     static constexpr std::size_t most_letters = 100'000;
 
-    /// Lines end at "\n", and at a space before they become longer than `wrap` (0: never). A tab
-    /// goes on at the next multiple of two. Letters after the first `most_letters` are left out.
+    /// Lines end at "\n", and before they become longer than `wrap` (0: never) at a space or where
+    /// property::may_divide says so. A tab goes on at the next multiple of two. Letters after the
+    /// first `most_letters` are left out.
     static Layout of(std::string_view utf8, const Family& family, Align align, double wrap);
 };
 

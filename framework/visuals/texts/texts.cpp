@@ -65,7 +65,8 @@ std::vector<Property> Texts::properties() {
          .range = {0, 1e9},
          .doc =
              "Longest line; words beyond it begin another line, and a word that is longer has one "
-             "of its own. 0: no limit. Pixels in a layer on the screen."},
+             "of its own. Chinese, Japanese and Korean are divided between characters. 0: no "
+             "limit. Pixels in a layer on the screen."},
         {.name = "color",
          .type = Type::color,
          .default_value = Color{1, 1, 1, 1},

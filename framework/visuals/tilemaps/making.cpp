@@ -120,11 +120,12 @@ class LayerMaker {
 }  // namespace
 
 void Tilemaps::make_if_new(Handle map) {
-    const Value name = tree_->peek(map, *of_.map);
-    if (tree_->peek(map, *of_.made_from) == name) return;
+    const std::string before = tree_->peek(map, *of_.made_from).text(), now = source(map);
+    if (before == now) return;
     try {
         // Another file has other layers, so nothing of the old cells is kept.
-        make(map, {});
+        const bool same_layer = is_empty_map(before) && is_empty_map(now);
+        make(map, same_layer ? changes_of(map) : std::map<std::int64_t, Value>());
     } catch (const property::Error& error) {
         // A snapshot is being restored, which makes all instances itself.
         if (error.kind() != property::ErrorKind::bad_structure) tell(map, error.what());
@@ -141,7 +142,7 @@ void Tilemaps::make(Handle map, std::map<std::int64_t, Value> changes) {
             tree_->is_below(each.reference(), map))
             tree_->destroy(each.reference());
     tree_->reset(map, *of_.followed);
-    const Value name = tree_->peek(map, *of_.map);
+    const std::string name = tree_->peek(map, *of_.map).text();
     const auto file = loaded(map);
     if (file == nullptr) {
         tree_->reset(map, *of_.made);
@@ -149,7 +150,9 @@ void Tilemaps::make(Handle map, std::map<std::int64_t, Value> changes) {
         return;
     }
     const Reader read(*tree_, map);
-    Maker maker(*tree_, [&](const std::string& what) { tell(map, name.text() + ": " + what); });
+    Maker maker(*tree_, [&](const std::string& what) {
+        tell(map, (name.empty() ? std::string() : name + ": ") + what);
+    });
     maker.place_of("the map");
     maker.set_custom(map, file->map().properties);
     List layers = LayerMaker(*tree_, map, *file, images_,
@@ -157,18 +160,22 @@ void Tilemaps::make(Handle map, std::map<std::int64_t, Value> changes) {
                              read.flag(of_.smooth), std::move(changes), maker)
                       .run();
     tree_->set(map, *of_.made, Value(std::move(layers)));
-    tree_->set(map, *of_.made_from, name);
+    tree_->set(map, *of_.made_from, Value(source(map)));
     rows_[tree_->row(map)].outdated = true;
     tree_->emit(map, *loaded_event_, {});
 }
 
-void Tilemaps::reload(Handle map) {
+std::map<std::int64_t, Value> Tilemaps::changes_of(Handle map) const {
     std::map<std::int64_t, Value> changes;
     for (const Handle layer : tile_layers(map))
         changes[tree_->peek(layer, *in_layer_.layer).integer()] =
             tree_->peek(layer, *in_layer_.changes);
-    const std::string name = tree_->peek(map, *of_.map).text();
-    const auto before = files_.find(name);
+    return changes;
+}
+
+void Tilemaps::reload(Handle map) {
+    std::map<std::int64_t, Value> changes = changes_of(map);
+    const auto before = files_.find(source(map));
     if (before != files_.end()) {
         // A file that has become unreadable changes nothing.
         const auto now = read(map);
@@ -186,8 +193,11 @@ void Tilemaps::renew(const std::string& file) {
     std::vector<Handle> outdated;
     for (const Row& row : rows_) {
         if (!tree_->alive(row.self)) continue;
-        const std::filesystem::path map = tree_->peek(row.self, *of_.map).text();
-        if (part || map.lexically_normal() == changed) outdated.push_back(row.self);
+        const auto is_named = [&](const property::Property& by) {
+            const std::filesystem::path name = tree_->peek(row.self, by).text();
+            return !name.empty() && name.lexically_normal() == changed;
+        };
+        if (part || is_named(*of_.map) || is_named(*of_.tileset)) outdated.push_back(row.self);
     }
     for (const Handle map : outdated)
         if (tree_->alive(map)) reload(map);

@@ -17,13 +17,15 @@ std::vector<Property> Tilemaps::map_properties() {
     const auto followed = [this](Property property) {
         property.binding.context = this;
         property.binding.invalidate = [](void* context, property::Row row) {
-            static_cast<Tilemaps*>(context)->rows_[row].outdated = true;
+            Row& written = static_cast<Tilemaps*>(context)->rows_[row];
+            written.outdated = true;
+            written.source.clear();
         };
         return property;
     };
     const auto derived = [](Property property) {
         property.read_only = property.transient = true;
-        property.derives_from = {"map"};
+        property.derives_from = {"map", "tileset", "cells"};
         return property;
     };
     return {
@@ -32,6 +34,28 @@ std::vector<Property> Tilemaps::map_properties() {
                   .doc =
                       "A map file of the Tiled editor in the game's folder (TMJ or TMX). Another "
                       "name makes the instances of that file in place of those that were made."}),
+        followed({.name = "tileset",
+                  .type = Type::text,
+                  .doc = "For a map without a file: an image with tiles, or a tileset file of the "
+                         "Tiled editor (TSJ or TSX). The map has one layer, `tiles`, of empty "
+                         "cells, for `set_tile`."}),
+        followed({.name = "tile_size",
+                  .type = Type::vec2,
+                  .default_value = Vec2(16, 16),
+                  .unit = "px",
+                  .range = {1, 4096},
+                  .doc = "Width and height of a tile in the image `tileset`. A tileset file and a "
+                         "map file have their own."}),
+        followed({.name = "cells",
+                  .type = Type::vec2,
+                  .range = {0, 2048},
+                  .doc = "For a map without a file: the number of cells side by side, and of "
+                         "rows. Cells that were written stay when it changes."}),
+        followed({.name = "solid_tiles",
+                  .type = Type::list,
+                  .range = {1, 1e6},
+                  .doc = "For an image `tileset`: the numbers of the tiles that bodies meet.",
+                  .element = Type::integer}),
         followed({.name = "corner",
                   .type = Type::vec2,
                   .unit = "m",
@@ -62,7 +86,8 @@ std::vector<Property> Tilemaps::map_properties() {
          .simulated = true},
         {.name = "made_from",
          .type = Type::text,
-         .doc = "The map file that the instances below it were made from.",
+         .doc = "The map file, or the values of a map without one, that the instances below it "
+                "were made from.",
          .hidden = true},
         {.name = "made",
          .type = Type::list,
@@ -106,7 +131,7 @@ std::vector<Property> Tilemaps::map_properties() {
                      return Vec2(Vec2(map.width * map.tile_width, map.height * map.tile_height) /
                                  t.pixels_per_unit(self));
                  })});
-            size.derives_from.emplace_back("pixels_per_unit");
+            size.derives_from.insert(size.derives_from.end(), {"tile_size", "pixels_per_unit"});
             return size;
         }(),
     };
@@ -135,9 +160,10 @@ void Tilemaps::define_map(property::Tree& tree) {
     property::ClassDescriptor described{
         .name = "Tilemap",
         .doc =
-            "A map of the Tiled editor. Its tile layers, image layers and objects become "
-            "instances below it, and solid tiles a body with smooth outlines. Belongs below a "
-            "World if bodies are to meet it.",
+            "A map of the Tiled editor, or one that a script makes of a `tileset`. Its tile "
+            "layers, "
+            "image layers and objects become instances below it, and solid tiles a body with "
+            "smooth outlines. Belongs below a World if bodies are to meet it.",
         .properties = map_properties(),
         .methods = methods(),
         .events = {
@@ -158,8 +184,9 @@ void Tilemaps::define_map(property::Tree& tree) {
     const property::Class& made = tree.define(std::move(described));
     map_class_ = &made;
     const auto of = [&](const char* name) { return made.property(name); };
-    of_ = {of("map"),       of("corner"), of("pixels_per_unit"), of("smooth"),
-           of("made_from"), of("made"),   of("followed")};
+    of_ = {of("map"),         of("tileset"), of("tile_size"),       of("cells"),
+           of("solid_tiles"), of("corner"),  of("pixels_per_unit"), of("smooth"),
+           of("made_from"),   of("made"),    of("followed")};
     loaded_event_ = made.event("loaded");
     cell_changed_ = made.event("cell_changed");
 }

@@ -49,13 +49,14 @@ std::uint32_t valid_tile(const LoadedMap& map, const Value& value) {
 
 }  // namespace
 
-/// Throws if the map has no file.
+/// Throws if the map has neither a file nor a tileset.
 std::shared_ptr<const LoadedMap> Tilemaps::required(Handle map) {
     std::shared_ptr<const LoadedMap> file = loaded(map);
     if (file == nullptr)
-        throw std::invalid_argument(tree_->peek(map, *of_.map).text().empty()
-                                        ? "it has no map file"
-                                        : "its map file could not be read");
+        throw std::invalid_argument(source(map).empty()
+                                        ? "it has no map file and no tileset: set `map`, or "
+                                          "`tileset` and `cells`"
+                                        : "its map file or its tileset could not be read");
     return file;
 }
 
@@ -93,7 +94,7 @@ void Tilemaps::set_tile(Handle map, std::span<const Value> given) {
     if (!cells.contains(x, y))
         throw std::invalid_argument(
             cell_text(x, y) + " is outside of the layer \"" + tree_->name(layer) + "\"" +
-            (cells.width() == 0 ? ", which has no cells"
+            (cells.width() == 0 ? ", which has no cells: set `cells` to their numbers"
                                 : ": x goes from " + std::to_string(cells.left()) + " to " +
                                       std::to_string(cells.left() + cells.width() - 1) +
                                       ", y from " + std::to_string(cells.top()) + " to " +

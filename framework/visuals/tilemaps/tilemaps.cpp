@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <exception>
 #include <stdexcept>
 #include <string_view>
@@ -65,21 +66,48 @@ void Tilemaps::tell(Handle map, const std::string& problem) {
 // --- Files
 
 std::shared_ptr<const LoadedMap> Tilemaps::loaded(Handle map) {
-    const std::string name = tree_->peek(map, *of_.map).text();
+    const std::string& name = source(map);
     if (name.empty()) return nullptr;
     const auto known = files_.find(name);
     if (known != files_.end()) return known->second;
     return files_[name] = read(map);
 }
 
+EmptyMap Tilemaps::empty_map(Handle map) const {
+    const auto whole = [](const Vec2& numbers) {
+        return Vec2(std::floor(numbers.x), std::floor(numbers.y));
+    };
+    const Vec2 cells = whole(tree_->peek(map, *of_.cells).vec2());
+    EmptyMap wanted{.tileset = tree_->peek(map, *of_.tileset).text(),
+                    .columns = static_cast<int>(cells.x),
+                    .rows = static_cast<int>(cells.y),
+                    .tile_size = whole(tree_->peek(map, *of_.tile_size).vec2())};
+    for (const Value& tile : tree_->peek(map, *of_.solid_tiles).list())
+        wanted.solid_tiles.push_back(static_cast<int>(tile.integer()));
+    return wanted;
+}
+
+const std::string& Tilemaps::source(Handle map) {
+    std::string& source = rows_[tree_->row(map)].source;
+    if (!source.empty()) return source;
+    source = tree_->peek(map, *of_.map).text();
+    if (!source.empty()) return source;
+    const EmptyMap wanted = empty_map(map);
+    if (!wanted.tileset.empty()) source = wanted.key();
+    return source;
+}
+
 std::shared_ptr<const LoadedMap> Tilemaps::read(Handle instance) {
-    const std::string what = tree_->path(instance, *of_.map);
     const std::string file = tree_->peek(instance, *of_.map).text();
+    const std::string what = tree_->path(instance, file.empty() ? *of_.tileset : *of_.map);
     try {
         property::Assets* const assets = images_.assets();
         if (assets == nullptr) throw std::runtime_error("this program has no files");
-        maps::Map map = maps::read_map(
-            file, [&](const std::string& name) { return assets->read(what, name, map_endings); });
+        const auto content = [&](const std::string& name) {
+            return assets->read(what, name, map_endings);
+        };
+        maps::Map map = file.empty() ? make_empty_map(empty_map(instance), what, images_, content)
+                                     : maps::read_map(file, content);
         if (map.orientation != maps::Orientation::orthogonal)
             throw std::runtime_error(file + " is not an orthogonal map; others cannot be shown");
         return std::make_shared<const LoadedMap>(std::move(map), what, images_);
@@ -150,7 +178,10 @@ void Tilemaps::report() {
 }
 
 void Tilemaps::restored() {
-    for (Row& row : rows_) row.outdated = true;
+    for (Row& row : rows_) {
+        row.outdated = true;
+        row.source.clear();
+    }
 }
 
 std::uint64_t Tilemaps::hash() const {

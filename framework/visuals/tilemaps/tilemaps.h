@@ -13,6 +13,7 @@
 #include <fettle/property/tree.h>
 
 #include <images/images.h>
+#include <tilemaps/empty_map.h>
 #include <tilemaps/grid.h>
 #include <tilemaps/loaded_map.h>
 
@@ -52,6 +53,7 @@ class Tilemaps {
         property::Handle self{};  // null: the row is free
         double time = 0;          // s, of the animations of tiles
         bool outdated = false;    // a property that its instances follow was written
+        std::string source{};     // of `source()`; "": not known
     };
     struct LayerRow {
         property::Handle self{};
@@ -63,8 +65,8 @@ class Tilemaps {
         Grid grid{};
     };
     struct MapProperties {
-        const property::Property *map, *corner, *pixels_per_unit, *smooth, *made_from, *made,
-            *followed;
+        const property::Property *map, *tileset, *tile_size, *cells, *solid_tiles, *corner,
+            *pixels_per_unit, *smooth, *made_from, *made, *followed;
     };
     struct LayerProperties {
         const property::Property *layer, *changes, *offset, *parallax, *opacity, *tint, *blend,
@@ -89,6 +91,9 @@ class Tilemaps {
     /// Null if the instance has no map, or its file cannot be read; this is reported once.
     std::shared_ptr<const LoadedMap> loaded(property::Handle map);
     std::shared_ptr<const LoadedMap> read(property::Handle map);
+    /// What the map is made of: the name of its file, the key of an EmptyMap, or "".
+    const std::string& source(property::Handle map);
+    EmptyMap empty_map(property::Handle map) const;
     /// The cells of a layer as they are now; null if it has no map.
     Grid* grid(property::Handle layer);
     std::vector<property::Handle> tile_layers(property::Handle map) const;
@@ -105,6 +110,8 @@ class Tilemaps {
     /// Makes the instances of the map file unless they were made before.
     void make_if_new(property::Handle map);
     void make(property::Handle map, std::map<std::int64_t, property::Value> changes);
+    /// The changed cells of each layer, by its number.
+    std::map<std::int64_t, property::Value> changes_of(property::Handle map) const;
 
     // --- map_bodies.cpp
     /// Gives the body below the map the outlines of the solid cells, unless it got these already.
@@ -124,7 +131,8 @@ class Tilemaps {
     module::Rows<Row> rows_;
     module::Rows<LayerRow> layer_rows_;
     std::vector<property::Connection> handlers_{};
-    std::map<std::string, std::shared_ptr<const LoadedMap>> files_{};  // null: cannot be read
+    // By `source`. Null: it cannot be read.
+    std::map<std::string, std::shared_ptr<const LoadedMap>> files_{};
 };
 
 }  // namespace fettle::visuals

@@ -135,6 +135,9 @@ using ReadFile = std::function<std::string(const std::string& name)>;
 /// and reason, and what `read` throws.
 Map read_map(const std::string& file, const ReadFile& read);
 
+/// Reads a tileset file. Its first tile has the number 1. Throws as `read_map` does.
+Tileset read_tileset(const std::string& file, const ReadFile& read);
+
 }  // namespace fettle::maps
 
 FETTLE_MAPS_END

@@ -232,8 +232,7 @@ GameSettings read_game_settings(GameFiles& files, const fs::path& game, std::str
 void read_module_list(GameFiles& files, const fs::path& folder,
                       const std::function<void(const std::string&)>& take) {
     const fs::path file = folder / "modules.json";
-    std::error_code error;
-    if (!fs::exists(file, error)) return;
+    if (!files.exists(file)) return;
     const Document document(files.read(file), file.string());
     SettingsReader reader(document);
     if (document.root().kind != Document::Kind::object || document.count(document.root()) == 0)

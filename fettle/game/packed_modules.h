@@ -1,0 +1,19 @@
+#pragma once
+// The native modules that a game names in modules.json, in a package of it.
+
+#include <filesystem>
+
+#include <files/archive.h>
+
+namespace fettle::program {
+
+/// Throws FileError if the game has a module that is not installed with Fettle: an archive brings
+/// no native code along.
+void require_installed_modules(const std::filesystem::path& game);
+
+/// Adds the files of installed modules, and plugs in the libraries of all modules, so that they
+/// are among those of this process. Throws FileError for a module that is not there, that cannot
+/// be loaded, or whose file is outside of the game's folder.
+void bring_modules(const std::filesystem::path& game, ArchiveFiles& files);
+
+}  // namespace fettle::program
