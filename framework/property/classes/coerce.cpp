@@ -1,5 +1,4 @@
 #include "coerce.h"
-#include "meant_value.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,7 @@
 
 #include <fettle/property/coercion.h>
 #include <fettle/property/error.h>
+#include <fettle/property/meant_value.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/tree.h>
 
