@@ -524,8 +524,8 @@ StepStatistics = {}
 
 ---Asked in the step when two shapes whose filters agree come near each other: whether they collide. The handler cannot write anything else.
 ---@class World.filter_pair
----@field shape Object One of the two shapes; nil for the bounds of the world.
----@field other_shape Object The second shape; never nil.
+---@field shape Object One of the two shapes; nil for the bounds of the world and the capsule of a mover.
+---@field other_shape Object The second shape; nil for the capsule of a mover.
 ---@field body Object Body of the first shape; the world itself for its bounds.
 ---@field other Object Body of the second shape.
 ---@field collide boolean True if they collide; may be changed.
@@ -534,8 +534,8 @@ StepStatistics = {}
 
 ---Asked in the step for every contact: the friction and restitution of two surfaces together. The handler cannot write anything else.
 ---@class World.mix_surfaces
----@field shape Object One of the two shapes; nil for the bounds of the world.
----@field other_shape Object The second shape; never nil.
+---@field shape Object One of the two shapes; nil for the bounds of the world and the capsule of a mover.
+---@field other_shape Object The second shape; nil for the capsule of a mover.
 ---@field body Object Body of the first shape; the world itself for its bounds.
 ---@field other Object Body of the second shape.
 ---@field point vec Point of the contact in the world. · m
@@ -550,7 +550,7 @@ StepStatistics = {}
 
 ---The shape nearest to a point, or nil. Sensors and the bounds do not count.
 ---@class World.closest.result
----@field shape Object The nearest shape.
+---@field shape Shape? The nearest shape; nil for the bounds of the world and the capsule of a mover.
 ---@field body Object Its body.
 ---@field point vec The nearest point of its surface in the world; inside of the shape, the given point. · m
 ---@field normal vec Normal of the surface at the point, outward; the zero vector inside of the shape.
@@ -560,8 +560,8 @@ StepStatistics = {}
 ---@class World.contacts.result
 ---@field body_a Body One of the two bodies.
 ---@field body_b Object The other body; the world itself for its bounds.
----@field shape_a Shape? The shape of body_a.
----@field shape_b Shape? The shape of body_b; nil for the bounds.
+---@field shape_a Shape? The shape of body_a; nil for the capsule of a mover.
+---@field shape_b Shape? The shape of body_b; nil for the bounds and the capsule of a mover.
 ---@field point vec Point of the contact in the world. · m
 ---@field normal vec Direction from a to b; its length is 1.
 ---@field separation number Distance of the surfaces; below 0: the depth of their overlap. · m
@@ -582,7 +582,7 @@ StepStatistics = {}
 
 ---The first shape that a ray hits, or nil. Sensors and shapes in which the ray begins do not count.
 ---@class World.raycast.result
----@field shape Shape? The shape that was hit; nil for the bounds of the world.
+---@field shape Shape? The shape that was hit; nil for the bounds of the world and the capsule of a mover.
 ---@field body Object The body of the shape; the world itself for its bounds.
 ---@field point vec Point of the hit in the world. · m
 ---@field normal vec Normal of the surface at the point, outward; its length is 1. If a shape that is cast overlaps the other one from the beginning: against the motion.
@@ -590,7 +590,7 @@ StepStatistics = {}
 
 ---Every shape that a ray hits, the nearest first. Sensors and shapes in which the ray begins do not count.
 ---@class World.raycast_all.result
----@field shape Shape? The shape that was hit; nil for the bounds of the world.
+---@field shape Shape? The shape that was hit; nil for the bounds of the world and the capsule of a mover.
 ---@field body Object The body of the shape; the world itself for its bounds.
 ---@field point vec Point of the hit in the world. · m
 ---@field normal vec Normal of the surface at the point, outward; its length is 1. If a shape that is cast overlaps the other one from the beginning: against the motion.
@@ -598,7 +598,7 @@ StepStatistics = {}
 
 ---The first shape that a moving shape or body would hit, or nil. Sensors do not count.
 ---@class World.shapecast.result
----@field shape Shape? The shape that was hit; nil for the bounds of the world.
+---@field shape Shape? The shape that was hit; nil for the bounds of the world and the capsule of a mover.
 ---@field body Object The body of the shape; the world itself for its bounds.
 ---@field point vec Point of the hit in the world. · m
 ---@field normal vec Normal of the surface at the point, outward; its length is 1. If a shape that is cast overlaps the other one from the beginning: against the motion.
@@ -631,7 +631,7 @@ local fettle_World = {}
 ---@param point vec A point in the world. · m
 ---@param mask? integer Categories to look for, as bits; all if it is left out.
 ---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
----@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
+---@param accept? any A function that gets a shape, a mover for its capsule, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 ---@return Body? body The body, or nil.
 function fettle_World:at(point, mask, group, accept) end
 
@@ -640,7 +640,7 @@ function fettle_World:at(point, mask, group, accept) end
 ---@param reach? number Largest distance. · m
 ---@param mask? integer Categories to look for, as bits; all if it is left out.
 ---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
----@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
+---@param accept? any A function that gets a shape, a mover for its capsule, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 ---@return World.closest.result?
 function fettle_World:closest(point, reach, mask, group, accept) end
 
@@ -659,7 +659,7 @@ function fettle_World:distance(a, b) end
 ---@param radius number Radius of the explosion. · m
 ---@param impulse number Impulse for a body at the point. · N s
 ---@param mask? integer Categories to look for, as bits; all if it is left out.
----@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
+---@param accept? any A function that gets a shape, a mover for its capsule, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 function fettle_World:explode(point, radius, impulse, mask, accept) end
 
 ---Pushes bodies away from a point, large ones more than small ones.
@@ -668,7 +668,7 @@ function fettle_World:explode(point, radius, impulse, mask, accept) end
 ---@param falloff number The impulse decreases to 0 over this distance beyond the radius. · m
 ---@param impulse_per_length number Impulse for each meter of a shape's outline as seen from the point. · N s
 ---@param mask? integer Categories to look for, as bits; all if it is left out.
----@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
+---@param accept? any A function that gets a shape, a mover for its capsule, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 function fettle_World:explode_surfaces(point, radius, falloff, impulse_per_length, mask, accept) end
 
 ---What will move in the next seconds, and where, if only the physics goes on: a copy of the world makes the steps, with the length of the last step. This world does not change, and no function of a script is called: what scripts would do in `step` or in handlers is not in it. With more than 2500 bodies awake it ends earlier: after 300 000 bodies times steps.
@@ -680,7 +680,7 @@ function fettle_World:ghosts(seconds) end
 ---@param shape Object A shape or a body, of any world or of none.
 ---@param mask? integer Categories to look for, as bits; all if it is left out.
 ---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
----@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
+---@param accept? any A function that gets a shape, a mover for its capsule, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 ---@return Body[] bodies Each body once, in any order.
 function fettle_World:overlap(shape, mask, group, accept) end
 
@@ -689,7 +689,7 @@ function fettle_World:overlap(shape, mask, group, accept) end
 ---@param opposite vec The corner across. · m
 ---@param mask? integer Categories to look for, as bits; all if it is left out.
 ---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
----@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
+---@param accept? any A function that gets a shape, a mover for its capsule, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 ---@return Body[] bodies Each body once, in any order.
 function fettle_World:overlap_box(corner, opposite, mask, group, accept) end
 
@@ -698,7 +698,7 @@ function fettle_World:overlap_box(corner, opposite, mask, group, accept) end
 ---@param to vec End of the ray. · m
 ---@param mask? integer Categories to look for, as bits; all if it is left out.
 ---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
----@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
+---@param accept? any A function that gets a shape, a mover for its capsule, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 ---@return World.raycast.result?
 function fettle_World:raycast(from, to, mask, group, accept) end
 
@@ -707,7 +707,7 @@ function fettle_World:raycast(from, to, mask, group, accept) end
 ---@param to vec End of the ray. · m
 ---@param mask? integer Categories to look for, as bits; all if it is left out.
 ---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
----@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
+---@param accept? any A function that gets a shape, a mover for its capsule, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 ---@return World.raycast_all.result[]
 function fettle_World:raycast_all(from, to, mask, group, accept) end
 
@@ -716,7 +716,7 @@ function fettle_World:raycast_all(from, to, mask, group, accept) end
 ---@param motion vec Distance and direction of the motion. · m
 ---@param mask? integer Categories to look for, as bits; all if it is left out.
 ---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
----@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
+---@param accept? any A function that gets a shape, a mover for its capsule, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 ---@return World.shapecast.result?
 function fettle_World:shapecast(shape, motion, mask, group, accept) end
 
@@ -829,8 +829,8 @@ World = {}
 ---The touches of `contacts` with points and impulses: one record for each pair of shapes.
 ---@class Body.touches.result
 ---@field other Object The other body; the world itself for its bounds.
----@field shape Object The shape of this body.
----@field other_shape Object The shape of the other; nil for the bounds.
+---@field shape Object The shape of this body; nil for the capsule of a mover.
+---@field other_shape Object The shape of the other; nil for the bounds and the capsule of a mover.
 ---@field point vec Point of the contact in the world. · m
 ---@field normal vec Direction from this body to the other.
 ---@field impulse number Impulse that separated them in the last step. · N s

@@ -1,5 +1,7 @@
 // Mover: a character in the tree.
 
+#include <fettle/property/acceptance.h>
+
 #include "catch.h"
 #include "game.h"
 
@@ -36,6 +38,19 @@ TEST_CASE_METHOD(Scene, "a mover stands on the floor and names it as its ground"
     CHECK(vec(hero, "ground_normal").y == Approx(1));
     CHECK(get(hero, "type").text() == "kinematic");
     CHECK(y(hero) == Approx(0.01).margin(0.006));
+}
+
+TEST_CASE_METHOD(Scene, "a search asks about a mover for its capsule") {
+    std::vector<Handle> asked;
+    property::Acceptance accept(tree, "raycast", [&](Handle instance) {
+        asked.push_back(instance);
+        return instance != hero;
+    });
+    const Value from(Vec2(-1, 1)), to(Vec2(1, 1));
+    const property::Result found = tree.call(world(), "raycast", {from, to, Value(), Value(), Value(true)});
+    accept.finish();
+    CHECK(asked == std::vector<Handle>{hero});
+    CHECK(std::get<Value>(found).is_nil());
 }
 
 TEST_CASE_METHOD(Scene, "a mover walks and jumps and lands") {

@@ -13,6 +13,10 @@ TEST_CASE("a value of the wrong type is reported with the form that is probably 
         {"Body { position = { x = 1, y = 2 } }", "a vector is vec(x, y)"},
         {"Body { color = { 255, 0, 0 } }", "(write color(\"#ff0000\"))"},
         {"Body { color = { 0, 1, 0, 1 } }", "(write color(\"#00ff00\"))"},
+        {"Body { color = { 255, 0, 0, 1 } }", "(write color(\"#ff0000\"))"},
+        {"color(255, 0, 0)", "color.r: 255 is not between 0 and 1 (write color(\"#ff0000\"))"},
+        {"color(0, 128, 0, 255)", "color.g: 128 is not between 0 and 1 (write color(\"#008000\"))"},
+        {"color(1, 0.5, 0, 255)", "color.a: 255 is not between 0 and 1 (write color("},
         {"Body { mass = '2.5' }", "got text \"2.5\" (write 2.5 without quotes)"},
         {"Body { awake = 0 }", "expected true or false, got integer 0 (write false)"},
         {"world:add(Body {}):nudge(5, 0)", "expected a vec2, got 5, 0 (write vec(5, 0))"},
@@ -21,7 +25,9 @@ TEST_CASE("a value of the wrong type is reported with the form that is probably 
     CAPTURE(code);
     Stage s;
     CHECK_THAT(s.fails(code), contains(hint));
-    CHECK_THAT(s.fails("Body { type = 1 }"), !contains("(write"));
+    for (const char* const not_obvious :
+         {"Body { type = 1 }", "color(-1, 0, 0)", "color(256, 0, 0)", "color(0/0, 0, 0)"})
+        CHECK_THAT(s.fails(not_obvious), !contains("(write"));
 }
 
 TEST_CASE("a library that names the property does not make a message name it twice") {

@@ -35,6 +35,11 @@ TEST_CASE("words of other languages and of older versions of Lua have a hint") {
         {"x = world.球.mass", "near '球' (write [\"球\"]: a name behind a point"},
         {"x = world.naïve", "near 'naïve' (write [\"naïve\"]: a name behind a point"},
         {"// a comment", "(write -- before a comment)"},
+        {"x = { 1 2 }", "near '2' (write , between the entries of a table)"},
+        {"x = Body { angle = 1 mass = 2 }", "near 'mass' (write , between the entries of a table)"},
+        {"print(x y)", "near 'y' (write , between the arguments of a function)"},
+        {"pen.circle(vec(0, 0), 1)", "pen: no such name (write function draw(pen) ... end)"},
+        {"local b = new Body()", "new: no such name (write Body { ... })"},
     }));
     CAPTURE(code);
     Stage s;

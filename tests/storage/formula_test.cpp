@@ -134,6 +134,28 @@ TEST_CASE("a formula in error is saved with its last valid value") {
     CHECK(w.tree.get(c, "number") == Value(8.0));
 }
 
+TEST_CASE("the value of a formula is saved only if it can be loaded") {
+    SceneWorld w;
+    w.tree.compile_formulas_with(twice);
+    const Handle b = w.add("Thing", "b");
+    w.things.at(0).density = -1;  // the mass that is computed from it is out of range
+    Formula failing = twice("twice world.a.number");
+    w.tree.set_formula(b, "mass", failing);
+    std::vector<std::string> warnings;
+    std::string text = scene_text(w.tree, b, &warnings);
+    CHECK(has(text, R"("mass": {"is": "twice world.a.number"})"));
+    CHECK(warnings.empty());
+
+    failing.not_saved = "uses the local variable \"speed\" of main.lua:12";
+    w.tree.set_formula(b, "mass", failing);
+    text = scene_text(w.tree, b, &warnings);
+    CHECK_FALSE(has(text, "mass"));
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0] ==
+          "world.b.mass: its formula uses the local variable \"speed\" of main.lua:12, so it "
+          "cannot be saved; it has had no value yet, so none is saved");
+}
+
 TEST_CASE("a file cannot define a formula for name or parent") {
     SceneWorld w;
     w.tree.compile_formulas_with(twice);

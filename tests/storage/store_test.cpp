@@ -2,6 +2,7 @@
 
 #include <catch.h>
 
+#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -101,6 +102,20 @@ TEST_CASE("tables of any keys and depth are there in the next run") {
     CHECK(again.entries(table_at(again, "empty")).empty());
     const Store::Table a = table_at(again, "a", table_at(again, 7));
     CHECK(at(again, "c", table_at(again, "b", a)) == Value(true));
+}
+
+TEST_CASE("a store of many keys is read in reasonable time") {
+    constexpr int count = 200'000;
+    const Place place;
+    std::string values;
+    for (int i = 0; i < count; ++i)
+        values += (i > 0 ? ",\"k" : "\"k") + std::to_string(i) + "\":" + std::to_string(i);
+    place.write("{\"fettle_store\":1,\"values\":{" + values + "}}");
+    const auto begun = std::chrono::steady_clock::now();
+    const Store store(place.file(), {});
+    CHECK(at(store, "k199999") == Value(199'999));
+    CHECK(store.entries(Store::root).size() == count);
+    CHECK(std::chrono::steady_clock::now() - begun < std::chrono::seconds(5));
 }
 
 TEST_CASE("a table that was replaced is no longer in the store") {

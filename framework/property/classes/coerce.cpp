@@ -1,5 +1,4 @@
 #include "coerce.h"
-#include "meant_value.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <fettle/property/bound_text.h>
 #include <fettle/property/coercion.h>
 #include <fettle/property/error.h>
+#include <fettle/property/meant_value.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/tree.h>
 

@@ -1,4 +1,4 @@
-#include "meant_value.h"
+#include <fettle/property/meant_value.h>
 
 #include <algorithm>
 #include <charconv>
@@ -29,18 +29,22 @@ std::string way_to_write_vec(const Value& value) {
     return write("vec(" + value_text(value.list()[0]) + ", " + value_text(value.list()[1]) + ")");
 }
 
-/// Channels above 1 are probably those of other libraries, which count to 255.
+/// Channels above 1 are probably those of other libraries, which count to 255. Some of these count
+/// the opacity to 1 all the same.
 std::string way_to_write_color(const Value& value) {
+    constexpr double full = 255;
     if (!is_list_of_numbers(value)) return {};
     const List& list = value.list();
     if (list.size() != 3 && list.size() != 4) return {};
-    double greatest = 1;
-    for (const Value& each : list) greatest = std::max(greatest, each.as_double());
-    const auto channel = [&](std::size_t i) {
-        const double scale = greatest > 1 ? 1 / 255.0 : 1;
-        return static_cast<float>(std::clamp(scale * list[i].as_double(), 0.0, 1.0));
+    for (const Value& each : list)
+        if (!(each.as_double() >= 0 && each.as_double() <= full)) return {};
+    const auto above_one = [](const Value& each) { return each.as_double() > 1; };
+    const bool to_full = std::any_of(list.begin(), list.begin() + 3, above_one);
+    const auto channel = [&](std::size_t i, bool scaled) {
+        return static_cast<float>(list[i].as_double() / (scaled ? full : 1));
     };
-    const Color color{channel(0), channel(1), channel(2), list.size() == 4 ? channel(3) : 1};
+    const float opacity = list.size() == 4 ? channel(3, above_one(list[3])) : 1;
+    const Color color{channel(0, to_full), channel(1, to_full), channel(2, to_full), opacity};
     return write(value_text(Value(color)));
 }
 

@@ -3,10 +3,10 @@
 #include <stdexcept>
 
 #include <fettle/property/exception_text.h>
+#include <fettle/property/meant_value.h>
 #include <fettle/property/spelling.h>
 
 #include <classes/coerce.h>
-#include <classes/meant_value.h>
 
 #include "state.h"
 

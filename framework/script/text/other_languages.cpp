@@ -25,9 +25,15 @@ constexpr Foreign foreign_names[] = {
     {"PI", "math.pi"},
     {"rand randf randi rnd randint", "random(from, to)"},
     {"Vector2 Vec2 vec2 Vector vector Point", "vec(x, y)"},
-    {"printf puts echo println", "print(...)"},
+    {"printf puts echo println warn", "print(...)"},
     {"range", "for i = 1, n do ... end"},
     {"instantiate spawn Instance", "world:add(Body { ... })"},
+    {"new RigidBody2D CharacterBody2D StaticBody2D KinematicBody2D Area2D", "Body { ... }"},
+    {"Node Node2D", "Object { ... }"},
+    {"get_node", "world.name"},
+    {"pen", "function draw(pen) ... end"},
+    {"requestAnimationFrame", "function update(dt) ... end"},
+    {"addEventListener", "function key_pressed(key) ... end"},
     {"workspace", "world"},
     {"task", "after(seconds, action)"},
     {"setTimeout delay schedule invoke", "after(seconds, action)"},
@@ -193,6 +199,13 @@ std::string hint_for_syntax(std::string_view message, std::string_view line, std
         return written(std::string(opens) + " ... end");
     if (rest.starts_with('{') && line.substr(0, column).find(')') != std::string_view::npos)
         return written("the lines of a function without { }, and end behind them");
+    // An entry that follows another one without a comma begins with one of these.
+    const bool entry =
+        is_word(rest[0]) || std::string_view("{[\"'").find(rest[0]) != std::string_view::npos;
+    if (entry && message.find("'}' expected") != std::string_view::npos)
+        return written(", between the entries of a table");
+    if (entry && message.find("')' expected") != std::string_view::npos)
+        return written(", between the arguments of a function");
     if (const std::string_view here = in_place_of(foreign_statements, word_before(line, column));
         !here.empty())
         return written(here);

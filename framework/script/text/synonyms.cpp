@@ -18,7 +18,7 @@ const std::vector<Synonym>& properties() {
         {"offset", {"center"}},
         {"position", {"center", "world", "offset"}},  // of the view, the mouse and widgets
         {"x y", {"position = vec(x, y)", "center = vec(x, y)", "offset = vec(x, y)"}},
-        {"rot rotation orientation heading direction", {"angle"}},
+        {"rot rotation rotationdegrees globalrotation orientation heading direction", {"angle"}},
         {"vel linearvelocity", {"velocity"}},
         {"vx vy dx dy velx vely", {"velocity = vec(x, y)"}},
         {"omega spin rotationspeed angularspeed angularvel", {"angular_velocity"}},

@@ -1,10 +1,12 @@
 // The type of colors: color("tomato"), color("#ff8800"), color(r, g, b, a).
 
+#include <fettle/property/meant_value.h>
 #include <fettle/property/spelling.h>
 
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <values/short_text.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -53,16 +55,32 @@ int color_index(lua_State* L) {
         return 1;
     }
     throw Error(ErrorKind::unknown_name,
-                std::string("a color has r, g, b, a and :lerp(), not ") + key);
+                "a color has r, g, b, a and :lerp(), not " + key_in_message(L, 2));
 }
 
-float check_channel(lua_State* L, int index, const char* name) {
-    const double value = check_number(L, index, "color");
+/// `meant`: how the color is probably written instead.
+float checked_channel(double value, const char* name, const std::string& meant = {}) {
     if (!(value >= 0 && value <= 1))
         throw Error(ErrorKind::out_of_range, std::string("color.") + name + ": " +
                                                  property::number_text(value) +
-                                                 " is not between 0 and 1");
+                                                 " is not between 0 and 1" + meant);
     return static_cast<float>(value);
+}
+
+/// The color of three or four numbers from `index` on.
+Color check_channels(lua_State* L, int index, int count) {
+    property::List given;
+    for (int i = 0; i < count; ++i) given.emplace_back(check_number(L, index + i, "color"));
+    Color color;
+    float* const channels[] = {&color.r, &color.g, &color.b, &color.a};
+    const char* const names[] = {"r", "g", "b", "a"};
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const double value = given[i].number();
+        const std::string meant =
+            value > 1 ? property::way_to_write(property::Type::color, Value(given)) : "";
+        *channels[i] = checked_channel(value, names[i], meant);
+    }
+    return color;
 }
 
 int color_newindex(lua_State* L) {
@@ -70,8 +88,9 @@ int color_newindex(lua_State* L) {
     const char* key = key_at(L);
     float* value = channel(box->color, key);
     if (!value)
-        throw Error(ErrorKind::unknown_name,
-                    std::string("a color has r, g, b and a, nothing else can be assigned: ") + key);
+        throw Error(
+            ErrorKind::unknown_name,
+            "a color has r, g, b and a, nothing else can be assigned: " + key_in_message(L, 2));
     if (box->has_origin) {
         Machine& machine = machine_of(L);
         origin_write(machine, box->origin, key,
@@ -80,7 +99,7 @@ int color_newindex(lua_State* L) {
         if (now.is(Type::color)) box->color = now.color();
         return 0;
     }
-    *value = check_channel(L, 3, key);
+    *value = checked_channel(check_number(L, 3, "color"), key);
     return 0;
 }
 
@@ -116,8 +135,7 @@ int color_make(lua_State* L) {
         throw Error(
             ErrorKind::wrong_type,
             "color: needs a name, \"#rrggbb\" or red, green, blue and opacity, each 0 to 1");
-    push_color(L, {check_channel(L, 1, "r"), check_channel(L, 2, "g"), check_channel(L, 3, "b"),
-                   given > 3 ? check_channel(L, 4, "a") : 1.0f});
+    push_color(L, check_channels(L, 1, given > 3 ? 4 : 3));
     return 1;
 }
 

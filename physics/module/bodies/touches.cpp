@@ -81,8 +81,9 @@ Handle shape_of(Hosting& hosting, Row row, physics::ShapeId shape) {
 
 const std::vector<Field> touch_fields = {
     {"other", Type::reference, "", "The other body; the world itself for its bounds."},
-    {"shape", Type::reference, "", "The shape of this body."},
-    {"other_shape", Type::reference, "", "The shape of the other; nil for the bounds."},
+    {"shape", Type::reference, "", "The shape of this body; nil for the capsule of a mover."},
+    {"other_shape", Type::reference, "",
+     "The shape of the other; nil for the bounds and the capsule of a mover."},
     {"point", Type::vec2, "m", "Point of the contact in the world."},
     {"normal", Type::vec2, "", "Direction from this body to the other."},
     {"impulse", Type::number, "N s", "Impulse that separated them in the last step."},

@@ -15,8 +15,9 @@ using property::Field;
 
 std::vector<Event> world_events() {
     const std::vector<Field> shapes = {
-        {"shape", Type::reference, "", "One of the two shapes; nil for the bounds of the world."},
-        {"other_shape", Type::reference, "", "The second shape; never nil."},
+        {"shape", Type::reference, "",
+         "One of the two shapes; nil for the bounds of the world and the capsule of a mover."},
+        {"other_shape", Type::reference, "", "The second shape; nil for the capsule of a mover."},
         {"body", Type::reference, "", "Body of the first shape; the world itself for its bounds."},
         {"other", Type::reference, "", "Body of the second shape."},
     };

@@ -33,7 +33,9 @@ Field shape_field(std::string name, std::string doc) {
 }
 
 const std::vector<Field> hit_fields = {
-    shape_field("shape", "The shape that was hit; nil for the bounds of the world."),
+    shape_field("shape",
+                "The shape that was hit; nil for the bounds of the world and the capsule of a "
+                "mover."),
     {"body", Type::reference, "", "The body of the shape; the world itself for its bounds."},
     {"point", Type::vec2, "m", "Point of the hit in the world."},
     {"normal", Type::vec2, "",
@@ -44,8 +46,8 @@ const std::vector<Field> hit_fields = {
 const std::vector<Field> found_contact_fields = {
     {"body_a", Type::reference, "", "One of the two bodies.", "Body"},
     {"body_b", Type::reference, "", "The other body; the world itself for its bounds."},
-    shape_field("shape_a", "The shape of body_a."),
-    shape_field("shape_b", "The shape of body_b; nil for the bounds."),
+    shape_field("shape_a", "The shape of body_a; nil for the capsule of a mover."),
+    shape_field("shape_b", "The shape of body_b; nil for the bounds and the capsule of a mover."),
     {"point", Type::vec2, "m", "Point of the contact in the world."},
     {"normal", Type::vec2, "", "Direction from a to b; its length is 1."},
     {"separation", Type::number, "m",
@@ -57,7 +59,8 @@ const Field group{"group", Type::integer, "",
                   "Only shapes of this group are found if it is positive, and none of them if it "
                   "is negative."};
 const std::vector<Field> near_fields = {
-    {"shape", Type::reference, "", "The nearest shape."},
+    shape_field("shape",
+                "The nearest shape; nil for the bounds of the world and the capsule of a mover."),
     {"body", Type::reference, "", "Its body."},
     {"point", Type::vec2, "m",
      "The nearest point of its surface in the world; inside of the shape, the given point."},
@@ -77,15 +80,21 @@ const std::vector<Field> separation_fields = {
 
 const Field accept{
     "accept", Type::nil, "",
-    "A function that gets a shape, or nil for the bounds of the world, and returns whether it "
-    "counts. It may read and search, but not change anything."};
+    "A function that gets a shape, a mover for its capsule, or nil for the bounds of the world, "
+    "and returns whether it counts. It may read and search, but not change anything."};
+
+/// The instance that a function `accept` gets: the capsule of a mover has none, but its body has.
+Handle asked_about(const physics::Shape& shape) {
+    const Handle instance = unpack(shape.user_data());
+    return instance ? instance : unpack(shape.body().user_data());
+}
 
 physics::QueryFilter filter(const Value& categories, const Value& of_group = {},
                             const Value& function = {}) {
     physics::QueryFilter filter;
     if (!function.is_nil())
         filter.accept = [](const physics::Shape& shape) {
-            return property::Acceptance::accepts(unpack(shape.user_data()));
+            return property::Acceptance::accepts(asked_about(shape));
         };
     if (!categories.is_nil()) filter.mask = from_value<std::uint64_t>(categories);
     if (!of_group.is_nil()) filter.group = static_cast<std::int32_t>(of_group.integer());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include <fettle/property/spelling.h>
@@ -120,7 +121,7 @@ class SceneWriter {
             if (given_ != nullptr ? given_->value(handle, property->name) != nullptr
                                   : tree_.overridden(handle, *property) ||
                                         tree_.formula(handle, *property) != nullptr)
-                written.push_back(property);
+                if (has_text(handle, *property)) written.push_back(property);
         }
         const auto unknown = kept_in(kept, "properties", [&](const std::string& name) {
             return tree_.class_of(handle).property(name) == nullptr;
@@ -176,23 +177,55 @@ class SceneWriter {
         }
     }
 
+    /// The last value of a formula, if a write would accept it. A formula that has had no value yet
+    /// leaves the one that the property is computed to, which may be out of range.
+    std::optional<Value> last_value(Handle handle, const Property& property) const {
+        (void)tree_.problem(handle, property);  // settles it; after an error the last value stays
+        Value value = tree_.peek(handle, property);
+        try {
+            if (!value.is_nil()) (void)tree_.coerce(handle, property, value);
+        } catch (const Error&) {
+            return std::nullopt;
+        }
+        return value;
+    }
+
+    /// Why the text of the formula would not give the same formula; "" if it does.
+    static std::string why_not_saved(const Formula& formula) {
+        if (!formula.not_saved.empty()) return formula.not_saved;
+        if (formula.source.empty()) return "has no text";
+        std::string quoted;
+        return append_quoted(quoted, formula.source) ? "" : "is not UTF-8";
+    }
+
+    void warn(Handle handle, const Property& property, const std::string& why,
+              const std::string& consequence) {
+        if (warnings_ != nullptr)
+            warnings_->push_back(tree_.path(handle, property) + ": its formula " + why +
+                                 ", so it cannot be saved; " + consequence);
+    }
+
+    /// Whether there is something to write for the property. A formula that cannot be saved, and
+    /// whose value could not be loaded, is left out with a warning.
+    bool has_text(Handle handle, const Property& property) {
+        const Formula* const formula = given_ ? nullptr : tree_.formula(handle, property);
+        if (formula == nullptr) return true;
+        const std::string why = why_not_saved(*formula);
+        if (why.empty() || last_value(handle, property)) return true;
+        warn(handle, property, why, "it has had no value yet, so none is saved");
+        return false;
+    }
+
     /// Writes the formula as its text. If the text would not give the same formula, writes the
     /// value.
     void formula(Handle handle, const Property& property, const Formula& formula,
                  std::size_t column, std::size_t indent) {
-        (void)tree_.problem(handle, property);  // settles it; after an error the last value stays
-        const Value value = tree_.peek(handle, property);
-        std::string why = formula.not_saved;
-        if (formula.source.empty() && why.empty()) why = "has no text";
-        if (why.empty()) {
-            if (values_.append(out_, property, formula, value)) return;
-            why = "is not UTF-8";
-        }
+        const Value value = last_value(handle, property).value_or(Value());
+        const std::string why = why_not_saved(formula);
+        if (why.empty() && values_.append(out_, property, formula, value)) return;
         values_.append(out_, property, value, column, indent);
-        if (warnings_ != nullptr)
-            warnings_->push_back(tree_.path(handle, property) + ": its formula " + why +
-                                 ", so it cannot be saved; its value " +
-                                 tree_.text(value, property.precision()) + " is saved instead");
+        warn(handle, property, why,
+             "its value " + tree_.text(value, property.precision()) + " is saved instead");
     }
 
     template <class Unknown>

@@ -12,6 +12,9 @@ namespace fettle::property {
 namespace {
 
 using StoreJson = nlohmann::ordered_json;
+/// For reading: it finds a key in logarithmic time, while the ordered one compares it with all
+/// others.
+using ReadJson = nlohmann::json;
 
 constexpr const char* store_version_key = "fettle_store";
 constexpr int store_version = 1;
@@ -85,10 +88,10 @@ StoreJson entry_json(const Store::Entry& entry) {
     throw Error(ErrorKind::damaged, why);
 }
 
-double read_number(const StoreJson& json) {
+double read_number(const ReadJson& json) {
     if (json.is_number()) return json.get<double>();
     if (json.is_object() && json.size() == 1 && json.contains("$number")) {
-        const StoreJson& name = json["$number"];
+        const ReadJson& name = json["$number"];
         for (const double number :
              {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
               std::numeric_limits<double>::quiet_NaN()})
@@ -98,24 +101,24 @@ double read_number(const StoreJson& json) {
 }
 
 /// The numbers in {"$vec2": [1, 2]}.
-std::vector<double> read_numbers(const StoreJson& json, std::size_t count) {
+std::vector<double> read_numbers(const ReadJson& json, std::size_t count) {
     if (!json.is_array() || json.size() != count)
         damaged_store(std::to_string(count) + " numbers were expected, found " + json.dump());
     std::vector<double> numbers;
-    for (const StoreJson& each : json) numbers.push_back(read_number(each));
+    for (const ReadJson& each : json) numbers.push_back(read_number(each));
     return numbers;
 }
 
-Store::Entry read_entry(const StoreJson& json, int depth);
+Store::Entry read_entry(const ReadJson& json, int depth);
 
 Store::Entry new_table() {
     return {.content = std::make_shared<Store::Content>()};
 }
 
-Store::Entry read_pairs(const StoreJson& json, int depth) {
+Store::Entry read_pairs(const ReadJson& json, int depth) {
     Store::Entry table = new_table();
     if (!json.is_array()) damaged_store("a table without entries");
-    for (const StoreJson& pair : json) {
+    for (const ReadJson& pair : json) {
         if (!pair.is_array() || pair.size() != 2) damaged_store("an entry that is not a pair");
         Store::Key key;
         if (pair[0].is_number_integer())
@@ -129,10 +132,10 @@ Store::Entry read_pairs(const StoreJson& json, int depth) {
     return table;
 }
 
-Store::Entry read_object(const StoreJson& json, int depth) {
+Store::Entry read_object(const ReadJson& json, int depth) {
     if (json.size() == 1 && json.begin().key().starts_with('$')) {
         const std::string& tag = json.begin().key();
-        const StoreJson& inside = json.begin().value();
+        const ReadJson& inside = json.begin().value();
         if (tag == "$number") return {.value = read_number(json)};
         if (tag == "$table") return read_pairs(inside, depth);
         if (tag == "$vec2") {
@@ -152,7 +155,7 @@ Store::Entry read_object(const StoreJson& json, int depth) {
     return table;
 }
 
-Store::Entry read_entry(const StoreJson& json, int depth) {
+Store::Entry read_entry(const ReadJson& json, int depth) {
     if (depth > Store::depth_limit) damaged_store("its tables are nested too deep");
     if (json.is_boolean()) return {.value = json.get<bool>()};
     if (json.is_number_integer()) return {.value = json.get<std::int64_t>()};
@@ -162,7 +165,7 @@ Store::Entry read_entry(const StoreJson& json, int depth) {
     if (!json.is_array()) damaged_store("null is not a value");
     Store::Entry list = new_table();
     std::int64_t place = 0;
-    for (const StoreJson& each : json) list.content->entries[++place] = read_entry(each, depth + 1);
+    for (const ReadJson& each : json) list.content->entries[++place] = read_entry(each, depth + 1);
     return list;
 }
 
@@ -174,10 +177,10 @@ std::string store_text(const Store::Content& content) {
 }
 
 Store::Content store_content(const std::string& text) {
-    const StoreJson whole = StoreJson::parse(text, nullptr, false);
+    const ReadJson whole = ReadJson::parse(text, nullptr, false);
     if (!whole.is_object() || !whole.contains(store_version_key) || !whole.contains("values"))
         damaged_store("it is damaged");
-    const StoreJson& version = whole[store_version_key];
+    const ReadJson& version = whole[store_version_key];
     if (!version.is_number_integer() || version.get<std::int64_t>() != store_version)
         damaged_store("it was written by another version of Fettle");
     Store::Entry root = read_entry(whole["values"], 0);
