@@ -47,7 +47,8 @@ TEST_CASE_METHOD(Scene, "a search asks about a mover for its capsule") {
         return instance != hero;
     });
     const Value from(Vec2(-1, 1)), to(Vec2(1, 1));
-    const property::Result found = tree.call(world(), "raycast", {from, to, Value(), Value(), Value(true)});
+    const property::Result found =
+        tree.call(world(), "raycast", {from, to, Value(), Value(), Value(true)});
     accept.finish();
     CHECK(asked == std::vector<Handle>{hero});
     CHECK(std::get<Value>(found).is_nil());

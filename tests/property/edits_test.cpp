@@ -93,8 +93,8 @@ TEST_CASE_METHOD(Fixture,
                  "a refused edit reports path and value and range and unit and changes nothing") {
     tree.set(ball, "mass", 5);
     const std::string message = message_of([&] { tree.set(ball, "mass", -1); });
-    CHECK_THAT(message, contains("world.ball.mass") && contains("from 0 to 1e6 kg") &&
-                            contains("got -1"));
+    CHECK_THAT(message,
+               contains("world.ball.mass") && contains("from 0 to 1e6 kg") && contains("got -1"));
     CHECK(tree.get(ball, "mass") == Value(5.0));
     CHECK_THAT(message_of([&] { tree.set(ball, "mass", "heavy"); }),
                contains("got text \"heavy\""));

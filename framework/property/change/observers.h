@@ -4,12 +4,11 @@
 #include <vector>
 
 #include <fettle/property/observer.h>
+#include <fettle/property/write_log.h>
 
 #include <guards/lifetime.h>
 
 namespace fettle::property {
-
-class WriteLog;
 
 struct Observers {
     Lifetime& lifetime;

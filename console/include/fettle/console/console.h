@@ -21,11 +21,11 @@
 #include <fettle/property/tree.h>
 #include <fettle/script/runtime.h>
 
+FETTLE_CONSOLE_BEGIN
+
 namespace fettle::property {
 class Tweaks;
 }
-
-FETTLE_CONSOLE_BEGIN
 
 namespace fettle::console {
 
