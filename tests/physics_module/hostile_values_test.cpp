@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include <fettle/property/bound_text.h>
 #include <fettle/property/storage/scene.h>
 
 #include "catch.h"
@@ -233,7 +234,7 @@ TEST_CASE_METHOD(Hostile, "the bound in an error message is accepted when it is 
             for (const double bound : {property->range.min, property->range.max}) {
                 if (std::isinf(bound)) continue;
                 build(*of, Where::detached);
-                const std::string typed = property::number_text(bound, property->precision());
+                const std::string typed = property::bound_text(bound, property->precision());
                 INFO(of->name() << "." << property->name << " = " << typed);
                 const double x = std::strtod(typed.c_str(), nullptr);
                 Value value = x, beyond = bound == property->range.min ? x - 1 - std::fabs(x) * 1e-5
