@@ -4,6 +4,10 @@
 #
 #   reference.sh FOLDER [HEADERS]    the pages are in FOLDER/html; HEADERS: other headers than those of docs/doxygen/Doxyfile
 set -euo pipefail
+if (($# < 1 || $# > 2)) || [[ $1 == -* ]]; then
+    sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
+    exit 2
+fi
 command -v doxygen >/dev/null || { echo "Doxygen is not here"; exit 77; }
 mkdir -p -- "$1"
 folder=$(cd -- "$1" && pwd -P)
