@@ -3,6 +3,7 @@
 #include <geometry/growth.h>
 #include <geometry/vector.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -27,6 +28,7 @@ struct VertexPool {
         if (!bin.empty()) {
             const uint32_t begin = bin.back();
             bin.pop_back();
+            forget_place(begin, capacity);
             return begin;
         }
         const uint32_t begin = uint32_t(local.size());
@@ -38,6 +40,13 @@ struct VertexPool {
         directions.resize(size);
         offsets.resize(size);
         return begin;
+    }
+    /// A shape without a body has no place, and must not have that of an earlier shape, which may
+    /// have been too far away to be saved and restored.
+    void forget_place(uint32_t begin, uint32_t capacity) {
+        std::fill_n(vertices.begin() + begin, capacity, Vec2{});
+        std::fill_n(directions.begin() + begin, capacity, Vec2{});
+        std::fill_n(offsets.begin() + begin, capacity, 0.0f);
     }
     /// Without memory it throws, and nothing has changed.
     void make_room_for(uint32_t capacity) {
