@@ -13,4 +13,9 @@ extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options() {
     return "intercept_tls_get_addr=0";
 }
+// Leaks to be ignored: fontconfig keeps some data until the program ends.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:libfontconfig";
+}
 #endif

@@ -9,13 +9,6 @@
 
 #include "gallery.h"
 
-/// The leak checker calls this function for the leaks that it must ignore. Fontconfig keeps some
-/// data until the program ends.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() {
-    return "leak:libfontconfig";
-}
-
 namespace text_test {
 
 using namespace fettle::visuals::test;
