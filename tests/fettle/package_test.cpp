@@ -244,9 +244,10 @@ TEST_CASE("a package needs an argument for what to make") {
     CHECK(fettle(folder, {"package", game, "--file", "x.zip"}).status == 2);
 }
 
-// With sanitizers a module is larger than a file of a game may be.
-#ifndef __SANITIZE_ADDRESS__
 TEST_CASE("a package brings the native modules of its game along") {
+#ifdef __SANITIZE_ADDRESS__
+    return;  // a module is larger there than a file of a game may be
+#endif
     const Folder folder;
     folder.write("game/main.lua", "world.ball = Body { Circle {} } print(modules.physics.file)");
     folder.write("game/modules.json", R"({"modules": ["physics"]})");
@@ -266,7 +267,6 @@ TEST_CASE("a package brings the native modules of its game along") {
     CHECK(status == 0);
     CHECK(folder.text("result") == to + "/game/physics.so\n");
 }
-#endif
 
 TEST_CASE("an archive names installed modules and brings no native code along") {
     const Folder folder;
