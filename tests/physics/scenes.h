@@ -41,6 +41,13 @@ inline Body add_ball(World& world, const Vec2& position, float radius = 0.5f,
     return ball;
 }
 
+/// Root of the mean square of the speeds, m/s.
+inline float rms_speed(const std::vector<Body>& bodies) {
+    float sum = 0.0f;
+    for (const Body& body : bodies) sum += body.velocity().length_squared();
+    return std::sqrt(sum / float(bodies.size()));
+}
+
 /// `count` points of an ellipse, counterclockwise from its right end.
 inline std::vector<Vec2> ellipse_points(float rx, float ry, int count,
                                         const Vec2& center = {0.0f, 0.0f}) {

@@ -366,16 +366,6 @@ TEST_CASE("a restored world goes on under its solver bit for bit") {
     CHECK(world.hash() == expected);
 }
 
-namespace {
-
-float rms_speed(const std::vector<Body>& bodies) {
-    float sum = 0.0f;
-    for (const Body& body : bodies) sum += body.velocity().length_squared();
-    return std::sqrt(sum / float(bodies.size()));
-}
-
-}  // namespace
-
 TEST_CASE("a pyramid under the direct solver stands still from the first step") {
     World world({.sleeping = false, .solver = Solver::direct});
     add_floor(world);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <fettle/property/observer.h>
+// A declaration of WriteLog before that of its header would keep it from being exported.
 #include <fettle/property/write_log.h>
 
 #include <guards/lifetime.h>

@@ -1,19 +1,15 @@
 // A box that is full of circles, under the direct solver: more contacts than it can solve.
 
-#include <fettle/physics/physics.h>
-
-#include <cmath>
 #include <vector>
 
+#include "../scenes.h"
 #include "catch.h"
 
 namespace full_box_test {
 
-using namespace fettle::physics;
+using namespace scenes;
 
 namespace {
-
-constexpr float frame = 1.0f / 60;
 
 /// Circles that overlap by a seventh at first, in a box without gravity that is 80 % full.
 std::vector<Body> confine(World& world, int rows) {
@@ -26,17 +22,9 @@ std::vector<Body> confine(World& world, int rows) {
     std::vector<Body> circles;
     for (int i = 0; i < rows * rows; ++i) {
         const Vec2 place(float(i % rows), float(i / rows));
-        circles.push_back(
-            world.create_body({.position = 0.72f * (place - Vec2(rows / 2, rows / 2))}));
-        circles.back().add(Circle{.radius = 0.42f});
+        circles.push_back(add_ball(world, 0.72f * (place - Vec2(rows / 2, rows / 2)), 0.42f));
     }
     return circles;
-}
-
-float rms_speed(const std::vector<Body>& bodies) {
-    float sum = 0.0f;
-    for (const Body& body : bodies) sum += body.velocity().length_squared();
-    return std::sqrt(sum / float(bodies.size()));
 }
 
 }  // namespace
@@ -61,7 +49,7 @@ TEST_CASE("a problem that is too hard for the direct solver comes to rest all th
 TEST_CASE("an island too large for the direct solver comes to rest") {
     World world({.gravity = {0, 0}, .sleeping = false, .solver = Solver::direct});
     const std::vector<Body> circles = confine(world, 25);
-    for (int i = 0; i < 60; ++i) world.step(frame);
+    run(world, 1.0f);
     CHECK(rms_speed(circles) < 0.05f);
 }
 
