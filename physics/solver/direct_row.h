@@ -53,6 +53,7 @@ struct DirectRow {
     Jacobian jacobian;
     double stiffness = 0.0;
     double push = 0.0;
+    double correction = 0.0;  ///< the part of `push` that removes an error of position
     double low = -no_limit, high = no_limit;
     bool rigid = false;    ///< infinite stiffness: v must become -push/stiffness
     double impulse = 0.0;  ///< total impulse: of the pass before, then of this one
@@ -101,8 +102,10 @@ class RowWriter {
 
     /// Keeps an error at 0.
     DirectRow& hold(const Jacobian& jacobian, float error, float& impulse) {
-        return rigid(jacobian, biased() ? double(direct_correction) * double(error) / h_ : 0.0,
-                     impulse);
+        const double bias = biased() ? double(direct_correction) * double(error) / h_ : 0.0;
+        DirectRow& row = rigid(jacobian, bias, impulse);
+        row.correction = row.push;
+        return row;
     }
     /// Keeps the gap between the anchors at 0.
     void hold_point(const JointEnds& ends, Vec2 gap, Vec2& impulse) {
@@ -115,6 +118,7 @@ class RowWriter {
         if (room < 0.0f) bias = biased() ? double(direct_correction) * bias : 0.0;
         DirectRow& row = rigid(jacobian, bias, impulse);
         row.low = 0.0;
+        if (room < 0.0f) row.correction = row.push;
         return row;
     }
     /// Drives a velocity with a limited impulse.

@@ -10,10 +10,15 @@ struct Motion {
     float wa, wb;
 };
 
-/// Speed along the normal at which a point may approach, or must separate.
-double normal_bias(const RowWriter& rows, const ContactConstraint& c, const ConstraintPoint& p,
-                   const ContactExtra* extra, const SolverBody& a, const SolverBody& b,
-                   float push_speed) {
+/// Speed along the normal at which a point may approach, or must separate, m/s.
+struct NormalBias {
+    double whole = 0.0;
+    double correction = 0.0;  ///< the part of it that removes an overlap
+};
+
+NormalBias normal_bias(const RowWriter& rows, const ContactConstraint& c, const ConstraintPoint& p,
+                       const ContactExtra* extra, const SolverBody& a, const SolverBody& b,
+                       float push_speed) {
     const float opened =
         dot(c.normal, b.shift - a.shift) + (p.normal_lever_b * b.turn - p.normal_lever_a * a.turn);
     float separation = p.separation + opened;
@@ -31,9 +36,11 @@ double normal_bias(const RowWriter& rows, const ContactConstraint& c, const Cons
         bias += double(later - gap) / rows.h();
         separation += gap;
     }
-    if (separation > 0.0f) return bias + double(separation) / rows.h();
-    if (!rows.biased()) return bias;
-    return bias + std::max(double(direct_correction * separation) / rows.h(), -double(push_speed));
+    if (separation > 0.0f) return {bias + double(separation) / rows.h()};
+    if (!rows.biased()) return {bias};
+    const double correction =
+        std::max(double(direct_correction * separation) / rows.h(), -double(push_speed));
+    return {bias + correction, correction};
 }
 
 }  // namespace
@@ -43,13 +50,15 @@ void write_rows(RowWriter& rows, ContactConstraint& c, ContactExtra* extra, cons
     const auto first = uint32_t(rows.size());
     for (int k = 0; k < c.count; ++k) {
         ConstraintPoint& p = c.points[k];
-        double bias = normal_bias(rows, c, p, extra, a, b, push_speed);
+        NormalBias bias = normal_bias(rows, c, p, extra, a, b, push_speed);
         if (rows.pass() == DirectPass::bounced && extra != nullptr &&
             extra->approach[k] <= -restitution_threshold && extra->greatest[k] > 0.0f)
-            bias = double(extra->restitution) * double(extra->approach[k]);
-        rows.rigid(Jacobian::along(c.a, c.b, c.normal, p.normal_lever_a, p.normal_lever_b), bias,
-                   p.normal_impulse)
-            .low = 0.0;
+            bias = {double(extra->restitution) * double(extra->approach[k])};
+        DirectRow& row =
+            rows.rigid(Jacobian::along(c.a, c.b, c.normal, p.normal_lever_a, p.normal_lever_b),
+                       bias.whole, p.normal_impulse);
+        row.low = 0.0;
+        row.correction = row.stiffness * bias.correction;
     }
     const auto bear = [&](DirectRow& row, uint32_t bearer, uint32_t bearers, float friction) {
         row.bearer = bearer;

@@ -3,14 +3,17 @@
 // with them. While they balance they move nothing; when the body slips or a normal turns, what is
 // left is a hundred times the impulse of the presser, and the body shot out with up to 190 m/s. So
 // a squeezed body gets no faster than what it touches, and than the push speed: neither a rigid
-// wedge nor an impulse that was stored throws it. Momentum is not kept there; the presser has none
-// to lose.
+// wedge nor an impulse that was stored throws it. Its impulses act on what it touches too, so the
+// same holds for the bodies that it threw. Momentum is not kept there; the presser has none to
+// lose.
 
 #include <solver/free_motion.h>
 #include <state/limits.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
 namespace fettle::physics::detail {
 namespace {
@@ -60,9 +63,26 @@ class Squeezes {
                turn > little_more * std::fabs(own.turn);
     }
 
-    void limit(uint32_t index) const {
+    /// Limits the body if it is squeezed and thrown, then all that its impulses may have thrown:
+    /// they go through slow bodies too, as through a seesaw to what lies on it.
+    void limit_squeezed(uint32_t index) {
+        if (!is_squeezed(input_.active.awake_bodies[index - 1]) || !limit(index)) return;
+        reached_.resize(input_.bodies.solver_bodies.size());
+        add_neighbours(index);
+        while (!waiting_.empty()) {
+            const uint32_t next = waiting_.back();
+            waiting_.pop_back();
+            if (may_be_thrown(next)) limit(next);
+            add_neighbours(next);
+        }
+    }
+
+  private:
+    static float squared(float value) { return value * value; }
+
+    /// False if the body is not faster than what it touches can make it.
+    bool limit(uint32_t index) const {
         const uint32_t body = input_.active.awake_bodies[index - 1];
-        if (!is_squeezed(body)) return;
         SolverBody& b = input_.bodies.solver_bodies[index];
         const FreeMotion own = own_motion(index);
         const float speed = max(length(b.velocity), length(b.shift) / dt_);
@@ -73,7 +93,7 @@ class Squeezes {
         const bool jointed = input_.objects.bodies[body].lists.first_joint != none;
         const float most_turn =
             jointed ? infinity : max(most / max(extent, 1e-6f), std::fabs(own.turn));
-        if (!(speed > most) && !(turn > most_turn)) return;
+        if (!(speed > most) && !(turn > most_turn)) return false;
         const auto scale = [](float value, float limit) {
             return value > limit ? limit / value : 1.0f;
         };
@@ -85,10 +105,19 @@ class Squeezes {
             ContactRecord& c = input_.objects.contacts[contact];
             if (acts(c)) forget_impulses(c);
         });
+        return true;
     }
 
-  private:
-    static float squared(float value) { return value * value; }
+    void add_neighbours(uint32_t index) {
+        const uint32_t body = input_.active.awake_bodies[index - 1];
+        input_.objects.for_each_contact(body, [&](uint32_t contact) {
+            const uint32_t other = input_.objects.other_body(contact, body);
+            if (!acts(input_.objects.contacts[contact]) || !yields(other)) return;
+            const uint32_t neighbour = input_.objects.bodies[other].solver_index;
+            if (std::exchange(reached_[neighbour], 1)) return;
+            waiting_.push_back(neighbour);
+        });
+    }
 
     FreeMotion own_motion(uint32_t index) const {
         return {columns_.states[input_.active.awake_bodies[index - 1]],
@@ -198,19 +227,22 @@ class Squeezes {
     const Columns& columns_;
     float dt_, inverse_dt2_;
     float least_unyielding_;  ///< depth, m; the direct solver throws a body out before it overlaps
+    // Bodies that a squeezed one may have thrown, in the solver.
+    std::vector<uint32_t> waiting_;
+    std::vector<uint8_t> reached_;  ///< by solver body: 1 if it was or is in `waiting_`
 };
 
 }  // namespace
 
 void limit_squeezed(const SolverInput& input, const Columns& columns, float dt) {
     if (!(dt > 1e-12f)) return;
-    const Squeezes squeezes(input, columns, dt);
+    Squeezes squeezes(input, columns, dt);
     for (const ActingPiece& piece : input.contacts.acting_pieces) {
         for (uint32_t i = piece.begin; i < piece.end(); ++i) {
             const ActingContact& c = input.contacts.acting[i];
             // A body that touches nothing that does not yield is not squeezed.
             if (c.moves_a() != c.moves_b() && squeezes.may_be_thrown(c.mover()))
-                squeezes.limit(c.mover());
+                squeezes.limit_squeezed(c.mover());
         }
     }
 }

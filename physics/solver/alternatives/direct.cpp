@@ -45,7 +45,8 @@ class DirectSolver {
             });
         }
         for (DirectProblem& problem : problems_) {
-            const bool solved = problem.solve(rows_, scales_, bodies_, pass != DirectPass::biased);
+            const bool solved = problem.solve(rows_, scales_, bodies_, pass != DirectPass::biased,
+                                              input_.settings.push_speed);
             ++(solved ? statistics_.direct_solves : statistics_.direct_failures);
         }
         if (pass == DirectPass::biased) return;

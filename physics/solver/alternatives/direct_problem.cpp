@@ -76,7 +76,7 @@ DirectProblem::DirectProblem(std::vector<uint32_t> bodies, std::vector<uint32_t>
         lines_[i].b = place[all[rows_[i]].jacobian.b];
     }
     const auto unknowns = Eigen::Index(3 * bodies_.size());
-    u_ = before_ = right_ = trial_ = Eigen::VectorXd::Zero(unknowns);
+    u_ = before_ = forced_ = right_ = trial_ = Eigen::VectorXd::Zero(unknowns);
     work_left_ = std::max(least_work, most_work * double(rows_.size()) / double(all.size()));
 }
 
@@ -141,62 +141,6 @@ double DirectProblem::wanted(size_t i, double velocity) {
 
 double DirectProblem::allowed(size_t i, double velocity) {
     return std::min(std::max(wanted(i, velocity), row(i).low), row(i).high);
-}
-
-/// Reads rows and velocities. The search begins with the impulses of the previous pass.
-void DirectProblem::read(std::span<const MassScale> scales,
-                         std::span<const SolverBody> solver_bodies, bool applied) {
-    before_.setZero();
-    for (size_t i = 0; i < lines_.size(); ++i) {
-        const Jacobian& j = row(i).jacobian;
-        Line& line = lines_[i];
-        const auto scaled_by = [](const MassScale& s, const double(&on)[3], double(&to)[3]) {
-            to[0] = s.x * on[0], to[1] = s.y * on[1], to[2] = s.turn * on[2];
-        };
-        scaled_by(scales[j.a], j.on_a, line.on_a);
-        scaled_by(scales[j.b], j.on_b, line.on_b);
-        if (applied) add(line, -row(i).impulse, before_);
-    }
-    for (size_t i = 0; i < lines_.size(); ++i) {
-        Line& line = lines_[i];
-        const Jacobian& j = row(i).jacobian;
-        const auto moving = [](const SolverBody& body, const double(&on)[3]) {
-            return on[0] * double(body.velocity.x) + on[1] * double(body.velocity.y) +
-                   on[2] * double(body.angular_velocity);
-        };
-        line.base = moving(solver_bodies[j.a], j.on_a) + moving(solver_bodies[j.b], j.on_b) +
-                    along(line, before_);
-        bound_friction(i);
-        line.best = line.memory = row(i).impulse;
-    }
-}
-
-/// Writes impulses and velocities.
-void DirectProblem::write(std::span<const MassScale> scales,
-                          std::span<SolverBody> solver_bodies) const {
-    for (const uint32_t i : rows_) all_[i].keep();
-    for (size_t i = 0; i < bodies_.size(); ++i) {
-        SolverBody& body = solver_bodies[bodies_[i]];
-        const MassScale& s = scales[bodies_[i]];
-        const auto at = Eigen::Index(3 * i);
-        const auto change = [&](Eigen::Index k) { return before_[at + k] + u_[at + k]; };
-        const auto moved = [](float from, double by) {
-            return bounded(float(double(from) + by), 1e30f);
-        };
-        body.velocity.x = moved(body.velocity.x, s.x * change(0));
-        body.velocity.y = moved(body.velocity.y, s.y * change(1));
-        body.angular_velocity = moved(body.angular_velocity, s.turn * change(2));
-    }
-}
-
-/// Sets the bounds that depend on the impulses of other rows, from the current impulses.
-void DirectProblem::bound_friction(size_t i) {
-    DirectRow& r = row(i);
-    if (r.bearers == 0) return;
-    double load = 0.0;
-    for (uint32_t k = 0; k < r.bearers; ++k) load += all_[r.bearer + k].impulse;
-    r.high = r.friction * std::max(load, 0.0);
-    r.low = -r.high;
 }
 
 void DirectProblem::add_block(const Line& line, double stiffness) {
@@ -464,15 +408,23 @@ void DirectProblem::begin_from_sweeps() {
     for (size_t i = 0; i < lines_.size(); ++i) lines_[i].memory = row(i).impulse;
 }
 
+/// Sets impulses and `u_`. False if they come from sweeps.
+bool DirectProblem::find_velocities() {
+    if (solve_exactly()) return true;
+    // The search is not repeated in this step; it would take a hundred times as long.
+    search_failed_ = least_left_ > acceptable;
+    sweep(std::clamp(int(most_visits / lines_.size()), least_sweeps, most_sweeps));
+    return false;
+}
+
 bool DirectProblem::solve(std::span<DirectRow> all, std::span<const MassScale> scales,
-                          std::span<SolverBody> solver_bodies, bool applied) {
+                          std::span<SolverBody> solver_bodies, bool applied, float push_speed) {
     all_ = all;
     read(scales, solver_bodies, applied);
-    const bool solved = solve_exactly();
-    if (!solved) {
-        // The search is not repeated in this step; it would take a hundred times as long.
-        search_failed_ = least_left_ > acceptable;
-        sweep(std::clamp(int(most_visits / lines_.size()), least_sweeps, most_sweeps));
+    bool solved = find_velocities();
+    if (throws_a_body(scales, push_speed)) {
+        begin_without_corrections();
+        solved = find_velocities();
     }
     write(scales, solver_bodies);
     return solved || least_left_ <= acceptable;

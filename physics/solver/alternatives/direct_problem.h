@@ -19,10 +19,11 @@ class DirectProblem {
                   std::span<const DirectRow> all, std::span<const int32_t> place);
 
     /// Sets the impulses of the rows and the velocities of the bodies. `applied`: the velocities
-    /// already contain the current impulses of the rows. False if the problem was too large or no
-    /// solution was found: then the result comes from sweeps over the rows.
+    /// already contain the current impulses of the rows. `push_speed`: of the world, m/s. False if
+    /// the problem was too large or no solution was found: then the result comes from sweeps over
+    /// the rows.
     bool solve(std::span<DirectRow> all, std::span<const MassScale> scales,
-               std::span<SolverBody> solver_bodies, bool applied);
+               std::span<SolverBody> solver_bodies, bool applied, float push_speed);
 
   private:
     enum class State : int8_t { low = -1, free = 0, high = 1 };
@@ -41,7 +42,12 @@ class DirectProblem {
     void analyze();
     void read(std::span<const MassScale> scales, std::span<const SolverBody> solver_bodies,
               bool applied);
+    void take_impulses_back(std::span<const MassScale> scales,
+                            std::span<const SolverBody> solver_bodies, bool applied);
+    bool throws_a_body(std::span<const MassScale> scales, float push_speed) const;
+    void begin_without_corrections();
     void write(std::span<const MassScale> scales, std::span<SolverBody> solver_bodies) const;
+    bool find_velocities();
     bool solve_exactly();
     bool solve_boxed(int most);
     void guess_states();
@@ -68,7 +74,9 @@ class DirectProblem {
     std::vector<uint32_t> bodies_, rows_;
     std::vector<Line> lines_;
     std::span<DirectRow> all_;  ///< rows of all problems; only set while one is solved
-    Eigen::VectorXd u_, before_, right_, trial_;
+    Eigen::VectorXd u_, right_, trial_;
+    Eigen::VectorXd before_;  ///< from the velocities of the bodies to those without impulses
+    Eigen::VectorXd forced_;  ///< √M·v before the impulses of the sub-step
     Eigen::SparseMatrix<double> matrix_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
     bool analyzed_ = false;
