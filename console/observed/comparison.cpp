@@ -27,12 +27,6 @@ bool has_position(const property::Tree& tree, Handle instance) {
 
 namespace {
 
-Value value_of_time(const property::Tree& tree, const char* name) {
-    const Handle time = tree.child(tree.root(), "time");
-    const property::Property* const property = time ? tree.find(time, name) : nullptr;
-    return property != nullptr ? last_value(tree, time, *property) : Value();
-}
-
 /// Whether the children of the instance are on the screen, and not in the world.
 bool is_on_screen(const property::Tree& tree, Handle instance) {
     const property::Property* const space = tree.class_of(instance).property("space");
@@ -110,7 +104,7 @@ void Comparison::end() {
 }
 
 std::int64_t Comparison::first_step(const Asked& asked) const {
-    const Value dt = value_of_time(tree_, "dt"), oldest = value_of_time(tree_, "oldest");
+    const Value dt = time_value(tree_, "dt"), oldest = time_value(tree_, "oldest");
     const auto here = static_cast<std::int64_t>(tree_.step());
     double steps = std::round(asked.seconds / (dt.is(Type::number) ? dt.number() : 1.0 / 60));
     const auto poses = static_cast<double>(std::max<std::size_t>(1, placed(tree_).size()));
@@ -195,7 +189,7 @@ void Comparison::compare_branches(const Review& review, const ReviewBranch& othe
     }
     cut_to_common_steps();
     if (!shown()) return log_.error("compare_branch: the branches have no step in common");
-    original_ = "branch " + value_of_time(tree_, "branch").text();
+    original_ = "branch " + time_value(tree_, "branch").text();
     change_ = "branch " + asked.name;
     ++number_;
     tell_difference("A " + original_ + ", B " + change_);

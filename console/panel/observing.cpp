@@ -183,7 +183,7 @@ void Observing::run_commands(const Commands& commands) {
 
 /// The first step that is read: the steps are made again, which must not take long.
 std::int64_t Observing::first_to_read(bool plotted) const {
-    const std::int64_t oldest = time_value("oldest", 0), here = time_value("step", 0);
+    const std::int64_t oldest = time_step("oldest", 0), here = time_step("step", 0);
     if (!plotted) return std::max(oldest, here - pinned_past);
     // The time is estimated and not measured, so that a replay reads the same steps.
     const double each = 0.02 + 0.001 * static_cast<double>(tree_.size());  // ms, on common machines
@@ -219,7 +219,7 @@ void Observing::search_past(const Review& review) {
     bool now = false;
     std::string problem;
     try {
-        review(time_value("oldest", 0), [&](std::int64_t step) {
+        review(time_step("oldest", 0), [&](std::int64_t step) {
             if (first < 0) first = step;
             bool holds = false;
             try {
@@ -255,10 +255,8 @@ void Observing::tell(const std::string& line) {
 
 // --- Time
 
-std::int64_t Observing::time_value(const char* name, std::int64_t otherwise) const {
-    const Handle time = tree_.child(tree_.root(), "time");
-    const property::Property* property = time ? tree_.find(time, name) : nullptr;
-    const Value value = property != nullptr ? last_value(tree_, time, *property) : Value();
+std::int64_t Observing::time_step(const char* name, std::int64_t otherwise) const {
+    const Value value = time_value(tree_, name);
     return value.is(Type::integer) ? value.integer() : otherwise;
 }
 

@@ -70,7 +70,7 @@ class Observing {
     void search_past(const Review& review);
     void tell(const std::string& line);
     void pause();
-    std::int64_t time_value(const char* name, std::int64_t otherwise) const;
+    std::int64_t time_step(const char* name, std::int64_t otherwise) const;
     void go_to(std::int64_t step);
 
     property::Tree& tree_;

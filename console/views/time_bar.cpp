@@ -34,9 +34,7 @@ std::string seconds_text(double seconds) {
 // --- State and actions
 
 Value TimeBar::value(const char* name) const {
-    const Handle time = tree_.child(tree_.root(), "time");
-    const property::Property* property = time ? tree_.find(time, name) : nullptr;
-    return property != nullptr ? last_value(tree_, time, *property) : Value();
+    return time_value(tree_, name);
 }
 
 bool TimeBar::available() const {
