@@ -177,6 +177,9 @@ class Value {
 };
 static_assert(sizeof(Value) == 24);
 
+/// What a property of this type holds by default: false, 0, "", (0, 0), white, no instance, {}.
+Value default_value(Type type);
+
 /// Number of digits of a printed number. A property that is a `float` in memory prints 0.1, not
 /// 0.100000001490116.
 enum class Precision : std::uint8_t { single_precision, double_precision };
