@@ -32,9 +32,9 @@ void Changes::report_unreported() {
     const PlainWrites reported = writes.unreported();
     // The list is emptied first, because an observer may call functions that report writes again.
     // Observers write nothing.
-    writes.tell(author.writer, author.step, replaying);
+    writes.mark_reported(author.writer, author.step, replaying);
     if (!replaying && !observers.all.empty())
-        observers.tell([&](Observer& observer) { observer.wrote_plain(reported); });
+        observers.notify([&](Observer& observer) { observer.wrote_plain(reported); });
 }
 
 /// Remembers the author of an edit, in case the barrier finds derived values that it changed.

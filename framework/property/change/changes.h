@@ -61,9 +61,9 @@ struct Changes {
 
     /// Calls `what(observer)` for each observer.
     template <class What>
-    void tell(What what) {
+    void notify(What what) {
         report_plain_writes();
-        if (!replaying && !observers.all.empty()) observers.tell(what);
+        if (!replaying && !observers.all.empty()) observers.notify(what);
     }
     /// Reports the writes of the typed functions before anything else is reported.
     void report_plain_writes() {

@@ -134,8 +134,8 @@ class History {
     CellState before_deletion(Handle instance, const Property& property) const;
     UndoResult run(Transaction& transaction, bool back);
     void apply(CellEdit& edit, bool back, UndoResult& result);
-    void tell(Handle instance, const Property& property, const CellState& from,
-              UndoResult& result) const;
+    void add_change(Handle instance, const Property& property, const CellState& from,
+                    UndoResult& result) const;
     void apply(ExistenceEdit& existence, bool back, UndoResult& result);
     void apply(MoveEdit& move, bool back, UndoResult& result);
     void set_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result);

@@ -130,7 +130,7 @@ const std::vector<SnapshotPart*>& Tree::parts() const {
 }
 
 void Tree::refreshing(SnapshotPart& part, std::uint64_t what) {
-    state_->changes.tell([&](Observer& o) { o.refreshing(part, what); });
+    state_->changes.notify([&](Observer& o) { o.refreshing(part, what); });
 }
 
 Snapshot Tree::snapshot() const {

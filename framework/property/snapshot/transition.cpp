@@ -54,7 +54,7 @@ void Transition::finish() {
         tree_.emit(instances_.root, restored_,
                    {Value(static_cast<std::int64_t>(changes_.author.step)),
                     Value(static_cast<std::int64_t>(left_))});
-    changes_.tell([](Observer& o) { o.restored(); });
+    changes_.notify([](Observer& o) { o.restored(); });
 }
 
 // Reports about the abandoned state are dropped, except reports of deletions and initial values.

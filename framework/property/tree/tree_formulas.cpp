@@ -42,7 +42,7 @@ void Tree::set_formula(Handle instance, const Property& property, Formula formul
                         "which a formula may not change; assign a plain value");
     std::optional<CellState> before = s.history.before_edit(instance, property);
     s.formulas.set(instance, property, std::move(formula));
-    s.changes.tell([&](Observer& o) { o.formula_changed(instance, property); });
+    s.changes.notify([&](Observer& o) { o.formula_changed(instance, property); });
     if (before) s.history.edited(instance, property, std::move(*before));
 }
 
@@ -70,7 +70,7 @@ void Tree::remove_formula(Handle instance, const Property& property) {
     if (s.formulas.find({instance.index, property.symbol}) == nullptr) return;
     std::optional<CellState> before = s.history.before_edit(instance, property);
     s.formulas.remove({instance.index, property.symbol});
-    s.changes.tell([&](Observer& o) { o.formula_changed(instance, property); });
+    s.changes.notify([&](Observer& o) { o.formula_changed(instance, property); });
     if (before) s.history.edited(instance, property, std::move(*before));
 }
 

@@ -38,7 +38,7 @@ void Tree::rename(Handle instance, std::string_view name) {
     s.structure.changed(parent, was);
     s.structure.changed(parent, made);
     if (before) s.history.moved(instance, *before);
-    s.changes.tell([&](Observer& o) { o.moved(instance); });
+    s.changes.notify([&](Observer& o) { o.moved(instance); });
     if (s.changes.watchers.any_broad()) s.changes.refresh_shadows_below(instance.index);
 }
 
