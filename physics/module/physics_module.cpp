@@ -125,7 +125,7 @@ void PhysicsModule::step(double dt) {
     if (dt > 0) hosting().last_dt = dt;
     hosting().follow_listeners();
     hosting().joints.connect();
-    hosting().tell_strays();
+    hosting().report_strays();
     std::exception_ptr thrown;
     for (std::uint32_t n = first_world; n < max_worlds; ++n) {
         HostedWorld* hosted = hosting().world_at(n);
