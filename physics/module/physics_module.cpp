@@ -113,8 +113,8 @@ Hosting& PhysicsModule::hosting() const {
     return *hosting_;
 }
 
-void PhysicsModule::on_problem(std::function<void(const std::string&)> tell) {
-    hosting().on_problem = std::move(tell);
+void PhysicsModule::on_problem(std::function<void(const std::string&)> listener) {
+    hosting().on_problem = std::move(listener);
 }
 
 void PhysicsModule::step(double dt) {
