@@ -127,7 +127,7 @@ void Observing::after_step() {
         for (Trace& trace : *all) trace.take(step);
     const std::vector<std::string> lines = breaks_.look();
     if (lines.empty()) return;
-    for (const std::string& line : lines) tell(line);
+    for (const std::string& line : lines) report(line);
     if (on_break) on_break(lines.front());
     pause();
 }
@@ -168,16 +168,16 @@ void Observing::run_commands(const Commands& commands) {
         const bool blank = command.find_first_not_of(" \t\r\n") == std::string::npos;
         const bool comment = !blank && command.find('\n') == std::string::npos &&
                              command.compare(command.find_first_not_of(' '), 2, "--") == 0;
-        script::Evaluation said;
-        if (!blank && !comment && !prompt_.run(command, !more, &said)) continue;
+        script::Evaluation result;
+        if (!blank && !comment && !prompt_.run(command, !more, &result)) continue;
         command.clear();
         const std::string place = commands.file + ":" + std::to_string(first_line);
         first_line = next_line;
         if (found) {
-            for (const std::string& each : said.lines) found(each);
-            if (said.error) found("✗ " + said.error->message);
+            for (const std::string& each : result.lines) found(each);
+            if (result.error) found("✗ " + result.error->message);
         }
-        if (said.error) tell("this command is in " + place);
+        if (result.error) report("this command is in " + place);
     }
 }
 
@@ -197,7 +197,7 @@ void Observing::read_past(const Review& review) {
     bool plotted = false;
     for (auto* all : {&pins_, &plots_})
         for (Trace& trace : *all)
-            if (std::exchange(trace.wants_past, false)) {
+            if (std::exchange(trace.needs_past, false)) {
                 wanting.push_back(&trace);
                 plotted = plotted || all == &plots_;
             }
@@ -236,19 +236,19 @@ void Observing::search_past(const Review& review) {
     }
     const std::int64_t here = static_cast<std::int64_t>(tree_.step());
     const std::string what = "last_time " + condition.text + ": ";
-    if (first < 0) return tell(what + "no step is kept");
+    if (first < 0) return report(what + "no step is kept");
     if (last_true < 0)
-        return problem.empty() ? tell(what + "never since step " + std::to_string(first))
+        return problem.empty() ? report(what + "never since step " + std::to_string(first))
                                : log_.error(what + problem);
     if (now && became == first)
-        return tell(what + "true now, and ever since step " + std::to_string(first));
+        return report(what + "true now, and ever since step " + std::to_string(first));
     const std::int64_t to = now ? became : last_true;
-    tell(what + (now ? "true since step " : "true at step ") + std::to_string(to) + ", " +
-         std::to_string(here - to) + (here - to == 1 ? " step ago" : " steps ago"));
+    report(what + (now ? "true since step " : "true at step ") + std::to_string(to) + ", " +
+           std::to_string(here - to) + (here - to == 1 ? " step ago" : " steps ago"));
     go_to(to);
 }
 
-void Observing::tell(const std::string& line) {
+void Observing::report(const std::string& line) {
     log_.note(line);
     if (found) found(line);
 }
