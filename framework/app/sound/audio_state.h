@@ -77,7 +77,7 @@ struct Audio::State {
     bool ignores_pause(property::Handle voice) const;
 
     /// The sounds to be heard now. `halted`: every voice pauses.
-    std::vector<Heard> heard(bool halted) const;
+    std::vector<AudibleVoice> audible_voices(bool halted) const;
 
     Audio& audio;
     property::Tree& tree;

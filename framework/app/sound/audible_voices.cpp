@@ -69,10 +69,10 @@ Stereo Audio::State::loudness(Handle voice, Handle source) const {
     return {static_cast<float>(level * left), static_cast<float>(level * right)};
 }
 
-std::vector<Heard> Audio::State::heard(bool halted) const {
+std::vector<AudibleVoice> Audio::State::audible_voices(bool halted) const {
     const bool paused = clock.paused && !clock.step_once;
     const double rate = paused ? 1 : clock.scale;
-    std::vector<Heard> all;
+    std::vector<AudibleVoice> all;
     // Many voices often have one source.
     std::unordered_map<std::uint32_t, SynthParameters> known;
     for (const Handle voice : by_age()) {
@@ -80,7 +80,7 @@ std::vector<Heard> Audio::State::heard(bool halted) const {
         if (!source || value(voice, *of_voice.over).boolean()) continue;
         const bool stands = halted || (paused && !(at_present() && ignores_pause(voice)));
         const bool plays = !stands && value(voice, *of_voice.playing).boolean();
-        Heard one{
+        AudibleVoice one{
             .id = voice.key(),
             .time = number(voice, *of_voice.time),
             .rate = plays ? number(voice, *of_voice.pitch) * number(source, *of_source.pitch) * rate
