@@ -106,7 +106,7 @@ void Changes::queue_creation(Handle handle, const Class& of, WatcherId recipient
                 .recipients = recipient == 0 ? std::vector<WatcherId>{} : std::vector{recipient}});
 }
 
-bool Changes::wants_deletion_notice(Handle handle, const Class& of, bool only_own) const {
+bool Changes::needs_deletion_notice(Handle handle, const Class& of, bool only_own) const {
     return !watchers.of_deletion(handle, of, only_own).empty();
 }
 
@@ -114,7 +114,7 @@ void Changes::queue_deletion(Handle handle, const Class& of, const Cause& cause)
     // A watcher that did not receive the creation of the instance does not receive its deletion.
     // Only the watchers of the instance itself have received it.
     const bool only_own = nodes[handle.index].fresh;
-    const bool wanted = wants_deletion_notice(handle, of, only_own);
+    const bool wanted = needs_deletion_notice(handle, of, only_own);
     if (!wanted && deleted_event->listeners == 0 && !nodes[handle.index].watched) return;
     Existence gone = deletion_notice_of(handle, of, wanted);
     gone.cause = cause;

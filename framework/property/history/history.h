@@ -159,7 +159,7 @@ class History {
     // The target of each reference before the first of several instances was deleted. Modules may
     // clear references to deleted instances.
     std::unordered_map<Cell, Handle, CellHash> references_;
-    bool wants_references_ = false;
+    bool needs_references_ = false;
     bool has_references_ = false;
     /// A cell whose saved state refers to a deleted instance. The state is written when that
     /// instance is back, unless the cell was written otherwise meanwhile.

@@ -108,7 +108,7 @@ class InstanceChanges {
 }  // namespace
 
 History::References::References(History& history, bool wanted)
-    : history_(history), before_(std::exchange(history.wants_references_, wanted)) {
+    : history_(history), before_(std::exchange(history.needs_references_, wanted)) {
     history_.references_.clear();
     history_.has_references_ = false;
 }
@@ -116,7 +116,7 @@ History::References::References(History& history, bool wanted)
 History::References::~References() {
     history_.references_.clear();
     history_.has_references_ = false;
-    history_.wants_references_ = before_;
+    history_.needs_references_ = before_;
 }
 
 UndoResult History::run(Transaction& transaction, bool back) {

@@ -83,7 +83,7 @@ void on_formula_problem(Tree& tree, std::function<void(const FormulaProblem&)> s
     tree.state().formulas.problem_sink = std::move(sink);
 }
 
-void formula_problem_told(Tree& tree, Handle instance, const Property& property) {
+void formula_problem_reported(Tree& tree, Handle instance, const Property& property) {
     tree.state().formulas.problem_reported({instance.index, property.symbol});
 }
 

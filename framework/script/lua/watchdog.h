@@ -50,7 +50,7 @@ class Watchdog {
     /// otherwise.
     void look(lua_State* L) {
         if (due_.load(std::memory_order_relaxed)) [[unlikely]]
-            ask(L);
+            check(L);
     }
 
   private:
@@ -67,7 +67,7 @@ class Watchdog {
     void start();
     void begin_outermost();
     void end_outermost();
-    void ask(lua_State* L);
+    void check(lua_State* L);
     void count_call() {  // no other thread writes it
         serial_.store(serial_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
     }
