@@ -5,7 +5,6 @@
 #include <queries/asking.h>
 #include <world/world_data.h>
 
-#include <algorithm>
 #include <span>
 #include <stdexcept>
 

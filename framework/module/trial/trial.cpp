@@ -12,7 +12,6 @@
 #include <chrono>
 #include <cstring>
 #include <stdexcept>
-#include <string_view>
 #include <thread>
 #include <utility>
 
