@@ -145,7 +145,7 @@ script::Reloaded Session::reload_media(const std::vector<std::string>& names) {
     return {.done = true};
 }
 
-/// A file that cannot be read again leaves everything as it was, and `problems_` says why.
+/// A file that cannot be read again leaves everything as it was; the reason is in `problems_`.
 void Session::renew(const std::string& name) {
     problems_.erase(name);
     run_.renewed = name;

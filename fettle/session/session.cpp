@@ -478,7 +478,7 @@ void Session::fail(const script::ScriptError& error) {
     if (receivers_.errors) receivers_.errors(error);
 }
 
-/// A method that fails for each of a hundred instances is told once, and then how often.
+/// A method that fails for each of a hundred instances is reported once, with the count.
 void Session::tell_error(const script::ScriptError& error) {
     if (!repeated_.first(error)) return;
     if (!receivers_.output) tell_lines(app::error_text(error));

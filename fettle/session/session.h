@@ -80,7 +80,7 @@ class Session {
     }
     /// Pixels at the lower edge of the window that the console covers.
     float covered_below() const;
-    /// Whether somebody wants the game to begin again.
+    /// Whether a restart of the game was requested.
     bool wants_restart() const { return run_.restart; }
     /// Whether the game is at an earlier step than the newest.
     bool looks_back() const;
@@ -150,7 +150,7 @@ class Session {
     void tell_error(const script::ScriptError& error);
     void tell_repeated_errors();
 
-    /// Functions that get what the session says.
+    /// Functions that receive the messages of the session.
     struct Receivers {
         std::function<void(const script::ScriptError&)> errors{};
         std::function<void(std::string_view)> output{};

@@ -1,4 +1,4 @@
-// The sounds to be heard: the voices in the tree as the mixer takes them.
+// The audible voices of the tree, in the form that the mixer takes.
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +18,14 @@ using property::Vec2;
 
 namespace {
 
-/// The end on the far side of a sound that is heard from the side, as a part of the near one.
+/// The loudness in the far ear of a sound from the side, as a share of that in the near one.
 double far_side(double pan) {
     return std::cos(std::min(1.0, pan) * std::numbers::pi / 2);
 }
 
 }  // namespace
 
-/// Where a voice is heard from; nothing if it is heard everywhere the same.
+/// The place of a voice; nothing if it sounds the same everywhere.
 std::optional<Vec2> Audio::State::place(Handle voice, Handle source) const {
     if (const Value own = value(voice, *of_voice.position); own.is(Type::vec2)) return own.vec2();
     const Value offset = value(source, *of_source.position);

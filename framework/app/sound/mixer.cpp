@@ -101,7 +101,7 @@ void Mixer::adapt(Playing& voice, const AudibleVoice& to) {
     if (to.rate > 0) voice.speed = to.rate;
 }
 
-/// Takes over the sounds to be heard now.
+/// Takes over the voices that sound now.
 void Mixer::exchange() {
     std::optional<std::vector<AudibleVoice>> next;
     {

@@ -1,10 +1,10 @@
 #pragma once
 // Adds voices to one stereo signal.
 //
-// One thread sets the sounds to be heard, another makes the samples. They share only the list of
-// what is to be heard, under a lock that is held while the list is exchanged. A voice is compared
-// with the time that it should have: if it is far off (the game went back in time, or was stopped),
-// it continues where it should be.
+// One thread sets the voices, another makes the samples. They share only the list of voices, under
+// a lock that is held while the list is exchanged. A voice is compared with the time that it should
+// have: if it is far off (the game went back in time, or was stopped), it continues where it should
+// be.
 
 #include <cstdint>
 #include <memory>
@@ -35,7 +35,7 @@ class Mixer {
   public:
     static constexpr unsigned rate = 44100;            // Hz
     static constexpr double tolerance = 0.2;           // s, before a voice jumps
-    static constexpr std::size_t chunk_frames = 1024;  // that the device asks for at once
+    static constexpr std::size_t chunk_frames = 1024;  // that the device requests at once
 
     /// Sets the voices that sound from now on.
     void set_voices(std::vector<AudibleVoice> all);

@@ -123,7 +123,7 @@ void Budget::hook(lua_State* L, lua_Debug*) {
     }
     if (!now.stopping) {
         // Otherwise a nested budget stopped its script and left the hook at every instruction, or
-        // the watchdog asks for the time, since functions of the host may take long.
+        // the watchdog reads the time, since functions of the host may take long.
         if (lua_gethookcount(L) == interval)
             now.left -= interval;
         else

@@ -46,8 +46,8 @@ class Watchdog {
     bool outermost() const { return depth_ == 1; }
     /// Whether the last call was stopped.
     bool stopped() const { return stopped_; }
-    /// If the call has taken too long, asks whether it may go on, and stops it if not. Cheap
-    /// otherwise.
+    /// If the call has taken too long, calls `go_on_` and stops the call if that returns false.
+    /// Cheap otherwise.
     void look(lua_State* L) {
         if (due_.load(std::memory_order_relaxed)) [[unlikely]]
             check(L);

@@ -49,7 +49,7 @@ class Media {
                                const ImageFrame& frame) = 0;
     /// Loads a font, so that a message about it names this user and not the first text in it.
     virtual void load_font(const FileUser& user, const std::string& font) = 0;
-    /// Whether pictures that are enlarged are smooth, unless something else is asked for.
+    /// Whether pictures that are enlarged are smooth by default.
     virtual bool smooth() const = 0;
     /// Width of the longest line, and height of all lines.
     virtual Vec2 text_size(std::string_view text, const TextStyle& style) = 0;

@@ -201,7 +201,7 @@ std::string value_text(const Value& value, Precision precision = Precision::doub
 bool parse_color(std::string_view text, Color& out);
 /// "#rrggbb", or "#rrggbbaa" if it is not opaque; each channel is rounded to 8 bits.
 std::string color_text(Color color);
-/// All color names `parse_color` knows, sorted.
+/// All color names that `parse_color` accepts, sorted.
 const std::vector<std::string>& color_names();
 
 }  // namespace fettle::property
