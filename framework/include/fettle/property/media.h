@@ -13,7 +13,7 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// Who uses a file: begins the message about one that cannot be read ("world.hero.look.image").
+/// The user of a file, as a path ("world.hero.look.image"), with which an error message begins.
 /// Called only for such a message.
 using FileUser = std::function<std::string()>;
 
