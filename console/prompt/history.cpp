@@ -108,7 +108,7 @@ void History::load() {
     if (skipped > 0 || lines_in_file_ > 2 * max_entries) rewrite();
 }
 
-void History::remember(std::string_view command) {
+void History::add_entry(std::string_view command) {
     auto same = std::find(entries_.begin(), entries_.end(), command);
     if (same != entries_.end()) entries_.erase(same);
     entries_.emplace_back(command);
@@ -121,7 +121,7 @@ void History::add(std::string_view command) {
     if (command.empty() || command.size() > max_entry_bytes) return;
     bool repeated = !entries_.empty() && entries_.back() == command;
     std::string kept(command);
-    remember(kept);
+    add_entry(kept);
     if (!repeated && !file_.empty() && writable_) append(kept);
 }
 
