@@ -3,7 +3,6 @@
 #include <fettle/physics_c/keep_error.h>
 #include <fettle/property/exception_text.h>
 
-#include <mutex>
 #include <new>
 #include <stdexcept>
 

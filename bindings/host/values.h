@@ -8,22 +8,16 @@
 #include <string_view>
 #include <vector>
 
+#include "../c/calls/failure.h"
+
 // Values of the tree as values in C, and the other way round.
 
 namespace fettle::host {
 
-/// An error of a caller in C.
-struct Failure {
-    fettle_code code;
-    std::string message;
-};
+using physics_c::Failure;
+using physics_c::flag;
+using physics_c::needed;
 
-template <class Value>
-Value& needed(const char* name, Value* pointer) {
-    if (pointer == nullptr)
-        throw Failure{FETTLE_INVALID, std::string(name) + ": expected a pointer, got null"};
-    return *pointer;
-}
 /// A text that must not be null.
 inline const char* text_of(const char* name, const char* text) {
     return &needed(name, text);
@@ -59,10 +53,5 @@ inline property::Handle handle_of(fettle_instance instance) {
 property::Value value_of(const char* name, const fettle_hosted_value& value);
 std::vector<property::Value> values_of(const char* name, const fettle_hosted_value* values,
                                        std::uint32_t count);
-
-/// A byte that should be 0 or 1: a caller may have left it uninitialized.
-inline bool flag(const bool& byte) {
-    return *reinterpret_cast<const unsigned char*>(&byte) != 0;
-}
 
 }  // namespace fettle::host

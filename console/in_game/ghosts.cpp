@@ -31,12 +31,6 @@ double length_of(const std::vector<Vec2>& points) {
     return sum;
 }
 
-Value time_value(const property::Tree& tree, const char* name) {
-    const Handle time = tree.child(tree.root(), "time");
-    const property::Property* const property = time ? tree.find(time, name) : nullptr;
-    return property != nullptr ? last_value(tree, time, *property) : Value();
-}
-
 /// Draws a way that gets paler towards its end.
 void draw_way(ImDrawList& list, const std::vector<Vec2>& points, const ToPixels& to_pixels) {
     const auto pixel = [&](std::size_t i) {

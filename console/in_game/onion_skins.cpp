@@ -28,7 +28,7 @@ void OnionSkins::follow(Handle instance) {
     if (instance == instance_) return;
     instance_ = instance;
     skins_.clear();
-    wants_past_ = static_cast<bool>(instance);
+    needs_past_ = static_cast<bool>(instance);
 }
 
 void OnionSkins::take(std::int64_t step) {
@@ -51,7 +51,7 @@ void OnionSkins::after_step() {
 }
 
 void OnionSkins::between_frames(const Review& review) {
-    if (!std::exchange(wants_past_, false) || !review) return;
+    if (!std::exchange(needs_past_, false) || !review) return;
     review(static_cast<std::int64_t>(tree_.step()) - read_past, [&](std::int64_t step) {
         if (tree_.alive(instance_)) take(step);
     });

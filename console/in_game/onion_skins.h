@@ -47,7 +47,7 @@ class OnionSkins {
     property::Tree& tree_;
     property::Handle instance_;
     std::deque<Skin> skins_;
-    bool wants_past_ = false;
+    bool needs_past_ = false;
 };
 
 }  // namespace fettle::console

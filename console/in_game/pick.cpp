@@ -106,11 +106,11 @@ namespace {
 /// The first instance that a method of this name gives for a point.
 Handle first_at(property::Tree& tree, std::string_view method, Vec2 point) {
     // The methods are called after the walk, because a method may change the tree.
-    std::vector<Handle> asked;
+    std::vector<Handle> with_method;
     tree.each_below(tree.root(), [&](Handle instance) {
-        if (tree.class_of(instance).method(method) != nullptr) asked.push_back(instance);
+        if (tree.class_of(instance).method(method) != nullptr) with_method.push_back(instance);
     });
-    for (Handle each : asked) {
+    for (Handle each : with_method) {
         if (!tree.alive(each)) continue;
         property::Result result = tree.call(each, method, {property::Value(point)});
         const auto* value = std::get_if<property::Value>(&result);

@@ -48,9 +48,9 @@ void Inspector::select(const std::vector<Handle>& instances) {
 
 void Inspector::run_for_all(const std::string& command, const char* what) {
     if (!command.empty() && run) return run(command);
-    if (say)
-        say(std::string(what) + ": at most " + std::to_string(most_in_command) +
-            " instances at once; for more use selection()");
+    if (report)
+        report(std::string(what) + ": at most " + std::to_string(most_in_command) +
+               " instances at once; for more use selection()");
 }
 void Inspector::delete_selection() {
     run_for_all(delete_command(tree_, selection()), "delete");

@@ -45,7 +45,7 @@ class Inspector {
     /// Called with commands for all selected instances.
     std::function<void(const std::string& command)> run;
     /// Called when more instances are selected than can be deleted or copied by one command.
-    std::function<void(const std::string& problem)> say;
+    std::function<void(const std::string& problem)> report;
     /// Deletes, or copies, all selected instances.
     void delete_selection();
     void clone_selection();

@@ -27,12 +27,6 @@ bool has_position(const property::Tree& tree, Handle instance) {
 
 namespace {
 
-Value value_of_time(const property::Tree& tree, const char* name) {
-    const Handle time = tree.child(tree.root(), "time");
-    const property::Property* const property = time ? tree.find(time, name) : nullptr;
-    return property != nullptr ? last_value(tree, time, *property) : Value();
-}
-
 /// Whether the children of the instance are on the screen, and not in the world.
 bool is_on_screen(const property::Tree& tree, Handle instance) {
     const property::Property* const space = tree.class_of(instance).property("space");
@@ -69,7 +63,7 @@ const Comparison::Pose* Comparison::Moment::find(Handle instance) const {
     return place == poses.end() ? nullptr : &*place;
 }
 
-void Comparison::ask(const std::string& path, const Value& value, double seconds) {
+void Comparison::request_change(const std::string& path, const Value& value, double seconds) {
     const property::Place place = property::resolve(tree_, path);
     if (place.property == nullptr)
         throw property::Error(property::ErrorKind::wrong_type,
@@ -81,10 +75,10 @@ void Comparison::ask(const std::string& path, const Value& value, double seconds
             property::ErrorKind::out_of_range,
             "ab: " + property::number_text(seconds) + " seconds: expected a time from 0.1 to 60");
     end();
-    asked_ = {path, value, seconds};
+    change_request_ = {path, value, seconds};
 }
 
-void Comparison::ask_branch(const std::string& name) {
+void Comparison::request_branch(const std::string& name) {
     const std::vector<OtherBranch> all = other_branches(tree_);
     const auto other = name.empty() ? (all.empty() ? all.end() : std::prev(all.end()))
                                     : std::ranges::find(all, name, &OtherBranch::name);
@@ -99,20 +93,20 @@ void Comparison::ask_branch(const std::string& name) {
                      : "there is no branch \"" + name + "\"" + property::suggestion(name, names)));
     }
     end();
-    asked_branch_ = AskedBranch{other->name, other->fork, other->newest};
+    branch_request_ = BranchRequest{other->name, other->fork, other->newest};
 }
 
 void Comparison::end() {
-    asked_.reset();
-    asked_branch_.reset();
+    change_request_.reset();
+    branch_request_.reset();
     a_.clear();
     b_.clear();
 }
 
-std::int64_t Comparison::first_step(const Asked& asked) const {
-    const Value dt = value_of_time(tree_, "dt"), oldest = value_of_time(tree_, "oldest");
+std::int64_t Comparison::first_step(const ChangeRequest& request) const {
+    const Value dt = time_value(tree_, "dt"), oldest = time_value(tree_, "oldest");
     const auto here = static_cast<std::int64_t>(tree_.step());
-    double steps = std::round(asked.seconds / (dt.is(Type::number) ? dt.number() : 1.0 / 60));
+    double steps = std::round(request.seconds / (dt.is(Type::number) ? dt.number() : 1.0 / 60));
     const auto poses = static_cast<double>(std::max<std::size_t>(1, placed(tree_).size()));
     steps = std::min(steps, std::max(1.0, static_cast<double>(most_poses) / poses));
     const std::int64_t first = here - static_cast<std::int64_t>(steps);
@@ -130,20 +124,20 @@ Comparison::Moment Comparison::moment(std::int64_t step) const {
 
 void Comparison::between_frames(const Review& review, const RepeatWith& repeat_with,
                                 const ReviewBranch& other) {
-    if (asked_) compare_change(review, repeat_with);
-    if (asked_branch_) compare_branches(review, other);
+    if (change_request_) compare_change(review, repeat_with);
+    if (branch_request_) compare_branches(review, other);
 }
 
 void Comparison::compare_change(const Review& review, const RepeatWith& repeat_with) {
-    const Asked asked = *std::exchange(asked_, std::nullopt);
-    const std::int64_t first = first_step(asked);
+    const ChangeRequest request = *std::exchange(change_request_, std::nullopt);
+    const std::int64_t first = first_step(request);
     if (!review || !repeat_with || first >= static_cast<std::int64_t>(tree_.step()))
         return log_.error("ab: there is no past to compare with");
     std::string written;
     const auto change = [&] {
         const property::Tree::CauseScope cause(tree_, property::Writer::console);
-        property::set(tree_, asked.path, asked.value);
-        written = tree_.text(property::get(tree_, asked.path));
+        property::set(tree_, request.path, request.value);
+        written = tree_.text(property::get(tree_, request.path));
     };
     try {
         repeat_with(first, change, [&](std::int64_t step) { b_.push_back(moment(step)); });
@@ -154,9 +148,9 @@ void Comparison::compare_change(const Review& review, const RepeatWith& repeat_w
     }
     cut_to_common_steps();
     original_ = "as it was";
-    change_ = asked.path + " = " + written;
+    change_ = request.path + " = " + written;
     ++number_;
-    tell_difference("ab " + change_);
+    report_difference("ab " + change_);
 }
 
 /// Keeps only the steps that both sides have.
@@ -170,15 +164,15 @@ void Comparison::cut_to_common_steps() {
 }
 
 void Comparison::compare_branches(const Review& review, const ReviewBranch& other) {
-    const AskedBranch asked = *std::exchange(asked_branch_, std::nullopt);
+    const BranchRequest request = *std::exchange(branch_request_, std::nullopt);
     if (!review || !other) return log_.error("compare_branch: this game keeps no past");
     const std::int64_t here = static_cast<std::int64_t>(tree_.step());
     const auto poses = static_cast<std::int64_t>(std::max<std::size_t>(1, placed(tree_).size()));
     const std::int64_t steps = std::max<std::int64_t>(1, most_poses / poses);
-    const std::int64_t last = std::min({here, asked.newest, asked.fork + steps});
-    if (last <= asked.fork)
+    const std::int64_t last = std::min({here, request.newest, request.fork + steps});
+    if (last <= request.fork)
         return log_.error("compare_branch: the game is at step " + std::to_string(here) +
-                          ", before the branches part after step " + std::to_string(asked.fork));
+                          ", before the branches part after step " + std::to_string(request.fork));
     NotedValues of_a, of_b;
     const auto into = [&](std::vector<Moment>& side, NotedValues& values) {
         return [&, last](std::int64_t step) {
@@ -187,34 +181,34 @@ void Comparison::compare_branches(const Review& review, const ReviewBranch& othe
         };
     };
     try {
-        other(asked.name, asked.fork, into(b_, of_b));
-        review(asked.fork, into(a_, of_a));
+        other(request.name, request.fork, into(b_, of_b));
+        review(request.fork, into(a_, of_a));
     } catch (const std::exception& error) {
         end();
         return log_.error("compare_branch: " + property::exception_text(error));
     }
     cut_to_common_steps();
     if (!shown()) return log_.error("compare_branch: the branches have no step in common");
-    original_ = "branch " + value_of_time(tree_, "branch").text();
-    change_ = "branch " + asked.name;
+    original_ = "branch " + time_value(tree_, "branch").text();
+    change_ = "branch " + request.name;
     ++number_;
-    tell_difference("A " + original_ + ", B " + change_);
-    tell_values(of_a, of_b);
+    report_difference("A " + original_ + ", B " + change_);
+    report_values(of_a, of_b);
 }
 
 /// Logs values that differ and do not come from the simulation.
-void Comparison::tell_values(const NotedValues& a, const NotedValues& b) {
+void Comparison::report_values(const NotedValues& a, const NotedValues& b) {
     constexpr std::size_t most_lines = 20;
     const std::vector<std::string> lines = differences(tree_, a, b);
-    for (std::size_t i = 0; i < std::min(lines.size(), most_lines); ++i) tell(lines[i]);
+    for (std::size_t i = 0; i < std::min(lines.size(), most_lines); ++i) report(lines[i]);
     if (lines.size() > most_lines)
-        tell("… " + std::to_string(lines.size() - most_lines) + " more differences");
+        report("… " + std::to_string(lines.size() - most_lines) + " more differences");
     if (!a.complete() || !b.complete())
-        tell("only the first " + std::to_string(NotedValues::most) + " values were compared");
+        report("only the first " + std::to_string(NotedValues::most) + " values were compared");
 }
 
 /// Logs how many instances end elsewhere, and the farthest one.
-void Comparison::tell_difference(const std::string& what) {
+void Comparison::report_difference(const std::string& what) {
     if (!shown()) return;
     lacks_drawing_ = scripts_draw && scripts_draw();
     std::size_t moved = 0, only_one = 0;
@@ -236,10 +230,10 @@ void Comparison::tell_difference(const std::string& what) {
     if (moved > 0 && tree_.alive(farthest->instance))
         line += ", " + tree_.path(farthest->instance) + " by " + meters(most);
     if (only_one > 0) line += "; " + std::to_string(only_one) + " exist in B only";
-    tell(line);
+    report(line);
 }
 
-void Comparison::tell(const std::string& line) {
+void Comparison::report(const std::string& line) {
     log_.note(line);
     if (found) found(line);
 }

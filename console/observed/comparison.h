@@ -50,10 +50,10 @@ class Comparison {
 
     /// Compares at the next `between_frames`. Throws Error for a path that names no writable
     /// property, and for another time than 0.1 to 60 s.
-    void ask(const std::string& path, const property::Value& value, double seconds);
+    void request_change(const std::string& path, const property::Value& value, double seconds);
     /// Compares the present branch of the past with another one; "": the one that was left last.
     /// Throws Error(unknown_name) if there is no such branch.
-    void ask_branch(const std::string& name);
+    void request_branch(const std::string& name);
     void end();
     void between_frames(const Review& review, const RepeatWith& repeat_with,
                         const ReviewBranch& other);
@@ -73,28 +73,28 @@ class Comparison {
     int number() const { return number_; }
 
   private:
-    struct Asked {
+    struct ChangeRequest {
         std::string path;
         property::Value value;
         double seconds;
     };
-    struct AskedBranch {
+    struct BranchRequest {
         std::string name;
         std::int64_t fork, newest;  // steps
     };
     void compare_change(const Review& review, const RepeatWith& repeat_with);
     void compare_branches(const Review& review, const ReviewBranch& other);
     void cut_to_common_steps();
-    std::int64_t first_step(const Asked& asked) const;
+    std::int64_t first_step(const ChangeRequest& request) const;
     Moment moment(std::int64_t step) const;
-    void tell_difference(const std::string& what);
-    void tell_values(const NotedValues& a, const NotedValues& b);
-    void tell(const std::string& line);
+    void report_difference(const std::string& what);
+    void report_values(const NotedValues& a, const NotedValues& b);
+    void report(const std::string& line);
 
     property::Tree& tree_;
     Log& log_;
-    std::optional<Asked> asked_;
-    std::optional<AskedBranch> asked_branch_;
+    std::optional<ChangeRequest> change_request_;
+    std::optional<BranchRequest> branch_request_;
     std::vector<Moment> a_, b_;
     std::string original_, change_;
     bool lacks_drawing_ = false;

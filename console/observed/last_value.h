@@ -12,4 +12,11 @@ inline property::Value last_value(const property::Tree& tree, property::Handle i
     return tree.peek(instance, property);
 }
 
+/// The last value of a property of the clock `time`; nil if there is none.
+inline property::Value time_value(const property::Tree& tree, const char* name) {
+    const property::Handle time = tree.child(tree.root(), "time");
+    const property::Property* const property = time ? tree.find(time, name) : nullptr;
+    return property != nullptr ? last_value(tree, time, *property) : property::Value();
+}
+
 }  // namespace fettle::console

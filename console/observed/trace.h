@@ -38,7 +38,7 @@ class Trace {
     /// The largest size of a number in the last samples; 0 without samples.
     double largest(std::size_t last = max_samples) const;
     /// Whether the kept past is to be read for this trace.
-    bool wants_past = true;
+    bool needs_past = true;
 
   private:
     script::Observed what_;

@@ -68,9 +68,11 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
         functions.selection = [this] { return inspector.selection(); };
         functions.select = [this](const std::vector<Handle>& all) { choose_all(all); };
         functions.ab = [this](const std::string& path, const Value& value, double seconds) {
-            path.empty() ? comparison.end() : comparison.ask(path, value, seconds);
+            path.empty() ? comparison.end() : comparison.request_change(path, value, seconds);
         };
-        functions.compare_branch = [this](const std::string& name) { comparison.ask_branch(name); };
+        functions.compare_branch = [this](const std::string& name) {
+            comparison.request_branch(name);
+        };
         functions.bookmark = [this](const std::string& name, std::optional<std::int64_t> step) {
             time_marks.bookmark(name, step);
         };
@@ -116,7 +118,7 @@ void Console::State::connect_inspector() {
     inspector.chosen = [this](Handle instance) { instance ? choose(instance) : choose_all({}); };
     inspector.insert = [this](const std::string& text) { prompt.edit().insert(text); };
     inspector.run = [this](const std::string& command) { run(command); };
-    inspector.say = [this](const std::string& problem) { log.error(problem); };
+    inspector.report = [this](const std::string& problem) { log.error(problem); };
     inspector.menu =
         inspector.editor().menu = [this](const std::string& path) { context_menu.open(path); };
     inspector.editor().fields().calculate =
@@ -128,9 +130,9 @@ void Console::State::connect_inspector() {
     };
     inspector.editor().define = [this](const std::string& path, const std::string& expression) {
         if (!interpreter.evaluate) return std::string("there is nothing that computes formulas");
-        const script::Evaluation said = interpreter.evaluate(path + " is " + expression);
-        if (said.error) return said.error->message;
-        return said.incomplete ? std::string("the formula ends too early") : std::string();
+        const script::Evaluation result = interpreter.evaluate(path + " is " + expression);
+        if (result.error) return result.error->message;
+        return result.incomplete ? std::string("the formula ends too early") : std::string();
     };
     inspector.editor().go_to_write = [this](const property::Cause& cause, const std::string& path) {
         go_to_write(cause, path);
@@ -162,7 +164,7 @@ void Console::State::connect_context_menu() {
 /// The lists of tweaks and of watched values.
 void Console::State::connect_lists() {
     views.tweak_list.evaluate = interpreter.evaluate;
-    views.tweak_list.say = [this](const std::string& line) { log.note(line); };
+    views.tweak_list.report = [this](const std::string& line) { log.note(line); };
     views.tweak_list.follow = views.watch_list.follow = [this](std::string_view path) {
         if (is_link(path)) follow_link(path, false);
     };

@@ -54,8 +54,8 @@ void Console::State::restore_observed() {
     for (const std::string& text : options.layout.pins) commands.push_back(call_of("pin", {text}));
     if (!options.layout.plots.empty()) commands.push_back(call_of("plot", options.layout.plots));
     for (const std::string& command : commands) {
-        const script::Evaluation said = interpreter.evaluate(command);
-        if (said.error) log.note("the layout of the last run: " + said.error->message);
+        const script::Evaluation result = interpreter.evaluate(command);
+        if (result.error) log.note("the layout of the last run: " + result.error->message);
     }
 }
 

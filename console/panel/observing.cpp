@@ -127,7 +127,7 @@ void Observing::after_step() {
         for (Trace& trace : *all) trace.take(step);
     const std::vector<std::string> lines = breaks_.look();
     if (lines.empty()) return;
-    for (const std::string& line : lines) tell(line);
+    for (const std::string& line : lines) report(line);
     if (on_break) on_break(lines.front());
     pause();
 }
@@ -168,22 +168,22 @@ void Observing::run_commands(const Commands& commands) {
         const bool blank = command.find_first_not_of(" \t\r\n") == std::string::npos;
         const bool comment = !blank && command.find('\n') == std::string::npos &&
                              command.compare(command.find_first_not_of(' '), 2, "--") == 0;
-        script::Evaluation said;
-        if (!blank && !comment && !prompt_.run(command, !more, &said)) continue;
+        script::Evaluation result;
+        if (!blank && !comment && !prompt_.run(command, !more, &result)) continue;
         command.clear();
         const std::string place = commands.file + ":" + std::to_string(first_line);
         first_line = next_line;
         if (found) {
-            for (const std::string& each : said.lines) found(each);
-            if (said.error) found("✗ " + said.error->message);
+            for (const std::string& each : result.lines) found(each);
+            if (result.error) found("✗ " + result.error->message);
         }
-        if (said.error) tell("this command is in " + place);
+        if (result.error) report("this command is in " + place);
     }
 }
 
 /// The first step that is read: the steps are made again, which must not take long.
 std::int64_t Observing::first_to_read(bool plotted) const {
-    const std::int64_t oldest = time_value("oldest", 0), here = time_value("step", 0);
+    const std::int64_t oldest = time_step("oldest", 0), here = time_step("step", 0);
     if (!plotted) return std::max(oldest, here - pinned_past);
     // The time is estimated and not measured, so that a replay reads the same steps.
     const double each = 0.02 + 0.001 * static_cast<double>(tree_.size());  // ms, on common machines
@@ -197,7 +197,7 @@ void Observing::read_past(const Review& review) {
     bool plotted = false;
     for (auto* all : {&pins_, &plots_})
         for (Trace& trace : *all)
-            if (std::exchange(trace.wants_past, false)) {
+            if (std::exchange(trace.needs_past, false)) {
                 wanting.push_back(&trace);
                 plotted = plotted || all == &plots_;
             }
@@ -219,7 +219,7 @@ void Observing::search_past(const Review& review) {
     bool now = false;
     std::string problem;
     try {
-        review(time_value("oldest", 0), [&](std::int64_t step) {
+        review(time_step("oldest", 0), [&](std::int64_t step) {
             if (first < 0) first = step;
             bool holds = false;
             try {
@@ -236,29 +236,27 @@ void Observing::search_past(const Review& review) {
     }
     const std::int64_t here = static_cast<std::int64_t>(tree_.step());
     const std::string what = "last_time " + condition.text + ": ";
-    if (first < 0) return tell(what + "no step is kept");
+    if (first < 0) return report(what + "no step is kept");
     if (last_true < 0)
-        return problem.empty() ? tell(what + "never since step " + std::to_string(first))
+        return problem.empty() ? report(what + "never since step " + std::to_string(first))
                                : log_.error(what + problem);
     if (now && became == first)
-        return tell(what + "true now, and ever since step " + std::to_string(first));
+        return report(what + "true now, and ever since step " + std::to_string(first));
     const std::int64_t to = now ? became : last_true;
-    tell(what + (now ? "true since step " : "true at step ") + std::to_string(to) + ", " +
-         std::to_string(here - to) + (here - to == 1 ? " step ago" : " steps ago"));
+    report(what + (now ? "true since step " : "true at step ") + std::to_string(to) + ", " +
+           std::to_string(here - to) + (here - to == 1 ? " step ago" : " steps ago"));
     go_to(to);
 }
 
-void Observing::tell(const std::string& line) {
+void Observing::report(const std::string& line) {
     log_.note(line);
     if (found) found(line);
 }
 
 // --- Time
 
-std::int64_t Observing::time_value(const char* name, std::int64_t otherwise) const {
-    const Handle time = tree_.child(tree_.root(), "time");
-    const property::Property* property = time ? tree_.find(time, name) : nullptr;
-    const Value value = property != nullptr ? last_value(tree_, time, *property) : Value();
+std::int64_t Observing::time_step(const char* name, std::int64_t otherwise) const {
+    const Value value = time_value(tree_, name);
     return value.is(Type::integer) ? value.integer() : otherwise;
 }
 

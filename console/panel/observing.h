@@ -68,9 +68,9 @@ class Observing {
     void read_past(const Review& review);
     std::int64_t first_to_read(bool plotted) const;
     void search_past(const Review& review);
-    void tell(const std::string& line);
+    void report(const std::string& line);
     void pause();
-    std::int64_t time_value(const char* name, std::int64_t otherwise) const;
+    std::int64_t time_step(const char* name, std::int64_t otherwise) const;
     void go_to(std::int64_t step);
 
     property::Tree& tree_;

@@ -42,24 +42,6 @@ std::string unescaped(std::string_view line) {
     return out;
 }
 
-/// A file descriptor with an owner that closes it.
-class Descriptor {
-  public:
-    explicit Descriptor(int fd) : fd_(fd) {}
-    ~Descriptor() { close(); }
-    Descriptor(const Descriptor&) = delete;
-    bool open() const { return fd_ >= 0; }
-    int get() const { return fd_; }
-    bool close() {
-        bool closed = fd_ < 0 || ::close(fd_) == 0;
-        fd_ = -1;
-        return closed;
-    }
-
-  private:
-    int fd_;
-};
-
 bool write_all(int fd, std::string_view bytes) {
     while (!bytes.empty()) {
         ssize_t written = ::write(fd, bytes.data(), bytes.size());
@@ -68,6 +50,14 @@ bool write_all(int fd, std::string_view bytes) {
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
     return true;
+}
+
+/// `flags` as for open(2). False with errno set.
+bool write_file(const std::filesystem::path& file, int flags, std::string_view bytes) {
+    const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0600);
+    if (fd < 0) return false;
+    const bool written = write_all(fd, bytes) && ((flags & O_TRUNC) == 0 || ::fsync(fd) == 0);
+    return ::close(fd) == 0 && written;
 }
 
 }  // namespace
@@ -118,7 +108,7 @@ void History::load() {
     if (skipped > 0 || lines_in_file_ > 2 * max_entries) rewrite();
 }
 
-void History::remember(std::string_view command) {
+void History::add_entry(std::string_view command) {
     auto same = std::find(entries_.begin(), entries_.end(), command);
     if (same != entries_.end()) entries_.erase(same);
     entries_.emplace_back(command);
@@ -131,7 +121,7 @@ void History::add(std::string_view command) {
     if (command.empty() || command.size() > max_entry_bytes) return;
     bool repeated = !entries_.empty() && entries_.back() == command;
     std::string kept(command);
-    remember(kept);
+    add_entry(kept);
     if (!repeated && !file_.empty() && writable_) append(kept);
 }
 
@@ -139,9 +129,7 @@ void History::append(std::string_view command) {
     std::error_code error;
     if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
     if (error) return fail(error.message());
-    Descriptor out(::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600));
-    if (!out.open()) return fail(std::strerror(errno));
-    if (!write_all(out.get(), escaped(command)) || !out.close()) return fail(std::strerror(errno));
+    if (!write_file(file_, O_APPEND, escaped(command))) return fail(std::strerror(errno));
     if (++lines_in_file_ > 2 * max_entries) rewrite();
 }
 
@@ -150,10 +138,7 @@ void History::rewrite() {
     fresh += "." + std::to_string(::getpid()) + ".new";
     std::string all;
     for (const std::string& entry : entries_) all += escaped(entry);
-    Descriptor out(::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
-    bool written = out.open() && write_all(out.get(), all) && ::fsync(out.get()) == 0 &&
-                   out.close() && ::rename(fresh.c_str(), file_.c_str()) == 0;
-    if (!written) {
+    if (!write_file(fresh, O_TRUNC, all) || ::rename(fresh.c_str(), file_.c_str()) != 0) {
         std::string reason = std::strerror(errno);
         ::unlink(fresh.c_str());
         return fail(reason);

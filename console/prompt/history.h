@@ -42,7 +42,7 @@ class History {
     void load();
     void append(std::string_view command);
     void rewrite();
-    void remember(std::string_view command);
+    void add_entry(std::string_view command);
     void fail(const std::string& what);
 
     std::filesystem::path file_;

@@ -370,7 +370,7 @@ std::string Prompt::expanded(const std::string& command) const {
     return found->second + command.substr(end);
 }
 
-bool Prompt::run(const std::string& command, bool force, script::Evaluation* said) {
+bool Prompt::run(const std::string& command, bool force, script::Evaluation* result) {
     if (!interpreter_.evaluate) return true;
     script::Evaluation evaluation;
     const std::uint64_t before = log_.end();
@@ -387,7 +387,7 @@ bool Prompt::run(const std::string& command, bool force, script::Evaluation* sai
     log_.command(command, before);
     log_.output(evaluation);
     if (evaluation.error) log_.error(*evaluation.error);
-    if (said != nullptr) *said = std::move(evaluation);
+    if (result != nullptr) *result = std::move(evaluation);
     if (clears_) log_.clear();
     clears_ = false;
     return true;

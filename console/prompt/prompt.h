@@ -35,9 +35,9 @@ class Prompt {
     void paste(std::string_view text);
     /// Runs the typed command. An incomplete chunk gets another line instead, unless forced.
     void submit(bool force);
-    /// Runs a command, logs it with its output, and stores the evaluation in `said`. An incomplete
-    /// command does not run and returns false, unless forced.
-    bool run(const std::string& command, bool force = true, script::Evaluation* said = nullptr);
+    /// Runs a command, logs it with its output, and stores the evaluation in `result`. An
+    /// incomplete command does not run and returns false, unless forced.
+    bool run(const std::string& command, bool force = true, script::Evaluation* result = nullptr);
     /// Replaces the word at the beginning of later commands by `command`; an empty `command` ends
     /// this.
     void alias(const std::string& word, const std::string& command);

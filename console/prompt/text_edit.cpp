@@ -28,7 +28,7 @@ std::string_view TextEdit::selected() const {
     return std::string_view(text_).substr(from, to - from);
 }
 
-void TextEdit::remember(bool typing) {
+void TextEdit::save_for_undo(bool typing) {
     redo_.clear();
     if (typing && typing_ && !undo_.empty()) return;
     typing_ = typing;
@@ -42,7 +42,7 @@ void TextEdit::replace(std::size_t from, std::size_t to, std::string_view text) 
     std::size_t room = max_bytes - (text_.size() - (to - from));
     text = text.substr(0, code_point_boundary(text, std::min(text.size(), room)));
     bool typing = from == to && code_point_count(text) == 1 && text != "\n" && text != " ";
-    remember(typing);
+    save_for_undo(typing);
     text_.replace(from, to - from, text);
     cursor_ = anchor_ = from + text.size();
 }

@@ -63,7 +63,7 @@ class TextEdit {
         std::size_t cursor, anchor;
     };
     std::size_t target(Motion motion) const;
-    void remember(bool typing);
+    void save_for_undo(bool typing);
     void restore(std::vector<State>& from, std::vector<State>& to);
     std::size_t line_begin(std::size_t offset) const;
     std::size_t line_finish(std::size_t offset) const;

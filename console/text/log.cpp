@@ -213,16 +213,16 @@ void Log::fold(std::string text, std::size_t first) {
     push(std::move(fold));
 }
 
-void Log::output(const script::Evaluation& said) {
+void Log::output(const script::Evaluation& result) {
     Log all;
-    auto table = said.tables.begin();
-    auto printed = said.printed.begin();
-    auto folded = said.folded.begin();
-    for (std::size_t i = 0; i < said.lines.size(); ++i) {
-        const bool folds = folded != said.folded.end();
-        if (table != said.tables.end() && table->first == i) {
-            const std::size_t rows = std::min(table->cells.size(), said.lines.size() - i);
-            const auto shown = std::span(said.lines).subspan(i, rows);
+    auto table = result.tables.begin();
+    auto printed = result.printed.begin();
+    auto folded = result.folded.begin();
+    for (std::size_t i = 0; i < result.lines.size(); ++i) {
+        const bool folds = folded != result.folded.end();
+        if (table != result.tables.end() && table->first == i) {
+            const std::size_t rows = std::min(table->cells.size(), result.lines.size() - i);
+            const auto shown = std::span(result.lines).subspan(i, rows);
             i += rows - 1;
             if (folds && folded->line == i + 1 && !folded->cells.empty()) {
                 // One table, whose last rows are hidden.
@@ -236,7 +236,7 @@ void Log::output(const script::Evaluation& said) {
                 all.table(lines, whole);
                 for (std::size_t k = more.size(); k < folded->lines.size(); ++k)
                     all.output(folded->lines[k]);
-                all.fold(said.lines[++i], first);
+                all.fold(result.lines[++i], first);
                 ++folded;
             } else {
                 all.table(shown, *table++);
@@ -244,12 +244,12 @@ void Log::output(const script::Evaluation& said) {
         } else if (folds && folded->line == i) {
             const std::size_t first = all.lines_.size();
             for (const std::string& line : folded++->lines) all.output(line);
-            all.fold(said.lines[i], first);
-        } else if (printed != said.printed.end() && *printed == i) {
-            all.printed(said.lines[i]);
+            all.fold(result.lines[i], first);
+        } else if (printed != result.printed.end() && *printed == i) {
+            all.printed(result.lines[i]);
             ++printed;
         } else {
-            all.output(said.lines[i]);
+            all.output(result.lines[i]);
         }
     }
     std::deque<LogLine>& lines = all.lines_;

@@ -69,7 +69,7 @@ class Log {
     void printed(std::string_view text) { add(LineKind::output, text); }
     void game(std::string_view text) { add(LineKind::game, text); }
     /// The output of a command.
-    void output(const script::Evaluation& said);
+    void output(const script::Evaluation& result);
     void note(std::string_view text) { add(LineKind::note, text, true); }
     /// A note that ends with the path of a file.
     void file(std::string_view text, const std::string& file);

@@ -36,7 +36,7 @@ void TimeBar::draw_lane(const Times& now, const OtherBranch& branch, const Rect&
     const bool pressed = ImGui::InvisibleButton(
         "lane", ImVec2(std::max(1.0f, lane.high.x - lane.low.x), lane.high.y - lane.low.y));
     const bool hovered = ImGui::IsItemHovered();
-    const bool asked = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    const bool clicked = ImGui::IsItemClicked(ImGuiMouseButton_Right);
     ImGui::PopID();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float y = lane.middle().y;
@@ -61,7 +61,7 @@ void TimeBar::draw_lane(const Times& now, const OtherBranch& branch, const Rect&
             ", ends at step " + std::to_string(branch.newest) +
             "\nclick: compare · right click: go there, name, forget");
     if (pressed && run) run("compare_branch(" + lua_string(branch.name) + ")");
-    if (asked) {
+    if (clicked) {
         menu_of_ = branch.name;
         opens_menu_ = true;
     }

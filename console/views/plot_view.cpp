@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include <look/fields.h>
@@ -245,11 +244,11 @@ void PlotView::draw(ImVec2 corner, ImVec2 size, float room, const property::Tree
             (ImGui::GetIO().MousePos.x - area_.low.x) / (area_.high.x - area_.low.x), 0.0f, 1.0f);
         under = scale.first + std::llround(share * static_cast<double>(scale.last - scale.first));
     }
-    if (ImGui::IsItemActive() && under >= times.oldest && under != asked_ && go_to) {
-        asked_ = under;
+    if (ImGui::IsItemActive() && under >= times.oldest && under != requested_ && go_to) {
+        requested_ = under;
         go_to(under);
     }
-    if (!ImGui::IsItemActive()) asked_ = -1;
+    if (!ImGui::IsItemActive()) requested_ = -1;
     ImGui::SetCursorScreenPos(before);
     ImGui::GetWindowDrawList()->AddRectFilled(area_.low, area_.high, palette::well);
     draw_grid(scale, times);

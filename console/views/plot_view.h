@@ -71,7 +71,7 @@ class PlotView {
     Rect rect_, area_, close_;
     std::vector<Line> legend_;
     std::vector<std::pair<std::string, Rect>> menu_;
-    std::int64_t asked_ = -1;
+    std::int64_t requested_ = -1;
 };
 
 }  // namespace fettle::console

@@ -34,9 +34,7 @@ std::string seconds_text(double seconds) {
 // --- State and actions
 
 Value TimeBar::value(const char* name) const {
-    const Handle time = tree_.child(tree_.root(), "time");
-    const property::Property* property = time ? tree_.find(time, name) : nullptr;
-    return property != nullptr ? last_value(tree_, time, *property) : Value();
+    return time_value(tree_, name);
 }
 
 bool TimeBar::available() const {
@@ -108,8 +106,8 @@ void TimeBar::follow_branch() {
 
 // It runs as a command, so that a recording of the run contains it.
 void TimeBar::go_to(std::int64_t step) {
-    if (step == asked_) return;
-    asked_ = step;
+    if (step == requested_) return;
+    requested_ = step;
     set("paused", true);
     if (interpreter_.evaluate) interpreter_.evaluate("time:go_to(" + std::to_string(step) + ")");
 }
@@ -209,7 +207,7 @@ void TimeBar::draw_play(const Times& now) {
             : now.paused  ? "go on"
                           : "pause");
     if (!pressed) return;
-    asked_ = -1;
+    requested_ = -1;
     playing_ = false;
     set("paused", !now.paused);
 }
@@ -286,7 +284,7 @@ void TimeBar::draw_track(const Times& now, float width) {
         playing_ = false;
         go_to(under);
     }
-    if (!held && asked_ == now.step) asked_ = -1;
+    if (!held && requested_ == now.step) requested_ = -1;
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float y = track_.middle().y, half = 4;

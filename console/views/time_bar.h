@@ -99,7 +99,7 @@ class TimeBar {
     const Interpreter& interpreter_;
     TimeMarks& marks_;
     Rect rect_, track_, play_, step_, play_back_, record_, return_;
-    std::int64_t asked_ = -1;            // the last step that the drag requested
+    std::int64_t requested_ = -1;        // the last step that the drag requested
     std::vector<OtherBranch> branches_;  // as they were at the last picture
     std::vector<Rect> lanes_;
     std::string menu_of_;  // the branch whose menu is open

@@ -61,10 +61,10 @@ std::size_t TweakList::open_count() {
 // Runs a command, so that a recording of the run contains it.
 void TweakList::act(const char* function, const std::string& pattern) {
     if (!evaluate) return;
-    const script::Evaluation said = evaluate(function + ("(" + lua_string(pattern) + ")"));
-    if (say) {
-        for (const std::string& line : said.lines) say(line);
-        if (said.error) say(said.error->message);
+    const script::Evaluation result = evaluate(function + ("(" + lua_string(pattern) + ")"));
+    if (report) {
+        for (const std::string& line : result.lines) report(line);
+        if (result.error) report(result.error->message);
     }
     refresh(true);
 }

@@ -24,7 +24,7 @@ class TweakList {
     std::function<script::Evaluation(std::string_view command)> evaluate;
 
     /// Receives the result of a button, one line per call.
-    std::function<void(const std::string& line)> say;
+    std::function<void(const std::string& line)> report;
     /// Called when the path of a tweak is clicked.
     std::function<void(std::string_view path)> follow;
 

@@ -24,7 +24,7 @@ AttachedGame::AttachedGame(const RunningGame& running,
                            std::function<void(const std::string&)> print)
     : print_(std::move(print)), socket_(connected_to(running.socket)) {
     if (socket_ < 0) throw FileError(running.socket.string() + ": " + std::strerror(errno));
-    say(greeting(running.token));
+    send(greeting(running.token));
     const std::optional<Message> first = next(true);
     if (first && first->kind == Message::Kind::welcome) {
         name_ = first->text;
@@ -46,7 +46,7 @@ std::optional<Message> AttachedGame::ask(const Request& request) {
                                 std::to_string(longest_request) + " bytes");
         return refused;
     }
-    say(text);
+    send(text);
     while (std::optional<Message> message = next(true)) {
         if (message->kind == Message::Kind::answer || message->kind == Message::Kind::candidates)
             return message;
@@ -102,7 +102,7 @@ bool AttachedGame::receive(bool waits) {
     return false;
 }
 
-void AttachedGame::say(const std::string& text) {
+void AttachedGame::send(const std::string& text) {
     for (std::size_t sent = 0; sent < text.size() && connected();) {
         const ssize_t count = ::send(socket_, text.data() + sent, text.size() - sent, MSG_NOSIGNAL);
         if (count > 0) sent += static_cast<std::size_t>(count);

@@ -33,7 +33,7 @@ class AttachedGame {
   private:
     std::optional<Message> next(bool waits);
     bool receive(bool waits);
-    void say(const std::string& text);
+    void send(const std::string& text);
     void shown(const Message& message);
 
     std::function<void(const std::string&)> print_;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
 
-volatile std::sig_atomic_t asked_by = 0;
+volatile std::sig_atomic_t end_signal = 0;
 std::atomic<script::Runtime*> stopped{nullptr};
 static_assert(std::atomic<script::Runtime*>::is_always_lock_free, "a signal handler reads it");
 std::array<struct sigaction, signals.size() + 1> before;
@@ -32,25 +32,25 @@ volatile std::sig_atomic_t interrupt_arrived = 0;
 volatile std::sig_atomic_t command_runs = 0;
 
 /// Writes to stderr. It may run in a signal handler, so it uses no stream and allocates nothing.
-void tell_at_once(std::string_view text) {
+void write_at_once(std::string_view text) {
     const auto written = ::write(STDERR_FILENO, text.data(), text.size());
     (void)written;  // a failure cannot be reported anywhere else
 }
 
 void on_signal(int number) {
-    if (number == SIGINT && interrupts_taken != 0 && interrupt_arrived == 0 && asked_by == 0) {
+    if (number == SIGINT && interrupts_taken != 0 && interrupt_arrived == 0 && end_signal == 0) {
         interrupt_arrived = 1;
         script::Runtime* const runtime = stopped.load();
         if (command_runs != 0 && runtime != nullptr) runtime->interrupt();
         return;
     }
-    if (asked_by != 0) {
-        tell_at_once("fettle: a second signal: the run ends at once\n");
+    if (end_signal != 0) {
+        write_at_once("fettle: a second signal: the run ends at once\n");
         std::signal(number, SIG_DFL);
         std::raise(number);  // the signal is delivered when this handler returns
         return;
     }
-    asked_by = number;
+    end_signal = number;
     alarms = 0;
     ::alarm(1);
 }
@@ -58,8 +58,8 @@ void on_signal(int number) {
 void on_alarm(int) {
     alarms = alarms + 1;
     if (alarms > max_alarms) {
-        tell_at_once("fettle: the run did not end in time: it ends at once\n");
-        ::_exit(status_of_signal(asked_by));
+        write_at_once("fettle: the run did not end in time: it ends at once\n");
+        ::_exit(status_of_signal(end_signal));
     }
     if (script::Runtime* runtime = stopped.load()) runtime->interrupt();
     ::alarm(1);
@@ -77,7 +77,7 @@ void install(int number, void (*handler)(int), struct sigaction& was) {
 }  // namespace
 
 EndRequest::EndRequest() {
-    asked_by = 0;
+    end_signal = 0;
     for (std::size_t i = 0; i < signals.size(); ++i) install(signals[i], on_signal, before[i]);
     install(SIGALRM, on_alarm, before.back());
 }
@@ -90,7 +90,7 @@ EndRequest::~EndRequest() {
 }
 
 int EndRequest::asked() {
-    return asked_by;
+    return end_signal;
 }
 
 void EndRequest::allow(unsigned seconds) {
@@ -137,7 +137,7 @@ EndRequest::Command::~Command() {
     command_runs = 0;
     // If the run is to end, its scripts stay interrupted until `closing`.
     script::Runtime* const runtime = stopped.load();
-    if (runtime != nullptr && interrupt_arrived != 0 && asked_by == 0) runtime->go_on();
+    if (runtime != nullptr && interrupt_arrived != 0 && end_signal == 0) runtime->go_on();
 }
 
 }  // namespace fettle::program

@@ -1,8 +1,5 @@
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -64,13 +61,6 @@ std::string template_problem(const std::string& name) {
            property::suggestion(name, names);
 }
 
-std::string short_hash(const std::string& text) {
-    std::array<char, 9> digits{};
-    std::snprintf(digits.data(), digits.size(), "%08x",
-                  static_cast<unsigned>(property::text_hash(text)));
-    return digits.data();
-}
-
 /// A part of an id: letters and digits of the name in lower case, the rest as dashes. A name with
 /// other letters, such as Greek ones, also gets a hash, so that two such names have different ids:
 /// the saves of a game lie under its id.
@@ -86,7 +76,7 @@ std::string id_of(const std::string& name) {
     id = id.empty() ? "game" : id.substr(0, longest);
     const bool ascii =
         std::ranges::all_of(name, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
-    return ascii ? id : id + "-" + short_hash(name);
+    return ascii ? id : id + "-" + property::text_hash_digits(name);
 }
 
 void replace_all(std::string& text, std::string_view what, const std::string& with) {

@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What no game reads: what the program and other programs make beside it, what pictures and maps
-/// are made with, and copies of editors.
+/// Files that no game reads: those that Fettle and other programs make beside it, the sources of
+/// pictures and maps, and copies of editors.
 constexpr std::array never_packed{
     std::string_view("*.tweaks.json"),   std::string_view("*.sqlite"),
     std::string_view("*.sqlite-wal"),    std::string_view("*.sqlite-shm"),

@@ -12,7 +12,7 @@ namespace fettle::program {
 console::Layout read_layout(const std::filesystem::path& folder);
 /// Writes it if it has changed. Throws if it cannot.
 void write_layout(const std::filesystem::path& folder, const console::Layout& layout);
-/// The player's `autoexec.lua`; "" if there is none. `problem` says why one cannot be read.
+/// The player's `autoexec.lua`; "" if there is none. `problem`: why it cannot be read.
 std::string autoexec(std::string& problem);
 
 }  // namespace fettle::program

@@ -82,7 +82,7 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
     const script::Reloaded result = code ? reload_code(names) : reload_media(read);
     for (const std::string& line : result.notes) note(line);
     if (!result.done) {
-        tell_error(*result.error);
+        report_error(*result.error);
         if (receivers_.error_over) receivers_.error_over(&*result.error);
         return Followed::failed;
     }
@@ -120,7 +120,7 @@ bool Session::is_scene(const fs::path& file, const std::string& name) {
     try {
         scene = property::check_scene_text(tree_, files_.read(file), name);
     } catch (const std::exception& failure) {
-        tell_problem_of_files(property::exception_text(failure));
+        report_file_problem(property::exception_text(failure));
     }
     run_.renewed.clear();
     return scene;
@@ -145,7 +145,7 @@ script::Reloaded Session::reload_media(const std::vector<std::string>& names) {
     return {.done = true};
 }
 
-/// A file that cannot be read again leaves everything as it was, and `problems_` says why.
+/// A file that cannot be read again leaves everything as it was; the reason is in `problems_`.
 void Session::renew(const std::string& name) {
     problems_.erase(name);
     run_.renewed = name;
@@ -155,17 +155,17 @@ void Session::renew(const std::string& name) {
         services_->renew_effect(name);
         if (name == "game.json") renew_settings();
     } catch (const std::exception& error) {
-        tell_problem_of_files(property::exception_text(error));
+        report_file_problem(property::exception_text(error));
     }
     run_.renewed.clear();
 }
 
 /// The run continues without the file: with a checkerboard for an image, or without an effect.
-void Session::tell_problem_of_files(const std::string& problem) {
+void Session::report_file_problem(const std::string& problem) {
     script::ScriptError report;
     report.message = problem;
     report.context = "files";
-    tell_error(report);
+    report_error(report);
     if (!run_.followed) return;
     problems_.try_emplace(run_.renewed, report);
     show_problems();

@@ -3,7 +3,6 @@
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
 
-#include <command_line/terminal.h>
 #include <session/session.h>
 
 namespace fettle::program {

@@ -1,5 +1,5 @@
 #pragma once
-// The window in which a game runs. It follows `view.window`, and remembers what the player sets.
+// The window in which a game runs. It follows `view.window`, and keeps the settings of the player.
 
 #include <filesystem>
 #include <memory>
@@ -18,7 +18,7 @@ app::WindowState window_state(const property::GameSettings& settings);
 
 class GameWindow {
   public:
-    /// Opens the window as the game and the player want it.
+    /// Opens the window with the settings of the game and of the player.
     GameWindow(const std::filesystem::path& game, const property::GameSettings& settings);
 
     app::Window& screen() { return *window_; }

@@ -4,6 +4,7 @@
 #include <fettle/property/error.h>
 #include <fettle/property/storage/game_files.h>
 
+#include <files/archive.h>
 #include <files/game_path.h>
 #include <files/recorded_files.h>
 #include <session/console_layer.h>

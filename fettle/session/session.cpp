@@ -67,7 +67,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
         script::ScriptError report;
         report.message = problem.message;
         report.context = "formula of " + problem.path;
-        tell_error(report);  // the run continues, and the property keeps its last valid value
+        report_error(report);  // the run continues, and the property keeps its last valid value
     });
     make_storage();
     const GameQuota quota = quota_of(options);
@@ -93,7 +93,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     loop_->before_step([this](std::uint64_t step) { run_at(step); });
     loop_->after_barrier([this] {
         tweaks_->barrier();
-        tell_repeated_errors();
+        report_repeated_errors();
 #ifdef FETTLE_WITH_CONSOLE
         if (std::exchange(run_.stepped, false) && console_) console_->after_step();
 #endif
@@ -109,7 +109,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
 /// it.
 Session::~Session() {
     run_.ending = true;
-    tell_repeated_errors();
+    report_repeated_errors();
 }
 
 /// A recording notes the files that the run reads; a replay gets the recorded content instead.
@@ -221,9 +221,9 @@ void Session::add_modules() {
                 .step = [this](double dt) { visuals_.step(dt); },
                 .report = [this] { visuals_.report(tree_); },
                 .hash = [this] { return visuals_.hash(); }});
-    visuals_.on_problem([this](const std::string& problem) { tell_problem_of_files(problem); });
+    visuals_.on_problem([this](const std::string& problem) { report_file_problem(problem); });
     services_->on_effect_problem(
-        [this](const std::string& problem) { tell_problem_of_files(problem); });
+        [this](const std::string& problem) { report_file_problem(problem); });
     loop_->add({.name = std::string(interface_.name()),
                 .step = [this](double dt) { interface_.step(dt); },
                 .report = [this] { interface_.report(tree_); },
@@ -232,7 +232,7 @@ void Session::add_modules() {
         script::ScriptError report;
         report.message = problem;
         report.context = "interface";
-        tell_error(report);  // the run continues, and the widget keeps its value
+        report_error(report);  // the run continues, and the widget keeps its value
     });
     modules_.on_print([this](std::string_view text) { print(text); });
     modules_.on_note([this](const std::string& text) { note("note: " + text); });
@@ -427,7 +427,7 @@ void Session::print(std::string_view text) {
 }
 
 /// Prints the output of a command of --console.
-void Session::print_said(const std::string& text) {
+void Session::print_from_option(const std::string& text) {
     print_outside(text);
     if (console_) console_->output(text);
 }
@@ -458,8 +458,8 @@ void Session::type_what_is_due() {
     const std::uint64_t before = std::exchange(run_.typed, next);
     for (const auto& [when, command] : options_.console) {
         if (when <= before || when > next || loop_->stopped()) continue;
-        print_said("› " + command);
-        for (const std::string& line : lines_of(evaluate(command))) print_said(line);
+        print_from_option("› " + command);
+        for (const std::string& line : lines_of(evaluate(command))) print_from_option(line);
     }
     // The output must not be lost if the run crashes.
     if (!options_.console.empty()) std::fflush(stdout);
@@ -473,20 +473,20 @@ void Session::fail(const script::ScriptError& error) {
         return;
     }
     run_.failed = true;
-    tell_error(error);
+    report_error(error);
     loop_->halt();
     if (receivers_.errors) receivers_.errors(error);
 }
 
-/// A method that fails for each of a hundred instances is told once, and then how often.
-void Session::tell_error(const script::ScriptError& error) {
+/// A method that fails for each of a hundred instances is reported once, with the count.
+void Session::report_error(const script::ScriptError& error) {
     if (!repeated_.first(error)) return;
     if (!receivers_.output) tell_lines(app::error_text(error));
     if (listener_) listener_->print(app::error_text(error));
     if (console_) console_->report(error);
 }
 
-void Session::tell_repeated_errors() {
+void Session::report_repeated_errors() {
     for (const std::string& sentence : repeated_.take()) note(sentence);
 }
 

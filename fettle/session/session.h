@@ -80,7 +80,7 @@ class Session {
     }
     /// Pixels at the lower edge of the window that the console covers.
     float covered_below() const;
-    /// Whether somebody wants the game to begin again.
+    /// Whether a restart of the game was requested.
     bool wants_restart() const { return run_.restart; }
     /// Whether the game is at an earlier step than the newest.
     bool looks_back() const;
@@ -116,7 +116,7 @@ class Session {
     script::Reloaded reload_code(const std::vector<std::string>& names);
     script::Reloaded reload_media(const std::vector<std::string>& names);
     void renew(const std::string& name);
-    void tell_problem_of_files(const std::string& problem);
+    void report_file_problem(const std::string& problem);
     void show_problems();
     void renew_settings();
     std::string share(const std::string& name);
@@ -129,7 +129,7 @@ class Session {
     void add_modules();
     void make_console(app::Clipboard* clipboard);
     void print(std::string_view text);
-    void print_said(const std::string& text);
+    void print_from_option(const std::string& text);
     void print_outside(std::string_view text);
     void run_at(std::uint64_t step);
     void type_what_is_due();
@@ -147,10 +147,10 @@ class Session {
     std::unique_ptr<property::Store> new_store(KeptFile which, const std::filesystem::path& folder);
     void make_recorder();
     void fail(const script::ScriptError& error);
-    void tell_error(const script::ScriptError& error);
-    void tell_repeated_errors();
+    void report_error(const script::ScriptError& error);
+    void report_repeated_errors();
 
-    /// Functions that get what the session says.
+    /// Functions that receive the messages of the session.
     struct Receivers {
         std::function<void(const script::ScriptError&)> errors{};
         std::function<void(std::string_view)> output{};

@@ -188,9 +188,9 @@ std::uint64_t Interface::hash() const {
     return hash;
 }
 
-void Interface::on_problem(std::function<void(const std::string&)> tell) {
-    state_->preferences.on_problem(tell);
-    state_->binding.on_problem(std::move(tell));
+void Interface::on_problem(std::function<void(const std::string&)> listener) {
+    state_->preferences.on_problem(listener);
+    state_->binding.on_problem(std::move(listener));
 }
 
 void Interface::on_preference(

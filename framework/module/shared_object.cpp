@@ -6,7 +6,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -138,7 +137,7 @@ SharedObject::SharedObject(const fs::path& copy, const fs::path& file) {
     handle_ = dlopen(whole.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle_ != nullptr) return;
     std::string reason = dlerror();
-    // The loader's message begins with the path of the copy. The user knows only the original file.
+    // The loader's message begins with the path of the copy. The message names the original file.
     if (const std::string prefix = whole.string() + ": "; reason.starts_with(prefix))
         reason.erase(0, prefix.size());
     constexpr std::string_view undefined = "undefined symbol: ";

@@ -82,7 +82,7 @@ class GameMedia : public property::Media {
 struct Visuals::State {
     explicit State(property::Assets* assets)
         : images(assets),
-          fonts(assets, [this](const std::string& problem) { images.tell(problem); }),
+          fonts(assets, [this](const std::string& problem) { images.report(problem); }),
           sprites(images),
           texts(fonts),
           tilemaps(images),
@@ -171,8 +171,8 @@ std::function<void()> Visuals::restore(property::ByteReader& from, const propert
     };
 }
 
-void Visuals::on_problem(std::function<void(const std::string&)> tell) {
-    state_->images.on_problem(std::move(tell));
+void Visuals::on_problem(std::function<void(const std::string&)> listener) {
+    state_->images.on_problem(std::move(listener));
 }
 
 }  // namespace fettle::visuals

@@ -59,7 +59,7 @@ void Tree::forget_pairs(int32_t leaf) {
     update_bucket(leaf, true);
 }
 
-void Tree::forget_moves() {
+void Tree::clear_moves() {
     ++epoch_;
 }
 

@@ -51,7 +51,7 @@ class Tree {
     void forget_pairs(int32_t leaf);
 
     /// If leaves were inserted or removed since the last call, builds the moved parts of the tree
-    /// again. Leaves keep their indices. `before`: for each item, its box when `forget_moves` was
+    /// again. Leaves keep their indices. `before`: for each item, its box when `clear_moves` was
     /// called; no box if it had none or was touched since.
     void rebuild(ThreadPool* threads = nullptr, std::span<const Box4> before = {});
 
@@ -61,7 +61,7 @@ class Tree {
     };
     /// Calls `visit(item, item)` for every two overlapping leaves, one of this tree and one of the
     /// other (which may be this tree), if one of them has moved. Skips most of the pairs that
-    /// overlapped at the last `forget_moves`.
+    /// overlapped at the last `clear_moves`.
     template <typename Visit>
     void pairs(const Tree& other, FindOverlaps overlaps, Visit&& visit) const;
     /// Appends parts of that walk, about `enough` of them if the walk is long enough; they can be
@@ -70,12 +70,12 @@ class Tree {
     template <typename Visit>
     void pairs(const Tree& other, NodePair part, FindOverlaps overlaps, Visit&& visit) const;
     /// Calls `visit(item)` for the other leaves that overlap a moved leaf; `before`: its box at the
-    /// last `forget_moves`. Called for each moved leaf, it finds every pair once.
+    /// last `clear_moves`. Called for each moved leaf, it finds every pair once.
     template <typename Visit>
     void pairs_of_leaf(int32_t leaf, const Box4& before, FindOverlaps overlaps,
                        Visit&& visit) const;
     /// From now on no leaf counts as moved, and all pairs are known.
-    void forget_moves();
+    void clear_moves();
 
     const Box4& box(int32_t node) const { return nodes_[size_t(node)].box; }
     uint32_t size() const { return leaves_; }

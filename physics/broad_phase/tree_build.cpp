@@ -23,7 +23,7 @@ constexpr float max_growth = 1.1f;
 
 }  // namespace
 
-/// Boxes of the items at the last `forget_moves`.
+/// Boxes of the items at the last `clear_moves`.
 struct Tree::Before {
     std::span<const Box4> boxes;    ///< of each item
     bool still_in_buckets = false;  ///< the buckets still have the same leaves

@@ -46,8 +46,8 @@ EdgeGap deepest_edge_between(const TurnedFacets& a, const TurnedFacets& b, Vec2 
                         [&](Vec2 n) { return dot(n, b.vertex(b.farthest(-n)) + offset); });
 }
 
-void tell(Vec2 p, Vec2 q, Vec2 normal, float distance, float radius_a, float radius_b, Vec2 offset,
-          float margin, Manifold& m) {
+void set_point(Vec2 p, Vec2 q, Vec2 normal, float distance, float radius_a, float radius_b,
+               Vec2 offset, float margin, Manifold& m) {
     const float separation = distance - radius_a - radius_b;
     if (separation > margin) return;
     m.normal = normal;
@@ -66,12 +66,12 @@ void collide_circle(const TurnedFacets& a, Vec2 center, float radius, Vec2 offse
     if (axis.separation > 1e-7f && (before || after)) {
         const Vec2 p = before ? v1 : v2;
         const float distance = length(center - p);
-        tell(p, center, (1.0f / distance) * (center - p), distance, a.radius(), radius, offset,
-             margin, m);
+        set_point(p, center, (1.0f / distance) * (center - p), distance, a.radius(), radius, offset,
+                  margin, m);
         m.corner = distance;
     } else {
-        tell(center - axis.separation * n, center, n, axis.separation, a.radius(), radius, offset,
-             margin, m);
+        set_point(center - axis.separation * n, center, n, axis.separation, a.radius(), radius,
+                  offset, margin, m);
     }
 }
 
@@ -103,8 +103,8 @@ void collide_polygons(const TurnedFacets& a, const TurnedFacets& b, Vec2 offset,
             if (a.radius() + b.radius() == 0.0f && shorter > thin * thin) return;
             const Vec2 normal = (1.0f / distance) * (q - p);
             const Vec2 on_a_side = flipped ? q + offset : p, on_b_side = flipped ? p + offset : q;
-            tell(on_a_side, on_b_side, flipped ? -normal : normal, distance, a.radius(), b.radius(),
-                 offset, margin, m);
+            set_point(on_a_side, on_b_side, flipped ? -normal : normal, distance, a.radius(),
+                      b.radius(), offset, margin, m);
             m.corner = distance;
             return;
         }

@@ -177,8 +177,8 @@ void find_pairs(ObjectState& objects, const Columns& columns, BroadPhaseState& b
     choose_crowded_pairs(objects, columns, boxes, settings, step, scratch, threads);
     order_pairs(scratch.new_pairs, scratch.spare_pairs, objects.shapes.size(), filter);
     for (const uint32_t shape : moved) scratch.relocated[shape] = 1;
-    boxes.moving_tree.forget_moves();
-    boxes.fixed_tree.forget_moves();
+    boxes.moving_tree.clear_moves();
+    boxes.fixed_tree.clear_moves();
 }
 
 }  // namespace fettle::physics::detail

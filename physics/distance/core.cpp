@@ -1,6 +1,5 @@
 #include <collision/ellipse.h>
 #include <distance/core.h>
-#include <geometry/trigonometry.h>
 
 namespace fettle::physics::detail {
 namespace {

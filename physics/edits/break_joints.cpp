@@ -14,7 +14,7 @@ void break_joints(const Editing& e, const JointScratch& scratch, float rate) {
         const auto exceeds = [&](float most_force, float most_torque) {
             return length(force) > most_force || std::fabs(torque) > most_torque;
         };
-        const auto tell = [&](auto& list) {
+        const auto add_event = [&](auto& list) {
             const auto [a, b] = joint.bodies;
             const auto named = [&](uint32_t body) {
                 return body == 0 ? BodyId() : body_id(e.columns, body);  // the world has no id
@@ -25,9 +25,10 @@ void break_joints(const Editing& e, const JointScratch& scratch, float rate) {
                             force,
                             torque});
         };
-        if (exceeds(joint.report_force, joint.report_torque)) tell(e.activity.events.joint_loaded);
+        if (exceeds(joint.report_force, joint.report_torque))
+            add_event(e.activity.events.joint_loaded);
         if (!exceeds(joint.break_force, joint.break_torque)) continue;
-        tell(e.activity.events.joint_broke);
+        add_event(e.activity.events.joint_broke);
         set_joint_broken(e, strain.joint, true);
     }
 }

@@ -30,7 +30,7 @@ auto place_of(auto& notes, const ContactId& pair) {
 namespace detail {
 
 /// At the beginning of a step. Until then the numbers of ended contacts can be read.
-void WorldData::forget_ended_contacts() {
+void WorldData::clear_ended_contacts() {
     std::erase_if(contact_notes, [](const ContactNote& note) { return note.ended; });
 }
 

@@ -1,5 +1,4 @@
 #include <contacts/mixing.h>
-#include <geometry/trigonometry.h>
 #include <handles/live.h>
 #include <step/shape_box.h>
 

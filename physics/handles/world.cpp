@@ -156,7 +156,7 @@ void World::step(float dt) {
     ThreadPool::Helping helping(data.threads);
     if (data.self.witness() != nullptr) {
         data.read_all();  // what edits bring about has the ids of this world, not of a replay
-        data.tell_step_begins(dt);
+        data.notify_step_begin(dt);
     }
     try {
         data.step(dt);
@@ -164,8 +164,8 @@ void World::step(float dt) {
         data.break_off();
     }
     const std::exception_ptr failure_of_host = helping.finish();
-    if (!data.self.functions.empty()) data.ask_position_functions(dt);
-    if (data.self.witness() != nullptr) data.tell_step_ends();
+    if (!data.self.functions.empty()) data.call_position_functions(dt);
+    if (data.self.witness() != nullptr) data.notify_step_end();
     if (data.self.after_step.empty() || data.self.orphaned()) {
         lock.finish();
         check_after_step(*this);
@@ -199,7 +199,7 @@ void World::call_after_step(std::vector<Function<void()>> calls, WorldLock& lock
 }
 
 void World::after_step(Function<void()> act) const {
-    if (data_->self.asking_in_parallel)
+    if (data_->self.calling_in_parallel)
         throw Locked(
             "World::after_step was called inside a callback that may run on several threads "
             "(World::set_parallel_callbacks), so the order of the functions would be unknown");

@@ -113,8 +113,8 @@ Hosting& PhysicsModule::hosting() const {
     return *hosting_;
 }
 
-void PhysicsModule::on_problem(std::function<void(const std::string&)> tell) {
-    hosting().on_problem = std::move(tell);
+void PhysicsModule::on_problem(std::function<void(const std::string&)> listener) {
+    hosting().on_problem = std::move(listener);
 }
 
 void PhysicsModule::step(double dt) {
@@ -125,7 +125,7 @@ void PhysicsModule::step(double dt) {
     if (dt > 0) hosting().last_dt = dt;
     hosting().follow_listeners();
     hosting().joints.connect();
-    hosting().tell_strays();
+    hosting().report_strays();
     std::exception_ptr thrown;
     for (std::uint32_t n = first_world; n < max_worlds; ++n) {
         HostedWorld* hosted = hosting().world_at(n);

@@ -24,14 +24,14 @@ void World::explode(const Position& point, float radius, float impulse, const Qu
         Position at;
     };
     const Position p = point;
-    const PointForm asks;
+    const PointForm probe;
     std::vector<Hit> hits;
     auto visit = [&](uint32_t shape) {
         const uint32_t body = data.forms[shape].body;
         if (data.bodies[body].mobility != Mobility::dynamic || !is_accepted(data, filter, shape))
             return;
         const Vec2 offset = data.bodies[body].center - p;
-        const Nearest near = nearest_points(asks.form(), data.solid(shape), offset);
+        const Nearest near = nearest_points(probe.form(), data.solid(shape), offset);
         if (near.distance >= radius) return;
         // If the point is inside a shape, the push acts at the center of mass.
         const Position at = near.distance > 0.0f ? p + near.on_b : data.bodies[body].center;
@@ -64,12 +64,12 @@ struct Target {
 
 /// `shape`: not a part.
 Target seen_from(const WorldData& data, uint32_t shape, const Position& point) {
-    const PointForm asks;
+    const PointForm probe;
     Target target = {shape, data.forms[shape].body, {}, 0.0f};
     const Vec2 offset = data.bodies[target.body].center - point;
     target.nearest.distance = infinity;
     data.for_each_solid(shape, [&](uint32_t solid) {
-        const Nearest near = nearest_points(asks.form(), data.solid(solid), offset);
+        const Nearest near = nearest_points(probe.form(), data.solid(solid), offset);
         if (near.distance < target.nearest.distance) target.nearest = near;
     });
     // If the point is inside, the push acts at the center of mass and away from the point.

@@ -20,21 +20,21 @@ bool shape_contains(const WorldData& data, uint32_t shape, const Position& point
     return signed_distance(data.solid(shape), point - center) <= 0.0f;
 }
 
-/// Calls `tell(shape)` for each shape of which a part is found, once, until it returns false.
-template <class Tell>
+/// Calls `report(shape)` for each shape of which a part is found, once, until it returns false.
+template <class Report>
 class Finding {
   public:
-    Finding(WorldData& data, Tell& tell) : data_(data), tell_(tell) {}
+    Finding(WorldData& data, Report& report) : data_(data), report_(report) {}
     bool going() const { return going_; }
     void add(uint32_t solid) {
         const Shape shape(data_.self.link->world, data_.shape_id(solid));
         const bool parts = shape.type() == ShapeType::chain || shape.type() == ShapeType::concave;
-        if (!parts || found_.add(shape.id())) going_ = tell_(shape);
+        if (!parts || found_.add(shape.id())) going_ = report_(shape);
     }
 
   private:
     WorldData& data_;
-    Tell& tell_;
+    Report& report_;
     FoundShapes found_;
     bool going_ = true;
 };
@@ -94,11 +94,11 @@ bool Shape::contains(const Position& world_point) const {
 namespace {
 
 void find_at(WorldData& data, const Position& point, const QueryFilter& filter, bool visits,
-             auto&& tell) {
+             auto&& report) {
     check_coordinates("point", point);
     data.read_all();
     Asking asking(data, filter, visits);
-    Finding finding(data, tell);
+    Finding finding(data, report);
     auto visit = [&](uint32_t shape) {
         if (finding.going() && is_accepted(data, filter, shape) &&
             shape_contains(data, shape, point))
@@ -110,7 +110,7 @@ void find_at(WorldData& data, const Position& point, const QueryFilter& filter, 
 }
 
 void find_in(WorldData& data, const Aabb& box, const QueryFilter& filter, bool visits,
-             auto&& tell) {
+             auto&& report) {
     check_coordinates("box.min", box.min);
     check_coordinates("box.max", box.max);
     data.read_all();
@@ -124,7 +124,7 @@ void find_in(WorldData& data, const Aabb& box, const QueryFilter& filter, bool v
     const Vec2 normals[4] = {{0.0f, -1.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}, {-1.0f, 0.0f}};
     const float offsets[4] = {half.y, half.x, half.y, half.x};
     const Convex probe = {corners, normals, offsets, 4, 0.0f};
-    Finding finding(data, tell);
+    Finding finding(data, report);
     auto visit = [&](uint32_t shape) {
         if (!finding.going() || !is_accepted(data, filter, shape) ||
             !overlap(data.boxes[shape], area))

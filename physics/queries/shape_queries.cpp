@@ -5,7 +5,6 @@
 #include <queries/asking.h>
 #include <world/world_data.h>
 
-#include <algorithm>
 #include <span>
 #include <stdexcept>
 
@@ -150,9 +149,9 @@ void search_for(WorldData& data, const Form& form, const Pose& pose, Search sear
     search(Sought{probes_of(at)});
 }
 
-/// Calls `tell(shape)` for each shape that overlaps another one, once, until it returns false.
+/// Calls `report(shape)` for each shape that overlaps another one, once, until it returns false.
 void find_overlaps(WorldData& data, const Sought& sought, const QueryFilter& filter, bool visits,
-                   auto&& tell) {
+                   auto&& report) {
     Asking asking(data, filter, visits);
     FoundShapes found;
     bool going = true;
@@ -163,7 +162,7 @@ void find_overlaps(WorldData& data, const Sought& sought, const QueryFilter& fil
             const Vec2 offset = data.bodies[owner].center - probe.center;
             if (nearest_points(probe.form, data.solid(other), offset).distance <= 0.0f &&
                 found.add(data.shape_id(other)))
-                going = tell(Shape(data.self.link->world, data.shape_id(other)));
+                going = report(Shape(data.self.link->world, data.shape_id(other)));
         };
         data.moving_tree.query(probe.box, visit);
         data.fixed_tree.query(probe.box, visit);
@@ -272,7 +271,7 @@ std::optional<PointHit> World::closest(const Position& point, float reach,
     data.read_all();
     Asking asking(data, filter);
     const Position p = point;
-    const PointForm asks;
+    const PointForm probe;
     std::optional<PointHit> best;
     // Searches in growing boxes until no shape outside the box can be nearer.
     const float farthest = min(reach, 4.0f * greatest_coordinate);
@@ -280,7 +279,7 @@ std::optional<PointHit> World::closest(const Position& point, float reach,
         auto visit = [&](uint32_t shape) {
             if (!is_accepted(data, filter, shape)) return;
             const Vec2 offset = data.bodies[data.forms[shape].body].center - p;
-            const Nearest near = nearest_points(asks.form(), data.solid(shape), offset);
+            const Nearest near = nearest_points(probe.form(), data.solid(shape), offset);
             if (near.distance > farthest || (best && near.distance >= best->distance)) return;
             const Position place = near.distance > 0.0f ? p + near.on_b : p;
             best =

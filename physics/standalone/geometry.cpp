@@ -123,14 +123,14 @@ std::vector<ContactManifold> contact_manifolds(const Form& a, const Pose& pose_a
         Manifold found;
         collide(of_a, of_b, at_b.center() - at_a.center(), margin, false, found);
         if (found.count == 0) return;
-        ContactManifold& told = all.emplace_back();
-        told.normal = found.normal;
-        told.point_count = found.count;
+        ContactManifold& manifold = all.emplace_back();
+        manifold.normal = found.normal;
+        manifold.point_count = found.count;
         for (int i = 0; i < found.count; ++i) {
             const detail::ManifoldPoint& point = found.points[i];
-            told.points[size_t(i)].point = at_a.center() + point.anchor_a;
-            told.points[size_t(i)].separation = point.separation;
-            told.points[size_t(i)].feature = uint16_t(point.feature);
+            manifold.points[size_t(i)].point = at_a.center() + point.anchor_a;
+            manifold.points[size_t(i)].separation = point.separation;
+            manifold.points[size_t(i)].feature = uint16_t(point.feature);
         }
     });
     return all;

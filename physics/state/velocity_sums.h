@@ -10,7 +10,7 @@
 namespace fettle::physics::detail {
 
 /// Sums over the sub-steps of a step: the changes of the velocity of a body, by their causes. Only
-/// bodies that the user asked for have them. They are not part of the state of a world.
+/// the bodies that the user requested have them. They are not part of the state of a world.
 struct VelocitySums {
     struct OfContact {
         uint32_t contact = 0;  ///< its slot

@@ -7,8 +7,6 @@
 #include <state/limits.h>
 #include <step/impact.h>
 
-#include <span>
-
 namespace fettle::physics::detail {
 namespace {
 

@@ -1,5 +1,4 @@
 #include <geometry/trigonometry.h>
-#include <state/limits.h>
 #include <step/impact.h>
 
 #include <algorithm>

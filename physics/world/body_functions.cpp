@@ -40,7 +40,7 @@ float share_of(float from, float to, int substeps) {
 
 }  // namespace
 
-void WorldData::ask_velocity_functions(float dt, int substeps) {
+void WorldData::call_velocity_functions(float dt, int substeps) {
     IgnoredNumbers ignored;
     for (BodyFunctions& each : self.functions) {
         each.moves = is_valid(each.body) && bodies[each.body.index].solver_index != 0;
@@ -61,8 +61,8 @@ void WorldData::ask_velocity_functions(float dt, int substeps) {
             edit.angular_velocity = (edit.angular_velocity + f.turn_change) * f.turn_keep;
         }
         const VelocityEdit usual = edit;
-        const bool answered = self.ask(in_velocity, [&] { each.velocity(edit); });
-        self.tell([&] {
+        const bool answered = self.call_user(in_velocity, [&] { each.velocity(edit); });
+        self.record_answer([&] {
             return Answer{key_of(each.body),
                           0,
                           Answer::To::velocity,
@@ -98,7 +98,7 @@ void WorldData::ask_velocity_functions(float dt, int substeps) {
     ignored.report();
 }
 
-void WorldData::ask_position_functions(float dt) {
+void WorldData::call_position_functions(float dt) {
     bool placed = false;
     IgnoredNumbers ignored;
     for (const BodyFunctions& each : self.functions) {
@@ -106,8 +106,8 @@ void WorldData::ask_position_functions(float dt) {
         const uint32_t slot = each.body.index;
         const Pose before = previous[slot], usual = {states[slot].position, states[slot].angle};
         PositionEdit edit = {{self.link->world, each.body}, dt, before, usual};
-        const bool answered = self.ask(in_position, [&] { each.position(edit); });
-        self.tell([&] {
+        const bool answered = self.call_user(in_position, [&] { each.position(edit); });
+        self.record_answer([&] {
             return Answer{key_of(each.body),
                           0,
                           Answer::To::position,

@@ -24,12 +24,12 @@ namespace detail {
 bool WorldData::callback_agrees(uint32_t a, uint32_t b) const {
     if (!self.filter) return true;
     bool agrees = true;
-    const bool answered = self.ask(in_filter, [&] {
+    const bool answered = self.call_user(in_filter, [&] {
         World* const world = self.link->world;
         agrees = self.filter({world, shape_id(std::min(a, b))}, {world, shape_id(std::max(a, b))});
     });
     if (stepping)
-        self.tell([&] {
+        self.record_answer([&] {
             return Answer{key_of(shape_id(std::min(a, b))), key_of(shape_id(std::max(a, b))),
                           Answer::To::filter, answered, agrees};
         });
@@ -77,20 +77,20 @@ class ContactCallbacks {
 
     void mix_all() {
         if (!world_.self.see_contacts()) return;
-        std::vector<uint32_t> asked;
+        std::vector<uint32_t> called;
         for (const uint32_t slot : world_.awake_contacts) {
             ContactRecord& c = world_.contacts[slot];
             c.disabled = false;
             if (!acts(c)) continue;
             remix(world_, world_.settings, c);  // changes by a callback are valid for one step only
-            if (world_.self.mix) asked.push_back(slot);
+            if (world_.self.mix) called.push_back(slot);
         }
-        ask_all(
-            uint32_t(asked.size()), in_mixing, world_.self.mix,
-            [&](uint32_t i) { return edit_of(world_.contacts[asked[i]]); },
+        call_all(
+            uint32_t(called.size()), in_mixing, world_.self.mix,
+            [&](uint32_t i) { return edit_of(world_.contacts[called[i]]); },
             [&](uint32_t i, const ContactEdit&, const ContactEdit& edit, bool answered) {
-                tell(edit, Answer::To::mixing, answered);
-                if (answered) accept(world_.contacts[asked[i]], edit, nullptr, in_mixing);
+                record_answer(edit, Answer::To::mixing, answered);
+                if (answered) accept(world_.contacts[called[i]], edit, nullptr, in_mixing);
             });
         ignored_.report();
     }
@@ -100,11 +100,11 @@ class ContactCallbacks {
     void before_solve_all() {
         if (!world_.self.before_solve) return;
         list_parts();
-        std::vector<Part> parts;     // of all pairs that are asked about
+        std::vector<Part> parts;     // of all pairs that the callback is called for
         std::vector<uint32_t> ends;  // of the parts of each pair
         for (uint32_t i = 0; i < world_.awake_contacts.size(); ++i) {
             const ContactRecord& c = world_.contacts[world_.awake_contacts[i]];
-            if (!acts(c) || c.disabled || !may_ask(c)) continue;
+            if (!acts(c) || c.disabled || !may_call(c)) continue;
             const Part part = {pair_of(c), i};
             if (!is_of_outline(world_, c)) {
                 parts.push_back(part);
@@ -122,11 +122,11 @@ class ContactCallbacks {
             const uint32_t begin = i > 0 ? ends[i - 1] : 0;
             return std::span<const Part>(parts).subspan(begin, ends[i] - begin);
         };
-        ask_all(
+        call_all(
             uint32_t(ends.size()), in_before_solve, world_.self.before_solve,
             [&](uint32_t i) { return edit_of(parts_of(i)); },
             [&](uint32_t i, const ContactEdit& before, const ContactEdit& edit, bool answered) {
-                tell(edit, Answer::To::before_solve, answered);
+                record_answer(edit, Answer::To::before_solve, answered);
                 if (answered) accept(parts_of(i), before, edit);
             });
         ignored_.report();
@@ -190,7 +190,7 @@ class ContactCallbacks {
     };
 
     /// Both shapes must agree; the parts of an outline have the same answer.
-    bool may_ask(const ContactRecord& c) const {
+    bool may_call(const ContactRecord& c) const {
         return world_.shapes[c.shape_a].surface.before_solve &&
                world_.shapes[c.shape_b].surface.before_solve;
     }
@@ -262,10 +262,10 @@ class ContactCallbacks {
     }
 
     /// Calls `function` for the contacts 0 … `count` - 1, which `make` describes, and gives `take`
-    /// what it was asked and what it answered, in this order. A function that may run on several
-    /// threads is asked about many contacts at a time.
-    void ask_all(uint32_t count, const char* name, const ContactCallback& function, auto&& make,
-                 auto&& take) {
+    /// the contact before and after the call, in this order. A function that may run on several
+    /// threads is called for many contacts at a time.
+    void call_all(uint32_t count, const char* name, const ContactCallback& function, auto&& make,
+                  auto&& take) {
         WorldSelf& self = world_.self;
         const bool parallel = self.parallel_callbacks;
         const uint32_t most = std::min(count, parallel ? 4096u : 1u);
@@ -274,11 +274,11 @@ class ContactCallbacks {
         for (uint32_t begin = 0; begin < count; begin += most) {
             const uint32_t size = std::min(most, count - begin);
             for (uint32_t i = 0; i < size; ++i) edits[i] = before[i] = make(begin + i);
-            self.asking_in_parallel = parallel;
-            self.ask_all(
+            self.calling_in_parallel = parallel;
+            self.call_user_for_all(
                 name, parallel ? world_.threads : nullptr, size,
                 [&](uint32_t i) { function(edits[i]); }, answered);
-            self.asking_in_parallel = false;
+            self.calling_in_parallel = false;
             for (uint32_t i = 0; i < size; ++i)
                 take(begin + i, before[i], edits[i], answered[i] != 0);
         }
@@ -306,8 +306,8 @@ class ContactCallbacks {
         }
     }
 
-    void tell(const ContactEdit& edit, Answer::To to, bool answered) const {
-        world_.self.tell([&] {
+    void record_answer(const ContactEdit& edit, Answer::To to, bool answered) const {
+        world_.self.record_answer([&] {
             Answer answer = answer_of(edit, to);
             answer.given = answered;
             return answer;

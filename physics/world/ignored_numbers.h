@@ -20,7 +20,7 @@ class IgnoredNumbers {
         if (++count_ == 1 && is_logged()) first_ = std::string(where()) + " set " + name;
         return false;
     }
-    /// Writes the warning if a value was noted, and forgets all of them.
+    /// Writes the warning if a value was noted, and removes all notes.
     void report() {
         if (count_ == 0) return;
         log(LogLevel::warning,

@@ -144,7 +144,7 @@ void WorldData::gather_objects(const SubSteps& sub, float dt) {
                   threads);
     apply_fields(objects(), columns(), boxes, awake_bodies, settings.gravity, sub.h, dt,
                  solver_forces);
-    if (!self.functions.empty()) ask_velocity_functions(dt, sub.settings.substeps);
+    if (!self.functions.empty()) call_velocity_functions(dt, sub.settings.substeps);
 }
 
 JointStep WorldData::prepare_constraints(const SubSteps& sub, float dt) {
@@ -188,7 +188,7 @@ void WorldData::store_results(const SubSteps& sub, const JointStep& joint_step, 
 
 void WorldData::begin_step() {
     detail::refresh(editing());
-    forget_ended_contacts();
+    clear_ended_contacts();
     std::swap(events, pending);
     const auto clear = [](auto& list) { list.clear(); };
     event_members(clear, pending);
@@ -208,15 +208,15 @@ void end_recording(WorldSelf& self) {
 
 }  // namespace
 
-void WorldData::tell_step_begins(float dt) {
+void WorldData::notify_step_begin(float dt) {
     const Callbacks callbacks = {bool(self.filter), bool(self.mix), bool(self.before_solve)};
-    if (!self.ask(in_recording,
-                  [&] { self.witness()->step_begins(*this, callbacks, self.functions, dt); }))
+    if (!self.call_user(in_recording,
+                        [&] { self.witness()->step_begins(*this, callbacks, self.functions, dt); }))
         end_recording(self);
 }
 
-void WorldData::tell_step_ends() {
-    if (!self.ask(in_recording, [&] { self.witness()->step_ends(*this, hash_of(*this)); }))
+void WorldData::notify_step_end() {
+    if (!self.call_user(in_recording, [&] { self.witness()->step_ends(*this, hash_of(*this)); }))
         end_recording(self);
 }
 

@@ -9,7 +9,7 @@
 
 namespace fettle::physics::detail {
 
-/// The answer of a function of the user in a step, and the objects that it was asked about.
+/// The result of a user function in a step, and the objects that it was called for.
 struct Answer {
     enum class To : uint8_t { filter, mixing, before_solve, velocity, position };
     uint64_t about_a = 0, about_b = 0;  ///< the two shapes, or the body and 0: generation and slot

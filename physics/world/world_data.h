@@ -115,13 +115,13 @@ struct WorldData : WorldState, StepScratch {
     Activity activity() { return {*this, *this, *this, event_sink()}; }
 
     // contact_data.cpp
-    void forget_ended_contacts();
+    void clear_ended_contacts();
     void note_ended_contacts();
 
     // body_functions.cpp
-    void ask_velocity_functions(float dt, int substeps);
+    void call_velocity_functions(float dt, int substeps);
     /// To be called when a step is over.
-    void ask_position_functions(float dt);
+    void call_position_functions(float dt);
 
     // step.cpp
     void step(float dt);
@@ -135,8 +135,8 @@ struct WorldData : WorldState, StepScratch {
     void end_step();
     /// False: the solver takes all constraints one after the other.
     bool solves_in_groups() const { return settings.solver == Solver::soft_step; }
-    void tell_step_begins(float dt);
-    void tell_step_ends();
+    void notify_step_begin(float dt);
+    void notify_step_end();
     // memory.cpp
     void trim();
 

@@ -23,7 +23,7 @@ void WorldSelf::refuse_edit(const char* of, const char* function) const {
                  "change it when that call has returned");
 }
 
-void WorldSelf::refuse_or_tell(const char* of, const char* function) const {
+void WorldSelf::refuse_or_report(const char* of, const char* function) const {
     may_read();
     if (locked()) refuse_edit(of, function);
     witness_->edit_called(of, function);
@@ -74,7 +74,7 @@ void WorldLock::unlock() {
     const uint32_t before = self.work_.fetch_sub(weight_, std::memory_order_acq_rel);
     if ((before & ~WorldSelf::marks) != weight_) return;
     if (!self.orphaned()) {
-        if (self.owner != nullptr) self.owner->tell_unlocked();
+        if (self.owner != nullptr) self.owner->notify_unlocked();
         return;
     }
     // The World is destroyed, and this was the last use of its data.

@@ -39,8 +39,8 @@ struct WorldSelf {
     WorldLink* link = nullptr;  ///< null: a state without a world
     PairFilter filter;
     ContactCallback mix, before_solve;
-    bool parallel_callbacks = false;  ///< these two are called on all threads of a step
-    bool asking_in_parallel = false;  ///< they are being called so
+    bool parallel_callbacks = false;   ///< these two are called on all threads of a step
+    bool calling_in_parallel = false;  ///< they are being called so
     RefreshCallback refresh;
     std::vector<Function<void()>> after_step;  ///< to be called once, after a step
     const Owner* owner = nullptr;              ///< only it may populate the world; null: all may
@@ -72,7 +72,7 @@ struct WorldSelf {
     /// Throws Locked if editing is forbidden. `of` and `function`: the called type and method.
     void may_edit(const char* of, const char* function) const {
         if (work_.load(std::memory_order_relaxed) != 0) [[unlikely]]
-            refuse_or_tell(of, function);
+            refuse_or_report(of, function);
     }
     /// Like `may_edit`, for a step, which is recorded in another way.
     void may_step() const {
@@ -107,7 +107,7 @@ struct WorldSelf {
     void set_witness(std::unique_ptr<Witness> witness);
     Witness* witness() const { return witness_.get(); }
     /// Tells a recording what a function of the user answered in a step.
-    void tell(auto&& answer) const {
+    void record_answer(auto&& answer) const {
         if (witness_ != nullptr) [[unlikely]]
             witness_->answered(answer());
     }
@@ -115,7 +115,7 @@ struct WorldSelf {
     /// Calls a user function in a step or an edit, which an exception must not interrupt: the first
     /// exception is stored until `WorldLock::finish`. False if it threw, or if user functions may
     /// not be called any more.
-    bool ask(const char* callback, auto&& call) const {
+    bool call_user(const char* callback, auto&& call) const {
         if (orphaned()) return false;
         const char* const outer = enter(callback);
         bool answered = true;
@@ -128,12 +128,13 @@ struct WorldSelf {
         leave_to(outer);
         return answered && !orphaned();
     }
-    /// Makes the calls 0 … `count` - 1 as `ask` does, on the threads of `helpers`; null: in order
-    /// on this one. The first exception is that of the lowest number.
-    void ask_all(const char* callback, ThreadPool* helpers, uint32_t count, auto&& call,
-                 std::vector<char>& answered) const {
+    /// Makes the calls 0 … `count` - 1 as `call_user` does, on the threads of `helpers`; null: in
+    /// order on this one. The first exception is that of the lowest number.
+    void call_user_for_all(const char* callback, ThreadPool* helpers, uint32_t count, auto&& call,
+                           std::vector<char>& answered) const {
         if (helpers == nullptr) {
-            for (uint32_t i = 0; i < count; ++i) answered[i] = ask(callback, [&] { call(i); });
+            for (uint32_t i = 0; i < count; ++i)
+                answered[i] = call_user(callback, [&] { call(i); });
             return;
         }
         const char* const outer = enter(callback);
@@ -169,7 +170,7 @@ struct WorldSelf {
     /// Likewise while the state is damaged.
     static constexpr uint32_t damage = 1u << 30;
     static constexpr uint32_t marks = watched | damage;
-    void refuse_or_tell(const char* of, const char* function) const;
+    void refuse_or_report(const char* of, const char* function) const;
     [[noreturn]] void refuse_edit(const char* of, const char* function) const;
     [[noreturn]] void refuse_stranger(const char* of, const char* function) const;
     [[noreturn]] void refuse_copy(const char* what) const;

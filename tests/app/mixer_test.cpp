@@ -22,12 +22,12 @@ std::string two_tones() {
                      [](unsigned, double t) { return 0.5 * sine(t < 1 ? 300 : 900, t); });
 }
 
-Heard sound(const std::string& bytes, std::uint64_t id = 1) {
+AudibleVoice sound(const std::string& bytes, std::uint64_t id = 1) {
     const SoundFile file(bytes);
     return {.id = id, .samples = file.samples(), .duration = file.duration()};
 }
 
-Heard music(const std::string& bytes, std::uint64_t id = 1) {
+AudibleVoice music(const std::string& bytes, std::uint64_t id = 1) {
     const auto file = std::make_shared<const SoundFile>(bytes);
     return {.id = id, .file = file, .duration = file->duration()};
 }
@@ -35,11 +35,11 @@ Heard music(const std::string& bytes, std::uint64_t id = 1) {
 }  // namespace
 
 TEST_CASE("a voice sounds at its pitch and its level and ends") {
-    for (const Heard& heard :
+    for (const AudibleVoice& heard :
          {sound(tone_file(440, 0.5)), music(tone_file(440, 0.5)), sound(tone_file(440, 0.5, 8000)),
           music(tone_file(440, 0.5, 48000))}) {
         Mixer mixer;
-        mixer.hear({heard});
+        mixer.set_voices({heard});
         const Signal all = mixed(mixer, 1);
         CHECK(frequency(all.part(0.1, 0.4).left) == Approx(440).margin(1));
         CHECK(level(all.part(0.1, 0.4).left) == Approx(0.5 / std::sqrt(2)).margin(0.01));
@@ -50,9 +50,9 @@ TEST_CASE("a voice sounds at its pitch and its level and ends") {
 
 TEST_CASE("a voice of twice the rate is an octave higher and half as long") {
     Mixer mixer;
-    Heard heard = sound(tone_file(440, 0.5));
+    AudibleVoice heard = sound(tone_file(440, 0.5));
     heard.rate = 2;
-    mixer.hear({heard});
+    mixer.set_voices({heard});
     const Signal all = mixed(mixer, 1);
     CHECK(frequency(all.part(0.05, 0.2).left) == Approx(880).margin(2));
     CHECK(length(all.left) == Approx(0.25).margin(0.01));
@@ -60,27 +60,27 @@ TEST_CASE("a voice of twice the rate is an octave higher and half as long") {
 
 TEST_CASE("a voice may be on one side") {
     Mixer mixer;
-    Heard heard = sound(tone_file(440, 1));
+    AudibleVoice heard = sound(tone_file(440, 1));
     heard.loudness = {0.5f, 0.1f};
-    mixer.hear({heard});
+    mixer.set_voices({heard});
     const Signal all = mixed(mixer, 0.5);
     CHECK(level(all.left) == Approx(5 * level(all.right)).epsilon(0.02));
     const std::string stereo = wave_file(
         1, 2, rate, [](unsigned c, double t) { return 0.5 * sine(c == 0 ? 300 : 700, t); });
     Mixer both;
-    both.hear({sound(stereo)});
+    both.set_voices({sound(stereo)});
     const Signal two = mixed(both, 0.5);
     CHECK(frequency(two.left) == Approx(300).margin(1));
     CHECK(frequency(two.right) == Approx(700).margin(1));
 }
 
 TEST_CASE("a voice that loops goes on and stays in time") {
-    for (Heard heard : {sound(tone_file(440, 0.1)), music(tone_file(440, 0.1))}) {
+    for (AudibleVoice heard : {sound(tone_file(440, 0.1)), music(tone_file(440, 0.1))}) {
         Mixer mixer;
         heard.loops = true;
         for (int i = 0; i < 60; ++i) {
             heard.time = std::fmod(i / 60.0, 0.1);
-            mixer.hear({heard});
+            mixer.set_voices({heard});
             CHECK(level(mixed(mixer, 1.0 / 60).left) > 0.2);
         }
         CHECK(mixer.size() == 1);
@@ -89,16 +89,16 @@ TEST_CASE("a voice that loops goes on and stays in time") {
 
 TEST_CASE("a voice that pauses is silent and goes on where it was") {
     Mixer mixer;
-    Heard heard = sound(two_tones());
-    mixer.hear({heard});
+    AudibleVoice heard = sound(two_tones());
+    mixer.set_voices({heard});
     (void)mixed(mixer, 0.5);
     heard.time = 0.5;
     heard.rate = 0;
-    mixer.hear({heard});
+    mixer.set_voices({heard});
     (void)mixed(mixer, 0.1);
     CHECK(level(mixed(mixer, 2).left) == 0);
     heard.rate = 1;
-    mixer.hear({heard});
+    mixer.set_voices({heard});
     const Signal rest = mixed(mixer, 2);
     CHECK(frequency(rest.part(0.05, 0.4).left) == Approx(300).margin(1));
     CHECK(frequency(rest.part(0.6, 1.3).left) == Approx(900).margin(2));
@@ -106,19 +106,19 @@ TEST_CASE("a voice that pauses is silent and goes on where it was") {
 }
 
 TEST_CASE("a voice follows the time that it should have") {
-    for (Heard heard : {sound(two_tones()), music(two_tones())}) {
+    for (AudibleVoice heard : {sound(two_tones()), music(two_tones())}) {
         Mixer mixer;
-        mixer.hear({heard});
+        mixer.set_voices({heard});
         (void)mixed(mixer, 0.5);
         heard.time = 0.45;  // the device is a little behind, or ahead
-        mixer.hear({heard});
+        mixer.set_voices({heard});
         const Signal same = mixed(mixer, 0.3);
         CHECK(frequency(same.left) == Approx(300).margin(1));
         heard.time = 1.5;
-        mixer.hear({heard});
+        mixer.set_voices({heard});
         CHECK(frequency(mixed(mixer, 0.3).part(0.05, 0.3).left) == Approx(900).margin(2));
         heard.time = 0.2;  // back
-        mixer.hear({heard});
+        mixer.set_voices({heard});
         const Signal back = mixed(mixer, 3);
         CHECK(frequency(back.part(0.05, 0.7).left) == Approx(300).margin(1));
         CHECK(length(back.left) == Approx(1.8).margin(0.05));
@@ -128,36 +128,36 @@ TEST_CASE("a voice follows the time that it should have") {
 
 TEST_CASE("a voice that has ended in the tree fades or plays its last moment") {
     Mixer mixer;
-    mixer.hear({sound(tone_file(440, 1))});
+    mixer.set_voices({sound(tone_file(440, 1))});
     (void)mixed(mixer, 0.3);
-    mixer.hear({});
+    mixer.set_voices({});
     CHECK(length(mixed(mixer, 0.5).left) < 0.03);
     CHECK(mixer.size() == 0);
-    mixer.hear({sound(tone_file(440, 1))});
+    mixer.set_voices({sound(tone_file(440, 1))});
     (void)mixed(mixer, 0.9);
-    mixer.hear({});
+    mixer.set_voices({});
     CHECK(length(mixed(mixer, 0.5).left) == Approx(0.1).margin(0.02));
     CHECK(mixer.size() == 0);
 }
 
 TEST_CASE("parameters of a synth change while it sounds") {
     Mixer mixer;
-    Heard heard{.id = 1};
+    AudibleVoice heard{.id = 1};
     heard.synth.wave = Wave::sine;
     heard.synth.sustain = heard.duration = 5;
-    mixer.hear({heard});
+    mixer.set_voices({heard});
     CHECK(frequency(mixed(mixer, 0.3).left) == Approx(440).margin(1));
     heard.synth.frequency = 1000;
     heard.time = 0.3;
-    mixer.hear({heard});
+    mixer.set_voices({heard});
     CHECK(frequency(mixed(mixer, 0.3).part(0.01, 0.3).left) == Approx(1000).margin(2));
 }
 
 TEST_CASE("many loud voices are limited and never wrap around") {
     Mixer mixer;
-    std::vector<Heard> all;
+    std::vector<AudibleVoice> all;
     for (std::uint64_t id = 1; id <= 64; ++id) all.push_back(sound(tone_file(440, 1), id));
-    mixer.hear(all);
+    mixer.set_voices(all);
     const Signal out = mixed(mixer, 0.3);
     CHECK(*std::ranges::max_element(out.left) <= 1);
     CHECK(*std::ranges::max_element(out.left) > 0.9);
@@ -172,14 +172,14 @@ TEST_CASE("the sounds to be heard change while another thread makes the samples"
         std::vector<std::int16_t> chunk(256);
         while (!done) mixer.fill(chunk);
     });
-    const Heard file = music(two_tones()), samples = sound(two_tones(), 2);
+    const AudibleVoice file = music(two_tones()), samples = sound(two_tones(), 2);
     for (int i = 0; i < 2000; ++i) {
-        std::vector<Heard> all;
+        std::vector<AudibleVoice> all;
         if (i % 3 != 0) all.push_back(file);
         if (i % 5 != 0) all.push_back(samples);
         if (i % 7 != 0) all.push_back({.id = 3 + std::uint64_t(i % 4), .duration = 0.3});
-        for (Heard& heard : all) heard.time = (i % 100) * 0.02;
-        mixer.hear(std::move(all));
+        for (AudibleVoice& heard : all) heard.time = (i % 100) * 0.02;
+        mixer.set_voices(std::move(all));
     }
     done = true;
     device.join();

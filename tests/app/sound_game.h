@@ -62,7 +62,7 @@ struct SoundGame {
         run(chunk);
         return errors;
     }
-    std::vector<Heard> heard() { return services.audio.state().heard(false); }
+    std::vector<AudibleVoice> heard() { return services.audio.state().audible_voices(false); }
 };
 
 }  // namespace sound_game

@@ -85,7 +85,7 @@ TEST_CASE("nothing passes for voices while the game is paused") {
     CHECK(game.print("v.time > 0.016 and v.time < 0.017") == "true");
     game.run("time.paused = false time.scale = 0.5");
     CHECK(game.heard().at(0).rate == 0.5);
-    CHECK(game.services.audio.state().heard(true).at(0).rate == 0);
+    CHECK(game.services.audio.state().audible_voices(true).at(0).rate == 0);
 }
 
 TEST_CASE("a bus that does not pause and a sound that began in the pause are heard") {
@@ -104,12 +104,12 @@ TEST_CASE("a bus that does not pause and a sound that began in the pause are hea
     game.run("time.paused = true h = hit:play()");
     const auto rates = [&] {
         std::vector<double> all;
-        for (const Heard& each : game.heard()) all.push_back(each.rate);
+        for (const AudibleVoice& each : game.heard()) all.push_back(each.rate);
         return all;
     };
     CHECK(rates() == std::vector<double>{1, 0, 1});
     Mixer mixer;
-    mixer.hear(game.heard());
+    mixer.set_voices(game.heard());
     using sound_measures::level;
     CHECK(level(sound_measures::mixed(mixer, 0.2).part(0.05, 0.2).left) > 0.2);
     game.printed.clear();
@@ -124,7 +124,7 @@ TEST_CASE("a bus that does not pause and a sound that began in the pause are hea
 
     // The device hears only the sound that holds: nothing.
     Mixer rest;
-    rest.hear(game.heard());
+    rest.set_voices(game.heard());
     CHECK(level(sound_measures::mixed(rest, 0.2).left) == 0);
 }
 
@@ -320,10 +320,10 @@ TEST_CASE("compressed files are decoded") {
         CHECK(file->duration() == Approx(0.25).margin(0.001));
         for (const bool decoded : {true, false}) {
             Mixer mixer;
-            Heard heard{.id = 1, .duration = file->duration()};
+            AudibleVoice heard{.id = 1, .duration = file->duration()};
             if (decoded) heard.samples = file->samples();
             if (!decoded) heard.file = file;
-            mixer.hear({heard});
+            mixer.set_voices({heard});
             const sound_measures::Signal all = sound_measures::mixed(mixer, 0.4);
             CHECK(sound_measures::frequency(all.part(0.05, 0.2).left) == Approx(440).margin(2));
             CHECK(sound_measures::length(all.left) == Approx(0.25).margin(0.01));

@@ -81,7 +81,7 @@ TEST_CASE_METHOD(PictureRig, "both runs show the pictures of the game") {
     draw(2);
     const std::size_t before = surface.textures();
     CHECK(magenta() == 0);
-    runs().ask("world.ball.mass", Value(3.0), 1);
+    runs().request_change("world.ball.mass", Value(3.0), 1);
     console.between_frames();
     draw(3);
     save("compare_pictures");
@@ -95,7 +95,7 @@ TEST_CASE_METHOD(PictureRig, "both runs show the pictures of the game") {
 }
 
 TEST_CASE_METHOD(PictureRig, "the pictures of both runs are drawn on a surface that changes") {
-    runs().ask("world.ball.mass", Value(3.0), 1);
+    runs().request_change("world.ball.mass", Value(3.0), 1);
     console.between_frames();
     draw(3);
     console::test::RasterSurface other(1280, 800);
@@ -105,7 +105,7 @@ TEST_CASE_METHOD(PictureRig, "the pictures of both runs are drawn on a surface t
 }
 
 TEST_CASE_METHOD(CompareRig, "a comparison holds the past as it was and as it would have been") {
-    runs().ask("world.ball.mass", Value(3.0), 1);
+    runs().request_change("world.ball.mass", Value(3.0), 1);
     CHECK_FALSE(runs().shown());
     console.between_frames();
     REQUIRE(runs().shown());
@@ -130,12 +130,12 @@ TEST_CASE_METHOD(CompareRig, "a comparison says that it lacks what scripts draw 
         draw();
         return surface.triangle_count();
     };
-    runs().ask("world.ball.mass", Value(3.0), 1);
+    runs().request_change("world.ball.mass", Value(3.0), 1);
     console.between_frames();
     CHECK_FALSE(runs().lacks_drawing());
     const std::size_t before = triangles();
     scripts_draw = true;
-    runs().ask("world.ball.mass", Value(3.0), 1);
+    runs().request_change("world.ball.mass", Value(3.0), 1);
     console.between_frames();
     CHECK(runs().lacks_drawing());
     CHECK(triangles() > before + 40);  // two for each letter
@@ -150,18 +150,18 @@ TEST_CASE_METHOD(CompareRig, "instances on the screen are in neither run") {
     const auto sheet = tree.create(tree.define(std::move(layer)), tree.root(), "sheet");
     const auto world = tree.child(tree.root(), "world");
     const auto score = tree.create(tree.class_of(tree.child(world, "ball")), sheet, "score");
-    runs().ask("world.ball.mass", Value(3.0), 1);
+    runs().request_change("world.ball.mass", Value(3.0), 1);
     console.between_frames();
     REQUIRE(runs().shown());
     CHECK(runs().a().back().find(score) == nullptr);
     property::set(tree, "sheet.space", Value("world"));
-    runs().ask("world.ball.mass", Value(3.0), 1);
+    runs().request_change("world.ball.mass", Value(3.0), 1);
     console.between_frames();
     CHECK(runs().a().back().find(score) != nullptr);
 }
 
 TEST_CASE_METHOD(CompareRig, "both runs are shown side by side and play again and again") {
-    runs().ask("world.ball.mass", Value(3.0), 1);
+    runs().request_change("world.ball.mass", Value(3.0), 1);
     console.between_frames();
     draw(2);
     save("compare");
@@ -186,17 +186,17 @@ TEST_CASE_METHOD(CompareRig, "both runs are shown side by side and play again an
 }
 
 TEST_CASE_METHOD(CompareRig, "values that cannot be compared are refused") {
-    CHECK_THROWS(runs().ask("world.ball.mas", Value(3.0), 1));
-    CHECK_THROWS(runs().ask("world.ball", Value(3.0), 1));
-    CHECK_THROWS(runs().ask("world.ball.energy", Value(3.0), 1));
-    CHECK_THROWS(runs().ask("world.ball.mass", Value(3.0), 0));
-    CHECK_THROWS(runs().ask("world.ball.mass", Value(3.0), 1e9));
-    runs().ask("world.ball.mass", Value("heavy"), 1);
+    CHECK_THROWS(runs().request_change("world.ball.mas", Value(3.0), 1));
+    CHECK_THROWS(runs().request_change("world.ball", Value(3.0), 1));
+    CHECK_THROWS(runs().request_change("world.ball.energy", Value(3.0), 1));
+    CHECK_THROWS(runs().request_change("world.ball.mass", Value(3.0), 0));
+    CHECK_THROWS(runs().request_change("world.ball.mass", Value(3.0), 1e9));
+    runs().request_change("world.ball.mass", Value("heavy"), 1);
     console.between_frames();
     CHECK_FALSE(runs().shown());
     CHECK(logged("ab: "));
     fails = true;
-    runs().ask("world.ball.mass", Value(3.0), 1);
+    runs().request_change("world.ball.mass", Value(3.0), 1);
     console.between_frames();
     CHECK_FALSE(runs().shown());
     CHECK(logged("ab: no branch"));
@@ -258,7 +258,7 @@ TEST_CASE("a property that differs in many instances is one line") {
 }
 
 TEST_CASE_METHOD(TwoBranches, "two branches are compared from where they part with what differs") {
-    runs().ask_branch("");
+    runs().request_branch("");
     console.between_frames();
     REQUIRE(runs().shown());
     CHECK(runs().a().size() == 31);
@@ -271,11 +271,11 @@ TEST_CASE_METHOD(TwoBranches, "two branches are compared from where they part wi
     draw(3);
     save("two_branches");
     CHECK_FALSE(state().views.compare_view.rect().empty());
-    CHECK_THROWS_WITH(runs().ask_branch("heawy"),
+    CHECK_THROWS_WITH(runs().request_branch("heawy"),
                       "compare_branch: there is no branch \"heawy\" (did you mean \"heavy\"?)");
     now = 50;
     place(now);
-    runs().ask_branch("heavy");
+    runs().request_branch("heavy");
     console.between_frames();
     CHECK(logged("before the branches part"));
     CHECK_FALSE(runs().shown());

@@ -210,7 +210,7 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
         }
         REQUIRE(own_is_right());
         for (uint32_t side = 0; side < 2; ++side) {
-            trees[side].forget_moves();
+            trees[side].clear_moves();
             std::fill(before[side].begin(), before[side].end(), no_box);
             for (auto& [item, leaf] : models[side]) {
                 leaf.moved = false;

@@ -124,7 +124,7 @@ TEST_CASE(
     const auto before = scattered(count, 100, 4), after = scattered(count, 100, 5);
     Grown moved(2), fresh(1);
     moved.insert(before);
-    moved.tree.forget_moves();
+    moved.tree.clear_moves();
     moved.place(after);
     fresh.insert(after);
     Pairs expected;
@@ -143,7 +143,7 @@ TEST_CASE("a walk does not come upon pairs in buckets that overlapped before") {
     grown.insert(boxes);
     grown.place(boxes);
     REQUIRE(pairs_of(grown.tree).size() > 1000);
-    grown.tree.forget_moves();
+    grown.tree.clear_moves();
     grown.place(boxes);
     const size_t known = pairs_of(grown.tree).size();
     REQUIRE(known < 100);  // of leaves that are in no bucket
@@ -152,7 +152,7 @@ TEST_CASE("a walk does not come upon pairs in buckets that overlapped before") {
                                      [&](const Box4& box) { return overlap(box, boxes[500]); });
     REQUIRE(meets > 1);
     REQUIRE(pairs_of(grown.tree).size() >= known + size_t(meets) - 1);
-    grown.tree.forget_moves();
+    grown.tree.clear_moves();
     grown.tree.move(grown.leaves[500], boxes[501]);
     REQUIRE(pairs_of(grown.tree).count({500, 501}) == 1);
 }
@@ -163,7 +163,7 @@ TEST_CASE("boxes that tremble are fitted and keep their places in the tree") {
     Grown grown(2);
     grown.insert(rest);
     grown.place(rest);
-    grown.tree.forget_moves();
+    grown.tree.clear_moves();
     const auto parents = [&] {
         // Node by node: box (16 bytes), parent, children, epoch.
         std::vector<int32_t> made;
@@ -187,7 +187,7 @@ TEST_CASE("boxes that tremble are fitted and keep their places in the tree") {
                          [&](uint32_t item) { found += overlap(boxes[item], boxes[17]); });
         REQUIRE(found == std::count_if(boxes.begin(), boxes.end(),
                                        [&](const Box4& box) { return overlap(box, boxes[17]); }));
-        grown.tree.forget_moves();
+        grown.tree.clear_moves();
     }
     REQUIRE(parents() == built);
 }
@@ -219,7 +219,7 @@ TEST_CASE("a tree read from bytes goes on node by node like the one that was wri
             } else {
                 each->place(boxes);
             }
-            each->tree.forget_moves();
+            each->tree.clear_moves();
             REQUIRE(each->tree.is_consistent());
         }
         REQUIRE(grown.bytes() == restored.bytes());

@@ -69,7 +69,7 @@ const std::map<std::string, std::string> exceptions = {
      "its bounds cannot be asked for; fettle_world_joints lists the ids"},
     {"Shape::segment_surface_overrides",
      "a list; fettle_shape_segment_surface_override gives each of its elements"},
-    {"Owner::tell_unlocked", "the library calls it"},
+    {"Owner::notify_unlocked", "the library calls it"},
     {"Mover::definition", "in C it is a structure of the caller, as is the state"},
     {"Mover::set_definition", "in C it is a structure of the caller"},
     {"Mover::state", "in C it is a structure of the caller"},

@@ -385,7 +385,7 @@ TEST_CASE_METHOD(Fixture, "a formula in error is reported once at a barrier") {
     tree.set_formula(shadow, "mass",
                      count([](const Tree&) -> Value { throw std::runtime_error("shown"); }));
     (void)tree.problem(shadow, tree.property(shadow, "mass"));
-    formula_problem_told(tree, shadow, tree.property(shadow, "mass"));
+    formula_problem_reported(tree, shadow, tree.property(shadow, "mass"));
     tree.barrier();
     CHECK(reported.empty());
 }

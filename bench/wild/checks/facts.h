@@ -21,7 +21,7 @@ bool can_rest(const WorldPlan& plan);
 float plausible_speed(const WorldPlan& plan, float seconds);
 
 /// How deep shapes overlap at the start and how far joints are apart, m and rad, without what is
-/// less than 1 cm: what a world does that begins like this says little.
+/// less than 1 cm: the further motion of a world that begins like this means little.
 float fault_at_start(const WorldPlan& plan);
 
 /// Half of the largest extent of a body, from its origin, m.

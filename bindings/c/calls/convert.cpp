@@ -51,7 +51,7 @@ void refuse_if_damaged(World& world) {
     try {
         (void)Body(&world, {0, 1}).world();
     } catch (const std::invalid_argument&) {
-        // No body is called that, and a world that is whole says so.
+        // An undamaged world reports that it has no such body; a damaged one throws something else.
     }
 }
 

@@ -11,13 +11,6 @@
 
 namespace fettle::physics_c {
 
-template <class Value>
-Value& needed(const char* name, Value* pointer) {
-    if (pointer == nullptr)
-        throw Failure{FETTLE_INVALID, std::string(name) + ": expected a pointer, got null"};
-    return *pointer;
-}
-
 // --- Ids: generation (32 bits), kind (4 bits), slot (28 bits)
 
 template <class Id>
@@ -150,10 +143,6 @@ void write_geometry(const physics::Shape& shape, fettle_geometry* geometry);
 // --- From C
 
 void check_size(size_t given, size_t expected);
-/// A byte that should be 0 or 1: a caller may have left it as it was.
-inline bool flag(const bool& byte) {
-    return *reinterpret_cast<const unsigned char*>(&byte) != 0;
-}
 inline physics::Vec2 vector_of(const fettle_vec2& v) {
     return {v.x, v.y};
 }

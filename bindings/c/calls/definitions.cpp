@@ -40,7 +40,7 @@ void each_member(InC& c, WorldDef& def, const Each& each) {
     each(c.persist_events, def.persist_events);
 }
 
-/// All but the name, which is a pointer in C.
+/// All members but the name, which is a pointer in C.
 template <class InC, class Each>
 void each_member(InC& c, BodyDef& def, const Each& each) {
     each(FETTLE_ENUMERATOR(type, BodyType::dynamic_body), def.type);
@@ -87,7 +87,7 @@ void each_member(InC& c, ShapeDef& def, const Each& each) {
     each(c.user_data, def.user_data);
 }
 
-/// All but the body, whose id needs the world.
+/// All members but the body, whose id needs the world.
 template <class InC, class Each>
 void each_member(InC& c, MouseJointDef& def, const Each& each) {
     each(c.target, def.target);

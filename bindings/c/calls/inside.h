@@ -9,15 +9,11 @@
 #include <string>
 #include <vector>
 
+#include <calls/failure.h>
+
 // The objects behind the pointers of a caller in C.
 
 namespace fettle::physics_c {
-
-/// An error of a caller in C.
-struct Failure {
-    fettle_code code;
-    std::string message;
-};
 
 /// A value with its name: "dt = nan".
 std::string stated(const char* name, float value);

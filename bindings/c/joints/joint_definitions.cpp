@@ -9,7 +9,7 @@ namespace fettle::physics_c {
 
 using namespace physics;
 
-/// All but the bodies, whose ids need the world.
+/// All members but the bodies, whose ids need the world.
 template <class InC, JointDefinition Def, class Each>
 void each_member(InC& c, Def& def, const Each& each) {
     each(c.anchor_a, def.anchor_a);

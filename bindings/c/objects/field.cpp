@@ -36,7 +36,7 @@ void each_member(InC& c, AttractorField& attractor, const Each& each) {
     each(c.core, attractor.core);
 }
 
-/// The type says which force `def` has; it is set before.
+/// The type, which is set before, determines the force of `def`.
 template <class InC, class Each>
 void each_member(InC& c, FieldDef& def, const Each& each) {
     std::visit([&](auto& force) { each_member(c, force, each); }, def.force);

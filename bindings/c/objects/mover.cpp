@@ -8,7 +8,7 @@ namespace fettle::physics_c {
 
 using namespace physics;
 
-/// All but the body, whose id needs the world.
+/// All members but the body, whose id needs the world.
 template <class InC, class Each>
 void each_member(InC& c, MoverDef& def, const Each& each) {
     each(c.radius, def.radius);
@@ -26,7 +26,7 @@ void each_member(InC& c, MoverDef& def, const Each& each) {
     each(c.ledges, def.ledges);
 }
 
-/// All but the shapes, of which those that were destroyed count as none.
+/// All members but the shapes, of which those that were destroyed count as none.
 template <class InC, class Each>
 void each_member(InC& c, MoverState& state, const Each& each) {
     each(c.position, state.position);

@@ -6,7 +6,7 @@ namespace fettle::physics_c {
 
 using namespace physics;
 
-/// All but the functions.
+/// All members but the functions.
 template <class InC, class Each>
 void each_member(InC& c, DebugDrawOptions& options, const Each& each) {
     each(c.shapes, options.shapes);

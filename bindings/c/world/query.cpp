@@ -6,7 +6,7 @@ namespace fettle::physics_c {
 
 using namespace physics;
 
-/// All but the function.
+/// All members but the function.
 template <class InC, class Each>
 void each_member(InC& c, QueryFilter& filter, const Each& each) {
     each(c.category, filter.category);

@@ -76,8 +76,8 @@ struct Audio::State {
     /// Whether the voice sounds in a paused game, too.
     bool ignores_pause(property::Handle voice) const;
 
-    /// The sounds to be heard now. `halted`: every voice pauses.
-    std::vector<Heard> heard(bool halted) const;
+    /// The voices that sound now. `halted`: every voice pauses.
+    std::vector<AudibleVoice> audible_voices(bool halted) const;
 
     Audio& audio;
     property::Tree& tree;

@@ -44,12 +44,12 @@ void Loudspeaker::follow(const Services& services, bool halted) {
             return;
         }
     }
-    device_->mixer.hear(audio.heard(halted));
+    device_->mixer.set_voices(audio.audible_voices(halted));
     if (!std::exchange(device_->started, true)) device_->play();
 }
 
 void Loudspeaker::silence() {
-    if (device_ != nullptr) device_->mixer.hear({});
+    if (device_ != nullptr) device_->mixer.set_voices({});
 }
 
 std::string Loudspeaker::take_problem() {

@@ -34,32 +34,32 @@ bool silent(const Stereo& loudness) {
 }  // namespace
 
 Stereo Mixer::Playing::sample() {
-    if (heard.samples == nullptr && heard.file == nullptr) {
-        const auto level = static_cast<float>(generator.next(heard.synth, speed * frame_time));
+    if (state.samples == nullptr && state.file == nullptr) {
+        const auto level = static_cast<float>(generator.next(state.synth, speed * frame_time));
         return {level, level};
     }
-    if (heard.samples == nullptr && reader == nullptr)
-        reader = std::make_unique<SoundReader>(heard.file);
-    const unsigned file_rate = heard.samples ? heard.samples->rate : heard.file->rate();
+    if (state.samples == nullptr && reader == nullptr)
+        reader = std::make_unique<SoundReader>(state.file);
+    const unsigned file_rate = state.samples ? state.samples->rate : state.file->rate();
     const double at = position * file_rate;
     const auto index = static_cast<std::uint64_t>(at);
     const auto share = static_cast<float>(at - std::floor(at));
-    if (heard.samples != nullptr)
-        return between(heard.samples->frame(index), heard.samples->frame(index + 1), share);
+    if (state.samples != nullptr)
+        return between(state.samples->frame(index), state.samples->frame(index + 1), share);
     const Stereo first = reader->frame(index);
     return between(first, reader->frame(index + 1), share);
 }
 
 void Mixer::Playing::advance() {
     position += speed * frame_time;
-    if (position < heard.duration || !heard.loops || heard.duration <= 0) return;
-    position = std::fmod(position, heard.duration);
+    if (position < state.duration || !state.loops || state.duration <= 0) return;
+    position = std::fmod(position, state.duration);
     generator = {};
 }
 
 void Mixer::Playing::add_to(std::span<float> mix) {
-    const bool pauses = heard.rate <= 0;
-    const Stereo target = released || pauses ? Stereo{0, 0} : heard.loudness;
+    const bool pauses = state.rate <= 0;
+    const Stereo target = released || pauses ? Stereo{0, 0} : state.loudness;
     for (std::size_t i = 0; i + 1 < mix.size() && !over(); i += 2) {
         if ((released || pauses) && silent(loudness)) break;
         loudness = between(loudness, target, loudness_step);
@@ -70,53 +70,53 @@ void Mixer::Playing::add_to(std::span<float> mix) {
     }
 }
 
-Mixer::Playing Mixer::begun(Heard heard) {
+Mixer::Playing Mixer::begun(AudibleVoice state) {
     Playing voice;
     // A voice that has just begun is a step old. It sounds from its beginning, which is loud often.
-    const bool new_one = heard.time < 0.1 * std::max(1.0, heard.rate);
-    voice.position = new_one ? 0 : heard.time;
-    if (new_one && heard.rate > 0) voice.loudness = heard.loudness;
-    if (heard.rate > 0) voice.speed = heard.rate;
-    if (heard.samples == nullptr && heard.file == nullptr)
-        voice.generator.go_to(heard.synth, voice.position);
-    voice.heard = std::move(heard);
+    const bool new_one = state.time < 0.1 * std::max(1.0, state.rate);
+    voice.position = new_one ? 0 : state.time;
+    if (new_one && state.rate > 0) voice.loudness = state.loudness;
+    if (state.rate > 0) voice.speed = state.rate;
+    if (state.samples == nullptr && state.file == nullptr)
+        voice.generator.go_to(state.synth, voice.position);
+    voice.state = std::move(state);
     return voice;
 }
 
 void Mixer::release(Playing& voice) {
-    const double left = (voice.heard.duration - voice.position) / voice.speed;
-    const bool ends = !voice.heard.loops && voice.heard.rate > 0 && left < rest;
-    voice.heard.id = 0;
+    const double left = (voice.state.duration - voice.position) / voice.speed;
+    const bool ends = !voice.state.loops && voice.state.rate > 0 && left < rest;
+    voice.state.id = 0;
     voice.released = !ends;
 }
 
-bool Mixer::far_off(const Playing& voice, const Heard& to) {
+bool Mixer::far_off(const Playing& voice, const AudibleVoice& to) {
     double off = std::abs(to.time - voice.position);
     if (to.loops && to.duration > 0) off = std::min(off, std::abs(to.duration - off));
     return off > tolerance * std::max(1.0, to.rate);
 }
 
-void Mixer::adapt(Playing& voice, const Heard& to) {
-    voice.heard = to;
+void Mixer::adapt(Playing& voice, const AudibleVoice& to) {
+    voice.state = to;
     if (to.rate > 0) voice.speed = to.rate;
 }
 
-/// Takes over the sounds to be heard now.
+/// Takes over the voices that sound now.
 void Mixer::exchange() {
-    std::optional<std::vector<Heard>> next;
+    std::optional<std::vector<AudibleVoice>> next;
     {
         const std::lock_guard lock(mutex_);
         next.swap(next_);
     }
     if (!next) return;
     for (Playing& voice : playing_) {
-        if (voice.heard.id == 0) continue;
-        const auto to = std::ranges::find(*next, voice.heard.id, &Heard::id);
+        if (voice.state.id == 0) continue;
+        const auto to = std::ranges::find(*next, voice.state.id, &AudibleVoice::id);
         const bool same =
-            to != next->end() && to->samples == voice.heard.samples && to->file == voice.heard.file;
+            to != next->end() && to->samples == voice.state.samples && to->file == voice.state.file;
         if (same && !far_off(voice, *to)) {
             adapt(voice, *to);
-        } else if (same && voice.heard.rate <= 0 && silent(voice.loudness)) {
+        } else if (same && voice.state.rate <= 0 && silent(voice.loudness)) {
             voice = begun(*to);
         } else {
             release(voice);
@@ -124,13 +124,13 @@ void Mixer::exchange() {
             if (to != next->end()) voice.released = true;
         }
     }
-    for (Heard& heard : *next)
+    for (AudibleVoice& state : *next)
         if (std::ranges::none_of(playing_,
-                                 [&](const Playing& voice) { return voice.heard.id == heard.id; }))
-            playing_.push_back(begun(std::move(heard)));
+                                 [&](const Playing& voice) { return voice.state.id == state.id; }))
+            playing_.push_back(begun(std::move(state)));
 }
 
-void Mixer::hear(std::vector<Heard> all) {
+void Mixer::set_voices(std::vector<AudibleVoice> all) {
     const std::lock_guard lock(mutex_);
     next_ = std::move(all);
 }
@@ -140,7 +140,7 @@ void Mixer::fill(std::span<std::int16_t> out) {
     mix_.assign(out.size(), 0.0f);
     for (Playing& voice : playing_) voice.add_to(mix_);
     std::erase_if(playing_, [](const Playing& voice) {
-        return voice.heard.id == 0 && (voice.over() || silent(voice.loudness));
+        return voice.state.id == 0 && (voice.over() || silent(voice.loudness));
     });
     std::ranges::transform(mix_, out.begin(), [](float level) {
         return static_cast<std::int16_t>(std::lround(32767 * limited(level)));

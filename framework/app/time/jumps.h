@@ -8,7 +8,7 @@
 
 namespace fettle::app {
 
-/// Notices when other code restores a snapshot, that is, when time jumps.
+/// Detects that other code restores a snapshot, that is, that time jumps.
 class Timeline::Jumps : public property::Observer {
   public:
     explicit Jumps(property::Tree& tree) : tree_(tree), tree_life_(tree.lifetime()) {

@@ -135,8 +135,8 @@ class SfmlWindow : public Window {
   public:
     explicit SfmlWindow(const WindowState& state) : state_(state) {
         open();
-        told_ = size();
-        opened_ = told_;
+        reported_size_ = size();
+        opened_ = reported_size_;
         canvas_ = std::make_unique<Canvas>(window_);
     }
     property::Vec2 size() const override {
@@ -190,7 +190,7 @@ class SfmlWindow : public Window {
         else if (event.kind == EventKind::focus && !event.focused)
             down_.clear();
         else if (event.kind == EventKind::resized)
-            told_ = {event.x, event.y};
+            reported_size_ = {event.x, event.y};
         return true;
     }
     bool focused() const override { return window_.hasFocus(); }
@@ -201,8 +201,8 @@ class SfmlWindow : public Window {
             open();
             return;
         }
-        if (!state.fullscreen && state.size != told_) {
-            told_ = state.size;
+        if (!state.fullscreen && state.size != reported_size_) {
+            reported_size_ = state.size;
             window_.setSize(
                 {static_cast<unsigned>(state.size.x), static_cast<unsigned>(state.size.y)});
             keep_on_desktop();
@@ -246,7 +246,7 @@ class SfmlWindow : public Window {
         if (icon_) sfml::set_icon(window_, *icon_);
         if (state_.cursor != Cursor::arrow) show_cursor();
         window_.setMouseCursorGrabbed(state_.grab_mouse);
-        told_ = {0, 0};  // the game learns the size of a window that was opened again
+        reported_size_ = {0, 0};  // the game learns the size of a window that was opened again
         opened_ = std::nullopt;
         reopened_ = true;
         keyboard_elsewhere_ = true;
@@ -318,12 +318,12 @@ class SfmlWindow : public Window {
     }
     /// Reports the size of a window that was opened again, since the system may not.
     bool poll_size(InputEvent& event) {
-        if (!std::exchange(reopened_, false) || size() == told_) return false;
-        told_ = size();
+        if (!std::exchange(reopened_, false) || size() == reported_size_) return false;
+        reported_size_ = size();
         event = {};
         event.kind = EventKind::resized;
-        event.x = static_cast<float>(told_.x);
-        event.y = static_cast<float>(told_.y);
+        event.x = static_cast<float>(reported_size_.x);
+        event.y = static_cast<float>(reported_size_.y);
         return true;
     }
     /// A window that becomes larger, or that SFML 2 opens without a window manager, may be partly
@@ -337,7 +337,7 @@ class SfmlWindow : public Window {
     }
 
     WindowState state_;
-    property::Vec2 told_{0, 0};               // px, the size that was reported to the game
+    property::Vec2 reported_size_{0, 0};      // px, the size that was reported to the game
     std::optional<property::Vec2> opened_{};  // px, until the system has reported another size
     bool reopened_ = false;
     unsigned next_gamepad_ = 0;  // to be reported

@@ -70,8 +70,8 @@ void Player::press(const Vec2& point) {
     hold(widget->self);
     drags_bar_ = false;
     // In a menu that is always visible, a click must not take the keyboard from the game.
-    const bool wants_keys = is_modal || widget->kind == Kind::text_field || before != nullptr;
-    if (wants_keys && can_focus(*widget)) focus(widget, false);
+    const bool takes_keys = is_modal || widget->kind == Kind::text_field || before != nullptr;
+    if (takes_keys && can_focus(*widget)) focus(widget, false);
     const Box inner = Layout::inside(*widget);
     if (widget->kind == Kind::slider) {
         drag(*widget, point);

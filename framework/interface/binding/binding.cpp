@@ -130,10 +130,10 @@ Value Binding::wanted(const Widget& widget, const Place& place, const Value& own
     return number;
 }
 
-void Binding::tell(Widget& widget, const std::string& why) {
+void Binding::report(Widget& widget, const std::string& why) {
     if (widget.bound.problem == why) return;
     widget.bound.problem = why;
-    if (tell_) tell_(widgets_.tree().path(widget.self) + ".bind: " + why);
+    if (report_) report_(widgets_.tree().path(widget.self) + ".bind: " + why);
 }
 
 void Binding::update(Widget& widget) {
@@ -170,7 +170,7 @@ void Binding::update(Widget& widget) {
         widget.bound.problem.clear();
     } catch (const std::exception& error) {
         widget.bound.bound_before = false;
-        tell(widget, property::exception_text(error));
+        report(widget, property::exception_text(error));
     }
 }
 
@@ -230,7 +230,7 @@ void Binding::choose(Widget& widget, const std::string& name) {
         }
         write(place, chosen);
     } catch (const std::exception& error) {
-        tell(widget, property::exception_text(error));
+        report(widget, property::exception_text(error));
     }
     update(widget);
 }

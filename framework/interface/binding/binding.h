@@ -15,7 +15,9 @@ class Binding {
   public:
     Binding(Widgets& widgets, Preferences& preferences)
         : widgets_(widgets), preferences_(preferences) {}
-    void on_problem(std::function<void(const std::string&)> tell) { tell_ = std::move(tell); }
+    void on_problem(std::function<void(const std::string&)> listener) {
+        report_ = std::move(listener);
+    }
 
     /// The side that has changed since the last call gives the other one its value; if both have,
     /// the property does.
@@ -37,11 +39,11 @@ class Binding {
     property::Value wanted(const Widget& widget, const property::Place& place,
                            const property::Value& own) const;
     void write(const property::Place& place, const property::Value& value);
-    void tell(Widget& widget, const std::string& why);
+    void report(Widget& widget, const std::string& why);
 
     Widgets& widgets_;
     Preferences& preferences_;
-    std::function<void(const std::string&)> tell_;
+    std::function<void(const std::string&)> report_;
 };
 
 }  // namespace fettle::interface

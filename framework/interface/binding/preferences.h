@@ -24,10 +24,12 @@ class Preferences : public property::Observer {
     ~Preferences() override;
     void attach(property::Tree& tree, property::Handle service);
     /// Receives each preference that changes: its path and its value, nil for one that ended.
-    void on_change(std::function<void(const std::string&, const property::Value&)> tell) {
-        changed_ = std::move(tell);
+    void on_change(std::function<void(const std::string&, const property::Value&)> listener) {
+        changed_ = std::move(listener);
     }
-    void on_problem(std::function<void(const std::string&)> tell) { problem_ = std::move(tell); }
+    void on_problem(std::function<void(const std::string&)> listener) {
+        problem_ = std::move(listener);
+    }
 
     /// Whether a widget that writes the property sets a preference: those of `audio` and of
     /// `input.actions` are the player's.

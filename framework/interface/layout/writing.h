@@ -29,7 +29,7 @@ struct Piece {
     std::string text{};
     bool after_space = false;  // a space is before it, which vanishes where the line is divided
 };
-/// The parts between the spaces, and between characters where property::may_divide says so.
+/// The parts between the spaces, and between characters where property::may_divide allows it.
 std::vector<Piece> pieces(const std::string& line);
 
 /// The lines of `text`. Lines longer than `width` are divided (`wrap`) or end with "…".

@@ -31,29 +31,9 @@ namespace {
 
 Value default_of(Tree& tree, const property::Field& field) {
     if (field.nullable) return {};
-    switch (field.type) {
-        case Type::nil:
-            return {};
-        case Type::boolean:
-            return false;
-        case Type::integer:
-            return 0;
-        case Type::number:
-            return 0.0;
-        case Type::text:
-            return "";
-        case Type::vec2:
-            return property::Vec2(0, 0);
-        case Type::color:
-            return property::Color{};
-        case Type::reference: {
-            const property::Class* of = tree.find_class(field.reference_class);
-            return tree.create(of == nullptr ? tree.object_class() : *of);
-        }
-        case Type::list:
-            return property::List{};
-    }
-    return {};
+    if (field.type != Type::reference) return property::default_value(field.type);
+    const property::Class* of = tree.find_class(field.reference_class);
+    return tree.create(of == nullptr ? tree.object_class() : *of);
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include <chrono>
 #include <cstring>
 #include <stdexcept>
-#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -114,7 +113,7 @@ pid_t started(const fs::path& program, const Descriptor& theirs) {
 /// Sends the trial and reads until the other end is closed; false if that takes longer than the
 /// deadline. The other end may stop reading at any time.
 bool exchange(Descriptor& ours, std::span<const std::byte> trial, Clock::time_point deadline,
-              std::string& said) {
+              std::string& output) {
     bool sending = true;
     for (;;) {
         if (sending && trial.empty()) {
@@ -139,7 +138,7 @@ bool exchange(Descriptor& ours, std::span<const std::byte> trial, Clock::time_po
         char buffer[4096];
         const ssize_t n = ::read(ours.get(), buffer, sizeof buffer);
         if (n == 0 || (n < 0 && errno != EAGAIN && errno != EINTR)) return true;
-        if (n > 0) said.append(buffer, static_cast<std::size_t>(n));
+        if (n > 0) output.append(buffer, static_cast<std::size_t>(n));
     }
 }
 
@@ -165,23 +164,23 @@ std::string run_trial(const Trial& trial) {
     auto [ours, theirs] = stream();
     const pid_t process = started(program, theirs);
     theirs.close();
-    std::string said;
+    std::string output;
     const Clock::time_point deadline = Clock::now() + limit;
-    const bool all_said = exchange(ours, bytes, deadline, said);
+    const bool is_complete = exchange(ours, bytes, deadline, output);
     ours.close();
     int status = 0;
     // The stream may close before the process ends, because a module can close any file descriptor.
     const bool in_time =
-        wait_until_end(process, all_said ? deadline : Clock::now(), status) && all_said;
-    if (in_time && said.ends_with(success_line) && WIFEXITED(status) && WEXITSTATUS(status) == 0)
+        wait_until_end(process, is_complete ? deadline : Clock::now(), status) && is_complete;
+    if (in_time && output.ends_with(success_line) && WIFEXITED(status) && WEXITSTATUS(status) == 0)
         return "";
-    if (const std::size_t error = said.rfind("\n!"); error != std::string::npos)
-        return said.substr(error + 2);
-    if (said.starts_with('!')) return said.substr(1);
-    const std::size_t last = said.rfind('@');
+    if (const std::size_t error = output.rfind("\n!"); error != std::string::npos)
+        return output.substr(error + 2);
+    if (output.starts_with('!')) return output.substr(1);
+    const std::size_t last = output.rfind('@');
     if (last == std::string::npos)
         return "cannot be tried out: " + program.string() + " does not answer as fettle-trial does";
-    std::string phase = said.substr(last + 1);
+    std::string phase = output.substr(last + 1);
     while (!phase.empty() && phase.back() == '\n') phase.pop_back();
     if (!in_time)
         return "did not come to an end " + phase + " within " + std::to_string(limit.count()) +

@@ -18,7 +18,7 @@
 namespace fettle::module {
 namespace {
 
-void tell(std::string_view text) {
+void write_output(std::string_view text) {
     while (!text.empty()) {
         const ssize_t n = ::write(trial_stream, text.data(), text.size());
         if (n < 0 && errno != EINTR) return;
@@ -26,8 +26,8 @@ void tell(std::string_view text) {
     }
 }
 
-void tell_phase(std::string_view phase) {
-    tell("@" + std::string(phase) + "\n");
+void write_phase(std::string_view phase) {
+    write_output("@" + std::string(phase) + "\n");
 }
 
 std::vector<std::byte> all_bytes() {
@@ -43,12 +43,12 @@ std::vector<std::byte> all_bytes() {
 
 /// Opens the module and attaches it to the tree, tests it and makes a step.
 void attach(Plugin::State& state, const Trial& trial) {
-    tell_phase(while_opened);
+    write_phase(while_opened);
     state.open = state.open_file(trial.copy);
     state.prepare(*state.host.tree);
-    tell_phase(while_attached);
+    write_phase(while_attached);
     state.attach_native();
-    tell_phase(in_its_test);
+    write_phase(in_its_test);
     state.check_native();
 }
 
@@ -58,7 +58,7 @@ void run(const Trial& trial) {
     state.file = trial.file;
     state.name = trial.name;
     if (trial.kind == TrialKind::open) {
-        tell_phase(while_opened);
+        write_phase(while_opened);
         state.open = state.open_file(trial.copy);
         return;
     }
@@ -68,8 +68,8 @@ void run(const Trial& trial) {
     if (trial.kind == TrialKind::attach)
         attach(state, trial);
     else
-        reload(state, trial.copy, tell_phase);
-    tell_phase(in_a_step);
+        reload(state, trial.copy, write_phase);
+    write_phase(in_a_step);
     state.step_once();
 }
 
@@ -84,9 +84,9 @@ int trial_main() {
     alarm(2 * unsigned(trial_seconds));  // ends it also where the game has ended meanwhile
     try {
         run(trial_from(all_bytes()));
-        tell(success_line);
+        write_output(success_line);
     } catch (...) {
-        tell("!" + property::exception_text());
+        write_output("!" + property::exception_text());
     }
     _exit(0);  // no function of the module may run here
 }

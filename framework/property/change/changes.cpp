@@ -32,9 +32,9 @@ void Changes::report_unreported() {
     const PlainWrites reported = writes.unreported();
     // The list is emptied first, because an observer may call functions that report writes again.
     // Observers write nothing.
-    writes.tell(author.writer, author.step, replaying);
+    writes.mark_reported(author.writer, author.step, replaying);
     if (!replaying && !observers.all.empty())
-        observers.tell([&](Observer& observer) { observer.wrote_plain(reported); });
+        observers.notify([&](Observer& observer) { observer.wrote_plain(reported); });
 }
 
 /// Remembers the author of an edit, in case the barrier finds derived values that it changed.
@@ -106,7 +106,7 @@ void Changes::queue_creation(Handle handle, const Class& of, WatcherId recipient
                 .recipients = recipient == 0 ? std::vector<WatcherId>{} : std::vector{recipient}});
 }
 
-bool Changes::wants_deletion_notice(Handle handle, const Class& of, bool only_own) const {
+bool Changes::needs_deletion_notice(Handle handle, const Class& of, bool only_own) const {
     return !watchers.of_deletion(handle, of, only_own).empty();
 }
 
@@ -114,7 +114,7 @@ void Changes::queue_deletion(Handle handle, const Class& of, const Cause& cause)
     // A watcher that did not receive the creation of the instance does not receive its deletion.
     // Only the watchers of the instance itself have received it.
     const bool only_own = nodes[handle.index].fresh;
-    const bool wanted = wants_deletion_notice(handle, of, only_own);
+    const bool wanted = needs_deletion_notice(handle, of, only_own);
     if (!wanted && deleted_event->listeners == 0 && !nodes[handle.index].watched) return;
     Existence gone = deletion_notice_of(handle, of, wanted);
     gone.cause = cause;

@@ -61,9 +61,9 @@ struct Changes {
 
     /// Calls `what(observer)` for each observer.
     template <class What>
-    void tell(What what) {
+    void notify(What what) {
         report_plain_writes();
-        if (!replaying && !observers.all.empty()) observers.tell(what);
+        if (!replaying && !observers.all.empty()) observers.notify(what);
     }
     /// Reports the writes of the typed functions before anything else is reported.
     void report_plain_writes() {
@@ -81,7 +81,7 @@ struct Changes {
     /// The same for an instance that is already deleted. `only_own`: only the watchers of the
     /// instance itself knew it.
     void queue_deletion_notice(Existence gone, bool only_own);
-    bool wants_deletion_notice(Handle handle, const Class& of, bool only_own) const;
+    bool needs_deletion_notice(Handle handle, const Class& of, bool only_own) const;
     /// The record that watchers of the deletion receive. Its cause is not known yet.
     Existence deletion_notice_of(Handle handle, const Class& of, bool with_values) const;
     /// Marks all instances as old: the watchers of their classes have been notified of them.

@@ -8,16 +8,16 @@ void HandlerErrors::report(std::exception_ptr& kept, const std::function<std::st
                            const std::string& where) const {
     try {
         if (!sink || lifetime.ending) throw;
-        tell({.path = path(),
-              .where = where,
-              .message = exception_text(),
-              .exception = std::current_exception()});
+        report({.path = path(),
+                .where = where,
+                .message = exception_text(),
+                .exception = std::current_exception()});
     } catch (...) {
         if (!kept) kept = std::current_exception();
     }
 }
 
-void HandlerErrors::tell(const HandlerError& error) const {
+void HandlerErrors::report(const HandlerError& error) const {
     // The sink may replace itself while it runs.
     if (const auto now = sink) now(error);
 }

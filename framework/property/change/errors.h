@@ -18,7 +18,7 @@ struct HandlerErrors {
     std::exception_ptr* first = nullptr;  // used without a sink; see `Collect`
 
     /// Calls the sink.
-    void tell(const HandlerError& error) const;
+    void report(const HandlerError& error) const;
     /// Called in a `catch` block: passes the current exception to the sink. Without a sink, or if
     /// the sink throws, the exception is stored in `kept` unless `kept` holds one already. So the
     /// remaining handlers are called all the same.

@@ -27,10 +27,10 @@ void refuse_overrun(Changes& changes, const Generations& generations) {
                           std::to_string(max_generations) +
                           " generations; each of these caused the one above:" + chain);
     if (!changes.errors.sink) throw error;
-    changes.errors.tell({.path = "barrier",
-                         .where = {},
-                         .message = exception_text(error),
-                         .exception = std::make_exception_ptr(error)});
+    changes.errors.report({.path = "barrier",
+                           .where = {},
+                           .message = exception_text(error),
+                           .exception = std::make_exception_ptr(error)});
 }
 
 }  // namespace fettle::property

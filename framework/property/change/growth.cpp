@@ -15,10 +15,10 @@ void Growth::pass_mark() {
     try {
         passed();
     } catch (...) {  // An exception must not leave here: the tree is in the middle of a change.
-        errors.tell({.path = "mark_weight",
-                     .where = {},
-                     .message = exception_text(),
-                     .exception = std::current_exception()});
+        errors.report({.path = "mark_weight",
+                       .where = {},
+                       .message = exception_text(),
+                       .exception = std::current_exception()});
     }
 }
 

@@ -19,7 +19,7 @@ struct Observers {
 
     /// Calls `what(observer)` for each observer. Observers may be added and removed meanwhile.
     template <class What>
-    void tell(What what) {
+    void notify(What what) {
         struct Telling {
             Observers& observers;
             Pin pin{observers.lifetime, "an observer"};

@@ -6,7 +6,7 @@ namespace fettle::property {
 
 void Changes::count_interest(const Watcher& watcher, int sign) {
     const auto count = [&](const Property& property) {
-        if (Watchers::may_want(watcher, property))
+        if (Watchers::may_match(watcher, property))
             property.shortcut.note_interest(property.shortcut.interest +
                                             static_cast<std::uint32_t>(sign));
     };
@@ -37,14 +37,14 @@ void Changes::each_cell_wanted(const Watcher& watcher, Visit visit) {
     bool any = false;
     for (std::uint32_t c = 0; c < instances.classes.size(); ++c)
         for (const Property* property : ClassRegistry::observed(instances.classes[c]))
-            if (Watchers::may_want(watcher, *property)) {
+            if (Watchers::may_match(watcher, *property)) {
                 of_class[c].push_back(property);
                 any = true;
             }
     if (!any) return;
     const auto look_at = [&](std::uint32_t i) {
         for (const Property* property : of_class[nodes[i].class_id])
-            if (watchers.wants(watcher, nodes.handle(i), *property))
+            if (watchers.matches(watcher, nodes.handle(i), *property))
                 visit(nodes.handle(i), *property);
     };
     if (watcher.kind == WatchKind::pattern) {

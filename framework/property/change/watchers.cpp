@@ -146,14 +146,14 @@ Watcher* Watchers::find(WatcherId id) const {
 
 // --- Search for watchers
 
-bool Watchers::may_want(const Watcher& watcher, const Property& property) {
+bool Watchers::may_match(const Watcher& watcher, const Property& property) {
     if (watcher.kind == WatchKind::pattern) return watcher.pattern->may_match(property.symbol);
     return (!watcher.property || watcher.property == property.symbol) &&
            (property.owner == nullptr || property.owner->is_a(*watcher.of) ||
             watcher.of->is_a(*property.owner));
 }
 
-bool Watchers::wants(const Watcher& watcher, Handle instance, const Property& property) const {
+bool Watchers::matches(const Watcher& watcher, Handle instance, const Property& property) const {
     if (watcher.kind == WatchKind::pattern)
         return watcher.pattern->matches(changes_.tree, instance, property);
     return (!watcher.property || watcher.property == property.symbol) &&
@@ -210,7 +210,7 @@ bool Watchers::broadly_watched(Handle instance, const Property& property) const 
 std::uint32_t Watchers::interest(const Property& property) const {
     std::uint32_t count = 0;
     any_broad_on(property, [&](const Watcher* watcher) {
-        count += may_want(*watcher, property);
+        count += may_match(*watcher, property);
         return false;
     });
     return count;

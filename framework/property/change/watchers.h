@@ -105,9 +105,9 @@ class Watchers {
     /// True if a pattern or class watcher matches this property of this instance.
     bool broadly_watched(Handle instance, const Property& property) const;
     /// True if this watcher, which must be broad, matches the property.
-    bool wants(const Watcher& watcher, Handle instance, const Property& property) const;
+    bool matches(const Watcher& watcher, Handle instance, const Property& property) const;
     /// A cheap test: false if the watcher cannot match the property of any instance.
-    static bool may_want(const Watcher& watcher, const Property& property);
+    static bool may_match(const Watcher& watcher, const Property& property);
     /// True if this cell or its instance has a watcher.
     bool directly_watched(Cell cell) const {
         return cells_.contains(cell) || instances_.contains(cell.index);

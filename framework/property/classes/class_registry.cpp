@@ -30,27 +30,8 @@ std::string lower_case(std::string text) {
 Value zero_of(const Property& property) {
     // A write of nil to a reference stores the empty reference.
     if (property.any_type || (property.nullable && property.type != Type::reference)) return {};
-    switch (property.type) {
-        case Type::boolean:
-            return false;
-        case Type::integer:
-            return 0;
-        case Type::number:
-            return 0.0;
-        case Type::text:
-            return property.enumerators.empty() ? Value("") : property.enumerator_values.front();
-        case Type::vec2:
-            return Vec2(0, 0);
-        case Type::color:
-            return Color{};
-        case Type::reference:
-            return Handle{};
-        case Type::list:
-            return List{};
-        case Type::nil:
-            return {};
-    }
-    return {};
+    if (!property.enumerators.empty()) return property.enumerator_values.front();
+    return default_value(property.type);
 }
 
 /// The bound itself if it is a float, otherwise the next float inside the range (`inwards`: 1 or

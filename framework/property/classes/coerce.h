@@ -1,5 +1,6 @@
 #pragma once
-// Coercion and validation: converts a written value to the type of a property, or says why not.
+// Coercion and validation: converts a written value to the type of a property, or throws with the
+// reason.
 
 #include <string>
 

@@ -32,7 +32,7 @@ bool Formulas::fails_by_another(const Entry& e) const {
     });
 }
 
-void Formulas::tell_problems() {
+void Formulas::report_problems() {
     if (!std::exchange(problems_changed_, false)) return;
     std::vector<FormulaProblem> news;
     std::unordered_set<std::string> circles;

@@ -329,7 +329,7 @@ void Formulas::finish(Entry& e, const Value& result) {
             instances.write(e.instance.index, instances.require(e.instance), *e.property, next);
             const Tree::CauseScope scope(tree_, Writer::formula);
             written(e.instance, instances.require(e.instance), *e.property, old);
-            changes_.tell([&](Observer& o) { o.wrote(e.instance, *e.property, next); });
+            changes_.notify([&](Observer& o) { o.wrote(e.instance, *e.property, next); });
         }
     } catch (...) {
         e.origin.clear();

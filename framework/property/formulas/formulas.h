@@ -71,7 +71,7 @@ class Formulas {
     std::string problem(Cell cell);
     /// Receives errors of formulas, and the news that an error is over.
     std::function<void(const FormulaProblem&)> problem_sink;
-    void tell_problems();
+    void report_problems();
     void problem_reported(Cell cell);
     /// `levels`: how many formulas of formulas are explained. The limit exists because a reader of
     /// the result may recurse.

@@ -30,7 +30,7 @@ void History::begin(std::string name, bool scripts) {
     written_.clear();
     references_.clear();
     has_references_ = false;
-    wants_references_ = true;
+    needs_references_ = true;
     open_.name = std::move(name);
     open_.cause = tree_.cause();
 }
@@ -42,7 +42,7 @@ void History::end() {
     note_recording();
     if (--depth_ > 0) return;
     references_.clear();
-    wants_references_ = false;
+    needs_references_ = false;
     close();
 }
 
@@ -183,7 +183,7 @@ std::vector<DeletedInstance> History::deleted_below(Handle top) const {
 
 /// Collects all references once per edit, however many instances the edit deletes.
 void History::note_references() {
-    if (!wants_references_ || has_references_) return;
+    if (!needs_references_ || has_references_) return;
     has_references_ = true;
     std::vector<std::vector<const Property*>> of_class(instances_.classes.size());
     for (std::uint32_t id = 0; id < instances_.classes.size(); ++id)

@@ -134,8 +134,8 @@ class History {
     CellState before_deletion(Handle instance, const Property& property) const;
     UndoResult run(Transaction& transaction, bool back);
     void apply(CellEdit& edit, bool back, UndoResult& result);
-    void tell(Handle instance, const Property& property, const CellState& from,
-              UndoResult& result) const;
+    void add_change(Handle instance, const Property& property, const CellState& from,
+                    UndoResult& result) const;
     void apply(ExistenceEdit& existence, bool back, UndoResult& result);
     void apply(MoveEdit& move, bool back, UndoResult& result);
     void set_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result);
@@ -159,7 +159,7 @@ class History {
     // The target of each reference before the first of several instances was deleted. Modules may
     // clear references to deleted instances.
     std::unordered_map<Cell, Handle, CellHash> references_;
-    bool wants_references_ = false;
+    bool needs_references_ = false;
     bool has_references_ = false;
     /// A cell whose saved state refers to a deleted instance. The state is written when that
     /// instance is back, unless the cell was written otherwise meanwhile.

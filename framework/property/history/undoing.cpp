@@ -59,8 +59,8 @@ class InstanceChanges {
         }
     }
 
-    /// Puts them before the other changes of the result.
-    void tell(UndoResult& result) const {
+    /// Puts them before the other changes.
+    void put_before(UndoResult& result) const {
         std::vector<UndoChange> others = std::exchange(result.changes, {});
         const auto add = [&](UndoChange change) {
             if (result.changes.size() == UndoResult::max_changes)
@@ -108,7 +108,7 @@ class InstanceChanges {
 }  // namespace
 
 History::References::References(History& history, bool wanted)
-    : history_(history), before_(std::exchange(history.wants_references_, wanted)) {
+    : history_(history), before_(std::exchange(history.needs_references_, wanted)) {
     history_.references_.clear();
     history_.has_references_ = false;
 }
@@ -116,7 +116,7 @@ History::References::References(History& history, bool wanted)
 History::References::~References() {
     history_.references_.clear();
     history_.has_references_ = false;
-    history_.wants_references_ = before_;
+    history_.needs_references_ = before_;
 }
 
 UndoResult History::run(Transaction& transaction, bool back) {
@@ -165,7 +165,7 @@ UndoResult History::run(Transaction& transaction, bool back) {
     else
         for (EditStep& step : transaction.steps) one(step);
     resolve(result);
-    instances.tell(result);
+    instances.put_before(result);
     return result;
 }
 
@@ -246,9 +246,9 @@ std::string text_of(const Tree& tree, const Property& property, const CellState&
 
 }  // namespace
 
-/// Tells in the result how the cell was changed.
-void History::tell(Handle instance, const Property& property, const CellState& from,
-                   UndoResult& result) const {
+/// Adds to the result how the cell was changed.
+void History::add_change(Handle instance, const Property& property, const CellState& from,
+                         UndoResult& result) const {
     if (result.changes.size() == UndoResult::max_changes) {
         ++result.more_changes;
         return;
@@ -274,7 +274,7 @@ void History::apply(CellEdit& edit, bool back, UndoResult& result) {
     if (property == nullptr) property = tree_.find(edit.instance, edit.property);
     if (property == nullptr) return;
     inform([&](EditObserver& observer) { observer.edited(edit.instance, *property, found); });
-    tell(edit.instance, *property, found, result);
+    add_change(edit.instance, *property, found, result);
 }
 
 void History::apply(MoveEdit& move, bool back, UndoResult& result) {
@@ -400,7 +400,7 @@ void History::place(Handle instance, const Position& at, UndoResult& result) {
             tree_.rename(instance, at.name.text());
         nodes_[instance.index].named = at.named;
         if (at.parent) nodes_.reorder(instance.index, tree_.alive(at.before) ? at.before.index : 0);
-        structure_.changes.tell([&](Observer& o) { o.moved(instance); });
+        structure_.changes.notify([&](Observer& o) { o.moved(instance); });
     } catch (const Error& error) {
         result.notes.emplace_back(error.what());
     }

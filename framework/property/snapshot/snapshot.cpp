@@ -130,7 +130,7 @@ const std::vector<SnapshotPart*>& Tree::parts() const {
 }
 
 void Tree::refreshing(SnapshotPart& part, std::uint64_t what) {
-    state_->changes.tell([&](Observer& o) { o.refreshing(part, what); });
+    state_->changes.notify([&](Observer& o) { o.refreshing(part, what); });
 }
 
 Snapshot Tree::snapshot() const {
@@ -236,9 +236,9 @@ void prepare(Prepared& prepared, Tree::State& state, const Snapshot& snapshot) {
             SnapshotPart* const part = *found_part;
             // A part that replaced another one since must not get the memory of that one.
             const std::uint64_t number = state.snapshots.number_of(*part);
-            const bool knows = own && std::find(memory->parts.begin(), memory->parts.end(),
-                                                number) != memory->parts.end();
-            prepared.parts.add(part, part->restore(block, knows ? memory_of(name) : Memory()));
+            const bool has_part = own && std::find(memory->parts.begin(), memory->parts.end(),
+                                                   number) != memory->parts.end();
+            prepared.parts.add(part, part->restore(block, has_part ? memory_of(name) : Memory()));
         }
         block.finish();
     }

@@ -29,7 +29,7 @@ void Transition::note(std::uint32_t index) {
         if (watched(self, node, *property))
             known_.push_back({self, property, instances_.read(index, node, *property)});
     const bool notified =
-        changes_.wants_deletion_notice(self, of, node.fresh) ||
+        changes_.needs_deletion_notice(self, of, node.fresh) ||
         !changes_.watchers.of_event(self, *changes_.deleted_event, changes_.watchers.last_id())
              .empty();
     if (!notified && !node.watched) return;
@@ -48,13 +48,13 @@ void Transition::finish() {
     drop_queued();
     end_instances();
     watch_again();
-    tell_created();
-    tell_changed();
+    notify_created();
+    notify_changed();
     if (restored_.listeners != 0)
         tree_.emit(instances_.root, restored_,
                    {Value(static_cast<std::int64_t>(changes_.author.step)),
                     Value(static_cast<std::int64_t>(left_))});
-    changes_.tell([](Observer& o) { o.restored(); });
+    changes_.notify([](Observer& o) { o.restored(); });
 }
 
 // Reports about the abandoned state are dropped, except reports of deletions and initial values.
@@ -117,7 +117,7 @@ void Transition::watch_again() {
     }
 }
 
-void Transition::tell_created() {
+void Transition::notify_created() {
     if (!changes_.watchers.any_created()) return;
     std::size_t next = 0;
     for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
@@ -141,7 +141,7 @@ std::span<const Transition::Known> Transition::known_of(Handle instance) const {
     return {first, last};
 }
 
-void Transition::tell_changed() {
+void Transition::notify_changed() {
     const Cause cause = tree_.cause();
     for (const Known& known : known_) {
         if (!lives_on(before(known.instance))) continue;

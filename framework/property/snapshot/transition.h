@@ -37,8 +37,8 @@ class Transition {
     void drop_queued();
     void end_instances();
     void watch_again();
-    void tell_created();
-    void tell_changed();
+    void notify_created();
+    void notify_changed();
 
     Instances& instances_;
     Nodes& nodes_;

@@ -18,7 +18,7 @@ namespace fettle::property {
 /// functions belong to the scripts of that tree, and edits to its classes.
 struct TreeMemory {
     std::weak_ptr<const Tree*> of;
-    std::vector<std::uint64_t> parts;  // which ones there were: their numbers
+    std::vector<std::uint64_t> parts;  // the numbers of those that there were
     Memory history;
     std::vector<Formulas::Image> formulas;
     /// Approximate memory in bytes. The history has a limit of its own.
@@ -80,8 +80,8 @@ class TreeImage {
     void make_rows();
     void drop(std::uint32_t index);
     std::string end_row(Handle self);
-    /// Whether the instance of that slot was there already, as one of the same class: in another
-    /// tree the same handle may be that of an instance of another class.
+    /// Whether the slot had the same instance before, with the same class: in another tree the
+    /// same handle may belong to an instance of another class.
     bool lived_before(std::uint32_t index, const Node& node) const;
 
     Tree::State& state_;

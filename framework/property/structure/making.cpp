@@ -45,7 +45,7 @@ void Structure::take_back(Handle self, const Class& of, bool has_row) {
     const Lifecycle& lifecycle = of.lifecycle();
     while (nodes[self.index].first_child != 0) {  // children that it has made
         const Handle child = nodes.handle(nodes[self.index].first_child);
-        changes.tell([&](Observer& o) { o.destroying(child); });
+        changes.notify([&](Observer& o) { o.destroying(child); });
         destroy_below(child.index);
     }
     if (has_row && lifecycle.destroy) try {
@@ -102,7 +102,7 @@ std::uint32_t Structure::make(const Class& of, std::uint32_t parent, NodeName na
     changed(parent, name);
     if (changes.watchers.any_broad()) changes.refresh_shadows(index);
     if (changes.watchers.any_created()) changes.queue_creation(self, of);
-    changes.tell([&](Observer& o) { o.created(self); });
+    changes.notify([&](Observer& o) { o.created(self); });
     return index;
 }
 
@@ -131,8 +131,8 @@ void Structure::finish_making(Handle self, const Class& of) {
 }
 
 void Structure::unmake(Handle self) {
-    changes.tell([&](Observer& o) { o.created(self); });
-    changes.tell([&](Observer& o) { o.destroying(self); });
+    changes.notify([&](Observer& o) { o.created(self); });
+    changes.notify([&](Observer& o) { o.destroying(self); });
     destroy_below(self.index);
 }
 

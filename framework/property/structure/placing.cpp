@@ -66,8 +66,8 @@ void Structure::move_or_stay(Handle instance, const Position& at) {
     }
 }
 
-void Structure::tell_of_move(Handle instance) {
-    changes.tell([&](Observer& o) { o.moved(instance); });
+void Structure::notify_move(Handle instance) {
+    changes.notify([&](Observer& o) { o.moved(instance); });
     if (changes.watchers.any_broad()) changes.refresh_shadows_below(instance.index);
 }
 

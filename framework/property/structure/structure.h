@@ -52,7 +52,7 @@ struct Structure {
     void move_or_stay(Handle instance, const Position& at);
     /// Notifies the modules of the subtree.
     void place_subtree(Handle top);
-    void tell_of_move(Handle instance);
+    void notify_move(Handle instance);
 
   private:
     void take_back(Handle self, const Class& of, bool has_row);

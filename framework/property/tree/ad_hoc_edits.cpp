@@ -60,7 +60,7 @@ const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
     AddedRules* const rules = rules_of(instance);
     if (rules != nullptr) rules->check(instance, name, next);
     put_ad_hoc(instance, added, next);
-    changes.tell([&](Observer& o) { o.wrote(instance, added, next); });
+    changes.notify([&](Observer& o) { o.wrote(instance, added, next); });
     if (changes.recording()) history.edited(instance, added, {});
     if (rules != nullptr) rules->changed(instance, added.name);
     return added;
@@ -93,7 +93,7 @@ void Tree::remove_ad_hoc(Handle instance, std::string_view name) {
         node.has_ad_hoc = false;
     }
     s.formulas.written(instance, node, *property, old);
-    s.changes.tell([&](Observer& o) { o.removed(instance, *property); });
+    s.changes.notify([&](Observer& o) { o.removed(instance, *property); });
     if (before) s.history.edited(instance, *property, std::move(*before));
     if (AddedRules* rules = s.rules_of(instance)) rules->changed(instance, property->name);
 }

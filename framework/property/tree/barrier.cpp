@@ -60,7 +60,7 @@ class Delivering {
 /// Queues the changes by formulas and by the simulation. False if the tree was destroyed meanwhile.
 bool find_changes(Tree::State& s, bool stepped) {
     s.formulas.settle_all(stepped);
-    s.formulas.tell_problems();
+    s.formulas.report_problems();
     if (s.lifetime.ending) return false;
     s.changes.compare_shadows();
     return true;

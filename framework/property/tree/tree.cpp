@@ -198,7 +198,7 @@ void Tree::destroy(Handle instance) {
     if (!s.lifetime.ending) s.underway.require_settled(s.instances, instance, "delete it");
     // The end of the tree cannot be undone, and its modules may be destroyed already.
     if (!s.lifetime.ending && s.changes.recording()) s.history.dying(instance);
-    if (!s.lifetime.ending) s.changes.tell([&](Observer& o) { o.destroying(instance); });
+    if (!s.lifetime.ending) s.changes.notify([&](Observer& o) { o.destroying(instance); });
     const std::string problem = s.structure.destroy_below(instance.index);
     s.instances.keep_slots = false;
     if (!problem.empty() && !s.lifetime.ending)

@@ -145,7 +145,7 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
     // up again.
     if (const Node* after = s.instances.nodes.find(instance)) {
         s.formulas.written(instance, *after, property, old);
-        s.changes.tell([&](Observer& o) { o.wrote(instance, property, next); });
+        s.changes.notify([&](Observer& o) { o.wrote(instance, property, next); });
     }
     if (before) s.history.edited(instance, property, std::move(*before));
     if (rules != nullptr) rules->changed(instance, property.name);
@@ -181,7 +181,7 @@ void Tree::reset(Handle instance, const Property& property) {
     if (property.binding.invalidate != nullptr)
         property.binding.invalidate(property.binding.context, node.row);
     s.formulas.written(instance, node, property, old);
-    s.changes.tell([&](Observer& o) { o.was_reset(instance, property); });
+    s.changes.notify([&](Observer& o) { o.was_reset(instance, property); });
     if (before) s.history.edited(instance, property, std::move(*before));
 }
 

@@ -42,7 +42,7 @@ void Tree::set_formula(Handle instance, const Property& property, Formula formul
                         "which a formula may not change; assign a plain value");
     std::optional<CellState> before = s.history.before_edit(instance, property);
     s.formulas.set(instance, property, std::move(formula));
-    s.changes.tell([&](Observer& o) { o.formula_changed(instance, property); });
+    s.changes.notify([&](Observer& o) { o.formula_changed(instance, property); });
     if (before) s.history.edited(instance, property, std::move(*before));
 }
 
@@ -70,7 +70,7 @@ void Tree::remove_formula(Handle instance, const Property& property) {
     if (s.formulas.find({instance.index, property.symbol}) == nullptr) return;
     std::optional<CellState> before = s.history.before_edit(instance, property);
     s.formulas.remove({instance.index, property.symbol});
-    s.changes.tell([&](Observer& o) { o.formula_changed(instance, property); });
+    s.changes.notify([&](Observer& o) { o.formula_changed(instance, property); });
     if (before) s.history.edited(instance, property, std::move(*before));
 }
 
@@ -83,7 +83,7 @@ void on_formula_problem(Tree& tree, std::function<void(const FormulaProblem&)> s
     tree.state().formulas.problem_sink = std::move(sink);
 }
 
-void formula_problem_told(Tree& tree, Handle instance, const Property& property) {
+void formula_problem_reported(Tree& tree, Handle instance, const Property& property) {
     tree.state().formulas.problem_reported({instance.index, property.symbol});
 }
 

@@ -11,13 +11,13 @@ void Tree::observe_edits(EditObserver* observer) {
 
 void Tree::begin_edit(std::string name, bool scripts) {
     state_->require_changeable("begin an edit");
-    state_->changes.tell([&](Observer& o) { o.edit_begins(name, scripts); });
+    state_->changes.notify([&](Observer& o) { o.edit_begins(name, scripts); });
     state_->history.begin(std::move(name), scripts);
 }
 void Tree::end_edit() {
     state_->require_changeable("end an edit");
     state_->history.end();
-    state_->changes.tell([](Observer& o) { o.edit_ends(); });
+    state_->changes.notify([](Observer& o) { o.edit_ends(); });
 }
 UndoResult Tree::undo() {
     state_->require_changeable("undo");

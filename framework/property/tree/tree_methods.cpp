@@ -20,11 +20,11 @@ class CallScope {
     CallScope(Tree::State& state, Handle self, const Method& method, std::span<const Value> given)
         : state_(state), self_(self), method_(method) {
         if (tells())
-            state_.changes.tell([&](Observer& o) { o.call_begins(self_, method_, given); });
+            state_.changes.notify([&](Observer& o) { o.call_begins(self_, method_, given); });
     }
     ~CallScope() {
         if (tells() && !state_.lifetime.ending)
-            state_.changes.tell([&](Observer& o) { o.call_ends(self_, method_); });
+            state_.changes.notify([&](Observer& o) { o.call_ends(self_, method_); });
     }
     CallScope(const CallScope&) = delete;
 

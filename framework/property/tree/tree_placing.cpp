@@ -38,7 +38,7 @@ void Tree::rename(Handle instance, std::string_view name) {
     s.structure.changed(parent, was);
     s.structure.changed(parent, made);
     if (before) s.history.moved(instance, *before);
-    s.changes.tell([&](Observer& o) { o.moved(instance); });
+    s.changes.notify([&](Observer& o) { o.moved(instance); });
     if (s.changes.watchers.any_broad()) s.changes.refresh_shadows_below(instance.index);
 }
 
@@ -88,7 +88,7 @@ void Tree::State::move_back(Handle instance, const Position& was) noexcept try {
         structure.move_or_stay(instance, at);
     instances.nodes.reorder(instance.index, tree.alive(was.before) ? was.before.index : 0);
     if (changes.recording()) history.moved(instance, left);
-    structure.tell_of_move(instance);
+    structure.notify_move(instance);
 } catch (...) {
     // It stays where it is, and the caller may try again later.
 }
@@ -116,7 +116,7 @@ void Tree::replace(Handle old, Handle by) {
     static const Symbol beside("\x1b replacing");
     s.structure.move_or_stay(
         by, {.parent = at.parent, .before = {}, .name = {beside, 0}, .named = true});
-    s.structure.tell_of_move(by);
+    s.structure.notify_move(by);
     std::exception_ptr problem;  // of a module that was notified of the deletion
     try {
         const Hold stays(s.underway, by, being_moved);
@@ -124,14 +124,14 @@ void Tree::replace(Handle old, Handle by) {
     } catch (...) {
         if (alive(old)) {
             s.structure.move_back(by, was);
-            s.structure.tell_of_move(by);
+            s.structure.notify_move(by);
             throw;
         }
         problem = std::current_exception();
     }
     s.structure.relink(by, {.parent = at.parent, .before = {}, .name = at.name, .named = true});
     if (s.changes.recording()) s.history.moved(by, was);
-    s.structure.tell_of_move(by);
+    s.structure.notify_move(by);
     if (problem) std::rethrow_exception(problem);
 }
 
@@ -170,7 +170,7 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
     s.structure.move_or_stay(instance,
                              {.parent = new_parent, .before = {}, .name = chosen, .named = named});
     if (s.changes.recording()) s.history.moved(instance, was);
-    s.structure.tell_of_move(instance);
+    s.structure.notify_move(instance);
 }
 
 }  // namespace fettle::property

@@ -71,6 +71,30 @@ const List& Value::list() const {
     return as(Type::list).shared->list;
 }
 
+Value default_value(Type type) {
+    switch (type) {
+        case Type::nil:
+            return {};
+        case Type::boolean:
+            return false;
+        case Type::integer:
+            return 0;
+        case Type::number:
+            return 0.0;
+        case Type::text:
+            return "";
+        case Type::vec2:
+            return Vec2(0, 0);
+        case Type::color:
+            return Color{};
+        case Type::reference:
+            return Handle{};
+        case Type::list:
+            return List{};
+    }
+    return {};
+}
+
 std::size_t size_of(const Value& value) {
     std::size_t bytes = sizeof(Value);
     if (value.is(Type::text)) bytes += value.text().size() + 64;

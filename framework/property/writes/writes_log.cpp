@@ -23,7 +23,7 @@ void WritesLog::next_chunk() {
     set_end();
 }
 
-void WritesLog::tell(Writer writer, std::uint64_t step, bool repeated) {
+void WritesLog::mark_reported(Writer writer, std::uint64_t step, bool repeated) {
     const std::uint64_t count = ever();
     if (runs_.empty() || runs_.back().writer != writer || runs_.back().step != step ||
         runs_.back().lost != repeated || runs_.back().end == arrived_) {

@@ -69,12 +69,12 @@ class WritesLog {
     }
     /// Marks the entries as reported, with their writer and step. `repeated`: by repeating the
     /// past, which has its writers already.
-    void tell(Writer writer, std::uint64_t step, bool repeated = false);
+    void mark_reported(Writer writer, std::uint64_t step, bool repeated = false);
 
     /// Logs a write of any other kind. All entries must have been reported.
     void note(Handle instance, const Property& property, Writer writer, std::uint64_t step) {
         begin() = {.instance = instance, .property = &property};
-        tell(writer, step);
+        mark_reported(writer, step);
     }
     /// `left`: the value after the write, if the simulation may change it without a report.
     void note_in_full(Handle instance, Symbol property, const Cause& cause, Value left = {}) {

@@ -18,7 +18,7 @@ struct Errors {
     std::optional<ScriptError> caught;        // described where it was raised, not reported yet
     std::optional<ScriptError> thread_error;  // raised in a coroutine, now on its way out
     // Places whose error about an instance that a restore removed was reported.
-    std::set<std::string> told_gone;
+    std::set<std::string> reported_gone;
     int reports = 0;  // running calls of the host's function for errors
     // Functions that pass on a script's own error unchanged: `error`, `assert` and the functions of
     // wrapped coroutines.

@@ -55,14 +55,14 @@ namespace {
 /// A handler of a game may hold an instance that was made after the step to which the game went
 /// back. The game goes on then, and the log gets one note for each place. A command, the top level
 /// and a test fail by such an error as by any other.
-bool tell_gone(Machine& machine, const Context& context, const ScriptError& error) {
+bool report_gone(Machine& machine, const Context& context, const ScriptError& error) {
     if (machine.lua.gone.empty() || context.what == "chunk" || context.what == "load" ||
         context.what == "fettle_test_turn" || !error.message.ends_with(machine.lua.gone))
         return false;
     const std::string place = error.file + ":" + std::to_string(error.line);
     constexpr std::size_t limit = 100;
-    auto& told = machine.errors.told_gone;
-    if (told.size() < limit && told.insert(place).second)
+    auto& reported = machine.errors.reported_gone;
+    if (reported.size() < limit && reported.insert(place).second)
         if (const auto sink = machine.host.on_note)
             sink(error.message + ", when the game went back in time; " + error.context +
                  " ended there, and the game goes on. Ask :alive() first, or keep what belongs to "
@@ -87,7 +87,7 @@ class ScriptCause {
     property::Tree::CauseScope scope_;
 };
 
-void tell_where_stopped(Machine& machine, ScriptError& error) {
+void add_stop(Machine& machine, ScriptError& error) {
     error.message = machine.budget.reason();
     error.file = machine.budget.file();
     error.line = machine.budget.line();
@@ -138,14 +138,14 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
     }
     lua_settop(L, top);
     // Report where the script was stopped, even if it changed the error.
-    if (stopped) tell_where_stopped(machine, *machine.errors.caught);
+    if (stopped) add_stop(machine, *machine.errors.caught);
     limited.reset();
     machine.errors.thread_error.reset();
     machine.errors.caught->context = context.text(machine);
     if (report_error) {
         ScriptError error = std::move(*machine.errors.caught);
         machine.errors.caught.reset();
-        if (tell_gone(machine, context, error)) return false;
+        if (report_gone(machine, context, error)) return false;
         report(machine, std::move(error));
     }
     return false;

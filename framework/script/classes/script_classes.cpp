@@ -137,7 +137,8 @@ void ScriptClasses::connect(const Class& of, const std::string& name) {
             push_instance(L, instance);
             lua_pushvalue(L, -3);
             lua_call(L, 2, 0);
-            if (property::Question* asked = property::Question::current()) take_answer(L, *asked);
+            if (property::Question* question = property::Question::current())
+                take_answer(L, *question);
         });
     };
     if (name == "deleted") {

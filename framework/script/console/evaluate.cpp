@@ -214,10 +214,10 @@ bool add_formula(lua_State* L, Machine& machine, std::string_view command) {
 // Handles `x?`.
 bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
     if (command.size() < 2 || command.back() != '?') return false;
-    const std::string asked(trimmed(command.substr(0, command.size() - 1)));
-    evaluation.lines = help_for(machine, asked);
+    const std::string subject(trimmed(command.substr(0, command.size() - 1)));
+    evaluation.lines = help_for(machine, subject);
     if (!evaluation.lines.empty()) return true;
-    if (compile(L, asked) != Compiled::expression) {
+    if (compile(L, subject) != Compiled::expression) {
         lua_settop(L, 0);
         return false;
     }

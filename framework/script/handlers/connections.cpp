@@ -75,7 +75,7 @@ void Connections::clear() {
     connections_.clear();
     noted_.clear();
     retired_.clear();
-    told_mistakes_.clear();
+    reported_mistakes_.clear();
     changes_ = {.all = recording_};
 }
 

@@ -90,7 +90,7 @@ class Connections {
     /// The instances with handlers that are part of a moment, in the order of `before`, each once.
     std::vector<property::Handle> instances() const;
     /// Whether that note about the pattern of a watcher was not given before.
-    bool notes(const std::string& note) { return told_mistakes_.insert(note).second; }
+    bool notes(const std::string& note) { return reported_mistakes_.insert(note).second; }
     static bool before(property::Handle a, property::Handle b) {
         return a.index != b.index ? a.index < b.index : a.generation < b.generation;
     }
@@ -119,7 +119,7 @@ class Connections {
     bool recording_ = false;
     Changes changes_;
     std::unordered_set<std::uint64_t> retired_;
-    std::unordered_set<std::string> told_mistakes_;
+    std::unordered_set<std::string> reported_mistakes_;
 };
 
 /// Pushes a connection for a timer.

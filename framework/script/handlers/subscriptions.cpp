@@ -163,10 +163,10 @@ property::EventHandler event_handler(Machine& machine, const Event& event, const
             function->push(M);
             lua_pushvalue(M, -2);
             lua_call(M, 1, 0);
-            property::Question* asked = property::Question::current();
-            if (asked == nullptr) return;
+            property::Question* question = property::Question::current();
+            if (question == nullptr) return;
             try {
-                take_answer(M, *asked);
+                take_answer(M, *question);
             } catch (const Error& refused) {
                 // No line of the script is running, so the message gets the position of the
                 // handler.

@@ -20,7 +20,7 @@ using property::Place;
 
 namespace {
 
-void tell(Machine& machine, const char* what, const property::UndoResult& result) {
+void report(Machine& machine, const char* what, const property::UndoResult& result) {
     if (!result.done) return print_line(machine, std::string("nothing to ") + what);
     print_line(machine, std::string(what) + ": " + result.name);
     for (const property::UndoChange& change : result.changes)
@@ -35,13 +35,13 @@ void tell(Machine& machine, const char* what, const property::UndoResult& result
 
 int undo(lua_State* L) {
     Machine& machine = machine_of(L);
-    tell(machine, "undo", machine.tree.undo());
+    report(machine, "undo", machine.tree.undo());
     return 0;
 }
 
 int redo(lua_State* L) {
     Machine& machine = machine_of(L);
-    tell(machine, "redo", machine.tree.redo());
+    report(machine, "redo", machine.tree.redo());
     return 0;
 }
 

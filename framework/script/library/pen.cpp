@@ -349,7 +349,7 @@ int clip(lua_State* L) {
     return 0;
 }
 
-struct AskedImage {
+struct ImageRequest {
     std::string name;
     property::ImageFrame frame{};
 };
@@ -365,7 +365,7 @@ std::int64_t count_of(lua_State* L, const char* field, std::int64_t most) {
     return count;
 }
 
-AskedImage image_at(lua_State* L) {
+ImageRequest image_at(lua_State* L) {
     if (lua_type(L, 1) == LUA_TSTRING) return {.name = string_at(L, 1)};
     const auto expected = [&](int index) {
         throw Error(ErrorKind::wrong_type,
@@ -374,7 +374,7 @@ AskedImage image_at(lua_State* L) {
     if (lua_type(L, 1) != LUA_TTABLE) expected(1);
     lua_rawgeti(L, 1, 1);
     if (lua_type(L, -1) != LUA_TSTRING) expected(-1);
-    AskedImage asked{.name = string_at(L, -1)};
+    ImageRequest request{.name = string_at(L, -1)};
     lua_pop(L, 1);
     const std::vector<std::string> known{"columns", "frame", "rows"};
     for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
@@ -384,16 +384,16 @@ AskedImage image_at(lua_State* L) {
             throw Error(ErrorKind::unknown_name, "pen.image: a frame has no " + short_text(L, -2) +
                                                      property::suggestion(name, known));
     }
-    asked.frame = {.columns = count_of(L, "columns", 10'000),
-                   .rows = count_of(L, "rows", 10'000),
-                   .frame = count_of(L, "frame", 1'000'000'000)};
-    return asked;
+    request.frame = {.columns = count_of(L, "columns", 10'000),
+                     .rows = count_of(L, "rows", 10'000),
+                     .frame = count_of(L, "frame", 1'000'000'000)};
+    return request;
 }
 
 int image(lua_State* L) {
     drop_self(L);
     lua_settop(L, 7);
-    const AskedImage asked = image_at(L);
+    const ImageRequest request = image_at(L);
     Painter& to = painter(L);
     const Vec2 center = point_at(L, 2, "pen.image");
     const double angle = number_or(L, 5, "pen.image", 0);
@@ -402,8 +402,8 @@ int image(lua_State* L) {
     property::Media& from = media(L, "pen.image");
     const bool smooth = lua_isnil(L, 7) ? from.smooth() : lua_toboolean(L, 7) != 0;
     const auto user = [L] { return position(L) + "pen.image"; };
-    const property::Picture& picture = from.picture(user, asked.name);
-    const property::PictureFrame frame = from.frame(user, asked.name, asked.frame);
+    const property::Picture& picture = from.picture(user, request.name);
+    const property::PictureFrame frame = from.frame(user, request.name, request.frame);
     const double pixel = on_screen(L) ? 1.0 : 1.0 / 32, w = frame.size.x, h = frame.size.y;
     // With one length, the picture keeps its proportions.
     const bool has_width = !lua_isnil(L, 3), has_height = !lua_isnil(L, 4);

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <memory>
-#include <new>
 
 #include <fettle/property/snapshot.h>
 #include <fettle/script/runtime.h>

@@ -69,7 +69,7 @@ int tweaks(lua_State* L) {
     return 0;
 }
 
-void tell(
+void log_result(
     Machine& machine, const char* done, const std::string& pattern, const TweakReport& report,
     std::string (*behind)(std::size_t count) = [](std::size_t) { return std::string(); }) {
     std::string line = std::string(done) + " " + std::to_string(report.count) +
@@ -87,24 +87,26 @@ int keep(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string pattern = pattern_at(L, "keep");
     note_replay(machine, "keep");
-    tell(machine, "kept", pattern, tweaks_of(machine, "keep").keep(pattern));
+    log_result(machine, "kept", pattern, tweaks_of(machine, "keep").keep(pattern));
     return 0;
 }
 
 int reapply_tweaks(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string pattern = pattern_at(L, "reapply_tweaks");
-    tell(machine, "made again", pattern, tweaks_of(machine, "reapply_tweaks").reapply(pattern));
+    log_result(machine, "made again", pattern,
+               tweaks_of(machine, "reapply_tweaks").reapply(pattern));
     return 0;
 }
 
 int drop_tweaks(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string pattern = pattern_at(L, "drop_tweaks");
-    tell(machine, "dropped", pattern, tweaks_of(machine, "drop_tweaks").drop(pattern),
-         [](std::size_t count) -> std::string {
-             return count == 1 ? "; its value stays as it is" : "; their values stay as they are";
-         });
+    log_result(machine, "dropped", pattern, tweaks_of(machine, "drop_tweaks").drop(pattern),
+               [](std::size_t count) -> std::string {
+                   return count == 1 ? "; its value stays as it is"
+                                     : "; their values stay as they are";
+               });
     return 0;
 }
 

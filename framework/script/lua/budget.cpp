@@ -123,7 +123,7 @@ void Budget::hook(lua_State* L, lua_Debug*) {
     }
     if (!now.stopping) {
         // Otherwise a nested budget stopped its script and left the hook at every instruction, or
-        // the watchdog asks for the time, since functions of the host may take long.
+        // the watchdog reads the time, since functions of the host may take long.
         if (lua_gethookcount(L) == interval)
             now.left -= interval;
         else
@@ -326,11 +326,11 @@ std::string Budget::too_much_memory() const {
                megabytes(static_cast<std::size_t>(grown));
     }
     std::string made;
-    const auto tell = [&made](std::size_t count, const char* what) {
+    const auto report_count = [&made](std::size_t count, const char* what) {
         if (count > 0) made += (made.empty() ? "" : ", ") + std::to_string(count) + " " + what;
     };
-    tell(added(tree.size(), now_.instances_before), "instances");
-    tell(added(tree.watcher_count(), now_.watchers_before), "watchers");
+    report_count(added(tree.size(), now_.instances_before), "instances");
+    report_count(added(tree.watcher_count(), now_.watchers_before), "watchers");
     const std::int64_t grown = tree.weight() - now_.weight_before;
     if (grown > 0)
         made += (made.empty() ? "" : ", ") + megabytes(static_cast<std::size_t>(grown)) +

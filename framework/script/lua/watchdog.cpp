@@ -117,7 +117,7 @@ void Watchdog::end_outermost() {
 
 // The function may run Lua as well (in a console). It does so on another Lua thread, because hooks
 // are off in a thread that is inside a hook.
-void Watchdog::ask(lua_State* L) {
+void Watchdog::check(lua_State* L) {
     due_.store(false, std::memory_order_relaxed);
     if (asking_ || depth_ == 0 || thread_ == nullptr || machine_.budget.counting() ||
         machine_.budget.stopping())

@@ -46,11 +46,11 @@ class Watchdog {
     bool outermost() const { return depth_ == 1; }
     /// Whether the last call was stopped.
     bool stopped() const { return stopped_; }
-    /// If the call has taken too long, asks whether it may go on, and stops it if not. Cheap
-    /// otherwise.
+    /// If the call has taken too long, calls `go_on_` and stops the call if that returns false.
+    /// Cheap otherwise.
     void look(lua_State* L) {
         if (due_.load(std::memory_order_relaxed)) [[unlikely]]
-            ask(L);
+            check(L);
     }
 
   private:
@@ -67,7 +67,7 @@ class Watchdog {
     void start();
     void begin_outermost();
     void end_outermost();
-    void ask(lua_State* L);
+    void check(lua_State* L);
     void count_call() {  // no other thread writes it
         serial_.store(serial_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
     }

@@ -24,7 +24,7 @@ std::string_view name_in(std::string_view way_to_write) {
 
 }  // namespace
 
-void Hints::tell(const std::string& about, const std::string& note) {
+void Hints::report(const std::string& about, const std::string& note) {
     constexpr std::size_t limit = 100;  // notes for one game
     if (given_.size() >= limit || !given_.insert(about).second) return;
     if (const auto sink = machine_.host.on_note) sink(note);
@@ -110,9 +110,9 @@ void Hints::property_added(Handle instance, std::string_view name) {
     else if (native->creatable() || property::has_added_rules(machine_.tree, instance) ||
              native->properties().size() == machine_.tree.object_class().properties().size())
         return;
-    tell(of.name() + "." + std::string(name),
-         position(machine_.lua.running) + native->name() + " has no property \"" +
-             std::string(name) + "\", so it was added to this one and changes nothing" + hint);
+    report(of.name() + "." + std::string(name),
+           position(machine_.lua.running) + native->name() + " has no property \"" +
+               std::string(name) + "\", so it was added to this one and changes nothing" + hint);
 }
 
 // --- Time
@@ -122,14 +122,14 @@ void Hints::rewinding() {
     const property::Property* const limit =
         time ? machine_.tree.find(time, "rewind_limit") : nullptr;
     if (limit == nullptr || machine_.tree.peek(time, *limit).as_double() > 0) return;
-    tell("rewind", position(machine_.lua.running) +
-                       "rewind does nothing: time.rewind_limit is 0, so no past is kept");
+    report("rewind", position(machine_.lua.running) +
+                         "rewind does nothing: time.rewind_limit is 0, so no past is kept");
 }
 
 // --- Variables
 
 void Hints::stated(const std::string& name, const std::string& problem) {
-    tell("state " + name, position(machine_.lua.running) + problem);
+    report("state " + name, position(machine_.lua.running) + problem);
 }
 
 }  // namespace fettle::script

@@ -41,7 +41,7 @@ class Hints {
     void forget();
 
   private:
-    void tell(const std::string& about, const std::string& note);
+    void report(const std::string& about, const std::string& note);
     std::string meaning(const property::Class& of, std::string_view name) const;
     // load_hints.cpp: the parts of `game_loaded`
     void check_globals();

@@ -13,6 +13,7 @@
 #include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/host.h>
+#include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
@@ -94,7 +95,7 @@ void Hints::check_globals() {
         if (lua_rawget(L, -2) == LUA_TFUNCTION && lua_iscfunction(L, -1) == 0) {
             const std::string meant = meant_by(name, known);
             if (!meant.empty() && !is_called(name))
-                tell(name, definition(L) + "nothing calls " + name + hint_of(meant));
+                report(name, definition(L) + "nothing calls " + name + hint_of(meant));
         }
         lua_pop(L, 1);
     }
@@ -117,7 +118,7 @@ void Hints::check_classes() {
                 (meant.empty() ? "; only the global function " + name + " is called"
                                : hint_of(meant));
             lua_pop(L, 1);
-            tell(of->name() + ":" + name, note);
+            report(of->name() + ":" + name, note);
         }
     }
 }
@@ -143,8 +144,8 @@ void Hints::check_replaced() {
         const bool callable =
             lua_isfunction(L, value) || luaL_getmetafield(L, value, "__call") != LUA_TNIL;
         if (function && !callable && !lua_isnil(L, value))
-            tell(doc.name, std::string(doc.name) + " is " + describe_type(L, value) +
-                               " now, and was a function of Fettle: " + doc.signature);
+            report(doc.name, std::string(doc.name) + " is " + describe_type(L, value) +
+                                 " now, and was a function of Fettle: " + doc.signature);
         lua_settop(L, globals);
     }
 }
@@ -161,8 +162,8 @@ void Hints::check_local_callbacks() {
             if (!among(callback_names(), name) || among(machine_.globals.assigned, name) ||
                 is_called(name))
                 return;
-            tell("local " + name, place_in(file, code, at) + "nothing calls " + name +
-                                      ", because it is local: write function " + name + "(...)");
+            report("local " + name, place_in(file, code, at) + "nothing calls " + name +
+                                        ", because it is local: write function " + name + "(...)");
         });
 }
 
@@ -188,8 +189,9 @@ void Hints::check_keys() {
                     for (const std::string_view synonym : property_synonyms(name))
                         if (of->property(synonym) != nullptr) meant = synonym;
                     if (meant.empty()) return;
-                    tell("key " + name, place_in(file, code, at + behind) + "no key is called \"" +
-                                            name + "\"" + hint_of("\"" + meant + "\""));
+                    report("key " + name, place_in(file, code, at + behind) +
+                                              "no key is called \"" + name + "\"" +
+                                              hint_of("\"" + meant + "\""));
                 });
             });
 }
@@ -207,9 +209,9 @@ void Hints::check_dropped() {
     if (dropped.empty()) return;
     std::string text = property::with_article(tree.class_of(dropped.front()).name());
     if (dropped.size() > 1) text += " and " + std::to_string(dropped.size() - 1) + " more";
-    tell("dropped", text + (dropped.size() > 1 ? " were" : " was") +
-                        " made, and added to nothing: parent:add(...) or parent.name = ... gives "
-                        "an instance its place");
+    report("dropped", text + (dropped.size() > 1 ? " were" : " was") +
+                          " made, and added to nothing: parent:add(...) or parent.name = ... gives "
+                          "an instance its place");
 }
 
 /// A variable holds the only body, so nothing is seen. Where other bodies are in the tree, the game
@@ -230,9 +232,9 @@ void Hints::check_held() {
         bool any_placed = false;
         tree.each_below(tree.root(), [&](Handle each) { any_placed |= is_one(each); });
         if (any_placed) continue;
-        tell("held " + of->name(), property::with_article(tree.class_of(*held).name()) +
-                                       " was made and has no place in the game yet: "
-                                       "world:add(...) or world.name = ... gives it one");
+        report("held " + of->name(), property::with_article(tree.class_of(*held).name()) +
+                                         " was made and has no place in the game yet: "
+                                         "world:add(...) or world.name = ... gives it one");
     }
 }
 

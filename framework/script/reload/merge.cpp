@@ -61,7 +61,7 @@ void Merge::run(const std::vector<ScriptClasses::NewDefault>& defaults) {
         if (!tree_.alive(living)) continue;
         const auto now = next_by_handle_.find(made.key());
         if (now == next_by_handle_.end()) continue;
-        apply(*now->second, living, said_before(living, now->second->path));
+        apply(*now->second, living, declared_before(living, now->second->path));
     }
     refer_to_results();
     delete_undeclared();
@@ -70,7 +70,7 @@ void Merge::run(const std::vector<ScriptClasses::NewDefault>& defaults) {
     for (const Declared& now : next_)
         if (!now.made && tree_.alive(now.instance) &&
             (now.instance == tree_.root() || tree_.is_below(now.instance, tree_.root())))
-            apply(now, now.instance, said_before(now.instance, now.path));
+            apply(now, now.instance, declared_before(now.instance, now.path));
     for (const Declared& before : machine_.declarations.last())
         if (!before.made && tree_.alive(before.instance) &&
             !next_by_handle_.contains(before.instance.key()) &&
@@ -86,7 +86,7 @@ const Merge::Declared* Merge::declared_before(const std::string& path) const {
     return found == last_by_path_.end() ? nullptr : found->second;
 }
 
-const Merge::Declared* Merge::said_before(Handle living, const std::string& path) const {
+const Merge::Declared* Merge::declared_before(Handle living, const std::string& path) const {
     if (const auto found = last_by_handle_.find(living.key()); found != last_by_handle_.end())
         return found->second;
     return declared_before(path);
@@ -171,25 +171,27 @@ void Merge::apply(const Declared& now, Handle to, const Declared* before) {
         names.push_back(property->name);
     const std::size_t declared = names.size();
     const auto add = [&](const auto& all) {
-        for (const auto& [name, said] : all)
+        for (const auto& [name, assignment] : all)
             if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     };
-    add(now.said);
-    if (before != nullptr) add(before->said);
+    add(now.assignments);
+    if (before != nullptr) add(before->assignments);
     std::sort(names.begin() + static_cast<std::ptrdiff_t>(declared), names.end());
     for (const std::string& name : names) {
         if (is_place(name)) continue;
-        const auto a = now.said.find(name);
-        const Said* const is = a == now.said.end() ? nullptr : &a->second;
-        const Said* was = nullptr;
+        const auto a = now.assignments.find(name);
+        const Assignment* const is = a == now.assignments.end() ? nullptr : &a->second;
+        const Assignment* was = nullptr;
         if (before != nullptr)
-            if (const auto b = before->said.find(name); b != before->said.end()) was = &b->second;
+            if (const auto b = before->assignments.find(name); b != before->assignments.end())
+                was = &b->second;
         if (is != nullptr || was != nullptr)
             attempt(to, name, [&] { apply_one(to, name, is, was); });
     }
 }
 
-void Merge::apply_one(Handle to, const std::string& name, const Said* now, const Said* before) {
+void Merge::apply_one(Handle to, const std::string& name, const Assignment* now,
+                      const Assignment* before) {
     const Property* const property = tree_.find(to, name);
     if (now == nullptr) {  // declared no more
         if (property == nullptr) return;
@@ -221,10 +223,10 @@ void Merge::refer_to_results() {
     for (const Declared& now : next_) {
         if (!now.made || results_.contains(now.instance.key()) || !tree_.alive(now.instance))
             continue;
-        for (const auto& [name, said] : now.said) {
-            if (said.formula || is_place(name)) continue;
-            const Value value = translated(said.value);
-            if (value == said.value) continue;
+        for (const auto& [name, assignment] : now.assignments) {
+            if (assignment.formula || is_place(name)) continue;
+            const Value value = translated(assignment.value);
+            if (value == assignment.value) continue;
             attempt(now.instance, name,
                     [&, this, &name = name] { tree_.set(now.instance, name, value); });
         }
@@ -244,7 +246,7 @@ void Merge::apply_defaults(const std::vector<ScriptClasses::NewDefault>& default
                 continue;
             const auto declared = last_by_handle_.find(each.key());
             if (declared != last_by_handle_.end() &&
-                declared->second->said.contains(property->name))
+                declared->second->assignments.contains(property->name))
                 continue;
             const auto* const wanted = property;
             attempt(each, property->name,
@@ -320,7 +322,8 @@ void Merge::finish() {
         if (tree_.alive(made)) attempt(made, "", [&, h = made] { tree_.destroy(h); });
     for (Declared& each : next_) {
         each.instance = result_of(each.instance);
-        for (auto& [name, said] : each.said) said.value = translated(said.value);
+        for (auto& [name, assignment] : each.assignments)
+            assignment.value = translated(assignment.value);
     }
     machine_.declarations.keep(std::move(next_));
 }

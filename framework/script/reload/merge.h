@@ -22,7 +22,7 @@ struct Machine;
 class Merge {
   public:
     using Declared = Declarations::Declared;
-    using Said = Declarations::Said;
+    using Assignment = Declarations::Assignment;
 
     /// `notes` gets a line for each value that could not be applied.
     Merge(Machine& machine, Declarations::All next, std::vector<std::string>& notes);
@@ -41,7 +41,7 @@ class Merge {
         std::string name;
     };
     const Declared* declared_before(const std::string& path) const;
-    const Declared* said_before(property::Handle living, const std::string& path) const;
+    const Declared* declared_before(property::Handle living, const std::string& path) const;
     void match(property::Handle made, property::Handle parent, const std::string& name);
     void match_below(property::Handle made, property::Handle living);
     void stand_for(property::Handle made, property::Handle living);
@@ -50,8 +50,8 @@ class Merge {
                             const std::string& name) const;
     property::Value translated(const property::Value& value) const;
     void apply(const Declared& now, property::Handle to, const Declared* before);
-    void apply_one(property::Handle to, const std::string& name, const Said* now,
-                   const Said* before);
+    void apply_one(property::Handle to, const std::string& name, const Assignment* now,
+                   const Assignment* before);
     void refer_to_results();
     void delete_undeclared();
     void place_new();

@@ -121,13 +121,13 @@ Machine& Runtime::live() const {
 namespace {
 
 // Removes all callbacks of an earlier game; the tree stays as it is.
-void forget_game(Machine& machine) {
+void reset_game(Machine& machine) {
     machine.timers.clear();
     machine.connections.clear();
     machine.classes.forget_functions();
     machine.hints.forget();
     machine.errors.caught.reset();
-    machine.errors.told_gone.clear();
+    machine.errors.reported_gone.clear();
     machine.boxes.checked_writes = Boxes::most_checked_writes;
     lua_State* L = machine.lua.main;
     for (const int reference : {machine.globals.loaded, machine.globals.declared}) {
@@ -200,7 +200,7 @@ bool Runtime::load(const std::filesystem::path& game) {
             throw property::FileError(game, "cannot be read: " + problem.code().message());
         }
     }();
-    forget_game(machine);
+    reset_game(machine);
     machine.sources.folder = folder;
     state_->game_file = file;
     for (const auto& [name, chunk] : state_->libraries)

@@ -63,14 +63,15 @@ const Declarations::Declared* Declarations::find(Handle instance) const {
     return found == index_.end() ? nullptr : &all_[found->second];
 }
 
-Declarations::Said& Declarations::said(Handle instance, std::string_view name) {
-    return entry(instance).said[std::string(name)];
+Declarations::Assignment& Declarations::assignment(Handle instance, std::string_view name) {
+    return entry(instance).assignments[std::string(name)];
 }
 
-const Declarations::Said* Declarations::last_said(Handle instance, std::string_view name) const {
+const Declarations::Assignment* Declarations::last_assignment(Handle instance,
+                                                              std::string_view name) const {
     const auto found = last_index_.find(instance.key());
     if (found == last_index_.end()) return nullptr;
-    const auto& all = last_[found->second].said;
+    const auto& all = last_[found->second].assignments;
     const auto entry = all.find(std::string(name));
     return entry == all.end() ? nullptr : &entry->second;
 }
@@ -80,9 +81,9 @@ void Declarations::made(Handle instance) {
     Declared& now = entry(instance);
     now.made = true;
     // What a constructor gives has no earlier value: without it, the default is there.
-    for (auto& [name, said] : now.said) {
-        said.before = Value();
-        said.added = false;
+    for (auto& [name, assignment] : now.assignments) {
+        assignment.before = Value();
+        assignment.added = false;
     }
 }
 
@@ -103,8 +104,8 @@ void Declarations::made_with_values(Handle top) {
 void Declarations::writing(Handle instance, std::string_view name) {
     if (phase_ != Phase::first) return;
     const Declared* known = find(instance);
-    if (known != nullptr && (known->made || known->said.contains(std::string(name)))) return;
-    Said& now = said(instance, name);
+    if (known != nullptr && (known->made || known->assignments.contains(std::string(name)))) return;
+    Assignment& now = assignment(instance, name);
     const Property* property = tree_.find(instance, name);
     now.added = property == nullptr;
     if (property != nullptr) now.before = tree_.peek(instance, *property);
@@ -114,10 +115,10 @@ void Declarations::wrote(Handle instance, std::string_view name) {
     if (!active()) return;
     const Property* property = tree_.find(instance, name);
     if (property == nullptr) {  // an assignment of nil has removed it
-        entry(instance).said.erase(std::string(name));
+        entry(instance).assignments.erase(std::string(name));
         return;
     }
-    Said& now = said(instance, name);
+    Assignment& now = assignment(instance, name);
     now.value = tree_.peek(instance, *property);
     now.formula.reset();
     if (const property::Formula* formula = tree_.formula(instance, *property))
@@ -132,12 +133,12 @@ bool Declarations::defers(Handle instance) const {
 
 void Declarations::defer(Handle instance, std::string_view name, const Value& value) {
     const Property* property = tree_.find(instance, name);
-    Said& now = said(instance, name);
+    Assignment& now = assignment(instance, name);
     now.value = property == nullptr                     ? value
                 : value.is_nil() && !property->nullable ? property->default_value
                                                         : tree_.coerce(instance, *property, value);
     now.formula.reset();
-    const Said* last = last_said(instance, name);
+    const Assignment* last = last_assignment(instance, name);
     now.added = last != nullptr ? last->added : property == nullptr;
     if (last != nullptr)
         now.before = last->before;
@@ -148,16 +149,17 @@ void Declarations::defer(Handle instance, std::string_view name, const Value& va
 void Declarations::defer(Handle instance, std::string_view name, property::Formula formula) {
     const Property* property = tree_.find(instance, name);
     defer(instance, name, property == nullptr ? Value() : tree_.peek(instance, *property));
-    said(instance, name).formula = std::move(formula);
+    assignment(instance, name).formula = std::move(formula);
 }
 
 const Value* Declarations::seen(Handle instance, std::string_view name) const {
     if (!defers(instance)) return nullptr;
     if (const Declared* known = find(instance))
-        if (const auto said = known->said.find(std::string(name)); said != known->said.end())
-            return said->second.formula ? nullptr : &said->second.value;
+        if (const auto assignment = known->assignments.find(std::string(name));
+            assignment != known->assignments.end())
+            return assignment->second.formula ? nullptr : &assignment->second.value;
     // What the old code gave it does not exist yet.
-    const Said* last = last_said(instance, name);
+    const Assignment* last = last_assignment(instance, name);
     return last != nullptr && !last->added ? &last->before : nullptr;
 }
 

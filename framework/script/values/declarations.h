@@ -27,7 +27,7 @@ namespace fettle::script {
 class Declarations {
   public:
     /// A value that the top level gave to a property.
-    struct Said {
+    struct Assignment {
         property::Value value;  // as the tree stores it
         std::optional<property::Formula> formula;
         property::Value before;  // before the first write; of an instance that it did not make
@@ -38,7 +38,7 @@ class Declarations {
         const property::Class* of = nullptr;
         std::string path;   // its place when the top level ended; "" if it had none
         bool made = false;  // by the top level
-        std::map<std::string, Said> said;
+        std::map<std::string, Assignment> assignments;
     };
     using All = std::vector<Declared>;
     struct Place {
@@ -100,8 +100,8 @@ class Declarations {
     enum class Phase : std::uint8_t { none, first, again };
     Declared& entry(property::Handle instance);
     const Declared* find(property::Handle instance) const;
-    Said& said(property::Handle instance, std::string_view name);
-    const Said* last_said(property::Handle instance, std::string_view name) const;
+    Assignment& assignment(property::Handle instance, std::string_view name);
+    const Assignment* last_assignment(property::Handle instance, std::string_view name) const;
     std::string future_path(property::Handle instance) const;
     std::string free_name(property::Handle instance, property::Handle parent);
 

@@ -1,25 +1,18 @@
 #include <algorithm>
-#include <cmath>
 #include <new>
 #include <optional>
 
-#include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
 #include <lua/budget.h>
-#include <lua/call_form.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <text/synonyms.h>
-#include <text/words.h>
-#include <values/declarations.h>
 #include <values/description.h>
 #include <values/members.h>
 #include <values/moved_lists.h>
 #include <values/short_text.h>
 #include <values/values.h>
-#include <values/writes.h>
 
 namespace fettle::script {
 
@@ -361,133 +354,6 @@ Value table_to_list(lua_State* L, int index, int depth) {
 
 Value to_value(lua_State* L, int index) {
     return to_value_nested(L, index, 0);
-}
-
-int push_method(lua_State* L, const std::string& noun, std::vector<std::string> fields) {
-    luaL_getmetafield(L, 1, "methods");
-    lua_pushvalue(L, 2);
-    if (lua_rawget(L, -2) != LUA_TNIL) return 1;
-    lua_pop(L, 1);
-    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) fields.push_back(string_at(L, -2));
-    std::sort(fields.begin(), fields.end());  // Lua has no fixed order
-    const std::string name = key_in_message(L, 2);
-    throw Error(ErrorKind::unknown_name,
-                noun + " has no " + name + hint_at(property_synonyms(name), name, fields));
-}
-
-void refuse_type(lua_State* L, int index, std::string_view needed) {
-    throw Error(ErrorKind::wrong_type, std::string(needed) + ", not " + describe_type(L, index));
-}
-
-void refuse_argument(lua_State* L, int index, const std::string& method, std::string_view needed) {
-    // Functions in tables, such as scene.load, are called with a dot.
-    const bool in_table = method.find('.') != std::string::npos;
-    throw Error(ErrorKind::wrong_type, method + ": needs " + std::string(needed) + ", not " +
-                                           describe_type(L, index) +
-                                           (in_table ? "" : colon_hint(L, 0)));
-}
-
-std::string check_text(lua_State* L, int index, std::string_view needed) {
-    if (lua_type(L, index) != LUA_TSTRING) refuse_type(L, index, needed);
-    return string_at(L, index);
-}
-
-Handle check_instance(lua_State* L, int index, const char* what) {
-    const auto* box = instance_at(L, index);
-    if (!box) refuse_argument(L, index, what, "an instance");
-    machine_of(L).tree.require(box->handle);
-    return box->handle;
-}
-
-Vec2 check_vec(lua_State* L, int index, const char* what) {
-    const auto* box = vec_at(L, index);
-    if (!box) refuse_argument(L, index, what, "a vec");
-    return {box->x, box->y};
-}
-
-property::Color check_color(lua_State* L, int index, const char* what) {
-    if (const auto* box = color_at(L, index)) return box->color;
-    if (lua_type(L, index) == LUA_TSTRING) {
-        property::Color color;
-        if (property::parse_color(string_at(L, index), color)) return color;
-        throw Error(ErrorKind::wrong_type,
-                    std::string(what) + ": \"" + string_at(L, index) + "\" is not a color" +
-                        property::suggestion(string_at(L, index), property::color_names()));
-    }
-    refuse_type(L, index, std::string(what) + ": needs a color");
-}
-
-double check_seconds(lua_State* L, const char* what) {
-    const double seconds = check_number(L, 1, what);
-    if (!(seconds >= 0) || std::isinf(seconds))
-        throw Error(ErrorKind::out_of_range, std::string(what) + ": " +
-                                                 property::number_text(seconds) +
-                                                 " s; a time is finite and not negative");
-    return seconds;
-}
-
-void check_function(lua_State* L, int index, const char* what) {
-    if (lua_type(L, index) != LUA_TFUNCTION)
-        refuse_type(L, index, std::string(what) + ": needs a function");
-}
-
-double check_number(lua_State* L, int index, const char* what) {
-    if (lua_type(L, index) != LUA_TNUMBER)
-        refuse_type(L, index, std::string(what) + ": needs a number");
-    return lua_tonumber(L, index);
-}
-
-// --- Origins
-
-const Property& origin_property(const property::Tree& tree, const Origin& origin) {
-    const Class& of = tree.class_of(origin.instance);
-    // After loading a saved game, the instance may have another class.
-    if (origin.property && of.is_a(*origin.property->owner)) return *origin.property;
-    const property::Symbol name = origin.property ? origin.property->symbol : origin.symbol;
-    if (const Property* found = tree.find(origin.instance, name)) return *found;
-    throw Error(ErrorKind::unknown_name, tree.path(origin.instance) +
-                                             property::path_suffix(name.text()) +
-                                             ": no such name any more");
-}
-
-namespace {
-
-std::vector<property::Segment> segments(const Origin& origin, const char* component) {
-    std::vector<property::Segment> part(origin.depth + (component ? 1 : 0));
-    for (std::uint32_t i = 0; i < origin.depth; ++i) part[i].key = std::int64_t{origin.part[i]};
-    if (component) part.back().key = std::string(component);
-    return part;
-}
-
-}  // namespace
-
-std::string origin_path(const property::Tree& tree, const Origin& origin) {
-    std::string text =
-        tree.path(origin.instance) +
-        property::path_suffix(origin.property ? origin.property->name : origin.symbol.text());
-    for (std::uint32_t i = 0; i < origin.depth; ++i)
-        text += "[" + std::to_string(origin.part[i]) + "]";
-    return text;
-}
-
-Value origin_read(Machine& machine, const Origin& origin) {
-    const Property& property = origin_property(machine.tree, origin);
-    const Value* seen = machine.declarations.seen(origin.instance, property.name);
-    Value whole = seen != nullptr ? *seen : machine.tree.get(origin.instance, property);
-    if (whole.is(Type::list)) machine.budget.charge_quietly(whole.list().size() / 8);
-    if (origin.depth == 0) return whole;
-    return property::part_of(whole, segments(origin, nullptr), origin_path(machine.tree, origin));
-}
-
-void origin_write(Machine& machine, const Origin& origin, const char* component,
-                  const Value& value) {
-    const Property& property = origin_property(machine.tree, origin);
-    const Value* seen = machine.declarations.seen(origin.instance, property.name);
-    const Value whole = seen != nullptr ? *seen : machine.tree.get(origin.instance, property);
-    if (whole.is(Type::list)) machine.budget.charge_quietly(whole.list().size());
-    write_property(machine, origin.instance, property,
-                   property::with_part(whole, segments(origin, component), value,
-                                       origin_path(machine.tree, origin)));
 }
 
 }  // namespace fettle::script

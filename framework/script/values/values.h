@@ -26,7 +26,7 @@ struct Boxes {
     int record = 0, connection = 0, snapshot = 0, description = 0, store = 0;
     int proxies = 0;  // weak table from handles to userdata
     // How many more writes of a component look for the variable that holds the vector (see
-    // `tell_connected`). The number is limited, because a search takes as long as some writes.
+    // `note_connected`). The number is limited, because a search takes as long as some writes.
     int checked_writes = most_checked_writes;
     static constexpr int most_checked_writes = 4096;
 };

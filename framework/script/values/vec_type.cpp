@@ -186,7 +186,7 @@ std::string variable_with_vec(lua_State* L) {
 
 /// Tells the first time that a variable's vector is connected with the property that it was read
 /// from, since other engines make copies.
-void tell_connected(lua_State* L, Machine& machine, const VecBox& v, char component) {
+void note_connected(lua_State* L, Machine& machine, const VecBox& v, char component) {
     int& left = machine.boxes.checked_writes;
     if (left <= 0) return;
     --left;
@@ -213,7 +213,7 @@ int vec_newindex(lua_State* L) {
         if (lua_type(L, 3) != LUA_TNUMBER)
             refuse_type(L, 3,
                         origin_path(machine.tree, v->origin) + "." + key + ": needs a number");
-        tell_connected(L, machine, *v, key[0]);
+        note_connected(L, machine, *v, key[0]);
         const double number = lua_tonumber(L, 3);
         if (v->origin.depth == 0) {
             write_component(machine, *v, key[0], number);

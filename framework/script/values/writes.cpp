@@ -117,7 +117,7 @@ void write_formula(Machine& machine, Handle instance, std::string_view name,
     description += machine.tree.text(machine.tree.peek(instance, property), property.precision());
     if (!property.unit.empty()) description += " " + property.unit;
     if (!problem.empty()) description = "is " + source + ", in error: " + problem;
-    property::formula_problem_told(machine.tree, instance, property);
+    property::formula_problem_reported(machine.tree, instance, property);
     Recording::Edit* const noted =
         machine.recording.note(instance, machine.tree.path(instance, property), description);
     if (added && noted != nullptr) noted->added = name;

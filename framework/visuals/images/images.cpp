@@ -68,11 +68,11 @@ void Images::read(Sheet& into, const std::string& what, const std::string& name)
 void Images::renew(const std::string& name) {
     for (const auto& [known, sheet] : sheets_) {
         if (sheet == nullptr || (known != name && sheet->image != name)) continue;
-        told_.clear();
+        reported_.clear();
         try {
             read(*sheet, "image", known);
         } catch (const std::exception& error) {
-            tell("\"" + known + "\": " + error.what());
+            report("\"" + known + "\": " + error.what());
         }
     }
 }
@@ -84,27 +84,27 @@ std::shared_ptr<Sheet> Images::load(const property::FileUser& user, const std::s
         read(*sheet, what, name);
     } catch (const std::exception& error) {
         const std::string why = error.what();
-        tell(why.starts_with(what) ? why : what + ": \"" + name + "\": " + why);
+        report(why.starts_with(what) ? why : what + ": \"" + name + "\": " + why);
         put(*sheet, checkerboard());
     }
     return sheet;
 }
 
-void Images::tell(const std::string& problem) {
-    tell_once(problem, [&] { return problem; });
+void Images::report(const std::string& problem) {
+    report_once(problem, [&] { return problem; });
 }
 
-void Images::tell_once(const std::string& what, const std::function<std::string()>& problem) {
-    const auto [told, added] = told_.try_emplace(what);
+void Images::report_once(const std::string& what, const std::function<std::string()>& problem) {
+    const auto [reported, added] = reported_.try_emplace(what);
     if (!added) return;
-    told->second = problem();
-    if (tell_) tell_(told->second);
+    reported->second = problem();
+    if (report_) report_(reported->second);
 }
 
-void Images::on_problem(std::function<void(const std::string&)> tell) {
-    tell_ = std::move(tell);
-    if (!tell_) return;
-    for (const auto& [what, problem] : std::map(told_)) tell_(problem);
+void Images::on_problem(std::function<void(const std::string&)> listener) {
+    report_ = std::move(listener);
+    if (!report_) return;
+    for (const auto& [what, problem] : std::map(reported_)) report_(problem);
 }
 
 }  // namespace fettle::visuals

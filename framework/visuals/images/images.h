@@ -28,11 +28,11 @@ class Images {
     /// Reads the file again, and the sheets that it belongs to. If that fails, they stay.
     void renew(const std::string& name);
     /// Tells a problem, once. Before `on_problem` it is kept.
-    void tell(const std::string& problem);
+    void report(const std::string& problem);
     /// The same for a problem that many instances have: `problem` begins with the path of the first
     /// that has it, and is made only for that one.
-    void tell_once(const std::string& what, const std::function<std::string()>& problem);
-    void on_problem(std::function<void(const std::string&)> tell);
+    void report_once(const std::string& what, const std::function<std::string()>& problem);
+    void on_problem(std::function<void(const std::string&)> listener);
     property::Assets* assets() const { return assets_; }
 
     std::optional<bool> smooth{};  // of enlarged images; empty: by class
@@ -44,8 +44,8 @@ class Images {
 
     property::Assets* assets_;
     std::map<std::string, std::shared_ptr<Sheet>> sheets_;
-    std::map<std::string, std::string> told_;  // the problem of each key
-    std::function<void(const std::string&)> tell_;
+    std::map<std::string, std::string> reported_;  // the problem of each key
+    std::function<void(const std::string&)> report_;
     SavedPicture saved_;
 };
 

@@ -45,7 +45,7 @@ const Family& Fonts::get(const property::FileUser& user, const std::string& name
         fonts.push_back(of_game(user(), name));
     fonts.push_back(sans);
     std::erase(fonts, nullptr);
-    if (fonts.empty()) tell_(user() + ": this system has no font (Debian: fonts-dejavu-core)");
+    if (fonts.empty()) report_(user() + ": this system has no font (Debian: fonts-dejavu-core)");
     return families_.emplace(name, Family(std::move(fonts), system_.get())).first->second;
 }
 
@@ -79,7 +79,7 @@ std::shared_ptr<Font> Fonts::of_game(const std::string& what, const std::string&
         std::string why = error.what();
         if (name.find('.') == name.npos)
             why += "; the fonts without a file are sans, bold and mono";
-        tell_(why.starts_with(what) ? why : what + ": \"" + name + "\" " + why);
+        report_(why.starts_with(what) ? why : what + ": \"" + name + "\" " + why);
         return nullptr;
     }
 }

@@ -33,8 +33,8 @@ class Family {
 
 class Fonts {
   public:
-    Fonts(property::Assets* assets, std::function<void(const std::string&)> tell)
-        : assets_(assets), tell_(std::move(tell)) {}
+    Fonts(property::Assets* assets, std::function<void(const std::string&)> report)
+        : assets_(assets), report_(std::move(report)) {}
     /// "sans", "bold", "mono", or a file of the game. If a file is missing, "sans" and a message.
     const Family& get(const property::FileUser& user, const std::string& name);
 
@@ -47,7 +47,7 @@ class Fonts {
     std::shared_ptr<Font> of_game(const std::string& what, const std::string& name);
 
     property::Assets* assets_;
-    std::function<void(const std::string&)> tell_;
+    std::function<void(const std::string&)> report_;
     std::map<std::string, std::shared_ptr<Font>> bundled_;
     std::map<std::string, Family> families_;
     std::vector<Family> replaced_;  // layouts refer to their fonts

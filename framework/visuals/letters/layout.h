@@ -25,7 +25,7 @@ struct Layout {
     static constexpr std::size_t most_letters = 100'000;
 
     /// Lines end at "\n", and before they become longer than `wrap` (0: never) at a space or where
-    /// property::may_divide says so. A tab goes on at the next multiple of two. Letters after the
+    /// property::may_divide allows it. A tab goes on at the next multiple of two. Letters after the
     /// first `most_letters` are left out.
     static Layout of(std::string_view utf8, const Family& family, Align align, double wrap);
 };

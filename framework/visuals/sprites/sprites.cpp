@@ -72,7 +72,7 @@ Sprites::Playing Sprites::playing(const Row& row, const Sheet& sheet) const {
     const std::string what = row.name.text() + " has no animation \"" + name + "\"" +
                              known_animations(name, sheet) + "; it has " +
                              std::to_string(all.count) + (all.count == 1 ? " frame" : " frames");
-    images_.tell_once(what, [&] { return tree_->path(row.self, *of_.animation) + ": " + what; });
+    images_.report_once(what, [&] { return tree_->path(row.self, *of_.animation) + ": " + what; });
     return all;
 }
 

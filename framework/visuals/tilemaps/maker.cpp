@@ -31,7 +31,7 @@ void Maker::set(Handle instance, const char* name, const Value& value) {
     try {
         tree_.set(instance, name, value);
     } catch (const Error& error) {
-        tell(error.what());
+        report(error.what());
     }
 }
 
@@ -43,7 +43,7 @@ void Maker::set_or_add(Handle instance, const std::string& name, const Value& va
     try {
         tree_.set_or_add(instance, name, value);
     } catch (const Error& error) {
-        tell(error.what());
+        report(error.what());
     }
 }
 
@@ -63,13 +63,13 @@ void Maker::resolve_references() {
         const auto found = by_id_.find(each.id);
         if (found == by_id_.end()) {
             if (each.id != 0)
-                tell(each.property->name + ": the map has no object " + std::to_string(each.id));
+                report(each.property->name + ": the map has no object " + std::to_string(each.id));
             continue;
         }
         try {
             tree_.set(each.instance, *each.property, Value(found->second));
         } catch (const Error& error) {
-            tell(error.what());
+            report(error.what());
         }
     }
     open_.clear();

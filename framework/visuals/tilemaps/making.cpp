@@ -128,9 +128,9 @@ void Tilemaps::make_if_new(Handle map) {
         make(map, same_layer ? changes_of(map) : std::map<std::int64_t, Value>());
     } catch (const property::Error& error) {
         // A snapshot is being restored, which makes all instances itself.
-        if (error.kind() != property::ErrorKind::bad_structure) tell(map, error.what());
+        if (error.kind() != property::ErrorKind::bad_structure) report(map, error.what());
     } catch (const std::exception& error) {
-        tell(map, error.what());
+        report(map, error.what());
     }
 }
 
@@ -151,7 +151,7 @@ void Tilemaps::make(Handle map, std::map<std::int64_t, Value> changes) {
     }
     const Reader read(*tree_, map);
     Maker maker(*tree_, [&](const std::string& what) {
-        tell(map, (name.empty() ? std::string() : name + ": ") + what);
+        report(map, (name.empty() ? std::string() : name + ": ") + what);
     });
     maker.place_of("the map");
     maker.set_custom(map, file->map().properties);

@@ -143,9 +143,9 @@ void Tilemaps::update_bodies(Handle map) {
     const auto file = loaded(map);
     std::vector<WantedChain> wanted = wanted_chains(map);
     if (wanted.size() > most_chains) {
-        tell(map, "collisions: the solid tiles have " + std::to_string(wanted.size()) +
-                      " separate outlines, and a map may have " + std::to_string(most_chains) +
-                      "; nothing of it is solid");
+        report(map, "collisions: the solid tiles have " + std::to_string(wanted.size()) +
+                        " separate outlines, and a map may have " + std::to_string(most_chains) +
+                        "; nothing of it is solid");
         wanted.clear();
     }
     const Vec2 at = file != nullptr ? upper_left(map, file->map()) : Vec2(0, 0);
@@ -187,7 +187,7 @@ void Tilemaps::update_bodies(Handle map) {
         for (const WantedChain* chain : missing) add_chain(*tree_, *chain_class, body, *chain);
         tree_->set(map, *of_.followed, Value(followed));
     } catch (const std::exception& error) {
-        tell(map, std::string("collisions: ") + error.what());
+        report(map, std::string("collisions: ") + error.what());
     }
 }
 

@@ -72,9 +72,9 @@ class ObjectMaker {
         for (const Class* each : tree_.classes())
             if (each->creatable()) names.push_back(each->name());
         if (found != nullptr)
-            make_.tell("a map cannot make a " + name);
+            make_.report("a map cannot make a " + name);
         else if (const std::string hint = property::suggestion(name, names); !hint.empty())
-            make_.tell("there is no class \"" + name + "\"" + hint);
+            make_.report("there is no class \"" + name + "\"" + hint);
         return tree_.object_class();
     }
 
@@ -136,7 +136,7 @@ class ObjectMaker {
         if (!tree_.get(made, "image").text().empty()) return;
         const maps::Tileset* const set = file_.map().tileset_of(object.tile.gid);
         if (set == nullptr)
-            return make_.tell("the map has no tile " + std::to_string(object.tile.gid));
+            return make_.report("the map has no tile " + std::to_string(object.tile.gid));
         const maps::Tile* const tile = tile_of(object);
         if (tile != nullptr && !tile->image.empty()) {
             make_.set(made, "image", Value(tile->image));
@@ -146,7 +146,7 @@ class ObjectMaker {
             make_.set(made, "rows", Value((set->count + set->columns - 1) / set->columns));
             make_.set(made, "frame", Value(std::int64_t{object.tile.gid - set->first_gid} + 1));
         } else {
-            return make_.tell(
+            return make_.report(
                 "a tile of an image with spaces between its tiles cannot be shown "
                 "as an object");
         }

@@ -30,8 +30,8 @@ struct MapPlace {
 /// Makes instances and sets their properties. Reports refused values with their place in the file.
 class Maker {
   public:
-    Maker(property::Tree& tree, std::function<void(const std::string&)> tell)
-        : tree_(tree), tell_(std::move(tell)) {}
+    Maker(property::Tree& tree, std::function<void(const std::string&)> report)
+        : tree_(tree), report_(std::move(report)) {}
 
     property::Tree& tree() { return tree_; }
     /// Below `parent`, with that name, numbered if it is taken.
@@ -39,7 +39,7 @@ class Maker {
                          const std::string& name);
     /// Begins the messages that follow: "object 12".
     void place_of(std::string what) { what_ = std::move(what); }
-    void tell(const std::string& problem) const { tell_(what_ + ": " + problem); }
+    void report(const std::string& problem) const { report_(what_ + ": " + problem); }
     /// Sets a declared property.
     void set(property::Handle instance, const char* name, const property::Value& value);
     /// Sets the property if the instance has it.
@@ -60,7 +60,7 @@ class Maker {
         std::string what;
     };
     property::Tree& tree_;
-    std::function<void(const std::string&)> tell_;
+    std::function<void(const std::string&)> report_;
     std::string what_;
     std::map<std::pair<std::uint32_t, std::string>, int> numbers_;  // by parent and name
     std::map<std::int64_t, property::Handle> by_id_;

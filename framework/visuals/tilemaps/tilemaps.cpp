@@ -59,8 +59,8 @@ void Tilemaps::outdate(Handle map) {
     if (map && tree_->alive(map) && is_map(map)) rows_[tree_->row(map)].outdated = true;
 }
 
-void Tilemaps::tell(Handle map, const std::string& problem) {
-    images_.tell(tree_->path(map) + ": " + problem);
+void Tilemaps::report(Handle map, const std::string& problem) {
+    images_.report(tree_->path(map) + ": " + problem);
 }
 
 // --- Files
@@ -113,7 +113,7 @@ std::shared_ptr<const LoadedMap> Tilemaps::read(Handle instance) {
         return std::make_shared<const LoadedMap>(std::move(map), what, images_);
     } catch (const std::exception& error) {
         const std::string why = error.what();
-        images_.tell(why.starts_with(what) ? why : what + ": " + why);
+        images_.report(why.starts_with(what) ? why : what + ": " + why);
         return nullptr;
     }
 }

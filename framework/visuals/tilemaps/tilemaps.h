@@ -101,7 +101,7 @@ class Tilemaps {
     /// The upper left corner of cell (0, 0) in the world.
     property::Vec2 upper_left(property::Handle map, const maps::Map& of) const;
     double pixels_per_unit(property::Handle map) const;
-    void tell(property::Handle map, const std::string& problem);
+    void report(property::Handle map, const std::string& problem);
     /// The collisions of the map follow, if it is one and alive.
     void outdate(property::Handle map);
     property::Lifecycle map_lifecycle();

@@ -73,29 +73,29 @@ void Hosting::listen(HostedWorld& hosted, const Wanted& before) {
     if (wanted_.before_solve != before.before_solve) {
         world.set_before_solve(!wanted_.before_solve ? physics::ContactCallback()
                                                      : [this, of](physics::ContactEdit& contact) {
-                                                           ask_before_solve(*of, contact);
+                                                           call_before_solve(*of, contact);
                                                        });
     }
     if (wanted_.mixing != before.mixing) {
         world.set_mixing(!wanted_.mixing ? physics::ContactCallback()
                                          : [this, of](physics::ContactEdit& contact) {
-                                               ask_mixing(*of, contact);
+                                               call_mixing(*of, contact);
                                            });
     }
     if (wanted_.filter != before.filter) {
         world.set_filter(!wanted_.filter
                              ? physics::PairFilter()
                              : [this, of](const physics::Shape& a, const physics::Shape& b) {
-                                   return ask_filter(*of, a, b);
+                                   return call_filter(*of, a, b);
                                });
     }
 }
 
-void Hosting::ask_before_solve(HostedWorld& hosted, physics::ContactEdit& contact) {
+void Hosting::call_before_solve(HostedWorld& hosted, physics::ContactEdit& contact) {
     const Party a = party(hosted, contact.shape_a.body().id(), contact.shape_a.id());
     const Party b = party(hosted, contact.shape_b.body().id(), contact.shape_b.id());
-    const auto ask_side = [&](const Party& self, const Party& other, float side) {
-        const auto ask_one = [&](Handle to, const Event& event) {
+    const auto call_side = [&](const Party& self, const Party& other, float side) {
+        const auto call_one = [&](Handle to, const Event& event) {
             if (event.listeners == 0 || !to || !tree.listens(to, event)) return;
             std::vector<Value> values = {
                 other.body,
@@ -115,14 +115,14 @@ void Hosting::ask_before_solve(HostedWorld& hosted, physics::ContactEdit& contac
             contact.enabled = from_value<bool>(values[9]);
         };
         if (self.body && tree.alive(self.body) && tree.class_of(self.body).is_a(*classes.body))
-            ask_one(self.body, *declared.before_solve.of_body);
-        ask_one(self.shape, *declared.before_solve.of_shape);
+            call_one(self.body, *declared.before_solve.of_body);
+        call_one(self.shape, *declared.before_solve.of_shape);
     };
-    ask_side(a, b, 1.0f);
-    ask_side(b, a, -1.0f);
+    call_side(a, b, 1.0f);
+    call_side(b, a, -1.0f);
 }
 
-void Hosting::ask_mixing(HostedWorld& hosted, physics::ContactEdit& contact) {
+void Hosting::call_mixing(HostedWorld& hosted, physics::ContactEdit& contact) {
     if (!tree.listens(hosted.self, *declared.mix_surfaces)) return;
     const Party a = party(hosted, contact.shape_a.body().id(), contact.shape_a.id());
     const Party b = party(hosted, contact.shape_b.body().id(), contact.shape_b.id());
@@ -145,8 +145,8 @@ void Hosting::ask_mixing(HostedWorld& hosted, physics::ContactEdit& contact) {
     contact.surface_speed = from_value<float>(values[10]);
 }
 
-bool Hosting::ask_filter(HostedWorld& hosted, const physics::Shape& one,
-                         const physics::Shape& other) {
+bool Hosting::call_filter(HostedWorld& hosted, const physics::Shape& one,
+                          const physics::Shape& other) {
     if (!hosted.self || !tree.listens(hosted.self, *declared.filter_pair)) return true;
     const Party a = party(hosted, one.body().id(), one.id());
     const Party b = party(hosted, other.body().id(), other.id());

@@ -191,7 +191,7 @@ class Hosting {
     /// Tells of what was placed below the root since the last call and does nothing there, once for
     /// each kind: bodies, fields and joints below no world, shapes on no body, joints that hold
     /// nothing.
-    void tell_strays();
+    void report_strays();
     /// Notes a joint that may do nothing.
     void note_stray_joint(Handle self);
     std::function<void(const std::string&)> on_problem;
@@ -288,20 +288,21 @@ class Hosting {
     std::vector<Postponed> postponed_;
     struct Strays {
         std::vector<Handle> placed{};
-        bool told = false;
+        bool reported = false;
     };
     Strays outside_, stray_shapes_, stray_joints_;
     void note_stray(Handle self, Strays& strays) const;
-    void tell(Strays& strays, const std::function<bool(Handle)>& is_stray, const char* what);
+    void report_first(Strays& strays, const std::function<bool(Handle)>& is_stray,
+                      const char* what);
     /// Which events and callbacks have handlers.
     struct Wanted {
         bool hits = false, persisting = false, before_solve = false, mixing = false, filter = false;
         bool operator==(const Wanted&) const = default;
     };
     void listen(HostedWorld& hosted, const Wanted& before);
-    void ask_before_solve(HostedWorld& hosted, physics::ContactEdit& contact);
-    void ask_mixing(HostedWorld& hosted, physics::ContactEdit& contact);
-    bool ask_filter(HostedWorld& hosted, const physics::Shape& a, const physics::Shape& b);
+    void call_before_solve(HostedWorld& hosted, physics::ContactEdit& contact);
+    void call_mixing(HostedWorld& hosted, physics::ContactEdit& contact);
+    bool call_filter(HostedWorld& hosted, const physics::Shape& a, const physics::Shape& b);
     Wanted wanted_;
 };
 

@@ -134,7 +134,7 @@ void Hosting::note_departure(Row row) {
 // --- What is outside
 
 void Hosting::note_stray(Handle self, Strays& strays) const {
-    if (!strays.told && on_problem && tree.is_below(self, tree.root()))
+    if (!strays.reported && on_problem && tree.is_below(self, tree.root()))
         strays.placed.push_back(self);
 }
 
@@ -142,28 +142,30 @@ void Hosting::note_stray_joint(Handle self) {
     note_stray(self, world_above(self) == limbo ? outside_ : stray_joints_);
 }
 
-void Hosting::tell_strays() {
-    tell(
+void Hosting::report_strays() {
+    report_first(
         outside_, [this](Handle each) { return world_above(each) == limbo; },
         "is below no World, so it takes part in no step; add it to one: world:add(...)");
-    tell(
+    report_first(
         stray_shapes_, [this](Handle each) { return !body_above(each); },
         "is on no Body, so nothing touches it; put it into one: Body { Circle {} }");
     const auto holds_nothing = [this](Handle each) {
         return joints.body(tree.row(each), 0) == joints.body(tree.row(each), 1);
     };
-    tell(stray_joints_, holds_nothing,
-         "does nothing: its body_a and body_b are the same, or both nil, which is the world");
+    report_first(
+        stray_joints_, holds_nothing,
+        "does nothing: its body_a and body_b are the same, or both nil, which is the world");
 }
 
-void Hosting::tell(Strays& strays, const std::function<bool(Handle)>& is_stray, const char* what) {
+void Hosting::report_first(Strays& strays, const std::function<bool(Handle)>& is_stray,
+                           const char* what) {
     if (strays.placed.empty()) return;
     std::vector<Handle> placed = std::exchange(strays.placed, {});
     std::erase_if(placed, [&](Handle each) {
         return !tree.alive(each) || !tree.is_below(each, tree.root()) || !is_stray(each);
     });
     if (placed.empty()) return;
-    strays.told = true;
+    strays.reported = true;
     const std::string more =
         placed.size() > 1 ? " (with " + std::to_string(placed.size() - 1) + " more)" : "";
     on_problem(tree.path(placed.front()) + more + " " + what);

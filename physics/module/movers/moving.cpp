@@ -208,11 +208,11 @@ void move_movers(HostedWorld& hosted, float dt) {
 }
 
 void report_movers(Hosting& hosting, HostedWorld& hosted) {
-    struct Told {
+    struct Reported {
         Handle mover;
         MoverRecord record;
     };
-    std::vector<Told> all;
+    std::vector<Reported> all;
     for (const std::uint32_t slot : slots_of(hosted)) {
         MoverRecord record = hosted.movers.get(slot);
         if (record.events.happened == 0) continue;

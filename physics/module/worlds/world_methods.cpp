@@ -84,7 +84,7 @@ const Field accept{
     "and returns whether it counts. It may read and search, but not change anything."};
 
 /// The instance that a function `accept` gets: the capsule of a mover has none, but its body has.
-Handle asked_about(const physics::Shape& shape) {
+Handle instance_with(const physics::Shape& shape) {
     const Handle instance = unpack(shape.user_data());
     return instance ? instance : unpack(shape.body().user_data());
 }
@@ -94,7 +94,7 @@ physics::QueryFilter filter(const Value& categories, const Value& of_group = {},
     physics::QueryFilter filter;
     if (!function.is_nil())
         filter.accept = [](const physics::Shape& shape) {
-            return property::Acceptance::accepts(asked_about(shape));
+            return property::Acceptance::accepts(instance_with(shape));
         };
     if (!categories.is_nil()) filter.mask = from_value<std::uint64_t>(categories);
     if (!of_group.is_nil()) filter.group = static_cast<std::int32_t>(of_group.integer());

@@ -37,7 +37,7 @@ TEST_CASE("movers that are far apart are compared with few of the boxes that sta
                           uint32_t(i));
         moving.rebuild();
         fixed.rebuild();
-        fixed.forget_moves();
+        fixed.clear_moves();
         int found = 0, expected = 0;
         compared = 0;
         moving.pairs(fixed, count_and_compare, [&](uint32_t, uint32_t) { ++found; });

@@ -66,7 +66,7 @@ struct Options {
                        const std::function<void(std::int64_t step)>& look)>
         review_branch{};
     /// Whether scripts draw by themselves (script::Runtime::draws), which a comparison of two runs
-    /// leaves out and then says so.
+    /// leaves out, with a note.
     std::function<bool()> scripts_draw{};
     /// Writes this moment into a file, and returns a message about the file. Without it, `share` is
     /// refused.

@@ -25,7 +25,7 @@ class Loudspeaker {
     void follow(const Services& services, bool halted);
     /// Ends all voices, before the services end.
     void silence();
-    /// The reason why nothing is heard, once; "" otherwise.
+    /// The reason why there is no sound, once; "" otherwise.
     std::string take_problem();
 
   private:

@@ -33,8 +33,8 @@ class Interface : public module::Module, public app::Foreground {
     void step(double dt) override;
     void report(property::Tree& tree) override;
     std::uint64_t hash() const override;
-    /// The function gets one line for each widget that cannot be bound as it says, once.
-    void on_problem(std::function<void(const std::string&)> tell);
+    /// The function gets one line for each widget whose `bind` fails, once.
+    void on_problem(std::function<void(const std::string&)> listener);
 
     /// The function gets each setting of the player that changes, to be kept for later runs: the
     /// path of a property and its value, nil if it is a setting no longer.

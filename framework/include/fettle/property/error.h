@@ -24,7 +24,7 @@ enum class ErrorKind {
     bad_structure,   // a parent inside its own child, class that may not be created, ...
     bad_path,        // path does not parse
     formula,         // the value is a formula that failed or depends on itself
-    rejected,        // the owner of the value refused it; the message says why
+    rejected,        // the owner of the value refused it; the message has the reason
     no_barrier_end,  // handlers kept changing values
     damaged          // a snapshot or save that is incomplete, changed or of another version
 };

@@ -25,7 +25,7 @@ void on_formula_problem(Tree& tree, std::function<void(const FormulaProblem&)> s
 
 /// To be called after the current error of the formula was reported elsewhere: it is not reported
 /// again.
-void formula_problem_told(Tree& tree, Handle instance, const Property& property);
+void formula_problem_reported(Tree& tree, Handle instance, const Property& property);
 
 }  // namespace fettle::property
 

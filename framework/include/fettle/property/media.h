@@ -13,7 +13,7 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// Who uses a file: begins the message about one that cannot be read ("world.hero.look.image").
+/// The user of a file, as a path ("world.hero.look.image"), with which an error message begins.
 /// Called only for such a message.
 using FileUser = std::function<std::string()>;
 
@@ -49,7 +49,7 @@ class Media {
                                const ImageFrame& frame) = 0;
     /// Loads a font, so that a message about it names this user and not the first text in it.
     virtual void load_font(const FileUser& user, const std::string& font) = 0;
-    /// Whether pictures that are enlarged are smooth, unless something else is asked for.
+    /// Whether pictures that are enlarged are smooth by default.
     virtual bool smooth() const = 0;
     /// Width of the longest line, and height of all lines.
     virtual Vec2 text_size(std::string_view text, const TextStyle& style) = 0;

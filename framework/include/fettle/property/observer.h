@@ -51,7 +51,7 @@ class Observer {
     virtual void was_reset(Handle, const Property&) {}
     /// An ad-hoc property was removed.
     virtual void removed(Handle, const Property&) {}
-    /// The property got a formula, or lost it and kept its last value: `Tree::formula` says which.
+    /// The property got a formula, or lost it and kept its last value: see `Tree::formula`.
     virtual void formula_changed(Handle, const Property&) {}
     /// The instance has its row and its defaults. Instances that its class creates below it are
     /// reported before it.

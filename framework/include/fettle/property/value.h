@@ -177,6 +177,9 @@ class Value {
 };
 static_assert(sizeof(Value) == 24);
 
+/// What a property of this type holds by default: false, 0, "", (0, 0), white, no instance, {}.
+Value default_value(Type type);
+
 /// Number of digits of a printed number. A property that is a `float` in memory prints 0.1, not
 /// 0.100000001490116.
 enum class Precision : std::uint8_t { single_precision, double_precision };
@@ -198,7 +201,7 @@ std::string value_text(const Value& value, Precision precision = Precision::doub
 bool parse_color(std::string_view text, Color& out);
 /// "#rrggbb", or "#rrggbbaa" if it is not opaque; each channel is rounded to 8 bits.
 std::string color_text(Color color);
-/// All color names `parse_color` knows, sorted.
+/// All color names that `parse_color` accepts, sorted.
 const std::vector<std::string>& color_names();
 
 }  // namespace fettle::property

@@ -22,7 +22,7 @@ struct Observed {
     std::string path;  // of the property, if the text is one; "" otherwise
     std::string unit;  // of that property
     /// Computes the value. It may change nothing, and is stopped after the instructions of a
-    /// formula. Throws Error, which says why there is no value.
+    /// formula. Throws Error with the reason if there is no value.
     std::function<property::Value()> value;
     /// Computes the formulas of the properties that the text names, which `value` must not do: it
     /// would read their last results. Not to be called while the past is shown.

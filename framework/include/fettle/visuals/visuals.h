@@ -56,7 +56,7 @@ class Visuals : public module::Module {
     /// Images and text for `draw(pen)`.
     property::Media& media();
     /// The function gets one line for each file that is missing or cannot be read, once.
-    void on_problem(std::function<void(const std::string&)> tell);
+    void on_problem(std::function<void(const std::string&)> listener);
 
   private:
     struct State;

@@ -1,4 +1,4 @@
-// fettle-trial: tries a module out for a program that wants to load it.
+// fettle-trial: tries a module out before a program loads it.
 
 #include <fettle/module/trial_program.h>
 

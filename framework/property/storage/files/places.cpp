@@ -3,8 +3,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 
 #include <fettle/property/storage/tweaks.h>
@@ -54,10 +52,9 @@ fs::path user_folder(const fs::path& game) {
     std::string readable;
     for (const char c : game_title(game))
         readable += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
-    char hash[9];  // separates the folders of games with the same name
-    std::snprintf(hash, sizeof hash, "%08x",
-                  text_hash((game_folder(game) / game_name(game)).string()));
-    return data / (readable + "-" + hash);
+    // The hash separates the folders of games with the same name.
+    const fs::path whole = game_folder(game) / game_name(game);
+    return data / (readable + "-" + text_hash_digits(whole.string()));
 }
 
 std::vector<fs::path> journal_folders(const fs::path& game) {

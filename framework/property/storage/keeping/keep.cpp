@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
-#include <unordered_set>
 
 #include <keeping/keep_by_path.h>
 #include <keeping/keep_in_scene.h>

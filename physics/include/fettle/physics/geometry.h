@@ -114,7 +114,7 @@ std::optional<float> time_of_impact(const Form& a, const Movement& movement_a, c
 
 /// Divides a simple polygon of any orientation into few convex pieces with at most sixteen vertices
 /// each, counter-clockwise. No vertex is added. Throws std::invalid_argument if the outline crosses
-/// or touches itself; the message says where.
+/// or touches itself; the message has the place.
 std::vector<std::vector<Vec2>> convex_pieces(std::span<const Vec2> outline);
 
 }  // namespace fettle::physics

@@ -19,7 +19,7 @@ class World;
 
 /// How much a line of the log matters.
 enum class LogLevel : uint8_t {
-    note,     ///< done in another way than was asked for, with the same results
+    note,     ///< done in another way than requested, with the same results
     warning,  ///< an argument of no meaning was ignored
     error     ///< something was lost
 };

@@ -47,7 +47,7 @@ class Owner {
     /// functions. It must not throw.
     void on_unlocked(Function<void()> call) { unlocked_ = std::move(call); }
     /// Calls the function of `on_unlocked`; the library does that.
-    void tell_unlocked() const {
+    void notify_unlocked() const {
         if (const auto call = unlocked_) call();  // a copy, because it may replace itself
     }
 

@@ -294,7 +294,7 @@ class World {
     Vec2 velocity(uint32_t index) const;
     /// Returns false and does nothing if the body does not move by itself.
     bool set_velocity(uint32_t index, const Vec2& velocity);
-    /// Writes a number; `Written` says whether it could.
+    /// Writes a number; `Written`: whether it was accepted.
     template <BodyNumber number>
     Written write(uint32_t index, float value);
     /// Writes the velocity of the center of mass, m/s.

@@ -50,7 +50,7 @@ class PhysicsModule : public module::Module {
 
     /// Gets notes about objects that have no effect, each once: bodies, fields and joints below no
     /// world, shapes on no body, joints that hold nothing.
-    void on_problem(std::function<void(const std::string&)> tell);
+    void on_problem(std::function<void(const std::string&)> listener);
 
     /// Saves every world, bit for bit.
     property::Memory save(property::ByteWriter& to) const override;

@@ -1,4 +1,4 @@
-// The sounds to be heard: the voices in the tree as the mixer takes them.
+// The audible voices of the tree, in the form that the mixer takes.
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +18,14 @@ using property::Vec2;
 
 namespace {
 
-/// The end on the far side of a sound that is heard from the side, as a part of the near one.
+/// The loudness in the far ear of a sound from the side, as a share of that in the near one.
 double far_side(double pan) {
     return std::cos(std::min(1.0, pan) * std::numbers::pi / 2);
 }
 
 }  // namespace
 
-/// Where a voice is heard from; nothing if it is heard everywhere the same.
+/// The place of a voice; nothing if it sounds the same everywhere.
 std::optional<Vec2> Audio::State::place(Handle voice, Handle source) const {
     if (const Value own = value(voice, *of_voice.position); own.is(Type::vec2)) return own.vec2();
     const Value offset = value(source, *of_source.position);
@@ -69,10 +69,10 @@ Stereo Audio::State::loudness(Handle voice, Handle source) const {
     return {static_cast<float>(level * left), static_cast<float>(level * right)};
 }
 
-std::vector<Heard> Audio::State::heard(bool halted) const {
+std::vector<AudibleVoice> Audio::State::audible_voices(bool halted) const {
     const bool paused = clock.paused && !clock.step_once;
     const double rate = paused ? 1 : clock.scale;
-    std::vector<Heard> all;
+    std::vector<AudibleVoice> all;
     // Many voices often have one source.
     std::unordered_map<std::uint32_t, SynthParameters> known;
     for (const Handle voice : by_age()) {
@@ -80,7 +80,7 @@ std::vector<Heard> Audio::State::heard(bool halted) const {
         if (!source || value(voice, *of_voice.over).boolean()) continue;
         const bool stands = halted || (paused && !(at_present() && ignores_pause(voice)));
         const bool plays = !stands && value(voice, *of_voice.playing).boolean();
-        Heard one{
+        AudibleVoice one{
             .id = voice.key(),
             .time = number(voice, *of_voice.time),
             .rate = plays ? number(voice, *of_voice.pitch) * number(source, *of_source.pitch) * rate
