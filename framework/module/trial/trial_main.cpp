@@ -1,10 +1,12 @@
 // The program of a trial: reads what is to be tried out, and reports each phase and the result.
 
+#include <link.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <string_view>
 
 #include <fettle/module/trial_program.h>
@@ -28,6 +30,16 @@ void tell(std::string_view text) {
 
 void tell_phase(std::string_view phase) {
     tell("@" + std::string(phase) + "\n");
+}
+
+void tell_libraries() {
+    dl_iterate_phdr(
+        [](dl_phdr_info* info, std::size_t, void*) {
+            if (std::strchr(info->dlpi_name, '/') != nullptr)
+                tell("+" + std::string(info->dlpi_name) + "\n");
+            return 0;
+        },
+        nullptr);
 }
 
 std::vector<std::byte> all_bytes() {
@@ -84,6 +96,7 @@ int trial_main() {
     alarm(2 * unsigned(trial_seconds));  // ends it also where the game has ended meanwhile
     try {
         run(trial_from(all_bytes()));
+        tell_libraries();
         tell(success_line);
     } catch (...) {
         tell("!" + property::exception_text());
