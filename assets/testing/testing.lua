@@ -2,7 +2,7 @@
 -- file of tests. A test is a coroutine: while it waits, the game makes a step. `fettle_test` is a function of the host.
 
 local tests, names = {}, {}
-local running
+local running, thread
 
 function test(name, body)
     if type(name) ~= "string" or name == "" then
@@ -11,6 +11,7 @@ function test(name, body)
     if type(body) ~= "function" then
         error("test: the second argument is the function of the test, which gets t", 2)
     end
+    if running then error("test: a test cannot make another one; write it beside this one", 2) end
     if tests[name] then error("test: there are two tests with the name \"" .. name .. "\"", 2) end
     tests[name] = body
     names[#names + 1] = name
@@ -21,9 +22,19 @@ function fettle_test_begin(name)
     local body = tests[name]
     if not body then error("there is no test \"" .. name .. "\" in this file") end
     running = coroutine.wrap(function()
+        thread = coroutine.running()
         body(fettle_test_object)
         fettle_test("done")
     end)
+end
+
+-- A test waits for steps, which the driver counts; a coroutine that waits for time cannot be gone on with.
+local wait_for_time = wait
+function wait(...)
+    if thread and coroutine.running() == thread then
+        error("wait: a test waits with t:wait(seconds) or t:steps(number)", 2)
+    end
+    return wait_for_time(...)
 end
 
 -- Goes on with the test before a step. `answer`: why a picture differs, or nil.

@@ -101,13 +101,15 @@ int package(const PackageOptions& options) {
                    (files.size() == 1 ? " file" : " files") + ". Play it with fettle run " +
                    options.file.string());
     }
-    if (!options.linux_run.empty() || !options.deb.empty()) bring_modules(game, files);
+    std::vector<fs::path> libraries;
+    if (!options.linux_run.empty() || !options.deb.empty()) libraries = bring_modules(game, files);
     if (!options.linux_run.empty()) {
-        make_folder(options.linux_run, facts, files);
-        print_line(options.linux_run.string() + ": " + facts.id + " in it starts the game");
+        make_folder(options.linux_run, facts, files, libraries);
+        print_line(options.linux_run.string() + ": " + start_of_folder(facts) +
+                   " in it starts the game");
     }
     if (!options.deb.empty()) {
-        make_debian_package(options.deb, facts, files);
+        make_debian_package(options.deb, facts, files, libraries);
         print_line(options.deb.string() + ": installs /usr/games/" + facts.id);
     }
     return success;
@@ -133,8 +135,12 @@ Command add_package(CLI::App& app) {
     command.text("--linux", &PackageOptions::linux_run, "a folder that is not there yet",
                  "A folder that runs without Fettle, or a file NAME.tar.gz with it: it needs a "
                  "Linux as new as this one, X11 and OpenGL");
-    command.text("--deb", &PackageOptions::deb, "a file",
-                 "A Debian package of that folder: NAME.deb");
+    command.option("--deb", "A Debian package of that folder: NAME.deb",
+                   [](PackageOptions& to, const std::string& text) {
+                       to.deb = checked_text("--deb", text, "a file");
+                       if (to.deb.extension() != ".deb")
+                           throw CLI::ValidationError("--deb", "expected a name that ends in .deb");
+                   });
     command.text("--made", &PackageOptions::made, "a name",
                  "The name of a file that the game makes itself, so that it may be missing "
                  "(repeatable)");

@@ -368,7 +368,7 @@ int run_replay(RunOptions options) {
 }
 
 constexpr std::uint64_t max_milliseconds = 1'000'000'000;
-constexpr std::uint64_t max_megabytes = 1'000'000;
+constexpr std::uint64_t max_megabytes = property::GameSettings::most_memory;
 
 int run(const RunOptions& given) {
     RunOptions options = given;
@@ -449,8 +449,9 @@ Command add_run(CLI::App& app) {
                  "Do not trust the game: limits for memory, time, instances, handlers, timers, "
                  "output and files; no native modules");
     command.number("--memory", &RunOptions::memory, 1, max_megabytes,
-                   "Stop scripts that use more than so many MB, for themselves and for what they "
-                   "add to the game (with --sandbox 512 unless given)");
+                   "Stop scripts that use more than so many MB, or add more to the game (unless "
+                   "given: \"memory\" in game.json, else 512 and 1024; with --sandbox 512 for "
+                   "both together)");
     command.number("--seed", &RunOptions::seed, 0, UINT64_MAX,
                    "Of random(); without it that of game.json, or 0");
     command.flag("--developer", &RunOptions::developer,

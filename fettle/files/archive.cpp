@@ -2,8 +2,11 @@
 
 #include <minizip/unzip.h>
 #include <minizip/zip.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <memory>
 #include <set>
 #include <system_error>
@@ -132,13 +135,19 @@ void add_file(void* archive, const fs::path& file, const std::string& name,
 }  // namespace
 
 void write_archive(const fs::path& file, const ArchiveFiles& files) {
-    const fs::path draft = file.string() + ".new";
+    // No other file has this name.
+    const fs::path draft = file.string() + "." + std::to_string(::getpid()) + ".new";
     std::error_code ignored;
+    const auto refuse_now = [&] {
+        refuse(file, std::string("cannot be written") +
+                         (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
+    };
+    errno = 0;
     try {
         std::unique_ptr<void, CloseZip> archive(zipOpen64(draft.c_str(), APPEND_STATUS_CREATE));
-        if (archive == nullptr) refuse(file, "cannot be written");
+        if (archive == nullptr) refuse_now();
         for (const auto& [name, content] : files) add_file(archive.get(), file, name, content);
-        if (zipClose(archive.release(), nullptr) != ZIP_OK) refuse(file, "cannot be written");
+        if (zipClose(archive.release(), nullptr) != ZIP_OK) refuse_now();
         fs::rename(draft, file);
     } catch (const fs::filesystem_error& error) {
         fs::remove(draft, ignored);

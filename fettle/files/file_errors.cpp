@@ -1,5 +1,7 @@
 #include <files/file_errors.h>
 
+#include <system_error>
+
 #include <fettle/app/recording.h>
 #include <fettle/module/plugin.h>
 #include <fettle/property/storage/game_files.h>
@@ -24,7 +26,12 @@ int with_file_errors(const std::function<int()>& command) {
     } catch (const module::LoadError& error) {
         tell(error.what());
     } catch (const std::filesystem::filesystem_error& error) {
-        tell(error.path1().string() + ": " + error.code().message());
+        // A copy names two files, and these errors are those of the second one.
+        const bool of_target = error.code() == std::errc::no_space_on_device ||
+                               error.code() == std::errc::read_only_file_system;
+        const std::filesystem::path& file =
+            of_target && !error.path2().empty() ? error.path2() : error.path1();
+        tell(file.string() + ": " + error.code().message());
     }
     return file_error;
 }

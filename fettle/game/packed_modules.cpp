@@ -1,9 +1,9 @@
 #include <game/packed_modules.h>
 
-#include <dlfcn.h>
-
 #include <string>
+#include <utility>
 
+#include <fettle/module/plugin.h>
 #include <fettle/property/storage/game_files.h>
 
 #include <files/game_path.h>
@@ -33,8 +33,9 @@ void require_installed_modules(const fs::path& game) {
                    "installed with Fettle; use --linux or --deb");
 }
 
-void bring_modules(const fs::path& game, ArchiveFiles& files) {
+std::vector<fs::path> bring_modules(const fs::path& game, ArchiveFiles& files) {
     property::GameFiles reader;
+    std::vector<fs::path> libraries;
     for (const std::string& name : manifest(game)) {
         const fs::path file = listed_module_file(name, game);
         if (is_installed(file)) {
@@ -44,9 +45,14 @@ void bring_modules(const fs::path& game, ArchiveFiles& files) {
                                        .generic_string())) {
             refuse(name, "its file must be in the game's folder, as a part of the game");
         }
-        if (::dlopen(fs::absolute(file).c_str(), RTLD_LAZY | RTLD_LOCAL) == nullptr)
-            refuse(name, std::string("it cannot be loaded: ") + ::dlerror());
+        try {
+            for (fs::path& library : module::needed_libraries(file))
+                libraries.push_back(std::move(library));
+        } catch (const module::LoadError& error) {
+            refuse(name, std::string("it cannot be loaded: ") + error.what());
+        }
     }
+    return libraries;
 }
 
 }  // namespace fettle::program

@@ -7,13 +7,20 @@ namespace fettle::program {
 namespace {
 
 constexpr std::size_t megabyte = std::size_t{1} << 20;
+constexpr std::size_t default_tree = 1024 * megabyte;  // of a trusted game: over a million bodies
 
 }  // namespace
 
-GameQuota quota_of(const RunOptions& options) {
+GameQuota quota_of(const RunOptions& options, const property::GameSettings& settings) {
     GameQuota quota{.lua = script::Options().memory_limit};
-    if (options.memory) quota.lua = quota.scripts.memory = *options.memory * megabyte;
-    if (!options.sandbox) return quota;
+    const std::optional<std::uint64_t> given =
+        options.memory || options.sandbox ? options.memory : settings.memory;
+    if (given) quota.lua = *given * megabyte;
+    if (!options.sandbox) {
+        quota.scripts.tree = given ? quota.lua : default_tree;
+        quota.scripts.tree_setting = "\"memory\" in game.json, or --memory,";
+        return quota;
+    }
     quota.files = 64 * megabyte;
     quota.saves = 256 * megabyte;
     quota.scripts = {.instructions = 100'000'000,  // about a second

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <fettle/property/storage/game_settings.h>
 #include <fettle/script/runtime.h>
 
 namespace fettle::program {
@@ -18,6 +19,7 @@ struct GameQuota {
     script::GameLimits scripts{};
 };
 
-GameQuota quota_of(const RunOptions& options);
+/// The limits of a run. `settings`: of the game; they count only if the game is trusted.
+GameQuota quota_of(const RunOptions& options, const property::GameSettings& settings);
 
 }  // namespace fettle::program

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <string_view>
 #include <vector>
@@ -38,19 +39,19 @@ bool belongs_to_system(const std::string& library) {
                                [&](std::string_view name) { return library.starts_with(name); });
 }
 
-/// The files of the shared libraries that this program runs with.
-std::vector<fs::path> libraries() {
-    std::vector<fs::path> all;
+/// The files of the shared libraries that this program runs with, and `others`, without those of
+/// the system.
+std::vector<fs::path> libraries(const std::vector<fs::path>& others) {
+    std::vector<fs::path> all = others;
     dl_iterate_phdr(
         [](dl_phdr_info* info, std::size_t, void* to) {
-            const fs::path file(info->dlpi_name);
-            // A module is a file of the game, or was added to it.
-            const bool module = file.extension() == ".so";
-            if (file.has_parent_path() && !module && !belongs_to_system(file.filename().string()))
-                static_cast<std::vector<fs::path>*>(to)->push_back(file);
+            static_cast<std::vector<fs::path>*>(to)->emplace_back(info->dlpi_name);
             return 0;
         },
         &all);
+    std::erase_if(all, [](const fs::path& file) {
+        return !file.has_parent_path() || belongs_to_system(file.filename().string());
+    });
     return all;
 }
 
@@ -81,7 +82,8 @@ void copy_trial_program(const fs::path& to) {
 }
 
 /// Everything but the game's start: the program, its libraries, assets and fonts, and the game.
-void fill(const fs::path& folder, const ArchiveFiles& files) {
+void fill(const fs::path& folder, const ArchiveFiles& files,
+          const std::vector<fs::path>& more_libraries) {
     fs::create_directories(folder / "bin");
     fs::create_directories(folder / "lib");
     fs::create_directories(folder / "share/fettle/fonts");
@@ -89,7 +91,7 @@ void fill(const fs::path& folder, const ArchiveFiles& files) {
     fs::permissions(folder / "bin/fettle", executable);
     if (files.contains("modules.json")) copy_trial_program(folder / "bin");
     // Libraries are found by their own names, which a link may have.
-    for (const fs::path& library : libraries())
+    for (const fs::path& library : libraries(more_libraries))
         fs::copy_file(fs::canonical(library), folder / "lib" / library.filename(),
                       fs::copy_options::skip_existing);
     for (const fs::path& font : fonts())
@@ -125,13 +127,22 @@ void run_tool(const std::vector<std::string>& command) {
     if (status != 0) throw FileError(command[0] + " failed");
 }
 
+/// Makes an empty folder with a new name beside the result.
+fs::path folder_beside(const fs::path& result) {
+    fs::path whole = fs::absolute(result).lexically_normal();
+    if (!whole.has_filename()) whole = whole.parent_path();
+    std::error_code error;
+    fs::create_directories(whole.parent_path(), error);
+    std::string name = whole.string() + ".XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr)
+        throw FileError(result.string() + ": cannot be written: " + std::strerror(errno));
+    return name;
+}
+
 /// A folder beside the result that is deleted at the end.
 class Draft {
   public:
-    explicit Draft(const fs::path& result) : path(result.string() + ".new") {
-        fs::remove_all(path);
-        fs::create_directories(path);
-    }
+    explicit Draft(const fs::path& result) : path(folder_beside(result)) {}
     ~Draft() {
         std::error_code ignored;
         fs::remove_all(path, ignored);
@@ -140,31 +151,54 @@ class Draft {
     const fs::path path;
 };
 
+/// Refuses a folder, a pipe or a device in the place of a file that is to be made.
+void require_place_of_file(const fs::path& to) {
+    std::error_code error;
+    const fs::file_status status = fs::status(to, error);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw FileError(to.string() +
+                        ": there is something already that is not a file, so "
+                        "nothing was made");
+}
+
 }  // namespace
 
-void make_folder(const fs::path& to, const PackageFacts& facts, const ArchiveFiles& files) {
+std::string start_of_folder(const PackageFacts& facts) {
+    constexpr std::array<std::string_view, 4> folders = {"bin", "lib", "share", "game"};
+    return std::ranges::find(folders, facts.id) == folders.end() ? facts.id : facts.id + "-start";
+}
+
+void make_folder(const fs::path& to, const PackageFacts& facts, const ArchiveFiles& files,
+                 const std::vector<fs::path>& more_libraries) {
     const bool packed = to.string().ends_with(".tar.gz");
     std::error_code error;
+    if (packed) require_place_of_file(to);
     if (!packed && fs::exists(to, error) && (!fs::is_directory(to) || !fs::is_empty(to)))
         throw FileError(to.string() + ": there is something already, so nothing was made");
     const Draft draft(to);
     const fs::path folder = packed ? draft.path / facts.id : draft.path / "folder";
-    fill(folder, files);
-    write_start(folder / facts.id, "$(cd \"$(dirname \"$(readlink -f \"$0\")\")\" && pwd)");
+    fill(folder, files, more_libraries);
+    write_start(folder / start_of_folder(facts),
+                "$(cd \"$(dirname \"$(readlink -f \"$0\")\")\" && pwd)");
     if (packed) {
-        run_tool({"tar", "-czf", to.string(), "--owner=0", "--group=0", "-C", draft.path.string(),
-                  facts.id});
+        const fs::path archive = draft.path / "archive.tar.gz";
+        run_tool({"tar", "-czf", archive.string(), "--owner=0", "--group=0", "-C",
+                  draft.path.string(), facts.id});
+        fs::rename(archive, to);
     } else {
-        fs::remove(to, error);
-        fs::rename(folder, to);
+        const fs::path place = to.has_filename() ? to : to.parent_path();
+        fs::remove(place, error);
+        fs::rename(folder, place);
     }
 }
 
-void make_debian_package(const fs::path& to, const PackageFacts& facts, const ArchiveFiles& files) {
+void make_debian_package(const fs::path& to, const PackageFacts& facts, const ArchiveFiles& files,
+                         const std::vector<fs::path>& more_libraries) {
+    require_place_of_file(to);
     const Draft draft(to);
-    const fs::path root = draft.path;
+    const fs::path root = draft.path / "package", made = draft.path / to.filename();
     const std::string place = "/usr/lib/" + facts.id;
-    fill(root / place.substr(1), files);
+    fill(root / place.substr(1), files, more_libraries);
     write_start(root / "usr/games" / facts.id, place);
     write_with_folder(root / "usr/share/applications" / (facts.id + ".desktop"),
                       "[Desktop Entry]\nType=Application\nName=" + facts.name +
@@ -180,7 +214,8 @@ void make_debian_package(const fs::path& to, const PackageFacts& facts, const Ar
             " <unknown@localhost>\nSection: games\nPriority: optional\n"
             "Depends: libc6, libstdc++6, libgl1, libx11-6, libgl1-mesa-dri\nDescription: " +
             facts.name + "\n A game made with Fettle.\n");
-    run_tool({"dpkg-deb", "--build", "--root-owner-group", "-Zgzip", root.string(), to.string()});
+    run_tool({"dpkg-deb", "--build", "--root-owner-group", "-Zgzip", root.string(), made.string()});
+    fs::rename(made, to);
 }
 
 }  // namespace fettle::program

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <files/archive.h>
 
@@ -15,12 +16,18 @@ struct PackageFacts {
     std::string author;
 };
 
-/// Makes a folder, or an archive if the name ends in .tar.gz: `ID/ID` starts the game. Throws
-/// FileError.
+/// The name of the file that starts the game in the folder: the id, unless a folder in it has that
+/// name.
+std::string start_of_folder(const PackageFacts& facts);
+
+/// Makes a folder, or an archive if the name ends in .tar.gz: `ID/ID` starts the game
+/// (`start_of_folder`). `libraries`: those that the game's modules need, in addition to those of
+/// this program. Throws FileError.
 void make_folder(const std::filesystem::path& to, const PackageFacts& facts,
-                 const ArchiveFiles& files);
+                 const ArchiveFiles& files, const std::vector<std::filesystem::path>& libraries);
 /// Makes a Debian package, which needs `dpkg-deb`. Throws FileError.
 void make_debian_package(const std::filesystem::path& to, const PackageFacts& facts,
-                         const ArchiveFiles& files);
+                         const ArchiveFiles& files,
+                         const std::vector<std::filesystem::path>& libraries);
 
 }  // namespace fettle::program

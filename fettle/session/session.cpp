@@ -70,7 +70,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
         report_error(report);  // the run continues, and the property keeps its last valid value
     });
     make_storage();
-    const GameQuota quota = quota_of(options);
+    const GameQuota quota = quota_of(options, settings_);
     if (quota.files > 0) files_.limit_writes(quota.files);
     runtime_ = std::make_unique<script::Runtime>(
         tree_, script::Options{.seed = seed(),
@@ -174,7 +174,7 @@ void Session::make_storage() {
         property::GameSaves::Options{
             .writes = writes,
             .pictures = !options_.headless,
-            .space = quota_of(options_).saves,
+            .space = quota_of(options_, settings_).saves,
             .changed = [this](const std::string& slot) { visuals_.renew("save:" + slot); },
             .warn = [this](const std::string& text) { note(text); }});
     visuals_.saved_pictures([this](const std::string& slot) { return saves_->picture(slot); });

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include <fettle/property/error.h>
+#include <fettle/property/value.h>
 
 // Coordinates become integers, so that edges on one line are found exactly. On each line, the edges
 // of all polygons are added up as intervals with a direction: where two polygons meet, the sum is
@@ -60,7 +61,9 @@ std::vector<Point> rounded(const Outline& polygon) {
     for (const Vec2& v : polygon) {
         if (!(std::abs(v.x) < largest && std::abs(v.y) < largest))
             throw property::Error(property::ErrorKind::out_of_range,
-                                  "an outline has a vertex that is too far away");
+                                  "an outline has a vertex at " + property::value_text(v) +
+                                      ", and its coordinates may be " +
+                                      property::number_text(largest) + " at most");
         const Point p{std::llround(v.x * resolution), std::llround(v.y * resolution)};
         if (points.empty() || points.back() != p) points.push_back(p);
     }

@@ -106,6 +106,27 @@ void Plugin::State::require_loaded() const {
         throw std::runtime_error("module " + name + " is not loaded any more");
 }
 
+namespace {
+
+void try_to_open(const fs::path& file, const fs::path& copy,
+                 std::vector<fs::path>* libraries = nullptr) {
+    const std::string problem =
+        run_trial({.kind = TrialKind::open, .file = file, .copy = copy, .name = ""}, libraries);
+    if (!problem.empty())
+        throw problem.starts_with(file.string()) ? LoadError(problem)
+                                                 : LoadError(file, "the module " + problem);
+}
+
+}  // namespace
+
+std::vector<fs::path> needed_libraries(const fs::path& file) {
+    const ModuleCopy copy(file);
+    std::vector<fs::path> all;
+    try_to_open(file, copy.path(), &all);
+    std::erase(all, fs::absolute(copy.path()));
+    return all;
+}
+
 // --- Plugin
 
 std::unique_ptr<Plugin> Plugin::open(const fs::path& file) {
@@ -113,11 +134,7 @@ std::unique_ptr<Plugin> Plugin::open(const fs::path& file) {
     state->file = file;
     state->opened_copy = std::make_unique<ModuleCopy>(file);
     const fs::path& copy = state->opened_copy->path();
-    const std::string problem =
-        run_trial({.kind = TrialKind::open, .file = file, .copy = copy, .name = ""});
-    if (!problem.empty())
-        throw problem.starts_with(file.string()) ? LoadError(problem)
-                                                 : LoadError(file, "the module " + problem);
+    try_to_open(file, copy);
     state->open = state->open_file(copy);
     state->identity = identity(file);
     state->name = text_or_empty(state->open.native.name);

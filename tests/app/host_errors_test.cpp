@@ -1,8 +1,10 @@
 // Errors of a host that uses a loop.
 
 #include <catch.h>
+#include <last_words.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 
@@ -118,6 +120,30 @@ TEST_CASE("a loop whose runtime was destroyed reports this and ends without harm
     CHECK(loop.stopped());
     CHECK_THROWS_WITH(loop.turn(), contains("the runtime of this loop was destroyed"));
     CHECK_THROWS_WITH(loop.frame(tick), contains("the runtime of this loop was destroyed"));
+}
+
+TEST_CASE("a loop that is destroyed by a function it calls ends the program with a message") {
+    const auto destroyed_in = [](const char* where, const std::function<void(Loop&)>& call,
+                                 const std::function<void(Loop&, std::function<void()>)>& hook) {
+        CAPTURE(where);
+        property::Tree tree;
+        Services services{tree};
+        script::Runtime runtime(tree, script::Options{});
+        auto loop = std::make_unique<Loop>(tree, runtime, services);
+        hook(*loop, [&] { loop.reset(); });
+        CHECK_THAT(last_words([&] { call(*loop); }),
+                   contains("the loop is destroyed by a function that its `" + std::string(where) +
+                            "` is calling, which must not do so"));
+    };
+    const auto turn = [](Loop& loop) { loop.turn(); };
+    const auto frame = [](Loop& loop) { loop.frame(tick); };
+    destroyed_in("turn", turn, [](Loop& loop, auto end) { loop.after_barrier(end); });
+    destroyed_in("frame", frame, [](Loop& loop, auto end) { loop.between_frames(end); });
+    destroyed_in("turn", turn,
+                 [](Loop& loop, auto end) { loop.before_step([end](std::uint64_t) { end(); }); });
+    destroyed_in("step", turn, [](Loop& loop, auto end) {
+        loop.add(SteppedModule{.name = "wind", .step = [end](double) { end(); }});
+    });
 }
 
 }  // namespace host_errors_test

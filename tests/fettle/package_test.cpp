@@ -268,6 +268,57 @@ TEST_CASE("a package brings the native modules of its game along") {
     CHECK(folder.text("result") == to + "/game/physics.so\n");
 }
 
+TEST_CASE("a package takes the place of nothing but a file, and leaves what lies beside it") {
+    const Folder folder;
+    folder.write("game/main.lua", "");
+    const std::string game = (folder / "game").string();
+    folder.write("made.new/mine", "a");
+    fs::create_directories(folder / "b.deb");
+    fs::create_directories(folder / "c.tar.gz");
+    REQUIRE(::mkfifo((folder / "p.deb").c_str(), 0600) == 0);
+    const Outcome made = fettle(folder, {"package", game, "--linux", (folder / "made/").string()});
+    INFO(made.out << made.err);
+    CHECK(made.status == 0);
+    CHECK(contains(made.out, ": game-start in it starts the game"));  // "game" is a folder there
+    CHECK(fs::exists(folder / "made/game/main.lua"));
+    CHECK(fs::is_regular_file(folder / "made/game-start"));
+    CHECK(folder.text("made.new/mine") == "a");
+    for (const char* name : {"b.deb", "p.deb"})
+        CHECK(contains(fettle(folder, {"package", game, "--deb", (folder / name).string()}).err,
+                       "there is something already that is not a file, so nothing was made"));
+    CHECK(contains(fettle(folder, {"package", game, "--linux", (folder / "c.tar.gz").string()}).err,
+                   "there is something already that is not a file"));
+    CHECK(fettle(folder, {"package", game, "--deb", (folder / "x").string()}).status == 2);
+    // No draft is left: its name would be that of the package, with more behind it.
+    for (const auto& each : fs::directory_iterator(folder / "")) {
+        const std::string name = each.path().filename().string();
+        CAPTURE(name);
+        CHECK((name == "made.new" || !name.starts_with("made.")));
+        CHECK_FALSE(contains(name, ".deb."));
+        CHECK_FALSE(contains(name, ".gz."));
+    }
+}
+
+#ifdef FETTLE_TEST_MODULES
+TEST_CASE("a module that ends its process or crashes is refused, and no package is made") {
+    const Folder folder;
+    folder.write("game/main.lua", "");
+    const std::string game = (folder / "game").string();
+    const std::string to = (folder / "made").string();
+    for (const char* module : {"exit_when_opened", "crash_when_opened"}) {
+        CAPTURE(module);
+        fs::copy_file(std::string(FETTLE_TEST_MODULES "/") + module + ".so", folder / "game/own.so",
+                      fs::copy_options::overwrite_existing);
+        folder.write("game/modules.json", R"({"modules": ["./own.so"]})");
+        const Outcome made = fettle(folder, {"package", game, "--linux", to});
+        CHECK(made.status == 3);
+        CHECK(contains(made.err, "modules.json: \"./own.so\": it cannot be loaded: "));
+        CHECK(contains(made.err, "while it was opened"));
+        CHECK_FALSE(fs::exists(to));
+    }
+}
+#endif
+
 TEST_CASE("an archive names installed modules and brings no native code along") {
     const Folder folder;
     folder.write("game/main.lua", "print(modules.physics.file)");
@@ -310,7 +361,7 @@ TEST_CASE("a game in a sandbox is limited and plugs in nothing") {
     const Outcome bodies =
         fettle(folder, {"run", game, "--headless", "--steps", "10", "--memory", "64"});
     CHECK(bodies.status == 1);
-    CHECK(contains(bodies.err, "may use, 64 MB"));
+    CHECK(contains(bodies.err, "may add to it, 64 MB"));
     folder.write("game/modules.json", R"({"modules": ["wind"]})");
     const Outcome native = fettle(folder, {"run", game, "--headless", "--steps", "1", "--sandbox"});
     CHECK(native.status == 3);

@@ -87,6 +87,35 @@ TEST_CASE("the time of a call in a sandbox is that of the command line") {
     CHECK(contains(run.err, "main.lua:1: stopped: it ran for 0.2 seconds"));
 }
 
+TEST_CASE("what a trusted game adds is limited, by its own setting or by the command line") {
+    const Folder folder;
+    folder.write("game/main.lua",
+                 "print(pcall(function() for i = 1, 1e7 do world:add(Body { }) end end))");
+    const std::string game = (folder / "game").string();
+    const auto limited = [&](const std::vector<std::string>& more, const std::string& megabytes) {
+        std::vector<std::string> arguments{"run", game, "--headless", "--steps", "1"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome run = fettle(folder, arguments);
+        CAPTURE(run.err);
+        CHECK(run.status == 1);
+        CHECK(contains(run.err,
+                       "main.lua:1: stopped: it needs more memory than the scripts of a "
+                       "game may add to it, " +
+                           megabytes + " MB; "));
+        CHECK(contains(run.err, "(\"memory\" in game.json, or --memory, raises the limit)"));
+    };
+    folder.write("game/game.json", R"({"memory": 20})");
+    limited({}, "20");
+    limited({"--memory", "10"}, "10");
+    // A game that is not trusted does not raise its own limit.
+    folder.write("game/main.lua", "for i = 1, 1e7 do world:add(Body { }) end");
+    folder.write("game/game.json", R"({"memory": 900000})");
+    const Outcome sandboxed = fettle(
+        folder, {"run", game, "--headless", "--steps", "1", "--sandbox", "--budget", "600000"});
+    CHECK(sandboxed.status == 1);
+    CHECK(contains(sandboxed.err, "stopped: there are 100"));
+}
+
 TEST_CASE("instances that make instances when they are ready have the limit of all") {
     const Folder folder;
     const Outcome run = play(folder,

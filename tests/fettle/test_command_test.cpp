@@ -33,6 +33,25 @@ Outcome run_tests(const Folder& folder, const std::string& tests,
 
 }  // namespace
 
+TEST_CASE(
+    "a test that waits for time or makes another test is told the right way in its own line") {
+    const Folder folder;
+    const Outcome run = run_tests(folder, R"lua(
+test("waits", function(t) wait(1) end)
+test("nests", function(t) test("inner", function() end) end)
+test("lets a coroutine wait", function(t)
+    local woke = false
+    coroutine.wrap(function() wait(0.1) woke = true end)()
+    t:wait(0.5)
+    expect(woke):truthy()
+end)
+)lua");
+    INFO(run.out << run.err);
+    CHECK(contains(run.out, "tests/ball.lua:2: wait: a test waits with t:wait(seconds)"));
+    CHECK(contains(run.out, "tests/ball.lua:3: test: a test cannot make another one"));
+    CHECK(contains(run.out, "3 tests, 2 failed"));
+}
+
 TEST_CASE("tests play the game in fresh runs") {
     const Folder folder;
     const Outcome run = run_tests(folder, R"lua(

@@ -269,6 +269,8 @@ TEST_CASE("a damaged map is an error with file and place") {
     CHECK(reason("") == "m.tmj: the file is empty");
     CHECK(reason("[1]") == "m.tmj: this is not a map");
     CHECK(reason(std::string(5'000'000, '[')) == "m.tmj: nested deeper than 256 levels");
+    CHECK(reason(R"({"name": ")" + std::string(1000, '[') + R"(\")" + std::string(1000, '{') +
+                 "\"}") == "m.tmj: this is not a map: it has no \"tilewidth\" and \"tileheight\"");
     CHECK(reason("{}") == "m.tmj: this is not a map: it has no \"tilewidth\" and \"tileheight\"");
     CHECK_THAT(reason("{\n\"width\":\n]"), contains("m.tmj: line 3: "));
     CHECK_THAT(reason("<map>\n<layer>\n</map>"), contains("m.tmj: line "));

@@ -326,6 +326,27 @@ TEST_CASE("classes that derive from each other have the memory limit of the game
                contains("memory") && contains("a chunk may use") && contains("64 MB"));
 }
 
+TEST_CASE("what the scripts of a trusted game add to the tree is limited, call by call") {
+    auto options = stage::unhurried();
+    options.limits.tree = std::size_t{8} << 20;
+    options.limits.tree_setting = "the host";
+    Stage s(options);
+    s.run("function fill() while true do pcall(function() world:add(Object {}) end) end end");
+    s.run("function few() for i = 1, 10 do world:add(Object {}) end end");
+    s.errors.clear();
+    CHECK_FALSE(s.runtime->call("fill", {}));
+    REQUIRE(s.errors.size() == 1);
+    CHECK_THAT(s.errors[0].message,
+               contains("stopped: it needs more memory than the scripts of a game may add to it, 8 "
+                        "MB; ") &&
+                   contains("instances and what belongs to them have 8 MB (the host raises the "
+                            "limit)"));
+    // Small additions and a console command have some room, and the next big one is stopped again.
+    CHECK(s.runtime->call("few", {}));
+    CHECK(s.runtime->evaluate("for i = 1, 10 do world:add(Object {}) end").ok);
+    CHECK_FALSE(s.runtime->call("fill", {}));
+}
+
 TEST_CASE("the number of restores that wait for one barrier is limited") {
     Stage s;
     s.run("kept = snapshot()");

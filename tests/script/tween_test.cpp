@@ -203,6 +203,29 @@ TEST_CASE("a tween that is impossible is an error at once") {
     CHECK(s.tweens() == 0);
 }
 
+TEST_CASE("a tween that is made by its class is refused there if it is impossible") {
+    Game s;
+    CHECK_THAT(s.fails("Tween { target = ball, property = 'mas', to = 2 }"),
+               contains("Tween: world.ball has no property \"mas\" (did you mean \"mass\"?)"));
+    CHECK_THAT(s.fails("Tween { target = ball, property = 'mas' }"), contains("\"mas\""));
+    CHECK_THAT(s.fails("Tween { target = ball, property = 'class', to = 2 }"),
+               contains("is read-only"));
+    CHECK_THAT(s.fails("Tween { target = ball, property = 'awake', to = false }"),
+               contains("Tween: world.ball.awake: there are no values between true and false"));
+    CHECK_THAT(s.fails("Tween { target = ball, property = 'mass', from = vec(1, 2), to = 2 }"),
+               contains("expected a number"));
+    CHECK_THAT(s.fails("ball.mass = formula(function() return 3 end) "
+                       "Tween { target = ball, property = 'mass', to = 2 }"),
+               contains("world.ball.mass has a formula"));
+    CHECK(s.tweens() == 0);
+    // What is not known yet may be assigned later; a pause moves nothing.
+    s.run(
+        "ball.mass = 1 tween(ball, 'mass', 2, 1):stop() "
+        "local t = Tween { property = 'mass', to = 2 } t.target = ball game.tweens:add(t) "
+        "game.tweens:add(Tween { seconds = 2 })");
+    CHECK(s.tweens() == 2);
+}
+
 TEST_CASE("of two tweens of a property the one that begins later wins") {
     Game s;
     s.run("ball.mass = 1 tween(ball, 'mass', 2, 1):on('finished', function() print('first') end)");

@@ -391,6 +391,24 @@ TEST_CASE_METHOD(Gallery, "many long tags of a file of Aseprite are refused") {
                                    ".image: \"a.json\": its tags have more than 1000000 frames"});
 }
 
+TEST_CASE_METHOD(Gallery, "an image that is cut off says so") {
+    write("empty.png", "");
+    // The header of a PNG file of 8 by 8 pixels, and a part of the next name.
+    const std::string header(
+        "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x08\0\0\0\x08\x08\x06\0\0\0"
+        "\xc4\x0f\xbe\x8b\0\0\0\x0bIDA",
+        40);
+    write("cut.png", header);
+    make("Sprite", {{"image", "empty.png"}});
+    make("Sprite", {{"image", "cut.png"}});
+    step(1);
+    REQUIRE(problems.size() == 2);
+    CHECK_THAT(
+        problems[0],
+        contains("\"empty.png\": cannot be read as PNG, JPEG, BMP or TGA: the file is empty"));
+    CHECK_THAT(problems[1], contains("BMP or TGA: it is cut off or damaged"));
+}
+
 TEST_CASE_METHOD(Gallery, "an image that is too large is refused before it is unpacked") {
     // Only the beginning of a PNG file, which says 12000 x 12000 pixels.
     const std::string png =

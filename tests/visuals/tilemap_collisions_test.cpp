@@ -101,6 +101,21 @@ TEST_CASE_METHOD(Land, "lines of neighbors become one") {
     CHECK(points(chains(top)[0]) == List{Vec2(0, -1), Vec2(3, -1)});
 }
 
+TEST_CASE_METHOD(Land, "a tile whose outline is too far away makes nothing solid and says so") {
+    define_bodies();
+    std::string far = tileset;
+    const std::string corner = R"({"x": 16, "y": 0}]})";
+    far.replace(far.find(corner), corner.size(), R"({"x": 1e300, "y": 0}]})");
+    write("tiles.tsj", far);
+    write("level.tmj", level("0,0,0,0, 0,0,0,0, 2,1,0,0"));
+    const Handle top = map();
+    tree.barrier();
+    REQUIRE(problems.size() == 1);
+    CHECK_THAT(problems[0], contains("map: collisions: an outline has a vertex at vec(1e+300"));
+    CHECK_THAT(problems[0], contains("; nothing of it is solid"));
+    CHECK(chains(top).empty());
+}
+
 TEST_CASE_METHOD(Land, "a restored map has the collisions of its cells") {
     define_bodies();
     const Handle top = map();

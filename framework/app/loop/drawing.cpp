@@ -138,6 +138,7 @@ void draw_timings(Surface& surface, const Clock& clock) {
 }  // namespace
 
 void Loop::draw(Screen& screen, double seconds) {
+    const Pin pin(*this, "draw");
     const auto start = std::chrono::steady_clock::now();
     View& view = services_.view;
     Clock& clock = services_.clock;
@@ -184,6 +185,7 @@ void Loop::draw(Screen& screen, double seconds) {
 }
 
 void Loop::draw_layers(Screen& screen, double seconds) {
+    const Pin pin(*this, "draw_layers");
     screen.begin(services_.view.background);
     for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->draw(screen.surface(), seconds);
 }

@@ -115,13 +115,24 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
     services_.clock.travel.forget_branch = at_barrier(&Timeline::forget_branch);
 }
 
+void Loop::require_unpinned() const {
+    if (pinned_ != nullptr)
+        throw property::Error(property::ErrorKind::bad_structure,
+                              std::string("the loop is destroyed by a function that its `") +
+                                  pinned_ +
+                                  "` is calling, which must not do so; destroy it after that "
+                                  "(see \"Lifetimes\" in loop.h)");
+}
+
 Loop::~Loop() {
+    require_unpinned();
     if (!runtime_life_.expired()) runtime_.on_rewind({});
     services_.clock.travel = {};
     services_.audio.random = {};
 }
 
 void Loop::step_modules(double dt) {
+    const Pin pin(*this, "step");
     // By index and with copies, here and below: what is called may add modules and layers.
     for (std::size_t i = 0; i < modules_.size(); ++i) {
         const auto step = modules_[i].step;
@@ -149,6 +160,7 @@ void Loop::between_frames(std::function<void()> hook) {
 }
 
 void Loop::handle(const InputEvent& event) {
+    const Pin pin(*this, "handle");
     bool taken = false;
     for (std::size_t i = layers_.size(); i > 0 && !taken; --i)
         taken = layers_[i - 1]->handle(event);
@@ -156,6 +168,7 @@ void Loop::handle(const InputEvent& event) {
 }
 
 void Loop::feed(const InputEvent& event, bool taken) {
+    const Pin pin(*this, "feed");
     if (witness_ != nullptr) witness_->event(event, taken);
     if (event.kind == EventKind::closing) closing_ = true;
     if (taken)
@@ -307,6 +320,7 @@ bool Loop::make_step(Stopwatch& watch) {
 }
 
 void Loop::frame(double seconds, std::int64_t step_limit) {
+    const Pin pin(*this, "frame");
     if (const auto hook = between_frames_) hook();
     require_ready();
     if (!std::isfinite(seconds))
@@ -374,6 +388,7 @@ void Loop::catch_up(std::uint64_t limit, Stopwatch& watch) {
 }
 
 void Loop::turn() {
+    const Pin pin(*this, "turn");
     if (const auto hook = between_frames_) hook();
     require_ready();
     const Witnessed witnessed(witness_, [](Witness& w) { w.turn_begins(); });
@@ -427,6 +442,7 @@ void Loop::halt() {
 }
 
 bool Loop::retry() {
+    const Pin pin(*this, "retry");
     const bool back = timeline_.go_before_failure();
     resume();
     return back;

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -156,9 +157,17 @@ bool wait_until_end(pid_t process, Clock::time_point deadline, int& status) {
     return false;
 }
 
+std::vector<fs::path> listed_libraries(const std::string& said) {
+    std::vector<fs::path> all;
+    std::istringstream lines(said);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with('+')) all.emplace_back(line.substr(1));
+    return all;
+}
+
 }  // namespace
 
-std::string run_trial(const Trial& trial) {
+std::string run_trial(const Trial& trial, std::vector<fs::path>* libraries) {
     const fs::path program = found_program(trial.file);
     const std::vector<std::byte> bytes = to_bytes(trial);
     auto [ours, theirs] = stream();
@@ -172,8 +181,11 @@ std::string run_trial(const Trial& trial) {
     // The stream may close before the process ends, because a module can close any file descriptor.
     const bool in_time =
         wait_until_end(process, is_complete ? deadline : Clock::now(), status) && is_complete;
-    if (in_time && output.ends_with(success_line) && WIFEXITED(status) && WEXITSTATUS(status) == 0)
+    if (in_time && output.ends_with(success_line) && WIFEXITED(status) &&
+        WEXITSTATUS(status) == 0) {
+        if (libraries != nullptr) *libraries = listed_libraries(output);
         return "";
+    }
     if (const std::size_t error = output.rfind("\n!"); error != std::string::npos)
         return output.substr(error + 2);
     if (output.starts_with('!')) return output.substr(1);

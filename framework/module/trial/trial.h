@@ -26,8 +26,9 @@ struct Trial {
 /// Tries the module out in the program of `trial_program_places`. Returns "" on success. Otherwise
 /// returns what went wrong: the module's reason, "crashed (Segmentation fault) in its own test",
 /// "ended the process with status 0 while it was opened", or that it took longer than ten seconds.
-/// Throws LoadError if there is no such program.
-std::string run_trial(const Trial& trial);
+/// Throws LoadError if there is no such program. `libraries`, if given, gets the files of the
+/// shared libraries that the process had at its end, the program's own included.
+std::string run_trial(const Trial& trial, std::vector<std::filesystem::path>* libraries = nullptr);
 
 std::vector<std::byte> to_bytes(const Trial& trial);
 /// Throws property::Error, also if another version of the library has written the bytes.
@@ -38,8 +39,8 @@ inline constexpr int trial_stream = 3;
 /// The limit for a trial in seconds.
 inline constexpr int trial_seconds = 10;
 /// The last line of a trial that has succeeded. Status 0 alone is not a proof, since a module may
-/// call `exit(0)`. Before it there is a line for each phase, "@in its own test"; a failure ends
-/// with "!" and a message.
+/// call `exit(0)`. Before it there is a line for each phase, "@in its own test", and one for each
+/// shared library, "+/usr/lib/libz.so.1"; a failure ends with "!" and a message.
 inline constexpr std::string_view success_line = "=\n";
 
 }  // namespace fettle::module

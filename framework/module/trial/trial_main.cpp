@@ -1,10 +1,12 @@
 // The program of a trial: reads what is to be tried out, and reports each phase and the result.
 
+#include <link.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <string_view>
 
 #include <fettle/module/trial_program.h>
@@ -28,6 +30,16 @@ void write_output(std::string_view text) {
 
 void write_phase(std::string_view phase) {
     write_output("@" + std::string(phase) + "\n");
+}
+
+void write_libraries() {
+    dl_iterate_phdr(
+        [](dl_phdr_info* info, std::size_t, void*) {
+            if (std::strchr(info->dlpi_name, '/') != nullptr)
+                write_output("+" + std::string(info->dlpi_name) + "\n");
+            return 0;
+        },
+        nullptr);
 }
 
 std::vector<std::byte> all_bytes() {
@@ -84,6 +96,7 @@ int trial_main() {
     alarm(2 * unsigned(trial_seconds));  // ends it also where the game has ended meanwhile
     try {
         run(trial_from(all_bytes()));
+        write_libraries();
         write_output(success_line);
     } catch (...) {
         write_output("!" + property::exception_text());

@@ -99,8 +99,8 @@ Budget::Scope::~Scope() {
     budget_.now_ = std::move(outer_);
     if (budget_.now_.active)
         budget_.mark_next();
-    else if (machine.life.has_tree())
-        machine.tree.mark_weight(INT64_MAX, {});
+    else
+        budget_.limit_tree();
     if (budget_.interrupted()) {
         arm(machine.lua.main);
         return;
@@ -305,6 +305,40 @@ void Budget::notice_growth() {
     mark_next();
 }
 
+// Without an account for each call, which would make all calls slower. What the host adds is no
+// script's fault, so it stops the next script that adds something.
+void Budget::limit_tree() {
+    if (!machine_.life.has_tree()) return;
+    const std::size_t limit = machine_.options.limits.tree;
+    if (limit == 0) {
+        machine_.tree.mark_weight(INT64_MAX, {});
+        return;
+    }
+    const std::int64_t most =
+        first_weight_ + static_cast<std::int64_t>(std::min(limit, std::size_t{INT64_MAX / 2}));
+    const std::int64_t next = std::max(most, machine_.tree.weight() + growth_slice);
+    machine_.tree.mark_weight(next, [this] {
+        limit_tree();
+        lua_Debug frame;
+        lua_State* const running = machine_.lua.running;
+        if (now_.stopping || lua_getstack(running, 0, &frame) == 0) return;
+        const GameLimits& limits = machine_.options.limits;
+        stop(running,
+             "stopped: it needs more memory than the scripts of a game may add to it, " +
+                 megabytes(limits.tree) + "; " + instances_and_memory() +
+                 (limits.tree_setting.empty() ? ""
+                                              : " (" + limits.tree_setting + " raises the limit)"));
+        now_.out_of_room = true;
+    });
+}
+
+std::string Budget::instances_and_memory() const {
+    const property::Tree& tree = machine_.tree;
+    const std::int64_t grown = std::max<std::int64_t>(0, tree.weight() - first_weight_);
+    return std::to_string(tree.size()) + " instances and what belongs to them have " +
+           megabytes(static_cast<std::size_t>(grown));
+}
+
 void Budget::mark_next() {
     if (machine_.life.has_tree()) mark_at(machine_.tree.weight() + growth_slice);
 }
@@ -319,12 +353,9 @@ std::string Budget::too_much_memory() const {
                        " may use, " + megabytes(now_.whole != 0 ? now_.whole : now_.memory);
     if (!machine_.life.has_tree()) return text;
     const property::Tree& tree = machine_.tree;
-    if (now_.whole != 0) {
-        const std::int64_t grown = std::max<std::int64_t>(0, tree.weight() - first_weight_);
+    if (now_.whole != 0)
         return text + "; Lua has " + megabytes(machine_.arena.bytes()) + ", and " +
-               std::to_string(tree.size()) + " instances and what belongs to them have " +
-               megabytes(static_cast<std::size_t>(grown));
-    }
+               instances_and_memory();
     std::string made;
     const auto report_count = [&made](std::size_t count, const char* what) {
         if (count > 0) made += (made.empty() ? "" : ", ") + std::to_string(count) + " " + what;

@@ -71,6 +71,9 @@ class Budget {
     /// time the tree has grown somewhat.
     std::function<std::string()> passed_limit;
 
+    /// Applies `GameLimits::tree` while no scope exists. To be called once the options are there.
+    void limit_tree();
+
     /// Stops the running script and all others until `go_on`. A signal handler may call it.
     void interrupt() noexcept;
     /// Allows scripts again. To be called when no script runs.
@@ -132,6 +135,7 @@ class Budget {
     void mark_at(std::int64_t weight);
     std::string too_late() const;
     std::string too_much_memory() const;
+    std::string instances_and_memory() const;
     [[noreturn]] void raise_stop(lua_State* L);
 
     Machine& machine_;

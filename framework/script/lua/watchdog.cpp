@@ -112,6 +112,10 @@ void Watchdog::end_outermost() {
     count_call();
     in_call = outer_;
     due_.store(false, std::memory_order_relaxed);
+}
+
+void Watchdog::end_call() {
+    if (watched_) end_outermost();
     machine_.budget.call_ended();
 }
 

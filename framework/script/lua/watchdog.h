@@ -62,9 +62,10 @@ class Watchdog {
         if (patience_ > 0) begin_outermost();
     }
     void end() {
-        if (--depth_ == 0 && watched_) end_outermost();
+        if (--depth_ == 0) end_call();
     }
     void start();
+    void end_call();
     void begin_outermost();
     void end_outermost();
     void check(lua_State* L);

@@ -61,23 +61,46 @@ Handle Tweens::make(const Class& of) {
     return machine_.tree.create(of, parent);
 }
 
-Handle Tweens::add(const Plan& plan) {
-    Tree& tree = machine_.tree;
-    const Property& property = tree.property(plan.target, plan.property);
+Value Tweens::require_possible(Handle target, const std::string& name, const Value& from,
+                               const Value& to, const std::string& who) const {
+    const Tree& tree = machine_.tree;
+    const Property& property = tree.property(target, name);
     const auto refuse = [&](ErrorKind kind, const std::string& why) {
-        throw Error(kind, "tween: " + tree.path(plan.target, property) + why);
+        throw Error(kind, who + ": " + tree.path(target, property) + why);
     };
     if (property.read_only) refuse(ErrorKind::read_only, " is read-only");
-    if (tree.formula(plan.target, property) != nullptr)
+    if (tree.formula(target, property) != nullptr)
         refuse(ErrorKind::formula,
                " has a formula, which computes its value; assign a plain value first");
-    const Value now = tree.get(plan.target, property);
-    const Value to = tree.coerce(plan.target, property, plan.to);
-    if (now.is_nil())
+    const Value begin =
+        from.is_nil() ? tree.get(target, property) : tree.coerce(target, property, from);
+    const Value end = tree.coerce(target, property, to);
+    if (begin.is_nil())
         refuse(ErrorKind::wrong_type, " is nil; assign the value at which the tween begins first");
-    if (!mixable(now, to))
+    if (!mixable(begin, end))
         refuse(ErrorKind::wrong_type,
-               ": there are no values between " + tree.text(now) + " and " + tree.text(to));
+               ": there are no values between " + tree.text(begin) + " and " + tree.text(end));
+    return end;
+}
+
+void Tweens::require_sound(Handle made) const {
+    const Tree& tree = machine_.tree;
+    if (!tree.class_of(made).is_a(classes_.tween)) return;
+    const std::string name = tree.get(made, classes_.property).text();
+    const Handle target = tree.get(made, classes_.target).reference();
+    const Value to = tree.get(made, classes_.to);
+    // What is missing may be assigned later.
+    if (name.empty() || !tree.alive(target)) return;
+    if (to.is_nil())
+        (void)tree.property(target, name);
+    else
+        (void)require_possible(target, name, tree.get(made, classes_.from), to,
+                               tree.class_of(made).name());
+}
+
+Handle Tweens::add(const Plan& plan) {
+    Tree& tree = machine_.tree;
+    const Value to = require_possible(plan.target, plan.property, {}, plan.to, "tween");
     const Handle made = make(classes_.tween);
     tree.set(made, classes_.target, plan.target);
     tree.set(made, classes_.property, plan.property);

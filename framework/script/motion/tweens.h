@@ -32,6 +32,9 @@ class Tweens {
     /// Makes a tween; it begins at the next step. Throws Error for a property that cannot change
     /// from its value to this one.
     Handle add(const Plan& plan);
+    /// Throws Error for an instance whose properties are all set, if it is a tween that cannot run:
+    /// its property is not there, or cannot change to this value.
+    void require_sound(Handle made) const;
     /// Makes a tween without a property, for a sequence.
     Handle add_pause(double seconds);
     /// Makes a group of tweens and groups that are below `game.tweens`, not in a group. Throws
@@ -51,6 +54,8 @@ class Tweens {
   private:
     Handle holder();
     Handle make(const Class& of);
+    Value require_possible(Handle target, const std::string& name, const Value& from,
+                           const Value& to, const std::string& who) const;
     bool run_those(double dt, bool pausing);
     bool pauses(Handle each) const;
     bool running(Handle each) const;

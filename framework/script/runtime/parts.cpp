@@ -187,6 +187,7 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
     lua.main = lua.running = L;
     *static_cast<Machine**>(lua_getextraspace(L)) = &machine;
     watchdog.limit(options.call_seconds, {});
+    budget.limit_tree();
     tree.add_part(saved);
     arena.on_refusal = [this](const Arena::Refusal& refusal) {
         return budget.memory_refused(refusal);

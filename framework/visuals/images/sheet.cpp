@@ -104,6 +104,51 @@ Animation read_tag(const Part& from, std::size_t count, std::size_t played) {
     return made;
 }
 
+/// The names of the frames in the order of the file. "Hash" exports have an object with the names
+/// of the frames, "array" exports a list. The library sorts an object by its names, and "10" is
+/// before "2" then. Also refuses a value inside too many others, which takes the library much
+/// memory. It is no callback of `parse`, which looks at all members of a list at the end of each.
+class FrameNames : public nlohmann::json_sax<json> {
+  public:
+    std::vector<std::string> all{};
+
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(json::number_integer_t) override { return true; }
+    bool number_unsigned(json::number_unsigned_t) override { return true; }
+    bool number_float(json::number_float_t, const std::string&) override { return true; }
+    bool string(std::string&) override { return true; }
+    bool binary(json::binary_t&) override { return true; }
+    bool start_object(std::size_t) override { return enter(); }
+    bool end_object() override { return leave(); }
+    bool start_array(std::size_t) override { return enter(); }
+    bool end_array() override { return leave(); }
+    bool key(std::string& name) override {
+        if (depth_ == 1) member_ = name;
+        if (depth_ == 2 && member_ == "frames") all.push_back(name);
+        return true;
+    }
+    bool parse_error(std::size_t, const std::string&, const json::exception&) override {
+        return false;
+    }
+
+  private:
+    bool enter() {
+        constexpr int deepest = 64;
+        if (++depth_ > deepest)
+            throw std::runtime_error("is not a JSON export of Aseprite: nested deeper than " +
+                                     std::to_string(deepest) + " levels");
+        return true;
+    }
+    bool leave() {
+        --depth_;
+        return true;
+    }
+
+    int depth_ = 0;
+    std::string member_{};  // of the document, the one that is being read
+};
+
 Export read(const Part& from) {
     Export read;
     const Part meta = from.at("meta");
@@ -143,27 +188,16 @@ const Animation* Sheet::animation(std::string_view name) const {
 }
 
 Export read_export(std::string_view text) {
-    // "Hash" exports have an object with the names of the frames, "array" exports a list. The
-    // library sorts an object by its names, and "10" is before "2" then, so they are kept here in
-    // the order of the file.
-    json frames = json::array();
-    std::string member;  // of the document, the one that is being read
-    const auto visit = [&](int depth, json::parse_event_t event, const json& value) {
-        // A value inside thousands of others takes the library much memory.
-        if (depth > 64)
-            throw std::runtime_error(
-                "is not a JSON export of Aseprite: nested deeper than 64 levels");
-        using Event = json::parse_event_t;
-        if (event == Event::key && depth == 1) member = value.get<std::string>();
-        const bool whole =
-            event == Event::object_end || event == Event::array_end || event == Event::value;
-        if (whole && depth == 2 && member == "frames") frames.push_back(value);
-        return true;
-    };
+    FrameNames names;
     try {
-        json document = json::parse(text, visit);
-        if (document.is_object() && document.contains("frames") && document["frames"].is_object())
+        // An error in the text is that of `parse`.
+        (void)json::sax_parse(text, &names);
+        json document = json::parse(text);
+        if (document.is_object() && document.contains("frames") && document["frames"].is_object()) {
+            json frames = json::array();
+            for (const std::string& name : names.all) frames.push_back(document["frames"][name]);
             document["frames"] = std::move(frames);
+        }
         return read({document});
     } catch (const json::exception& error) {
         // It begins "[json.exception.parse_error.101] ".

@@ -45,6 +45,15 @@ void spread_colors(Pixels& image) {
         }
 }
 
+std::string why_unreadable(std::string_view file) {
+    if (file.empty()) return "the file is empty";
+    const std::string reason = stbi_failure_reason();
+    // For a part of a PNG file whose name it does not know, the reason begins with the four bytes
+    // of that name, which may be anything.
+    const bool has_unknown_part = reason.ends_with(" PNG chunk not known") || reason.size() <= 4;
+    return has_unknown_part ? "it is cut off or damaged" : reason;
+}
+
 }  // namespace
 
 Pixels decode(std::string_view file) {
@@ -59,8 +68,8 @@ Pixels decode(std::string_view file) {
     const std::unique_ptr<stbi_uc, decltype(&std::free)> read(
         stbi_load_from_memory(bytes, size, &width, &height, &channels, 4), &std::free);
     if (read == nullptr)
-        throw std::runtime_error(std::string("cannot be read as PNG, JPEG, BMP or TGA: ") +
-                                 stbi_failure_reason());
+        throw std::runtime_error("cannot be read as PNG, JPEG, BMP or TGA: " +
+                                 why_unreadable(file));
     Pixels image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
     image.rgba.assign(read.get(), read.get() + std::size_t{image.width} * image.height * 4);
     spread_colors(image);

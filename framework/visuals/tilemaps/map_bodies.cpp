@@ -141,7 +141,12 @@ void Tilemaps::update_bodies(Handle map) {
     const property::Class* const chain_class = tree_->find_class("Chain");
     if (body_class == nullptr || chain_class == nullptr) return;
     const auto file = loaded(map);
-    std::vector<WantedChain> wanted = wanted_chains(map);
+    std::vector<WantedChain> wanted;
+    try {
+        wanted = wanted_chains(map);
+    } catch (const property::Error& error) {
+        tell(map, std::string("collisions: ") + error.what() + "; nothing of it is solid");
+    }
     if (wanted.size() > most_chains) {
         report(map, "collisions: the solid tiles have " + std::to_string(wanted.size()) +
                         " separate outlines, and a map may have " + std::to_string(most_chains) +

@@ -56,8 +56,9 @@ class Witness {
 
 /// **Lifetimes.** Tree and services outlive the loop; layers and the witness outlive the loop that
 /// they were given to. A runtime may be destroyed before the loop: then `stopped` is true, and
-/// `frame` and `turn` throw Error(deleted). Functions that the loop calls must not destroy it; this
-/// is not checked.
+/// `frame` and `turn` throw Error(deleted). Functions that the loop calls (hooks, callbacks, steps
+/// of modules, layers) must not destroy it: if one does, the program ends with a message that says
+/// so. A host that wants to end it sets a flag of its own, and tests it after `frame` or `turn`.
 ///
 /// `frame` and `turn` throw, before they change anything, Error(out_of_range) for an unusable clock
 /// (`Clock::require_usable`), and Error(bad_structure) in the middle of a step. They pass on
@@ -135,6 +136,19 @@ class Loop {
 
   private:
     class FETTLE_APP_PRIVATE Stopwatch;
+    /// While it lives, functions are called that must not destroy the loop.
+    class FETTLE_APP_PRIVATE Pin {
+      public:
+        Pin(Loop& loop, const char* what)
+            : loop_(loop), outer_(std::exchange(loop.pinned_, what)) {}
+        ~Pin() { loop_.pinned_ = outer_; }
+        Pin(const Pin&) = delete;
+
+      private:
+        Loop& loop_;
+        const char* outer_;
+    };
+    void require_unpinned() const;
     void announce_next();
     bool live_next();
     bool prelude(double dt, double real_dt, Stopwatch& watch);
@@ -162,7 +176,8 @@ class Loop {
     std::function<void(const script::ScriptError&)> on_error_;
     Timeline timeline_;
     Witness* witness_ = nullptr;
-    double owed_ = 0;  // s of simulation time that are due
+    const char* pinned_ = nullptr;  // the running function that must not destroy the loop
+    double owed_ = 0;               // s of simulation time that are due
     std::uint64_t lived_ = 0;
     std::uint64_t announced_ = 0;
     bool halted_ = false;

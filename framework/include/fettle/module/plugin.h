@@ -82,6 +82,11 @@ class Plugin : public Module {
     std::unique_ptr<State> state_;
 };
 
+/// Tries to open the module in another process, as `Plugin::open` does first, and returns the files
+/// of the shared libraries that were in it then: those of the module and of fettle-trial. Nothing
+/// is loaded here. Throws LoadError with the reason if the module cannot be opened.
+std::vector<std::filesystem::path> needed_libraries(const std::filesystem::path& file);
+
 /// The modules of a game. Each file and each name occurs once.
 class Plugins {
   public:

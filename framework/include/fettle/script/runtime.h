@@ -45,6 +45,10 @@ struct GameLimits {
     std::size_t handlers = 0;   // watchers included
     std::size_t timers = 0;     // that wait
     std::size_t output = 0;     // bytes that print() may write during a run
+    /// Bytes of what the scripts add to the tree, physics included (estimated), without Lua. Unlike
+    /// `memory`, it makes no call slower.
+    std::size_t tree = 0;
+    std::string tree_setting{};  ///< what raises that limit, for messages; "": nothing
 };
 
 /// How a runtime is set up.

@@ -151,6 +151,14 @@ ConsoleUse read_console(SettingsReader& reader, const Document::Node& node) {
     return static_cast<ConsoleUse>(found - names.begin());
 }
 
+std::uint64_t read_memory(SettingsReader& reader, const Document::Node& node) {
+    if (node.kind != Document::Kind::integer || node.integer < 1 ||
+        node.integer > GameSettings::most_memory)
+        reader.refuse(node,
+                      "whole megabytes from 1 to " + std::to_string(GameSettings::most_memory));
+    return static_cast<std::uint64_t>(node.integer);
+}
+
 WindowSettings read_window(SettingsReader& reader, const Document::Node& object) {
     WindowSettings window;
     reader.members(object, {"title", "size", "fullscreen", "resizable", "vsync"},
@@ -191,7 +199,7 @@ GameSettings game_settings(std::string text, const std::string& file_name,
     GameSettings settings;
     reader.members(document.root(),
                    {"name", "id", "version", "author", "window", "icon", "console", "fettle",
-                    "seed", "smooth", "package"},
+                    "seed", "smooth", "memory", "package"},
                    [&](const Document::Node& node, const std::string& key) {
                        if (key == "name")
                            settings.name = reader.text(node);
@@ -213,6 +221,8 @@ GameSettings game_settings(std::string text, const std::string& file_name,
                            settings.package_exclude = read_package(reader, node);
                        else if (key == "seed")
                            settings.seed = reader.natural(node);
+                       else if (key == "memory")
+                           settings.memory = read_memory(reader, node);
                        else if (key == "smooth")
                            settings.smooth = reader.boolean(node);
                        else

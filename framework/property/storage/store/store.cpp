@@ -104,8 +104,10 @@ Store::Store(fs::path file, Options options)
         if (!initial_.empty()) *whole.content = store_content(initial_);
     } catch (const Error& problem) {
         initial_.clear();
+        const bool names_file = dynamic_cast<const FileError*>(&problem) != nullptr;
         if (options_.warn)
-            options_.warn(options_.name + " is empty: " + file_.string() + ": " + problem.what());
+            options_.warn(options_.name + " is empty: " +
+                          (names_file ? "" : file_.string() + ": ") + problem.what());
     }
     if (file_.empty()) options_.writes = false;
     tables_[root] = {.content = whole.content, .key = {}, .top = {}};

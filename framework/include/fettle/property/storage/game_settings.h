@@ -33,6 +33,8 @@ struct WindowSettings {
 };
 
 struct GameSettings {
+    static constexpr std::int64_t most_memory = 1'000'000;  // MB
+
     std::string name{};     // shown to players
     std::string id{};       // names the player's folder for the game; "" if it has none
     std::string version{};  // of the game
@@ -44,6 +46,8 @@ struct GameSettings {
     /// default of their class.
     std::optional<bool> smooth{};
     std::optional<std::uint64_t> seed{};  // of random()
+    /// MB that the scripts may use, and MB of what they add to the tree; empty: the default.
+    std::optional<std::uint64_t> memory{};
     WindowSettings window{};
     /// Names of files that packages leave out; `*` and `?` stand for other characters.
     std::vector<std::string> package_exclude{};
