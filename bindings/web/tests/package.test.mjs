@@ -122,6 +122,23 @@ test("geometry with many points", () => {
   assert.throws(() => world.createBody().add(polygon([{ x: 0, y: 0 }, { x: 1, y: 0 }])), Invalid);
 });
 
+test("a list whose length is no length is refused", () => {
+  const { world, ball } = standing();
+  for (const length of [-1, -5, NaN, 1.5, 1e9, 2 ** 29, 2 ** 32, Infinity])
+    assert.throws(() => ball.add(polygon({ length })), /points\.length = .*: expected a whole number/);
+  assert.throws(() => ball.add(polygon({ length: 3 })), /points\[0\] = undefined/);
+  assert.equal(world.validate(), "");
+  run(world, 10);
+});
+
+test("lists that make memory grow arrive whole", () => {
+  const world = new World();
+  const points = Array.from({ length: 400000 }, (_, i) => ({ x: i, y: i % 2 }));
+  const ground = world.createBody({ type: BodyType.STATIC });
+  for (let i = 0; i < 3; ++i) assert.equal(ground.add(fettle.chain(points)).geometry.points.length, points.length);
+  world.destroy();
+});
+
 test("poses without copies", () => {
   const { world, ball } = standing();
   run(world, 30);
