@@ -340,6 +340,14 @@ TEST_CASE("a recording with any byte changed is refused with a reason") {
     Bytes newer = bytes;
     newer[4] = std::byte(9);
     REQUIRE_THAT(refusal(newer), contains("another version"));
+    REQUIRE_THAT(refusal(newer), contains("in format 9: expected format "));
+    Bytes precise = bytes;
+    const bool is_single = sizeof(Position) == sizeof(Vec2);
+    precise[8] = std::byte(is_single ? 8 : 4);
+    REQUIRE_THAT(refusal(precise), contains(is_single ? "made with positions in double precision"
+                                                      : "made with positions in single precision"));
+    precise[8] = std::byte(3);
+    REQUIRE_THAT(refusal(precise), contains("its header differs"));
     Bytes flipped = bytes;
     flipped[bytes.size() - 1] ^= std::byte(4);
     REQUIRE_THAT(refusal(flipped), contains("checksum"));
