@@ -1,6 +1,8 @@
 #include <recording/chunks.h>
 #include <saving/seal.h>
 
+#include <string>
+
 namespace fettle::physics::detail {
 
 RecordingHeader recording_header() {
@@ -24,12 +26,22 @@ uint32_t size_check(ChunkKind kind, uint64_t number, uint64_t size) {
     throw std::invalid_argument("the recording is damaged: part " + std::to_string(number) + what);
 }
 
-RecordingHeader header_of(std::span<const std::byte> recording) {
+/// Refuses a recording that does not begin as this library writes it, with the reason.
+void check_header(std::span<const std::byte> recording) {
     RecordingHeader header = {};
     if (recording.size() >= sizeof header) Decoder{recording.data()}(header);
-    if (header.magic != recording_header().magic)
+    const RecordingHeader expected = recording_header();
+    if (header.magic != expected.magic)
         throw std::invalid_argument("the data are not a recording of a world");
-    return header;
+    if (header.version != expected.version)
+        throw std::invalid_argument(
+            "the recording was made by another version of this library, in format " +
+            std::to_string(header.version) + ": expected format " +
+            std::to_string(expected.version));
+    if (header.coordinate + expected.coordinate == sizeof(float) + sizeof(double))
+        throw std::invalid_argument(other_precision("the recording was made"));
+    if (header != expected)
+        throw std::invalid_argument("the recording is damaged: its header differs");
 }
 
 /// Whether a chunk of this kind may come after one of the kind `last`.
@@ -55,8 +67,7 @@ ChunkHeader chunk_header(ChunkKind kind, uint64_t number, std::span<const std::b
 }
 
 Chunks chunks_of(std::span<const std::byte> recording) {
-    if (header_of(recording) != recording_header())
-        throw std::invalid_argument("the recording was made by another version of this library");
+    check_header(recording);
     Chunks chunks;
     for (auto left = recording.subspan(sizeof(RecordingHeader)); !left.empty();) {
         const size_t number = chunks.whole.size();

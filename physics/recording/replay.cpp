@@ -86,12 +86,16 @@ struct Replay::Data {
     StateBlocks blocks;
 
     /// The callbacks that a step had, which give the recorded answers.
-    void set_callbacks(WorldSelf& self, ByteReader& in) {
+    void set_callbacks(WorldData& of_world, ByteReader& in) {
+        WorldSelf& self = of_world.self;
         const auto [filter, mixing, before_solve] = in.value<Callbacks>();
         self.filter = nullptr;
         self.mix = self.before_solve = nullptr;
         if (filter)
-            self.filter = [this](const Shape& a, const Shape& b) {
+            self.filter = [this, &of_world](const Shape& a, const Shape& b) {
+                // Answers are recorded in steps only. A check of the world looks at the pairs that
+                // may collide, and what is not known to is left out.
+                if (!of_world.stepping) return false;
                 const Answer* answer =
                     answers.take(Answer::To::filter, key_of(a.id()), key_of(b.id()));
                 return answer == nullptr || answer->first;
@@ -193,7 +197,7 @@ std::optional<ReplayedStep> Replay::step() {
         step.calls = data.make_edits(of_world, ByteReader(data.chunks[data.next++].content));
     ByteReader in(data.chunks[data.next++].content);
     step.dt = in.value<float>();
-    data.set_callbacks(of_world.self, in);
+    data.set_callbacks(of_world, in);
     const bool has_result =
         data.next < data.chunks.size() && data.chunks[data.next].kind == ChunkKind::result;
     std::vector<Answer> answers;

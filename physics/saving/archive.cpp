@@ -18,7 +18,7 @@ namespace detail {
 namespace {
 
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
-constexpr uint32_t archive_version = 22;
+constexpr uint32_t archive_version = 23;
 constexpr uint32_t coordinate_size = sizeof(WorldCoordinate);
 
 /// The format of the members of a world; also distinguishes formats for which `archive_version`
@@ -72,12 +72,7 @@ ArchiveReader unsealed(std::span<const std::byte> bytes) {
             std::to_string(header.version) + ": expected format " +
             std::to_string(archive_version));
     if (header.coordinate + coordinate_size == sizeof(float) + sizeof(double))
-        throw std::invalid_argument(
-            header.coordinate == sizeof(double)
-                ? "the world was saved with positions in double precision, and this library has "
-                  "single precision (FETTLE_PHYSICS_DOUBLE)"
-                : "the world was saved with positions in single precision, and this library has "
-                  "double precision (FETTLE_PHYSICS_DOUBLE)");
+        throw std::invalid_argument(other_precision("the world was saved"));
     if (header.coordinate != coordinate_size || header.records != format_of_members())
         throw std::invalid_argument(
             "the world was saved by another version of this library, whose records have other "

@@ -59,6 +59,13 @@ uint64_t checksum(std::span<const std::byte> bytes) {
     return all;
 }
 
+std::string other_precision(const char* made) {
+    const bool is_single = sizeof(WorldCoordinate) == sizeof(float);
+    return std::string(made) + " with positions in " + (is_single ? "double" : "single") +
+           " precision, and this library has " + (is_single ? "single" : "double") +
+           " precision (FETTLE_PHYSICS_DOUBLE)";
+}
+
 void seal(std::span<std::byte> saved) {
     SavedHeader header = {};
     if (saved.size() < sizeof header) return;

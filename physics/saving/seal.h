@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace fettle::physics::detail {
 
@@ -26,6 +27,10 @@ static_assert(sizeof(SavedHeader) == 32);
 /// it; other changes are missed with a probability of 2⁻⁶⁴. It does not protect against deliberate
 /// changes.
 uint64_t checksum(std::span<const std::byte> bytes);
+
+/// The reason to refuse what a library with the other precision of positions has written. `made`:
+/// "the world was saved".
+std::string other_precision(const char* made);
 
 /// Writes size and checksum into the header of a complete saved world. Tests that damage a saved
 /// world call it again, to reach the checks after the checksum.

@@ -1,3 +1,4 @@
+#include <fettle/physics/hooks.h>
 #include <fettle/physics/recording.h>
 #include <recording/chunks.h>
 
@@ -158,6 +159,34 @@ TEST_CASE("the answers of callbacks are recorded") {
         REQUIRE(asked > 500);
         REQUIRE(replayed(bytes, world.hash()) == 60);
     }
+}
+
+TEST_CASE("a replay of a world with a filter can be checked while it runs and after it") {
+    Bytes bytes;
+    World world;
+    add_floor(world);
+    add_box(world, {0, 0.5f});
+    add_box(world, {0.3f, 0.5f});
+    world.set_filter([](const Shape& a, const Shape& b) {
+        return a.body().type() != b.body().type();  // the boxes are in each other
+    });
+    run(world, 0.1f);
+    world.start_recording(into(bytes));
+    run(world, 0.5f);
+    add_box(world, {0.5f, 0.5f});
+    run(world, 0.5f);
+    std::string faults;
+    set_failure_function([](void* user, const World&,
+                            const char* what) { *static_cast<std::string*>(user) += what; },
+                         &faults);
+    Replay replay(bytes);
+    uint64_t same = 0;
+    while (const auto step = replay.step()) same += step->same;
+    set_failure_function(nullptr, nullptr);
+    REQUIRE(faults.empty());
+    REQUIRE(same == 60);
+    REQUIRE_FALSE(replay.world().validate());
+    REQUIRE(replay.world().hash() == world.hash());
 }
 
 TEST_CASE("callbacks that throw are replayed as callbacks that gave no answer") {
@@ -340,6 +369,14 @@ TEST_CASE("a recording with any byte changed is refused with a reason") {
     Bytes newer = bytes;
     newer[4] = std::byte(9);
     REQUIRE_THAT(refusal(newer), contains("another version"));
+    REQUIRE_THAT(refusal(newer), contains("in format 9: expected format "));
+    Bytes precise = bytes;
+    const bool is_single = sizeof(Position) == sizeof(Vec2);
+    precise[8] = std::byte(is_single ? 8 : 4);
+    REQUIRE_THAT(refusal(precise), contains(is_single ? "made with positions in double precision"
+                                                      : "made with positions in single precision"));
+    precise[8] = std::byte(3);
+    REQUIRE_THAT(refusal(precise), contains("its header differs"));
     Bytes flipped = bytes;
     flipped[bytes.size() - 1] ^= std::byte(4);
     REQUIRE_THAT(refusal(flipped), contains("checksum"));

@@ -1,3 +1,5 @@
+#include <fettle/physics/recording.h>
+
 #include "every_method.h"
 #include "saved_worlds.h"
 
@@ -92,6 +94,30 @@ TEST_CASE("a saved world is the same bytes on every machine") {
     starts_with(45 + 4 * coordinate + 8, {1, 1, 0, 0, 0x80, 0x3f});
     REQUIRE(detail::encoded_size<BodyState>() == 24 + 2 * coordinate);
     REQUIRE(detail::encoded_size<detail::ShapeForm>() == 28 + 2 * coordinate);
+}
+
+TEST_CASE("a copy and a replay with the same history are saved as the same bytes") {
+    World world;
+    make_things(world);
+    for (int i = 0; i < 30; ++i) world.step(frame);
+    World copy = world.clone();
+    World restored;
+    restored.restore(saved(world));
+    std::vector<std::byte> recorded;
+    world.start_recording(
+        [&](auto more) { recorded.insert(recorded.end(), more.begin(), more.end()); });
+    for (int i = 0; i < 60; ++i)
+        for (World* each : {&world, &copy, &restored}) each->step(frame);
+    REQUIRE(world.statistics().total_ms > 0);  // which is not saved
+    REQUIRE((saved(copy) == saved(world)));
+    REQUIRE((saved(restored) == saved(world)));
+    Replay replay(recorded);
+    while (replay.step()) {
+    }
+    REQUIRE((saved(replay.world()) == saved(world)));
+    restored.restore(saved(world));
+    REQUIRE(restored.statistics().steps == 90);
+    REQUIRE(restored.statistics().total_ms == 0);
 }
 
 TEST_CASE("encoded records are read as they were written") {

@@ -96,12 +96,19 @@ def _alone(function, name, places):
     return call_with_one if len(places) == 1 else call
 
 
-def hold(worlds):
-    """Several worlds, for a `with`: no other thread may use them."""
+held_together = set()  # pointers of worlds that are in the list of a running call in C
+
+
+def hold(worlds, name):
+    """Several worlds, for a `with`: no other thread may use them, and no callback of one of them may close another."""
     with contextlib.ExitStack() as held:
         for world in worlds:
-            if (lock := _held("step", world._pointer)) is not None:
+            pointer = world._pointer
+            if (lock := _held(name, pointer)) is not None:
                 held.callback(lock.release)
+            if pointer not in held_together:
+                held_together.add(pointer)
+                held.callback(held_together.discard, pointer)
         return held.pop_all()
 
 

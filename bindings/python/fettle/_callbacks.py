@@ -25,6 +25,8 @@ class Edit:
         return self._c
 
     def __getattr__(self, name):
+        if name.startswith("_"):  # such as what `copy` asks for
+            raise AttributeError(f"a {type(self).__name__} has no {name}")
         value = getattr(self._valid(), name)
         if name in ("shape_a", "shape_b"):
             return Shape(self.world, value)
@@ -110,12 +112,26 @@ def ray_visitor(function, hit_of):
                         error=False, onerror=keep_exception)
 
 
-def recording_sink(world, function):
-    def call(user, pointer, begin, size):
-        with called_by(world):
-            function(ffi.buffer(begin, size)[:])
+class RecordingSink:
+    """Gives the parts of a recording to a function. If that raises, the recording ends: what follows would not fit to what it has."""
 
-    return ffi.callback("fettle_recording_sink", call, onerror=keep_exception)
+    def __init__(self, world, function):
+        self.ended = False  # it gets nothing more
+        self.in_step = False  # the call that has started the recording is over
+
+        def call(user, pointer, begin, size):
+            if self.ended:
+                return
+            try:
+                with called_by(world):
+                    function(ffi.buffer(begin, size)[:])
+            except BaseException:
+                self.ended = True
+                if self.in_step:
+                    world.after_step(world.stop_recording)
+                raise
+
+        self.callback = ffi.callback("fettle_recording_sink", call, onerror=keep_exception)
 
 
 def after_step(world):

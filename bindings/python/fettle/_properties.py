@@ -69,6 +69,8 @@ def to_bytes(value, name):
         return ffi.from_buffer(value)
     except TypeError:
         raise Invalid(f"{name}: expected bytes, got {type(value).__name__}") from None
+    except (ValueError, BufferError) as error:
+        raise Invalid(f"{name}: expected bytes in one piece: {error}") from None
 
 
 def to_text(value, name):

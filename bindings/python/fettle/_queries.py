@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from . import _callbacks, geometry as geometries
 from ._call import Invalid, check, definition, ffi, lib, list_of, unknown
-from ._properties import to_number
+from ._properties import to_function, to_number
 from ._values import Vec2, pair, to_aabb, vec2
 from .shape import Shape
 
@@ -28,6 +28,12 @@ def _no_pose(pose):
         raise Invalid(f"pose = {pose!r}: expected none, because a shape is where its body is")
 
 
+def _visitor(function):
+    if to_function(function, "function") is None:
+        raise Invalid("function: expected a function, got None")
+    return function
+
+
 class Queries:
     """Part of `World`. Each query takes as `only`: `category`, `mask`, `group` (numbers), `sensors` (whether to find them) and
     `accept`, a function that gets a shape and returns whether it is found."""
@@ -39,7 +45,8 @@ class Queries:
         kept = None
         for name, value in only.items():
             if name == "accept":
-                made.accept = kept = _callbacks.accept(self, value)
+                if to_function(value, name) is not None:
+                    made.accept = kept = _callbacks.accept(self, value)
             elif name in ("category", "mask", "group", "sensors"):
                 ctype = {"group": "int32_t", "sensors": "_Bool"}.get(name, "uint64_t")
                 setattr(made, name, to_number(ctype, value, name))
@@ -107,17 +114,17 @@ class Queries:
 
     def visit_point(self, point, function, **only):
         """Calls `function(shape)` for shapes that contain a point."""
-        (given, kept), visitor = self._filter(only), _callbacks.shape_visitor(self, function)
+        (given, kept), visitor = self._filter(only), _callbacks.shape_visitor(self, _visitor(function))
         check(lib.fettle_world_visit_point(self._pointer, *pair(point, "point"), given, visitor, ffi.NULL))
 
     def visit_aabb(self, box, function, **only):
         """Calls `function(shape)` for shapes that overlap a box: ((left, bottom), (right, top))."""
-        (given, kept), visitor = self._filter(only), _callbacks.shape_visitor(self, function)
+        (given, kept), visitor = self._filter(only), _callbacks.shape_visitor(self, _visitor(function))
         check(lib.fettle_world_visit_aabb(self._pointer, to_aabb(box, "box"), given, visitor, ffi.NULL))
 
     def visit_overlap(self, shape, function, pose=None, **only):
         """Calls `function(shape)` for shapes that overlap a shape, or a geometry at a pose."""
-        (given, kept), visitor = self._filter(only), _callbacks.shape_visitor(self, function)
+        (given, kept), visitor = self._filter(only), _callbacks.shape_visitor(self, _visitor(function))
         if isinstance(shape, Shape):
             _no_pose(pose)
             check(lib.fettle_world_visit_overlap(self._pointer, shape._pointer, shape.id, given, visitor, ffi.NULL))
@@ -127,7 +134,7 @@ class Queries:
 
     def visit_ray(self, start, end, function, **only):
         """Calls `function(hit)` for all hits on a ray, nearest first."""
-        (given, kept), visitor = self._filter(only), _callbacks.ray_visitor(function, self._ray_hit)
+        (given, kept), visitor = self._filter(only), _callbacks.ray_visitor(_visitor(function), self._ray_hit)
         check(lib.fettle_world_visit_ray(self._pointer, *pair(start, "start"), *pair(end, "end"), given, visitor, ffi.NULL))
 
     def closest(self, point, reach=float("inf"), **only):

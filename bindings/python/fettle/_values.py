@@ -48,9 +48,11 @@ def pair(value, what="a vector"):
     """Two numbers of anything with two of them."""
     try:
         x, y = value
-        return float(x), float(y)
-    except (TypeError, ValueError):
-        raise Invalid(f"{what}: expected two numbers, got {value!r}") from None
+        if not any(isinstance(each, (str, bytes, bytearray)) for each in (value, x, y)):
+            return float(x), float(y)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise Invalid(f"{what}: expected two numbers, got {value!r}")
 
 
 def to_list(values, what):

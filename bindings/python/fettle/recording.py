@@ -1,8 +1,10 @@
 """Repeating the recording of a world."""
 
+import contextlib
+import threading
 from typing import NamedTuple, Optional
 
-from ._call import check, ffi, lib
+from ._call import Locked, check, ffi, lib
 from ._properties import to_bytes
 from .world import World
 
@@ -22,42 +24,69 @@ class Replay:
 
         for step in fettle.Replay(recording):
             assert step.same
+
+    A replay belongs to one thread at a time, as a world does, and cannot be copied.
     """
 
-    __slots__ = ("_pointer",)
+    __slots__ = ("_pointer", "_lock")
+
+    def __new__(cls, *arguments, **named):
+        self = super().__new__(cls)
+        self._pointer, self._lock = ffi.NULL, threading.Lock()
+        return self
 
     def __init__(self, recording):
-        self._pointer = ffi.NULL
         made, data = ffi.new("fettle_replay**"), to_bytes(recording, "Replay")
         check(lib.fettle_replay_create(data, len(data), made))
-        self._pointer = made[0]
+        with self._alone():
+            self._end()  # of an earlier recording
+            self._pointer = made[0]
 
     def __del__(self):
-        if getattr(self, "_pointer", ffi.NULL) != ffi.NULL:
-            lib.fettle_replay_destroy(self._pointer)
+        self._end()
+
+    def _end(self):
+        pointer, self._pointer = self._pointer, ffi.NULL
+        lib.fettle_replay_destroy(pointer)
+
+    def __reduce__(self):
+        raise TypeError("a Replay cannot be copied or pickled: make another one of the recording")
+
+    @contextlib.contextmanager
+    def _alone(self):
+        """The pointer for a `with`, in which no other thread may use it."""
+        if not self._lock.acquire(blocking=False):
+            raise Locked("another thread is in a call with this Replay, which belongs to one thread at a time")
+        try:
+            yield self._pointer
+        finally:
+            self._lock.release()
 
     @property
     def steps(self):
         """Number of steps in the recording."""
         out = ffi.new("uint64_t*")
-        check(lib.fettle_replay_steps(self._pointer, out))
+        with self._alone() as pointer:
+            check(lib.fettle_replay_steps(pointer, out))
         return out[0]
 
     @property
     def is_cut_off(self):
         """Whether the recording ends within a part that was written; the parts before are replayed."""
         out = ffi.new("bool*")
-        check(lib.fettle_replay_is_cut_off(self._pointer, out))
+        with self._alone() as pointer:
+            check(lib.fettle_replay_is_cut_off(pointer, out))
         return out[0]
 
     def step(self):
         """Repeats the next step; None at the end, and after a step that was not the same."""
         told, repeated = ffi.new("fettle_replayed_step*"), ffi.new("bool*")
-        check(lib.fettle_replay_step(self._pointer, told, repeated))
-        if not repeated[0]:
-            return None
-        return ReplayedStep(told.number, told.dt, told.same, told.recorded_hash if told.has_recorded_hash else None, told.hash,
-                            ffi.string(told.calls).decode())
+        with self._alone() as pointer:
+            check(lib.fettle_replay_step(pointer, told, repeated))
+            if not repeated[0]:
+                return None
+            return ReplayedStep(told.number, told.dt, told.same, told.recorded_hash if told.has_recorded_hash else None,
+                                told.hash, ffi.string(told.calls).decode(errors="replace"))
 
     def __iter__(self):
         return iter(self.step, None)
@@ -66,5 +95,6 @@ class Replay:
     def world(self):
         """A copy of the world after the last repeated step."""
         made = ffi.new("fettle_world**")
-        check(lib.fettle_replay_world(self._pointer, made))
+        with self._alone() as pointer:
+            check(lib.fettle_replay_world(pointer, made))
         return World._of(made[0])

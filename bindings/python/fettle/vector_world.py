@@ -5,6 +5,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy
 
 from ._call import Invalid, check, ffi, hold, lib
+from ._properties import to_number
 from .body import Body
 from .world import World
 
@@ -22,19 +23,19 @@ class VectorWorld:
         observation = env.step(numpy.zeros((256, 1, 2)))  # forces, N
 
     An observation has for each copy and each body x, y, angle, angular velocity, velocity x and y, cosine and sine of the angle.
-    It is the same array each time. `threads` share the copies; they change no result.
+    It is the same array each time. `threads` share the copies; they change no result. It cannot be copied.
     """
 
     def __init__(self, build, count=256, dt=1 / 60, threads=1, **settings):
+        count, threads = (to_number("uint32_t", value, name) for value, name in ((count, "count"), (threads, "threads")))
         if count < 1 or threads < 1:
             raise Invalid(f"count = {count}, threads = {threads}: expected at least 1")
         self._template = World(**settings)
-        self._bodies = tuple(build(self.template))
-        if not all(isinstance(body, Body) and body.world is self.template for body in self.bodies):
-            raise Invalid("build: expected a function that returns bodies of the world that it gets")
-        self.dt = dt
+        self._bodies = self._built(build)
+        self.dt = to_number("float", dt, "dt")
         self._worlds = tuple(self.template.clone() for _ in range(count))
-        self._observation = numpy.zeros((count, len(self.bodies), 8), dtype=numpy.float32)
+        # A view: the library writes into its memory, so it must not be resized.
+        self._observation = numpy.zeros((count, len(self.bodies), 8), dtype=numpy.float32)[:]
         self._forces = numpy.zeros((count, len(self.bodies), 2), dtype=numpy.float32)
         self._pointers = ffi.new("fettle_world*[]", [world._pointer for world in self.worlds])
         self._ids = ffi.new("fettle_id[]", [body.id for body in self.bodies] * count)
@@ -46,6 +47,18 @@ class VectorWorld:
     bodies = property(lambda self: self._bodies, doc="Those that `build` returned.")
     worlds = property(lambda self: self._worlds, doc="The copies.")
     observation = property(lambda self: self._observation, doc="The array that `reset` and `step` return.")
+
+    def _built(self, build):
+        expected = "build: expected a function that returns a list of bodies of the world that it gets, got"
+        if not callable(build):
+            raise Invalid(f"{expected} {build!r}")
+        bodies = build(self.template)
+        if not isinstance(bodies, (list, tuple)) or not all(isinstance(b, Body) and b.world is self.template for b in bodies):
+            raise Invalid(f"{expected} one that returned {bodies!r}")
+        return tuple(bodies)
+
+    def __reduce__(self):
+        raise TypeError("a VectorWorld cannot be copied or pickled: make another one with the same function")
 
     @staticmethod
     def _divide(count, threads):
@@ -59,26 +72,46 @@ class VectorWorld:
 
     def reset(self, which=None):
         """Brings all copies, or those whose numbers or flags `which` has, back to the begin."""
-        chosen = numpy.arange(len(self.worlds))
-        if which is not None:
-            which = numpy.asarray(which)
-            chosen = chosen[which if which.size else which.astype(int)]
-        for i in chosen:
-            check(lib.fettle_world_assign(self.worlds[i]._pointer, self.template._pointer))
-        return self._observe()
+        chosen = self._chosen(which)
+        with hold(self.worlds, "reset"):
+            for i in chosen:
+                check(lib.fettle_world_assign(self.worlds[i]._pointer, self.template._pointer))
+            return self._observe()
+
+    def _chosen(self, which):
+        """The numbers of the copies that are meant."""
+        count = len(self.worlds)
+        if which is None:
+            return range(count)
+        given = numpy.asarray(which)
+        if given.size == 0 and given.ndim == 1:
+            return ()
+        if given.dtype == bool and given.shape == (count,):
+            return numpy.flatnonzero(given)
+        if given.dtype.kind in "iu" and given.ndim <= 1 and given.size and given.min() >= -count and given.max() < count:
+            return numpy.atleast_1d(given)
+        raise Invalid(f"which: expected numbers of copies below {count}, or {count} flags, got {which!r}")
 
     def step(self, forces=None, steps=1):
         """Makes `steps` steps, each with these forces (N): an array for (copies, bodies, 2). Returns the observation."""
         if forces is not None:
-            self._forces[...] = forces
-        with hold(self.worlds):
+            self._set_forces(forces)
+        dt, steps = to_number("float", self.dt, "dt"), to_number("uint32_t", steps, "steps")
+        with hold(self.worlds, "step"):
             if self._pool is None:
-                self._step_part((0, len(self.worlds)), forces is not None, steps)
+                self._step_part((0, len(self.worlds)), forces is not None, steps, dt)
             else:
-                list(self._pool.map(lambda part: self._step_part(part, forces is not None, steps), self._parts))
-        return self._observe()
+                list(self._pool.map(lambda part: self._step_part(part, forces is not None, steps, dt), self._parts))
+            return self._observe()
 
-    def _step_part(self, part, pushed, steps):
+    def _set_forces(self, forces):
+        try:
+            self._forces[...] = forces
+        except (TypeError, ValueError):
+            shape = numpy.shape(forces) if isinstance(forces, numpy.ndarray) else forces
+            raise Invalid(f"forces: expected an array of numbers of the shape {self._forces.shape}, got {shape!r}") from None
+
+    def _step_part(self, part, pushed, steps, dt):
         begin, end = part
         worlds, count, bodies = self._pointers + begin, end - begin, len(self.bodies)
         ids = self._ids + begin * bodies
@@ -86,4 +119,4 @@ class VectorWorld:
         for _ in range(steps):
             if pushed:
                 check(lib.fettle_worlds_apply_forces(worlds, count, ids, bodies, forces))
-            check(lib.fettle_worlds_step(worlds, count, self.dt))
+            check(lib.fettle_worlds_step(worlds, count, dt))

@@ -4,7 +4,7 @@ from collections import deque
 
 from . import _callbacks, fields, geometry as geometries, joints
 from ._accounts import account_of
-from ._call import Invalid, Locked, check, close_world, closed, definition, ffi, lib, list_of, open_world, unknown
+from ._call import Invalid, Locked, check, close_world, closed, definition, ffi, held_together, lib, list_of, open_world, unknown
 from ._columns import Columns
 from ._drawing import drawing_of
 from ._events import events_of
@@ -82,6 +82,8 @@ class World(Queries):
         """Destroys the world now; it and its objects raise `Stale` from then on. A second time it does nothing."""
         if self._pointer != closed:
             self._columns.may_move("close")
+            if self._pointer in held_together:
+                raise Locked("close: the world is being stepped together with others: close it after the call")
             self._end(check)
 
     def _end(self, check):
@@ -403,11 +405,17 @@ class World(Queries):
     # --- Recordings: `Replay` repeats them ---------------------------------------------------------
 
     def start_recording(self, write):
-        """Records the world: `write(bytes)` gets its state now and the changes in every step, as `file.write` does."""
+        """Records the world: `write(bytes)` gets its state now and the changes in every step, as `file.write` does. If it raises,
+        the recording ends; the exception comes out of the call, and what was written before can be replayed."""
         if to_function(write, "start_recording") is None:
             raise Invalid("start_recording: expected a function, got None")
-        callback = _callbacks.recording_sink(self, write)
-        self._give("recording", lib.fettle_world_start_recording, callback)
+        sink = _callbacks.RecordingSink(self, write)
+        try:
+            self._give("recording", lib.fettle_world_start_recording, sink.callback)
+        finally:
+            sink.in_step = True
+            if sink.ended:
+                self.stop_recording()
 
     def stop_recording(self):
         """Ends the recording, if there is one."""

@@ -1,7 +1,9 @@
 """Functions of the program that a world calls, recordings, surfaces of segments, and functions without a world."""
 
+import copy
 import gc
 import math
+import pickle
 import threading
 import unittest
 
@@ -309,6 +311,80 @@ class Functions(unittest.TestCase):
         recording[len(recording) // 2] ^= 1
         with self.assertRaises(fettle.Invalid):
             fettle.Replay(recording)
+
+    def test_a_function_that_raises_ends_the_recording_that_it_writes(self):
+        world, _, ball = a_world()
+        parts, room = [], 0
+
+        def write(part):
+            if len(parts) >= room:
+                raise OSError("the disk is full")
+            parts.append(part)
+
+        with self.assertRaisesRegex(OSError, "full"):
+            world.start_recording(write)
+        self.assertFalse(world.is_recorded)
+        room = 6
+        world.start_recording(write)
+        with self.assertRaisesRegex(OSError, "full"):
+            run(world, 10)
+        self.assertFalse(world.is_recorded)
+        room = 100
+        run(world, 10)
+        self.assertEqual(len(parts), 6)
+        replay = fettle.Replay(b"".join(parts))
+        self.assertEqual([step.same for step in replay], [True] * replay.steps)
+        self.assertEqual(replay.steps, 3)
+
+    def test_a_replay_belongs_to_one_thread_and_is_not_copied(self):
+        world, _, ball = a_world()
+        recording = bytearray()
+        world.start_recording(recording.extend)
+        run(world, 200)
+        replay, refused = fettle.Replay(recording), []
+        for how in (copy.copy, copy.deepcopy, pickle.dumps):
+            with self.assertRaisesRegex(TypeError, "a Replay cannot be copied"):
+                how(replay)
+        replay.step()
+        replay.__init__(recording)
+        self.assertEqual(replay.step().number, 0)
+
+        def act():
+            try:
+                list(replay)
+            except fettle.Locked as error:
+                refused.append(str(error))
+
+        threads = [threading.Thread(target=act) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertTrue(all("Replay, which belongs to one thread" in text for text in refused))
+        self.assertIsNone(replay.step())
+        with self.assertRaisesRegex(fettle.Invalid, "bytes in one piece"):
+            fettle.Replay(numpy.zeros(200, numpy.uint8)[::2])
+
+    def test_an_edit_can_be_asked_for_names_of_python(self):
+        world, _, ball = a_world()
+        kept = []
+        world.set_before_solve(kept.append)
+        run(world, 60)
+        self.assertFalse(hasattr(kept[0], "__array__"))
+        self.assertIn("settable", dir(kept[0]))
+        with self.assertRaises(AttributeError):
+            copy.copy(kept[0])
+
+    def test_visitors_that_are_no_functions_are_refused(self):
+        world, _, ball = a_world()
+        for visitor in (None, 3):
+            with self.assertRaisesRegex(fettle.Invalid, "function: expected a function"):
+                world.visit_point((0, 2), visitor)
+            with self.assertRaisesRegex(fettle.Invalid, "function: expected a function"):
+                world.visit_ray((0, 9), (0, -9), visitor)
+        with self.assertRaisesRegex(fettle.Invalid, "accept: expected a function"):
+            world.cast_ray((0, 9), (0, -9), accept=3)
+        self.assertEqual(world.cast_ray((0, 9), (0, -9), accept=None).shape.body, ball)
 
     def test_a_world_is_drawn_by_the_methods_that_a_target_has(self):
         class Picture:

@@ -93,6 +93,9 @@ class Bodies(unittest.TestCase):
             with self.assertRaisesRegex(fettle.Invalid, f"{name} = .*: expected (a|True)"):
                 setattr(owner, name, value)
             self.assertEqual(getattr(owner, name), before)
+        for value in (("1", 2), "12", b"12", (10**400, 0)):
+            with self.assertRaisesRegex(fettle.Invalid, "position: expected two numbers"):
+                body.position = value
         world.substeps, body.bullet, body.angle = numpy.int64(2), numpy.bool_(True), numpy.float64(1)
         self.assertEqual((world.substeps, body.bullet, body.angle), (2, True, 1))
         for restore in (lambda: world.restore("text"), lambda: fettle.Replay(None)):
@@ -320,6 +323,39 @@ class Vectors(unittest.TestCase):
             env.step(numpy.zeros((3, 1, 2)))
         with self.assertRaises(AttributeError):
             env.observation = numpy.zeros(1)
+        with self.assertRaises(ValueError):
+            env.observation.resize((1, 1, 1), refcheck=False)
+        for wrong in ({"count": 2.5}, {"count": "2"}, {"count": 0}, {"threads": None}, {"dt": "slow"}):
+            with self.assertRaisesRegex(fettle.Invalid, f"{list(wrong)[0]} = "):
+                fettle.VectorWorld(self.build, **{"count": 2, **wrong})
+        for build in (None, lambda world: None, lambda world: world.body()):
+            with self.assertRaisesRegex(fettle.Invalid, "build: expected a function that returns a list of bodies"):
+                fettle.VectorWorld(build, count=2)
+        for steps in (-1, 1.5, "2"):
+            with self.assertRaisesRegex(fettle.Invalid, "steps = "):
+                env.step(steps=steps)
+        for forces in ("much", numpy.zeros((2, 2, 2)), [[1], [1, 2]]):
+            with self.assertRaisesRegex(fettle.Invalid, r"forces: expected an array of numbers of the shape \(2, 1, 2\)"):
+                env.step(forces)
+        for which in (2, [0, 5], [0.5], "all", True, [True], numpy.zeros((2, 1), bool)):
+            with self.assertRaisesRegex(fettle.Invalid, "which: expected numbers of copies below 2, or 2 flags"):
+                env.reset(which)
+        env.reset(1)
+        for how in (copy.copy, copy.deepcopy, pickle.dumps):
+            with self.assertRaisesRegex(TypeError, "a VectorWorld cannot be copied"):
+                how(env)
+
+    def test_a_copy_is_not_closed_while_they_are_stepped(self):
+        env = fettle.VectorWorld(self.build, count=4)
+        env.worlds[0].bodies[-1].set_velocity_function(lambda edit: env.worlds[2].close())
+        with self.assertRaisesRegex(fettle.Locked, "stepped together with others"):
+            env.step()
+        env.worlds[0].bodies[-1].set_velocity_function(None)
+        env.step()
+        env.worlds[2].close()
+        for call in (env.step, env.reset, lambda: env.reset([0])):
+            with self.assertRaises(fettle.Stale):
+                call()
 
 
 class Movers(unittest.TestCase):

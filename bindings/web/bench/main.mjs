@@ -2,8 +2,9 @@
 //
 //   node main.mjs [SECONDS] [SCENE ...]    SECONDS: the limit for a scene in an engine; 10 by default
 //
-// An engine makes the steps that fit in its time. Its time is compared with that of Fettle for the same steps. Each engine makes some steps of a
-// scene before it is measured, since a program of JavaScript or WebAssembly is slow until it has run for a while.
+// An engine makes the steps that fit in its time. Its time, and what became of the scene, are compared with those of Fettle after as many
+// steps. Each engine makes some steps of a scene before it is measured, since a program of JavaScript or WebAssembly is slow until it has run
+// for a while.
 
 import { engines } from "./engines.mjs";
 import { scenes } from "./scenes.mjs";
@@ -51,8 +52,10 @@ for (const scene of chosen)
       continue;
     }
     run(make, scene, scene.steps, Math.min(2, seconds / 3));
-    const { steps, time, motions } = run(make, scene, scene.steps, seconds), [what, figure] = scene.figure(motions, scene);
-    const ours = name === "fettle" || !opened.has("fettle") ? time : run(opened.get("fettle"), scene, steps, Infinity).time;
-    print(scene.name, name, steps, (time / steps).toFixed(3), (time / ours).toFixed(2), `${what} ${Number.isInteger(figure) ? figure : figure.toFixed(3)}`);
+    const { steps, time, motions } = run(make, scene, scene.steps, seconds);
+    const ours = name === "fettle" || !opened.has("fettle") ? null : run(opened.get("fettle"), scene, steps, Infinity);
+    const figure = (of) => scene.figure(of, scene).map((told) => (typeof told !== "number" || Number.isInteger(told) ? told : told.toFixed(3)));
+    const [what, became] = figure(motions), then = ours === null ? "" : `; Fettle then ${figure(ours.motions)[1]}`;
+    print(scene.name, name, steps, (time / steps).toFixed(3), (time / (ours?.time ?? time)).toFixed(2), `${what} ${became}${then}`);
   }
 if (opened.size === 0 || chosen.length === 0) process.exit(1);

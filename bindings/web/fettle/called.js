@@ -32,12 +32,36 @@ export function lent(value, name, kind) {
   return [kind === undefined ? 0 : addressOf(kind), number];
 }
 
+/** Gives the parts of a recording to a function. If that throws, the recording ends: what follows would not fit to what it has. */
+function recordingSink(world, write) {
+  let ended = false, inStep = false;
+  return {
+    take(part) {
+      if (ended) return;
+      try {
+        write(part);
+      } catch (error) {
+        ended = true;
+        if (inStep) world.afterStep(() => world.stopRecording());
+        throw error;
+      }
+    },
+    /** The call that has started the recording is over. */
+    started() {
+      inStep = true;
+      if (ended) c.fettle_world_stop_recording(world.pointer);
+    },
+  };
+}
+
 /** Gives the library a function that it keeps, in place of the one with the same key; null: none. */
 export function keep(world, key, value, name, kind, set) {
   const kept = world === null ? functions : world.functions;
   const number = value === null || value === undefined ? 0 : ++numbers;
-  if (number) kept.byNumber.set(number, checked(value, name));
+  const sink = number && kind === "recording_sink" ? recordingSink(world, checked(value, name)) : undefined;
+  if (number) kept.byNumber.set(number, sink?.take ?? checked(value, name));
   const code = set(number ? addressOf(kind) : 0, number);
+  sink?.started();
   const before = code === 0 && key ? kept.byKey.get(key) : number;
   if (before !== undefined && (key || code !== 0)) kept.byNumber.delete(before);
   if (code === 0 && key) kept.byKey.set(key, number);

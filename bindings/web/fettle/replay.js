@@ -1,6 +1,6 @@
 // Repeating the recording of a world.
 
-import { begin, bytes, c, classes, done, room, view } from "./runtime.js";
+import { begin, bytes, c, classes, done, room, Stale, view } from "./runtime.js";
 
 const forgotten = new FinalizationRegistry((pointer) => c.fettle_replay_destroy(pointer));
 
@@ -13,6 +13,12 @@ export class Replay {
     done(c.fettle_replay_create(...given, out));
     this.#pointer = view.u32[out >> 2];
     forgotten.register(this, this.#pointer, this);
+    // A misspelt property is an error, but in a class of the program's own, which adds some.
+    if (new.target === Replay) Object.preventExtensions(this);
+  }
+  get #live() {
+    if (this.#pointer === 0) throw new Stale("replay: it was destroyed");
+    return this.#pointer;
   }
   destroy() {
     forgotten.unregister(this);
@@ -22,19 +28,19 @@ export class Replay {
   get steps() {
     begin();
     const out = room(8);
-    done(c.fettle_replay_steps(this.#pointer, out));
+    done(c.fettle_replay_steps(this.#live, out));
     return view.u64[out >> 3];
   }
   get isCutOff() {
     begin();
     const out = room(1);
-    done(c.fettle_replay_is_cut_off(this.#pointer, out));
+    done(c.fettle_replay_is_cut_off(this.#live, out));
     return view.u8[out] !== 0;
   }
   step() {
     begin();
     const { size, read } = classes.replayedStep, out = room(size), repeated = room(1);
-    done(c.fettle_replay_step(this.#pointer, out, repeated));
+    done(c.fettle_replay_step(this.#live, out, repeated));
     return view.u8[repeated] === 0 ? null : read(out, null);
   }
   *[Symbol.iterator]() {
@@ -43,7 +49,7 @@ export class Replay {
   get world() {
     begin();
     const out = room(4);
-    done(c.fettle_replay_world(this.#pointer, out));
+    done(c.fettle_replay_world(this.#live, out));
     return classes.World.of(view.u32[out >> 2]);
   }
 }

@@ -60,16 +60,17 @@ export function flag(value, name) {
   return value ? 1 : 0;
 }
 export function xOf(value, name) {
-  if (typeof value?.x !== "number" || typeof value.y !== "number") throw new Invalid(`${name} = ${shown(value)}: expected { x, y } with two numbers`);
-  return value.x;
+  const x = member(value, "x");
+  if (typeof x !== "number" || typeof member(value, "y") !== "number") throw new Invalid(`${name} = ${shown(value)}: expected { x, y } with two numbers`);
+  return x;
 }
-export const yOf = (value) => value.y;
+export const yOf = (value) => member(value, "y");
 
 // --- Memory of one call ---------------------------------------------------------------------------
 
 // Arguments and results of a call are in one block; those of calls that a function of the program makes meanwhile follow them. Data that is
 // too large for the block is freed by the next call.
-const blockSize = 1 << 16;
+const blockSize = 1 << 16, mostSize = 1 << 30;
 let block = 0, bottom = 0, top = 0;
 /** What the next call does first: functions. */
 export const passing = [];
@@ -97,8 +98,23 @@ export function nested(otherwise, act) {
   raised = before ?? error;
   return result;
 }
+/** A member of a value of the program. It may be a getter that calls the library: the memory of that call follows. */
+function member(value, key) {
+  if (value === null || value === undefined) return undefined;
+  const outerBottom = bottom, outerFrom = passingFrom;
+  bottom = top;
+  passingFrom = passing.length;
+  try {
+    return value[key];
+  } finally {
+    if (top !== bottom || passing.length !== passingFrom) begin();
+    bottom = outerBottom;
+    passingFrom = outerFrom;
+  }
+}
 /** The address of `size` bytes, aligned to 8, with anything in them. */
 export function room(size) {
+  if (!(size <= mostSize)) throw new NoMemory(`no memory for ${size} bytes`);
   let p = top;
   const needed = (size + 7) & ~7;
   if (p + needed > block + blockSize) {
@@ -131,13 +147,15 @@ export function chars(value, name) {
   view.u8[p + encoded.length] = 0;
   return p;
 }
-/** Writes an element at a time; the address of the first. */
+/** Writes an element at a time; the address of the first, and their number. */
 export function list(values, size, name, write) {
-  if (typeof values !== "object" || typeof values?.length !== "number") throw new Invalid(`${name} = ${shown(values)}: expected an array`);
-  const p = room(values.length * size);
-  view.u8.fill(0, p, p + values.length * size);
-  for (let i = 0; i < values.length; ++i) write(p + i * size, values[i], `${name}[${i}]`);
-  return p;
+  const count = member(values, "length");
+  if (typeof values !== "object" || typeof count !== "number") throw new Invalid(`${name} = ${shown(values)}: expected an array`);
+  whole(count, `${name}.length`, 0, Math.floor(mostSize / size));
+  const p = room(count * size);
+  view.u8.fill(0, p, p + count * size);
+  for (let i = 0; i < count; ++i) write(p + i * size, member(values, i), `${name}[${i}]`);
+  return [p, count];
 }
 export function optional(value, write) {
   if (value === null || value === undefined) return 0;
@@ -156,7 +174,7 @@ export function struct(value, size, name, write, defaults) {
   return p;
 }
 export function typeOf(value, name) {
-  return whole(value?.type, `${name}.type`, 0, 255);
+  return whole(member(value, "type"), `${name}.type`, 0, 255);
 }
 /** How many letters must be put in, left out or replaced to make one word of another. */
 function edits(from, to) {
@@ -179,10 +197,11 @@ export function members(p, value, name, known, all = false) {
   if (typeof value !== "object" || value === null) throw new Invalid(`${name} = ${shown(value)}: expected an object`);
   for (const key of Object.keys(value)) {
     if (!Object.hasOwn(known, key)) throw new Invalid(`${name} has no member "${key}"${meant(key, Object.keys(known))}; it has ${Object.keys(known).join(", ")}`);
-    if (value[key] !== undefined) known[key](p, value[key], name);
+    const of = member(value, key);
+    if (of !== undefined) known[key](p, of, name);
   }
   if (!all) return;
-  const missing = Object.keys(known).find((key) => value[key] === undefined);
+  const missing = Object.keys(known).find((key) => member(value, key) === undefined);
   if (missing !== undefined) throw new Invalid(`${name} has no "${missing}": expected ${Object.keys(known).join(", ")}`);
 }
 export function readList(p, count, size, read) {

@@ -43,7 +43,8 @@ function write(type, p, v, name) {
   if (array) return `view.${array}[(${p}) >> ${array === "u64" ? 3 : 2}] = ${scalarOf[type](v, name)};`;
   if (type === "fettle_id") return `view.u64[(${p}) >> 3] = idOf(${v}, ${name});`;
   // Vectors of any library, which may have more members.
-  if (type === "fettle_vec2") return `view.f32[(${p}) >> 2] = xOf(${v}, ${name}); view.f32[((${p}) >> 2) + 1] = yOf(${v});`;
+  // What may run code of the program or take memory comes before `view`, which is made anew when memory grows.
+  if (type === "fettle_vec2") return `{ const x = xOf(${v}, ${name}), y = yOf(${v}); view.f32[(${p}) >> 2] = x; view.f32[((${p}) >> 2) + 1] = y; }`;
   return `write_${short(type)}(${p}, ${v}, ${name});`;
 }
 
@@ -68,8 +69,8 @@ function structCode(struct, structs) {
     if (member.type === "fettle_accept") {
       const user = struct.members.find((other) => other.name === "user").offset;
       code = `if (v === null) return; const [call, user] = lent(v, ${says}, "accept"); view.u32[(${p}) >> 2] = call; view.u32[(${at(user)}) >> 2] = user;`;
-    } else if (member.type === "char") code = `view.u32[(${p}) >> 2] = chars(v, ${says});`;
-    else if (member.pointer) code = `view.u32[(${p}) >> 2] = list(v, ${sizeOf({ type: member.type }, structs).size}, ${says}, (p, v, name) => { ${write(member.type, "p", "v", "name")} }); view.u32[(${at(member.counted.offset)}) >> 2] = v.length;`;
+    } else if (member.type === "char") code = `const text = chars(v, ${says}); view.u32[(${p}) >> 2] = text;`;
+    else if (member.pointer) code = `const [first, count] = list(v, ${sizeOf({ type: member.type }, structs).size}, ${says}, (p, v, name) => { ${write(member.type, "p", "v", "name")} }); view.u32[(${p}) >> 2] = first; view.u32[(${at(member.counted.offset)}) >> 2] = count;`;
     else code = write(member.type, p, "v", says);
     if (member.has) code = `view.u8[${at(member.has.offset)}] = v === null ? 0 : 1; if (v !== null) { ${code} }`;
     return `  ${camel(member.name)}: (p, v, name) => { ${code} },\n`;
@@ -88,7 +89,7 @@ function given(input, structs) {
     case "text": return `chars(${v}, ${name})`;
     case "function": return `...lent(${v}, ${name}, "${input.call}")`;
     case "bytes": return `...bytes(${v}, ${name})`;
-    case "array": return `list(${v}, ${sizeOf({ type: input.type }, structs).size}, ${name}, (p, v, name) => { ${write(input.type, "p", "v", "name")} }), ${v}.length`;
+    case "array": return `...list(${v}, ${sizeOf({ type: input.type }, structs).size}, ${name}, (p, v, name) => { ${write(input.type, "p", "v", "name")} })`;
     case "optional": return `optional(${v}, (p) => { ${write(input.type, "p", v, name)} })`;
     case "struct": {
       const struct = structs.get(input.type), begins = struct.members[0].name === "size";

@@ -173,9 +173,46 @@ test("a recording is repeated with the edits and the answers of functions", () =
   assert.equal(replay.world.hash, world.hash);
   replay.destroy();
   replay.destroy();
-  assert.throws(() => replay.step(), Invalid);
+  assert.throws(() => replay.step(), Stale);
+  assert.throws(() => { replay.stepz = 1; }, TypeError);
   recording[recording.length >> 1] ^= 1;
   assert.throws(() => new Replay(recording), Invalid);
+});
+
+test("a function that throws ends the recording that it takes", () => {
+  const { world } = standing();
+  const parts = [];
+  let room = 0;
+  const take = (bytes) => {
+    if (parts.length >= room) throw new Error("the disk is full");
+    parts.push(bytes);
+  };
+  assert.throws(() => world.startRecording(take), /the disk is full/);
+  assert.equal(world.isRecorded, false);
+  room = 6;
+  world.startRecording(take);
+  assert.throws(() => run(world, 10), /the disk is full/);
+  assert.equal(world.isRecorded, false);
+  room = 100;
+  run(world, 10);
+  assert.equal(parts.length, 6);
+  const replay = new Replay(new Uint8Array(parts.flatMap((part) => [...part])));
+  assert.equal(replay.steps, 3n);
+  assert.ok([...replay].every((step) => step.same));
+});
+
+test("getters of arguments may call the library", () => {
+  const { world, ball } = standing();
+  const follower = { get x() { return ball.position.x + 1; }, get y() { return ball.position.y; } };
+  const made = world.createBody({ get position() { return ball.position; }, velocity: follower, angle: 0.5 });
+  assert.deepEqual([made.position, made.velocity, made.angle], [ball.position, { x: 1, y: 2 }, 0.5]);
+  let hits = 0;
+  world.visitRay({ x: 0, y: 9 }, { get x() { return ball.position.x; }, y: -9 }, () => { ++hits; }, { mask: 1 });
+  assert.equal(hits, 2);
+  made.add(fettle.polygon([follower, { x: 0, y: 0 }, { x: 1, y: 0 }]));
+  assert.deepEqual(world.validate(), "");
+  assert.throws(() => world.createBody({ get angle() { throw new RangeError("not now"); } }), RangeError);
+  assert.equal(world.createBody({ angle: 1 }).angle, 1);
 });
 
 test("a world is drawn by the methods that a target has", () => {

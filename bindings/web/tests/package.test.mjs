@@ -18,6 +18,16 @@ const standing = () => {
 };
 const run = (world, steps) => { for (let i = 0; i < steps; ++i) world.step(1 / 60); };
 
+// The first test: memory has not grown yet.
+test("a list that makes memory grow arrives", () => {
+  const world = new World();
+  const ground = world.createBody({ type: BodyType.STATIC });
+  const points = Array.from({ length: 1000000 }, (_, i) => ({ x: i / 2, y: i % 2 }));
+  world.reserve(40000, 0, 0, 0);  // leaves less of the first 16 MB than the points take
+  assert.equal(ground.add(fettle.chain(points)).geometry.points.length, points.length);
+  world.destroy();
+});
+
 test("a ball falls on the ground and rests there", () => {
   const { world, ball } = standing();
   run(world, 180);
@@ -120,6 +130,15 @@ test("geometry with many points", () => {
   assert.equal(shape.type, ShapeType.CHAIN);
   assert.equal(shape.vertices.length, 9000);
   assert.throws(() => world.createBody().add(polygon([{ x: 0, y: 0 }, { x: 1, y: 0 }])), Invalid);
+});
+
+test("a list whose length is no length is refused", () => {
+  const { world, ball } = standing();
+  for (const length of [-1, -5, NaN, 1.5, 1e9, 2 ** 29, 2 ** 32, Infinity])
+    assert.throws(() => ball.add(polygon({ length })), /points\.length = .*: expected a whole number/);
+  assert.throws(() => ball.add(polygon({ length: 3 })), /points\[0\] = undefined/);
+  assert.equal(world.validate(), "");
+  run(world, 10);
 });
 
 test("poses without copies", () => {

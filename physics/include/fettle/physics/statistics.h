@@ -25,7 +25,7 @@ struct StepStatistics {
     uint32_t direct_solves = 0;    ///< complementarity problems that the direct solver solved
     uint32_t direct_failures = 0;  ///< problems that were too large or had no solution: solved by
                                    ///< sweeps over their rows instead
-    // Wall time of each stage, ms.
+    // Wall time of each stage, ms. A saved world does not have these times: restored, they are 0.
     float edits_ms = 0.0f;   ///< derived data of edited bodies and shapes
     float pairs_ms = 0.0f;   ///< broad phase
     float narrow_ms = 0.0f;  ///< manifolds

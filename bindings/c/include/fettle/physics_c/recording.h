@@ -7,7 +7,8 @@
 FETTLE_PHYSICS_C_BEGIN
 
 /** Gets the next part of a recording, to be appended to a file or to memory. The bytes are valid
-   for the call. Flush a file after each part: what is cut off cannot be replayed. */
+   for the call. Flush a file after each part: what is cut off cannot be replayed. A function that
+   could not keep a part should keep none after it: a recording with a gap is refused as damaged. */
 typedef void (*fettle_recording_sink)(void* user, const fettle_world* world, const void* bytes,
                                       size_t size);
 
