@@ -157,9 +157,9 @@ bool wait_until_end(pid_t process, Clock::time_point deadline, int& status) {
     return false;
 }
 
-std::vector<fs::path> listed_libraries(const std::string& said) {
+std::vector<fs::path> listed_libraries(const std::string& output) {
     std::vector<fs::path> all;
-    std::istringstream lines(said);
+    std::istringstream lines(output);
     for (std::string line; std::getline(lines, line);)
         if (line.starts_with('+')) all.emplace_back(line.substr(1));
     return all;
