@@ -126,8 +126,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
             widget(target, value, available - label_width - button);
         ImGui::EndGroup();
         widgets_[&property] = item_rect();
-        if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(1) && menu)
-            menu(tree_.path(instance, property));
+        offer_menu(target);
         if (resettable || ad_hoc) {
             ImGui::SameLine(start + available - ImGui::GetFrameHeight());
             gone = reset_button(target);
@@ -145,7 +144,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         problems_.erase(&property);  // typing ended with the value that there was
     }
     if (!gone) {
-        mixed_line(start, label_width, mixed);
+        mixed_line(target, start, label_width, mixed);
         if (formula_of_ != &property) {
             remark(start + label_width, palette::note, source.empty() ? source : "is " + source);
             if (!source.empty() && ImGui::IsItemClicked(0)) begin_formula(property);
@@ -168,7 +167,8 @@ void PropertyEditor::remark(float left, ImU32 color, const std::string& text) {
 }
 
 /// Always one line: values that change all the time must not move the rows below.
-void PropertyEditor::mixed_line(float start, float indent, const std::string& text) {
+void PropertyEditor::mixed_line(const Target& target, float start, float indent,
+                                const std::string& text) {
     if (text.empty()) return;
     ImGui::SetCursorPosX(start);
     const float whole = ImGui::GetContentRegionAvail().x;
@@ -180,6 +180,13 @@ void PropertyEditor::mixed_line(float start, float indent, const std::string& te
                   room);
     ImGui::Dummy(ImVec2(std::max(1.0f, room), ImGui::GetTextLineHeight()));
     if (ImGui::IsItemHovered() && text_width(text) > room) ImGui::SetTooltip("%s", text.c_str());
+    offer_menu(target);
+}
+
+/// A press of the right button on the item before opens the menu of the property.
+void PropertyEditor::offer_menu(const Target& target) {
+    if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(1) && menu)
+        menu(tree_.path(target.instance, *target.property));
 }
 
 bool PropertyEditor::reset_button(const Target& target) {

@@ -91,7 +91,8 @@ class PropertyEditor {
     /// Width of a small button behind a value.
     static float button_width();
     bool written_by_simulation(property::Handle instance, const property::Property& property) const;
-    void mixed_line(float start, float indent, const std::string& text);
+    void mixed_line(const Target& target, float start, float indent, const std::string& text);
+    void offer_menu(const Target& target);
     /// Width of the column with the last writer: a text, or a mark if there is no room for one.
     static float gutter_width(float available);
     static constexpr float wide_enough = 40;  // font heights

@@ -145,7 +145,7 @@ void Tilemaps::update_bodies(Handle map) {
     try {
         wanted = wanted_chains(map);
     } catch (const property::Error& error) {
-        tell(map, std::string("collisions: ") + error.what() + "; nothing of it is solid");
+        report(map, std::string("collisions: ") + error.what() + "; nothing of it is solid");
     }
     if (wanted.size() > most_chains) {
         report(map, "collisions: the solid tiles have " + std::to_string(wanted.size()) +
