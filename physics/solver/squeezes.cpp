@@ -68,12 +68,12 @@ class Squeezes {
     void limit_squeezed(uint32_t index) {
         if (!is_squeezed(input_.active.awake_bodies[index - 1]) || !limit(index)) return;
         reached_.resize(input_.bodies.solver_bodies.size());
-        add_neighbours(index);
+        add_neighbors(index);
         while (!waiting_.empty()) {
             const uint32_t next = waiting_.back();
             waiting_.pop_back();
             if (may_be_thrown(next)) limit(next);
-            add_neighbours(next);
+            add_neighbors(next);
         }
     }
 
@@ -108,14 +108,14 @@ class Squeezes {
         return true;
     }
 
-    void add_neighbours(uint32_t index) {
+    void add_neighbors(uint32_t index) {
         const uint32_t body = input_.active.awake_bodies[index - 1];
         input_.objects.for_each_contact(body, [&](uint32_t contact) {
             const uint32_t other = input_.objects.other_body(contact, body);
             if (!acts(input_.objects.contacts[contact]) || !yields(other)) return;
-            const uint32_t neighbour = input_.objects.bodies[other].solver_index;
-            if (std::exchange(reached_[neighbour], 1)) return;
-            waiting_.push_back(neighbour);
+            const uint32_t neighbor = input_.objects.bodies[other].solver_index;
+            if (std::exchange(reached_[neighbor], 1)) return;
+            waiting_.push_back(neighbor);
         });
     }
 

@@ -53,6 +53,8 @@ constexpr double tolerance = 1e-5, acceptable = 1e-3;
 /// If the rows leave a higher velocity than this, m/s, the search begins from the impulses of the
 /// previous pass instead.
 constexpr double worst_begin = 1e-2;
+/// Bodies that are faster than plausible by this factor get no correction at all.
+constexpr double much_excess = 1.5;
 /// Number of sweeps, which depends on the number of rows, and the change of velocities that ends
 /// them, m/s.
 constexpr int first_sweeps = 20, least_sweeps = 40, most_sweeps = 200;
@@ -422,9 +424,13 @@ bool DirectProblem::solve(std::span<DirectRow> all, std::span<const MassScale> s
     all_ = all;
     read(scales, solver_bodies, applied);
     bool solved = find_velocities();
-    if (throws_a_body(scales, push_speed)) {
-        begin_without_corrections();
+    if (const double first = excess(scales, push_speed); first > 1.0) {
+        begin_again(1.0 / first);
         solved = find_velocities();
+        if (excess(scales, push_speed) > much_excess) {
+            begin_again(0.0);
+            solved = find_velocities();
+        }
     }
     write(scales, solver_bodies);
     return solved || least_left_ <= acceptable;

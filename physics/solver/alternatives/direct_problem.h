@@ -44,8 +44,8 @@ class DirectProblem {
               bool applied);
     void take_impulses_back(std::span<const MassScale> scales,
                             std::span<const SolverBody> solver_bodies, bool applied);
-    bool throws_a_body(std::span<const MassScale> scales, float push_speed) const;
-    void begin_without_corrections();
+    double excess(std::span<const MassScale> scales, float push_speed) const;
+    void begin_again(double share);
     void write(std::span<const MassScale> scales, std::span<SolverBody> solver_bodies) const;
     bool find_velocities();
     bool solve_exactly();

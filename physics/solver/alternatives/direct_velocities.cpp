@@ -12,7 +12,7 @@ namespace {
 
 /// The greatest part of the velocities of an island that the rotation of impulses may add.
 constexpr double most_rotated = 0.05;
-/// The energy of a body that has a cause, in energies of its island before the impulses.
+/// The plausible energy of a body, in energies of its island before the impulses.
 constexpr double most_growth = 4.0;
 
 }  // namespace
@@ -100,29 +100,32 @@ void DirectProblem::bound_friction(size_t i) {
     r.low = -r.high;
 }
 
-/// True if a body has much more energy than all bodies of the island had, and is faster than the
-/// push speed. The links of an almost straight chain close a gap only by a long way aside, and a
-/// search that was not finished may end anywhere.
-bool DirectProblem::throws_a_body(std::span<const MassScale> scales, float push_speed) const {
+/// How many times as fast as plausible a body is: it has more energy than its whole island had, and
+/// is faster than the push speed. The links of an almost straight chain close a gap only by a long
+/// way aside, the pushes of a crowd add up, and a search that was not finished may end anywhere.
+double DirectProblem::excess(std::span<const MassScale> scales, float push_speed) const {
     const double most = most_growth * forced_.squaredNorm();
+    double excess2 = 0.0;
     for (size_t i = 0; i < bodies_.size(); ++i) {
         const MassScale& s = scales[bodies_[i]];
         const double scale = std::max(s.x, s.y);
         const double pushed = scale > 0.0 ? double(push_speed) / scale : 0.0;
         const auto at = Eigen::Index(3 * i);
         const double energy = (forced_.segment<3>(at) + u_.segment<3>(at)).squaredNorm();
-        if (energy > most + pushed * pushed) return true;
+        const double plausible = most + pushed * pushed;
+        if (plausible > 0.0) excess2 = std::max(excess2, energy / plausible);
     }
-    return false;
+    return std::sqrt(excess2);
 }
 
-/// Now the rows only hold velocities, and the search begins without impulses: from there, sweeps
-/// do not add energy.
-void DirectProblem::begin_without_corrections() {
+/// The rows keep `share` of their corrections. The search begins without impulses: from there,
+/// sweeps without corrections do not add energy.
+void DirectProblem::begin_again(double share) {
     for (size_t i = 0; i < lines_.size(); ++i) {
         DirectRow& r = row(i);
-        r.push -= r.correction;
-        r.correction = r.impulse = lines_[i].best = lines_[i].memory = 0.0;
+        r.push -= (1.0 - share) * r.correction;
+        r.correction *= share;
+        r.impulse = lines_[i].best = lines_[i].memory = 0.0;
     }
     for (size_t i = 0; i < lines_.size(); ++i) bound_friction(i);
 }

@@ -1,5 +1,7 @@
 // A box that is full of circles, under the direct solver: more contacts than it can solve.
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "../scenes.h"
@@ -27,6 +29,15 @@ std::vector<Body> confine(World& world, int rows) {
     return circles;
 }
 
+/// Between the centers of two circles, m.
+float least_distance(const std::vector<Body>& circles) {
+    float least = std::numeric_limits<float>::infinity();
+    for (size_t i = 0; i < circles.size(); ++i)
+        for (size_t k = 0; k < i; ++k)
+            least = std::min(least, Vec2(circles[i].position() - circles[k].position()).length());
+    return least;
+}
+
 }  // namespace
 
 TEST_CASE("a problem that is too hard for the direct solver comes to rest all the same") {
@@ -44,6 +55,7 @@ TEST_CASE("a problem that is too hard for the direct solver comes to rest all th
     CHECK(rms_speed(circles) < (sizeof(Position) > sizeof(Vec2) ? 0.05f : 0.01f));
     for (const Body& circle : circles)
         CHECK(Vec2(circle.position()).abs().largest() < 0.42f * 8 - 0.41f);
+    CHECK(least_distance(circles) > 0.83f);
 }
 
 TEST_CASE("an island too large for the direct solver comes to rest") {
