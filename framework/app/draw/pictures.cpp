@@ -61,8 +61,17 @@ bool is_upright(const Vec2 (&corners)[4], const PictureArea& area) {
 
 }  // namespace
 
+Pictures::Entry& Pictures::entry_of(const Key& key) {
+    if (last_ == nullptr || key != last_key_) {
+        last_key_ = key;
+        last_ = &entries_[key];
+    }
+    return *last_;
+}
+
 void Pictures::begin_frame() {
     ++frame_;
+    last_ = nullptr;
     if (pages_are_full_) {  // removes unused pictures; those in use are copied again
         std::erase_if(entries_, [](const auto& entry) { return entry.second.own == nullptr; });
         pages_.clear();
@@ -84,7 +93,7 @@ Pictures::Place Pictures::place(const Picture& picture, bool smooth, bool is_pre
     const Kind kind = is_premultiplied ? smooth ? Kind::smooth_multiplied : Kind::sharp_multiplied
                       : smooth         ? Kind::smooth
                                        : Kind::sharp;
-    Entry& entry = entries_[{&picture, kind}];
+    Entry& entry = entry_of({&picture, kind});
     entry.used = frame_;
     if (entry.version == picture.version()) return entry.place;
     entry.version = picture.version();

@@ -45,8 +45,8 @@ class Pictures {
         Place place{};
     };
     struct Key {
-        const property::Picture* picture;
-        Kind kind;
+        const property::Picture* picture = nullptr;
+        Kind kind = Kind::sharp;
         friend bool operator==(const Key&, const Key&) = default;
     };
     struct Hash {
@@ -54,11 +54,14 @@ class Pictures {
             return std::hash<const void*>()(key.picture) * 4 + static_cast<std::size_t>(key.kind);
         }
     };
+    Entry& entry_of(const Key& key);
     std::optional<Place> put_on_page(const property::Picture& picture, Kind kind);
     static std::optional<Place> put(Page& page, const property::Picture& picture);
     Page* add_page(Kind kind);
 
     std::unordered_map<Key, Entry, Hash> entries_;
+    Key last_key_{};
+    Entry* last_ = nullptr;  // of last_key_: many sprites in a row have one picture
     std::vector<std::unique_ptr<Page>> pages_;
     std::uint64_t frame_ = 0;
     bool pages_are_full_ = false;

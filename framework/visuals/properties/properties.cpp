@@ -1,5 +1,7 @@
 #include <properties/properties.h>
 
+#include <string_view>
+
 namespace fettle::visuals {
 
 using property::Property;
@@ -35,8 +37,9 @@ Property blend_property() {
 }
 
 property::Blend blend_of(const property::Value& name) {
-    if (name.text() == "add") return property::Blend::add;
-    if (name.text() == "multiply") return property::Blend::multiply;
+    const std::string_view text = name.text();
+    if (text == "add") return property::Blend::add;
+    if (text == "multiply") return property::Blend::multiply;
     return property::Blend::normal;
 }
 
