@@ -32,6 +32,7 @@ constexpr float low_plot = 4.5f, low_list = 2, low_frames = 5;  // in low window
 constexpr float least_beside = 15;      // the inspector: its width beside the panel
 constexpr float useful_inspector = 14;  // its height below the panel, with some properties
 constexpr float least_legend = 80;      // in pixels: the legend of `view.show.blame`
+constexpr float compared_share = 0.4f;  // of the screen's height that other views leave two runs
 
 /// A window without a picture over an edge, which can be dragged. Returns whether it is.
 bool edge_is_dragged(const char* name, const Rect& place, ImGuiMouseCursor cursor) {
@@ -156,12 +157,13 @@ float Console::State::panel_height() {
     if (settings.flag("time_bar") && views.time_bar.available())
         below += views.time_bar.height() + margin;
     const bool plotted = !observing.plots().empty();
-    if (plotted) below += least_plot * em + margin;
+    if (plotted) below += least_plot_height() + margin;
     if (!observing.pins().empty() && (!plotted || screen.width < stacked_below * em))
         below += least_list * em + margin;
     if (options.frames != nullptr && shows("timings")) below += least_frames * em + margin;
     if (settings.flag("inspector") && !inspector_is_beside())
         below += useful_inspector * em + margin;
+    if (comparison_height() > 0) below += comparison_height() + margin;
     below += legend_room();
     const float overlays = settings.flag("overlays") ? views.overlay_bar.height() : 0;
     const float whole = std::max(1.0f, screen.height - 2 * margin);
@@ -172,6 +174,22 @@ float Console::State::panel_height() {
         std::min(whole, std::min(least_height * em, 0.35f * screen.height) + overlays);
     const float most = std::min(whole, std::max({screen.height - below, least, usual}));
     return std::clamp(settings.number("height") * screen.height, least, most);
+}
+
+/// Each value but the first adds its line of the legend, so that the curves keep their height.
+float Console::State::least_plot_height() const {
+    return least_plot * ImGui::GetFontSize() +
+           PlotView::added_legend_height(observing.plots().size());
+}
+
+/// The height at which the pictures of two runs use all of their width, within its share of the
+/// screen; 0 without a comparison. It is the same with and without a selection.
+float Console::State::comparison_height() {
+    if (!comparison.shown() || !options.to_world) return 0;
+    const float right = inspector_is_beside() ? inspector_width() + margin : 0;
+    const float wide = screen.width - 2 * margin - right;
+    return std::min(CompareView::height(wide, screen.width / screen.height),
+                    compared_share * screen.height);
 }
 
 /// The height that stays free above the views at the lower edge for the legend of the game's
@@ -225,11 +243,15 @@ void Console::State::draw_in_game() {
 /// Draws two runs between the panel and the views at the lower edge.
 void Console::State::draw_comparison(float right, double seconds) {
     if (!comparison.shown() || !options.to_world) return views.compare_view.hide();
-    const float low = free_above();
+    const float top = screen.panel_rect.high.y + margin;
+    float low = free_above();
+    if (settings.flag("inspector") && !inspector_is_beside()) {  // it is below both runs
+        const float inspected = least_inspector * ImGui::GetFontSize() + margin;
+        if (low - inspected >= top + CompareView::least_height) low -= inspected;
+    }
     if (screen.inspector_rect.high.y < screen.panel_rect.high.y + 2 * margin) right = 0;
-    views.compare_view.draw({ImVec2(margin, screen.panel_rect.high.y + margin),
-                             ImVec2(screen.width - margin - right, low)},
-                            tree, comparison, seen(), ui.pictures(), seconds,
+    views.compare_view.draw({ImVec2(margin, top), ImVec2(screen.width - margin - right, low)}, tree,
+                            comparison, seen(), ui.pictures(), seconds,
                             views.time_bar.available() ? views.time_bar.times().dt : 1.0 / 60);
 }
 
@@ -242,6 +264,8 @@ void Console::State::draw_frames(float right) {
         if (!rect.empty()) low = std::min(low, rect.low.y - margin);
     const float least = low_frames * ImGui::GetFontSize();
     float room = low - screen.panel_rect.high.y - margin;
+    if (comparison_height() > 0)
+        room -= std::clamp(room - least, 0.0f, comparison_height() + margin);
     if (room - legend_room() >= least) room -= legend_room();
     if (room < least) return views.frame_view.hide();
     const float tall = std::min(FrameView::height(), room);
@@ -259,8 +283,11 @@ void Console::State::draw_observed(float right) {
     const float wide = screen.width - 2 * margin - right, em = ImGui::GetFontSize();
     const bool pinned = !observing.pins().empty(), plotted = !observing.plots().empty();
     // In a low window, the other views are left out first.
-    const float least = (pinned ? least_list * em : 0) + (plotted ? least_plot * em : 0);
+    const float least = (pinned ? least_list * em : 0) + (plotted ? least_plot_height() : 0);
     float room = low - screen.panel_rect.high.y - margin;
+    // Two runs get as much as they can use, other views all of their height or none.
+    if (comparison_height() > 0)
+        room -= std::clamp(room - least, 0.0f, comparison_height() + margin);
     const auto leave = [&](float pixels) {
         if (room - pixels >= least) room -= pixels;
     };
@@ -450,7 +477,9 @@ void Console::State::draw_inspector(float left, float inspector_width) {
 /// enough. If nothing is selected, the game is visible in the lower half.
 void Console::State::draw_inspector_below() {
     const float least = least_inspector * ImGui::GetFontSize();
-    const float top = screen.panel_rect.high.y + margin, room = free_above() - legend_room() - top;
+    const Rect& runs = views.compare_view.rect();
+    const float top = (runs.empty() ? screen.panel_rect : runs).high.y + margin;
+    const float room = free_above() - legend_room() - top;
     const float tall = tree.alive(inspector.selected()) ? room : std::max(least, room / 2);
     if (!settings.flag("inspector") || room < least) {
         screen.inspector_rect = {};

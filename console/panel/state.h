@@ -174,6 +174,8 @@ struct Console::State {
     float inspector_width();
     float free_above() const;
     float legend_room() const;
+    float least_plot_height() const;
+    float comparison_height();
     app::ClipRectangle left_free(const app::ClipRectangle& whole) const;
     void draw_panel(float width, float height, float cell);
     void draw_log(float log_height, float cell);

@@ -213,12 +213,16 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
     if (pressed) run("plot()");
 }
 
+float PlotView::added_legend_height(std::size_t values) {
+    return values < 2 ? 0 : static_cast<float>(values - 1) * legend_line();
+}
+
 void PlotView::draw(ImVec2 corner, ImVec2 size, float room, const property::Tree& tree,
                     const std::vector<Trace>& plots, const Times& times, float opacity) {
     if (plots.empty()) return hide();
     // Each value has a line of the legend; the curves keep their height as long as there is room.
-    const float legend = static_cast<float>(plots.size()) * legend_line();
-    size.y = std::min(size.y + legend - legend_line(), room);
+    const float added = added_legend_height(plots.size()), legend = added + legend_line();
+    size.y = std::min(size.y + added, room);
     ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y - size.y));
     ImGui::SetNextWindowSize(size);
     ImGui::SetNextWindowBgAlpha(opacity);
