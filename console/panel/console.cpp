@@ -431,7 +431,9 @@ std::shared_ptr<const Continuation> Console::continuation() const {
     return std::make_shared<const Continuation>(
         Continuation{.lines = state_->log.lines(),
                      .open = state_->is_open(),
-                     .selected_path = state_->status.selected_path});
+                     .selected_path = state_->status.selected_path,
+                     .keys = state_->observing.keys(),
+                     .aliases = state_->prompt.aliases()});
 }
 void Console::continue_from(const Continuation& earlier) {
     State& s = *state_;
@@ -440,6 +442,8 @@ void Console::continue_from(const Continuation& earlier) {
     s.status.greeted = s.status.greeted || !earlier.lines.empty();
     // The next frame selects it, if there is one with this path.
     s.status.selected_path = earlier.selected_path;
+    s.observing.take_keys(earlier.keys);
+    s.prompt.take_aliases(earlier.aliases);
     if (earlier.open) s.open(true);
 }
 bool Console::listens() const {

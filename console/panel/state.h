@@ -3,6 +3,7 @@
 // ImGui, the prompt, the game.
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -96,6 +97,7 @@ struct Continuation {
     std::deque<LogLine> lines;
     bool open = false;
     std::string selected_path{};
+    std::map<std::string, std::string> keys{}, aliases{};  // with their commands
 };
 
 struct Console::State {
