@@ -326,6 +326,9 @@ TEST_CASE("the buttons for several instances stay in a narrow inspector with lar
     SelectionRig rig;
     property::set(rig.tree, "console.scale", Value(2.0));
     rig.select_all();
+    const bool of_one_class = GENERATE(true, false);
+    if (!of_one_class) rig.state().inspector.select({rig.ball, rig.world});
+    rig.draw(3);
     const ImGuiWindow* const inspector = ImGui::FindWindowByName("##inspector");
     REQUIRE(inspector != nullptr);
     CHECK(inspector->ContentSize.x <= inspector->WorkRect.GetWidth());
