@@ -209,6 +209,13 @@ void Console::State::show_overlay(std::string_view overlay, bool on) {
 void Console::State::run(const std::string& command) {
     prompt.run(command);
     views.log_view.scroll_to_end();
+    const bool printed = !log.lines().empty() && log.lines().back().kind != LineKind::command &&
+                         log.lines().back().kind != LineKind::continuation;
+    if (printed) show_log();
+}
+
+void Console::State::show_log() {
+    if (settings.flag("tweaks")) settings.set("tweaks", Value(false));
 }
 
 void Console::State::open(bool opened) {

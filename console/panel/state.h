@@ -152,6 +152,8 @@ struct Console::State {
     void keep_layout();
     /// Runs a command of a button, a menu or a key as if it were typed.
     void run(const std::string& command);
+    /// Shows the log in place of the list of tweaks.
+    void show_log();
     // --- Files (exporting.cpp)
     void export_plots();
     std::string export_table();
