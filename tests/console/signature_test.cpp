@@ -56,7 +56,7 @@ TEST_CASE("a long signature has several lines in a narrow window") {
     script::Runtime runtime(rig.tree, {});
     console::Console lua(rig.tree, runtime);
     lua.open();
-    lua.state().prompt.edit().insert("last_time(");
+    lua.state().prompt.edit().insert("ab(");
     REQUIRE(lua.state().prompt.signature());
     const auto height = [&](unsigned width) {
         console::test::RasterSurface window(width, 600);
@@ -67,6 +67,7 @@ TEST_CASE("a long signature has several lines in a narrow window") {
         CHECK(shown->ContentSize.x <= shown->WorkRect.GetWidth() + 1);
         return rect.high.y - rect.low.y;
     };
+    INFO(lua.state().prompt.signature()->text);
     CHECK(height(180) > height(1280) + 10);
 }
 
