@@ -166,7 +166,7 @@ struct Console::State {
     void follow_link(std::string_view path, bool insert);
     bool is_link(std::string_view path) const;
 
-    // --- Appearance (layout.cpp)
+    // --- Appearance (layout.cpp, title.cpp)
     void frame(double seconds);
     property::Seen seen() const;
     void draw_outlines();

@@ -325,27 +325,6 @@ TEST_CASE("a reference is chosen from the instances of the required class") {
     CHECK(rig.input().empty());
 }
 
-TEST_CASE("Escape clears what is searched in the list of references, then closes it") {
-    BallRig rig;
-    const ImVec2 at = rig.widget("target", 1.0f);
-    const bool searched = GENERATE(false, true);
-    rig.click(at.x - 8, at.y);
-    rig.draw(2);
-    if (searched) {
-        rig.type("crat");
-        rig.draw();
-        rig.key("escape");
-        rig.draw(2);
-        CHECK(rig.state().screen.popup_open);
-    }
-    REQUIRE(rig.state().screen.popup_open);
-    rig.key("escape");
-    rig.draw(2);
-    CHECK_FALSE(rig.state().screen.popup_open);
-    CHECK(rig.console.is_open());
-    CHECK(rig.value("world.ball.target") == Value(Handle{}));
-}
-
 TEST_CASE("the reset mark sets a property back to its default") {
     BallRig rig;
     rig.tree.set(rig.ball, "mass", Value(8.0));
