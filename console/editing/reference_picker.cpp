@@ -5,6 +5,7 @@
 #include <fettle/script/fuzzy.h>
 
 #include <look/fields.h>
+#include <look/imgui_compat.h>
 #include <look/theme.h>
 
 namespace fettle::console {
@@ -44,7 +45,11 @@ std::optional<Handle> ReferencePicker::draw(const property::Property& property, 
     if (!ImGui::BeginPopup("instances")) return chosen;
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
+    const bool searched = !search_.empty();
     bool entered = input_line("##search", "search", search_, ImGuiInputTextFlags_EnterReturnsTrue);
+    // The first Escape only takes the keys from the field and clears its text; without a text, it
+    // closes.
+    const bool closes = !searched && compat::escape_pressed();
     if (stale_ || search_ != taken_for_) take_candidates(property);
     if (entered && !candidates_.empty()) chosen = candidates_.front();
     ImGui::BeginChild("list");
@@ -58,7 +63,7 @@ std::optional<Handle> ReferencePicker::draw(const property::Property& property, 
     }
     if (candidates_.empty()) ImGui::TextDisabled("nothing fits");
     ImGui::EndChild();
-    if (chosen) ImGui::CloseCurrentPopup();
+    if (chosen || closes) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return chosen;
 }

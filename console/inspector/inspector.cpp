@@ -254,16 +254,21 @@ void Inspector::draw_several(ImFont* bold) {
     text_line(std::to_string(selection_.count()) + " selected");
     ImGui::PopFont();
     const FontScope font(fonts().sans);
-    ImGui::SameLine();
-    ImGui::PushStyleColor(ImGuiCol_Text, alike ? class_color(kind) : palette::dim);
-    ImGui::TextUnformatted(alike ? kind.c_str() : "what all of them have");
-    ImGui::PopStyleColor();
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-    // Buttons without room in a row begin another one.
-    const auto button = [&](const char* label) {
-        const ImGuiStyle& style = ImGui::GetStyle();
-        const float wide = text_width(label) + 2 * style.FramePadding.x;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    // What has no room in a row begins another one.
+    const auto beside_if_it_fits = [&](float wide) {
         if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + wide <= right) ImGui::SameLine();
+    };
+    const std::string shared = alike ? kind : "what all of them have";
+    beside_if_it_fits(text_width(shared));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float wide = std::min(text_width(shared), right - at.x);
+    ImGui::Dummy(ImVec2(wide, ImGui::GetTextLineHeight()));
+    draw_text_fit(*ImGui::GetWindowDrawList(), at, alike ? class_color(kind) : palette::dim, shared,
+                  wide);
+    const auto button = [&](const char* label) {
+        beside_if_it_fits(text_width(label) + 2 * style.FramePadding.x);
         return low_button(label);
     };
     if (low_button("Delete")) delete_selection();

@@ -34,7 +34,7 @@ void Selection::drop_others() {
     if (others_.empty()) return;
     others_.clear();
     keys_.clear();
-    ++revision_;
+    others_changed();
 }
 
 void Selection::select_only(Handle instance) {
@@ -46,7 +46,7 @@ void Selection::clear() {
     others_.clear();
     keys_.clear();
     last_ = {};
-    ++revision_;
+    others_changed();
 }
 
 void Selection::select(Handle instance) {
@@ -59,7 +59,7 @@ void Selection::select(Handle instance) {
         keys_.insert(last_.key());
     }
     last_ = instance;
-    ++revision_;
+    others_changed();
 }
 
 void Selection::select(const std::vector<Handle>& instances) {
@@ -73,19 +73,37 @@ void Selection::select(const std::vector<Handle>& instances) {
     keys.erase(last_.key());
     others_ = std::move(all);
     keys_ = std::move(keys);
-    looked_at_ = tree_.structure();
-    ++revision_;
+    others_changed();
 }
 
+void Selection::others_changed() {
+    ++revision_;
+    unchecked_ = others_.size();
+}
+
+/// Each creation and each destruction makes it necessary to look at all again.
 void Selection::drop_deleted() {
-    if (looked_at_ == tree_.structure()) return;
-    looked_at_ = tree_.structure();
-    const std::size_t dropped = std::erase_if(others_, [&](Handle each) {
+    if (looked_at_ != tree_.structure()) {
+        looked_at_ = tree_.structure();
+        unchecked_ = others_.size();
+    }
+    if (unchecked_ == 0) return;
+    if (next_ >= others_.size()) next_ = 0;
+    const std::size_t count = std::min({unchecked_, checked_in_a_frame, others_.size() - next_});
+    unchecked_ -= count;
+    const auto first = others_.begin() + static_cast<std::ptrdiff_t>(next_);
+    const auto end = first + static_cast<std::ptrdiff_t>(count);
+    const auto kept = std::remove_if(first, end, [&](Handle each) {
         const bool deleted = !tree_.alive(each);
         if (deleted) keys_.erase(each.key());
         return deleted;
     });
-    if (dropped > 0) ++revision_;
+    next_ += static_cast<std::size_t>(kept - first);
+    if (kept == end) return;
+    const bool alike = of_one_class_ && compared_ == revision_;
+    others_.erase(kept, end);
+    ++revision_;
+    if (alike) compared_ = revision_;  // without some of them, they still are
 }
 
 }  // namespace fettle::console

@@ -178,7 +178,8 @@ void Pen::arc(const Vec2& center, const Vec2& a, const Vec2& b, double start, do
         const ImVec2 from = pixel(center), to = pixel(center + way);
         return std::hypot(static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y));
     };
-    const double whole = std::clamp(4 * std::sqrt(std::max(length(a), length(b))), 12.0, 1024.0);
+    // The outline is nowhere further from the circle than a third of a pixel.
+    const double whole = std::clamp(4 * std::sqrt(std::max(length(a), length(b))), 8.0, 1024.0);
     const int segments = std::max(1, static_cast<int>(whole * (end - start) / two_pi));
     for (int i = 0; i <= segments; ++i) {
         const double t = start + (end - start) * i / segments;

@@ -25,15 +25,18 @@ std::vector<std::string> paths_in(const property::Tree& tree, std::string_view e
     return found;
 }
 
-void Breaks::add(script::Observed condition) {
+std::string Breaks::add(script::Observed condition) {
     Break added{std::move(condition), {}, false};
+    std::string problem;
     try {
         added.condition.settle();
         added.last = added.condition.value();
-    } catch (const std::exception&) {
+    } catch (const std::exception& error) {
         added.failed = true;  // it may have a value later
+        problem = property::exception_text(error);
     }
     all_.push_back(std::move(added));
+    return problem;
 }
 
 std::vector<std::string> Breaks::look() {

@@ -13,7 +13,8 @@ class Breaks {
   public:
     explicit Breaks(property::Tree& tree) : tree_(tree) {}
 
-    void add(script::Observed condition);
+    /// Returns why the condition cannot be computed now; "" if it can.
+    std::string add(script::Observed condition);
     void clear() { all_.clear(); }
     std::size_t size() const { return all_.size(); }
     /// Computes all conditions. Returns lines for the log about those that have become true (or,

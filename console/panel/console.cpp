@@ -209,6 +209,13 @@ void Console::State::show_overlay(std::string_view overlay, bool on) {
 void Console::State::run(const std::string& command) {
     prompt.run(command);
     views.log_view.scroll_to_end();
+    const bool printed = !log.lines().empty() && log.lines().back().kind != LineKind::command &&
+                         log.lines().back().kind != LineKind::continuation;
+    if (printed) show_log();
+}
+
+void Console::State::show_log() {
+    if (settings.flag("tweaks")) settings.set("tweaks", Value(false));
 }
 
 void Console::State::open(bool opened) {
@@ -431,7 +438,9 @@ std::shared_ptr<const Continuation> Console::continuation() const {
     return std::make_shared<const Continuation>(
         Continuation{.lines = state_->log.lines(),
                      .open = state_->is_open(),
-                     .selected_path = state_->status.selected_path});
+                     .selected_path = state_->status.selected_path,
+                     .keys = state_->observing.keys(),
+                     .aliases = state_->prompt.aliases()});
 }
 void Console::continue_from(const Continuation& earlier) {
     State& s = *state_;
@@ -440,6 +449,8 @@ void Console::continue_from(const Continuation& earlier) {
     s.status.greeted = s.status.greeted || !earlier.lines.empty();
     // The next frame selects it, if there is one with this path.
     s.status.selected_path = earlier.selected_path;
+    s.observing.take_keys(earlier.keys);
+    s.prompt.take_aliases(earlier.aliases);
     if (earlier.open) s.open(true);
 }
 bool Console::listens() const {

@@ -19,6 +19,7 @@ constexpr float picture_font = 18;
 
 void Console::State::export_plots() {
     for (const std::string& kind : std::exchange(observing.exports(), {})) {
+        show_log();
         try {
             if (observing.plots().empty())
                 throw property::Error(property::ErrorKind::rejected,

@@ -53,10 +53,12 @@ void Console::State::restore_observed() {
     std::vector<std::string> commands;
     for (const std::string& text : options.layout.pins) commands.push_back(call_of("pin", {text}));
     if (!options.layout.plots.empty()) commands.push_back(call_of("plot", options.layout.plots));
+    observing.tells_problems = false;  // the game may not have made them yet
     for (const std::string& command : commands) {
         const script::Evaluation result = interpreter.evaluate(command);
         if (result.error) log.note("the layout of the last run: " + result.error->message);
     }
+    observing.tells_problems = true;
 }
 
 Layout Console::State::layout() const {

@@ -32,6 +32,7 @@ constexpr float low_plot = 4.5f, low_list = 2, low_frames = 5;  // in low window
 constexpr float least_beside = 15;      // the inspector: its width beside the panel
 constexpr float useful_inspector = 14;  // its height below the panel, with some properties
 constexpr float least_legend = 80;      // in pixels: the legend of `view.show.blame`
+constexpr float compared_share = 0.4f;  // of the screen's height that other views leave two runs
 
 /// A window without a picture over an edge, which can be dragged. Returns whether it is.
 bool edge_is_dragged(const char* name, const Rect& place, ImGuiMouseCursor cursor) {
@@ -156,12 +157,13 @@ float Console::State::panel_height() {
     if (settings.flag("time_bar") && views.time_bar.available())
         below += views.time_bar.height() + margin;
     const bool plotted = !observing.plots().empty();
-    if (plotted) below += least_plot * em + margin;
+    if (plotted) below += least_plot_height() + margin;
     if (!observing.pins().empty() && (!plotted || screen.width < stacked_below * em))
         below += least_list * em + margin;
     if (options.frames != nullptr && shows("timings")) below += least_frames * em + margin;
     if (settings.flag("inspector") && !inspector_is_beside())
         below += useful_inspector * em + margin;
+    if (comparison_height() > 0) below += comparison_height() + margin;
     below += legend_room();
     const float overlays = settings.flag("overlays") ? views.overlay_bar.height() : 0;
     const float whole = std::max(1.0f, screen.height - 2 * margin);
@@ -172,6 +174,22 @@ float Console::State::panel_height() {
         std::min(whole, std::min(least_height * em, 0.35f * screen.height) + overlays);
     const float most = std::min(whole, std::max({screen.height - below, least, usual}));
     return std::clamp(settings.number("height") * screen.height, least, most);
+}
+
+/// Each value but the first adds its line of the legend, so that the curves keep their height.
+float Console::State::least_plot_height() const {
+    return least_plot * ImGui::GetFontSize() +
+           PlotView::added_legend_height(observing.plots().size());
+}
+
+/// The height at which the pictures of two runs use all of their width, within its share of the
+/// screen; 0 without a comparison. It is the same with and without a selection.
+float Console::State::comparison_height() {
+    if (!comparison.shown() || !options.to_world) return 0;
+    const float right = inspector_is_beside() ? inspector_width() + margin : 0;
+    const float wide = screen.width - 2 * margin - right;
+    return std::min(CompareView::height(wide, screen.width / screen.height),
+                    compared_share * screen.height);
 }
 
 /// The height that stays free above the views at the lower edge for the legend of the game's
@@ -225,11 +243,15 @@ void Console::State::draw_in_game() {
 /// Draws two runs between the panel and the views at the lower edge.
 void Console::State::draw_comparison(float right, double seconds) {
     if (!comparison.shown() || !options.to_world) return views.compare_view.hide();
-    const float low = free_above();
+    const float top = screen.panel_rect.high.y + margin;
+    float low = free_above();
+    if (settings.flag("inspector") && !inspector_is_beside()) {  // it is below both runs
+        const float inspected = least_inspector * ImGui::GetFontSize() + margin;
+        if (low - inspected >= top + CompareView::least_height) low -= inspected;
+    }
     if (screen.inspector_rect.high.y < screen.panel_rect.high.y + 2 * margin) right = 0;
-    views.compare_view.draw({ImVec2(margin, screen.panel_rect.high.y + margin),
-                             ImVec2(screen.width - margin - right, low)},
-                            tree, comparison, seen(), ui.pictures(), seconds,
+    views.compare_view.draw({ImVec2(margin, top), ImVec2(screen.width - margin - right, low)}, tree,
+                            comparison, seen(), ui.pictures(), seconds,
                             views.time_bar.available() ? views.time_bar.times().dt : 1.0 / 60);
 }
 
@@ -242,6 +264,8 @@ void Console::State::draw_frames(float right) {
         if (!rect.empty()) low = std::min(low, rect.low.y - margin);
     const float least = low_frames * ImGui::GetFontSize();
     float room = low - screen.panel_rect.high.y - margin;
+    if (comparison_height() > 0)
+        room -= std::clamp(room - least, 0.0f, comparison_height() + margin);
     if (room - legend_room() >= least) room -= legend_room();
     if (room < least) return views.frame_view.hide();
     const float tall = std::min(FrameView::height(), room);
@@ -259,8 +283,11 @@ void Console::State::draw_observed(float right) {
     const float wide = screen.width - 2 * margin - right, em = ImGui::GetFontSize();
     const bool pinned = !observing.pins().empty(), plotted = !observing.plots().empty();
     // In a low window, the other views are left out first.
-    const float least = (pinned ? least_list * em : 0) + (plotted ? least_plot * em : 0);
+    const float least = (pinned ? least_list * em : 0) + (plotted ? least_plot_height() : 0);
     float room = low - screen.panel_rect.high.y - margin;
+    // Two runs get as much as they can use, other views all of their height or none.
+    if (comparison_height() > 0)
+        room -= std::clamp(room - least, 0.0f, comparison_height() + margin);
     const auto leave = [&](float pixels) {
         if (room - pixels >= least) room -= pixels;
     };
@@ -318,108 +345,6 @@ void Console::State::draw_log(float log_height, float cell) {
     views.log_view.draw(log_height, cell);
 }
 
-/// The field that filters the log, in the title.
-void Console::State::draw_filter(float& right, float em) {
-    const float wide = 9 * em;
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    right -= wide;
-    ImGui::SetCursorScreenPos(ImVec2(right, start.y));
-    ImGui::SetNextItemWidth(wide);
-    std::string text = settings.text("filter");
-    const float padding = (button_height() - ImGui::GetTextLineHeight()) / 2;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                        ImVec2(ImGui::GetStyle().FramePadding.x, padding));
-    if (input_line("##filter", "filter the log", text, 0))
-        settings.set("filter", property::Value(text));
-    ImGui::PopStyleVar();
-    screen.filter_rect = item_rect();
-    right -= ImGui::GetStyle().ItemInnerSpacing.x;
-    ImGui::SetCursorScreenPos(start);
-}
-
-bool Console::State::title_button(const char* label, bool lit, float& right) {
-    const FontScope font(fonts().sans);
-    float pad = ImGui::GetStyle().FramePadding.x;
-    const std::string_view shown =
-        std::string_view(label).substr(0, std::string_view(label).find("##"));
-    float button_width = text_width(shown) + 2 * pad;
-    const float high = button_height();
-    ImVec2 start = ImGui::GetCursorScreenPos();
-    if (right - button_width < start.x) return false;  // there is no room: it is left out
-    right -= button_width;
-    ImGui::SetCursorScreenPos(ImVec2(right, start.y));
-    ImVec2 at = ImGui::GetCursorScreenPos();
-    bool pressed = ImGui::InvisibleButton(label, ImVec2(button_width, high));
-    bool hovered = ImGui::IsItemHovered();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    ImVec2 end(at.x + button_width, at.y + high);
-    float rounding = ImGui::GetStyle().FrameRounding;
-    list.AddRectFilled(at, end, hovered ? palette::hover : palette::raised, rounding);
-    const float above = (high - ImGui::GetTextLineHeight()) / 2;
-    draw_text(list, ImVec2(at.x + pad, at.y + above), lit ? palette::accent : palette::dim, shown);
-    right -= ImGui::GetStyle().ItemInnerSpacing.x;
-    ImGui::SetCursorScreenPos(start);
-    return pressed;
-}
-
-void Console::State::draw_title(float cell) {
-    ImVec2 at = ImGui::GetCursorScreenPos();
-    float content = ImGui::GetContentRegionAvail().x;
-    float right = at.x + content;
-    bool shown = settings.flag("inspector"), pauses = settings.flag("pauses");
-    if (title_button("inspector", shown, right)) settings.set("inspector", property::Value(!shown));
-    if (title_button("pause", pauses, right)) settings.set("pauses", property::Value(!pauses));
-    if (views.overlay_bar.available()) {
-        const int lit = views.overlay_bar.lit();
-        const std::string label =
-            lit == 0 ? "overlays###overlays" : "overlays " + std::to_string(lit) + "###overlays";
-        const bool listed = settings.flag("overlays");
-        if (title_button(label.c_str(), listed, right))
-            settings.set("overlays", property::Value(!listed));
-    }
-    if (views.tweak_list.available()) {
-        const bool listed = settings.flag("tweaks");
-        const std::size_t open = views.tweak_list.open_count();
-        const std::string label =
-            open == 0 ? "tweaks###tweaks" : "tweaks " + std::to_string(open) + "###tweaks";
-        if (title_button(label.c_str(), listed, right))
-            settings.set("tweaks", property::Value(!listed));
-    }
-    const float em = ImGui::GetFontSize();
-    if (content > 46 * em) draw_filter(right, em);
-
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    float x = at.x;
-    compat::push_font(ui.bold());
-    if (x + text_width("console") < right)
-        x += draw_text(list, ImVec2(x, at.y + 1), palette::text, "console");
-    ImGui::PopFont();
-    x += 2 * cell;
-    if (tree.alive(inspector.selected())) {
-        // In a narrow window the inspector below says it.
-        constexpr float least_cells = 12;
-        constexpr std::string_view it = "it = ";
-        const std::string path = tree.path(inspector.selected());
-        const float before = text_width(it), room = right - x - cell;
-        const float wide = std::min(before + text_width(path), room);
-        if (wide < room || room >= least_cells * cell) {
-            draw_text(list, ImVec2(x, at.y + 1), palette::accent, it);
-            draw_path_fit(list, ImVec2(x + before, at.y + 1), palette::accent, path, wide - before);
-            x += wide + 3 * cell;
-        }
-    }
-    constexpr std::string_view hints = "Tab complete   ↑ history   Ctrl-R search   Esc close";
-    const FontScope font(fonts().sans);
-    float hint_width = text_width(hints);
-    if (x + hint_width + 2 * cell < right)
-        draw_text(list, ImVec2(right - hint_width - cell, at.y + 1), palette::faint, hints);
-    ImGui::Dummy(ImVec2(content, button_height() + 2));
-    ImVec2 line = ImGui::GetCursorScreenPos();
-    list.AddLine(ImVec2(screen.panel_rect.low.x, line.y - 2),
-                 ImVec2(screen.panel_rect.high.x, line.y - 2), palette::line);
-    ImGui::Dummy(ImVec2(1, 1));
-}
-
 void Console::State::draw_height_handle() {
     const Rect& panel = screen.panel_rect;
     screen.height_edge = {ImVec2(panel.low.x, panel.high.y - handle_size / 2),
@@ -450,7 +375,9 @@ void Console::State::draw_inspector(float left, float inspector_width) {
 /// enough. If nothing is selected, the game is visible in the lower half.
 void Console::State::draw_inspector_below() {
     const float least = least_inspector * ImGui::GetFontSize();
-    const float top = screen.panel_rect.high.y + margin, room = free_above() - legend_room() - top;
+    const Rect& runs = views.compare_view.rect();
+    const float top = (runs.empty() ? screen.panel_rect : runs).high.y + margin;
+    const float room = free_above() - legend_room() - top;
     const float tall = tree.alive(inspector.selected()) ? room : std::max(least, room / 2);
     if (!settings.flag("inspector") || room < least) {
         screen.inspector_rect = {};

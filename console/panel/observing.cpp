@@ -65,6 +65,7 @@ void Observing::pin(script::Observed what) {
             "pin: there are " + std::to_string(max_pins) + " pinned values already; unpin one");
     pins_.emplace_back(std::move(what));
     pins_.back().look();
+    note_problem("pin", pins_.back().problem());
 }
 
 std::size_t Observing::unpin(const std::string& text) {
@@ -90,6 +91,7 @@ void Observing::plot(std::vector<script::Observed> all) {
                                   "plot: " + text + " is neither a number, a vector nor a boolean");
         }
     }
+    for (const Trace& trace : plots_) note_problem("plot", trace.problem());
 }
 
 void Observing::break_when(script::Observed condition) {
@@ -97,7 +99,12 @@ void Observing::break_when(script::Observed condition) {
         breaks_.clear();
         return;
     }
-    breaks_.add(std::move(condition));
+    note_problem("break_when", breaks_.add(std::move(condition)));
+}
+
+/// It may be a wrong name, or the name of something that the game has not made yet.
+void Observing::note_problem(const char* request, const std::string& problem) {
+    if (!problem.empty() && tells_problems) log_.note(std::string(request) + ": " + problem);
 }
 
 void Observing::bind(const std::string& key, const std::string& command) {

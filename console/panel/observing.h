@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fettle/property/tree.h>
@@ -47,8 +48,14 @@ class Observing {
     /// Computes the pinned values for a picture.
     void look();
 
+    /// Whether a request for a value that cannot be computed now is told in the log.
+    bool tells_problems = true;
+
     /// The command of a key, "" if it has none.
     std::string command_of_key(const std::string& key) const;
+    /// The commands of all keys.
+    const std::map<std::string, std::string>& keys() const { return keys_; }
+    void take_keys(std::map<std::string, std::string> keys) { keys_ = std::move(keys); }
 
     /// Kinds of files that the plot is to be written as.
     std::vector<std::string>& exports() { return exports_; }
@@ -62,6 +69,7 @@ class Observing {
     std::size_t unpin(const std::string& text);
     void plot(std::vector<script::Observed> all);
     void break_when(script::Observed condition);
+    void note_problem(const char* request, const std::string& problem);
     void bind(const std::string& key, const std::string& command);
     void run_waiting();
     void run_commands(const Commands& commands);

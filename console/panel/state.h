@@ -3,6 +3,7 @@
 // ImGui, the prompt, the game.
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -96,6 +97,7 @@ struct Continuation {
     std::deque<LogLine> lines;
     bool open = false;
     std::string selected_path{};
+    std::map<std::string, std::string> keys{}, aliases{};  // with their commands
 };
 
 struct Console::State {
@@ -150,6 +152,8 @@ struct Console::State {
     void keep_layout();
     /// Runs a command of a button, a menu or a key as if it were typed.
     void run(const std::string& command);
+    /// Shows the log in place of the list of tweaks.
+    void show_log();
     // --- Files (exporting.cpp)
     void export_plots();
     std::string export_table();
@@ -162,7 +166,7 @@ struct Console::State {
     void follow_link(std::string_view path, bool insert);
     bool is_link(std::string_view path) const;
 
-    // --- Appearance (layout.cpp)
+    // --- Appearance (layout.cpp, title.cpp)
     void frame(double seconds);
     property::Seen seen() const;
     void draw_outlines();
@@ -174,6 +178,8 @@ struct Console::State {
     float inspector_width();
     float free_above() const;
     float legend_room() const;
+    float least_plot_height() const;
+    float comparison_height();
     app::ClipRectangle left_free(const app::ClipRectangle& whole) const;
     void draw_panel(float width, float height, float cell);
     void draw_log(float log_height, float cell);

@@ -41,6 +41,8 @@ class Prompt {
     /// Replaces the word at the beginning of later commands by `command`; an empty `command` ends
     /// this.
     void alias(const std::string& word, const std::string& command);
+    const std::map<std::string, std::string>& aliases() const { return aliases_; }
+    void take_aliases(std::map<std::string, std::string> aliases) { aliases_ = std::move(aliases); }
     /// The command with an alias at its beginning replaced.
     std::string expanded(const std::string& command) const;
     /// The log is emptied when the running command has ended.

@@ -23,6 +23,8 @@ constexpr int compare_flags =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing;
 constexpr double rest = 0.8;  // s that the last moment stays
+// In ems: around and between the pictures, their titles, the track.
+constexpr float gap_ems = 0.4f, title_ems = 1.4f, track_ems = 2;
 
 /// The map of the world into a rectangle, as large as it fits.
 class Window {
@@ -190,10 +192,17 @@ void CompareView::draw_track(const Comparison& runs, double dt) {
     list.AddCircleFilled(ImVec2(here, y), 6, palette::accent);
 }
 
+float CompareView::height(float width, float aspect) {
+    const float em = ImGui::GetFontSize();
+    const float picture = (width - 3 * gap_ems * em) / 2;
+    return picture / aspect + (gap_ems + title_ems + track_ems) * em;
+}
+
 void CompareView::draw(const Rect& place, const property::Tree& tree, const Comparison& runs,
                        const property::Seen& seen, GamePictures& pictures, double seconds,
                        double dt) {
-    if (!runs.shown() || place.high.x - place.low.x < 100 || place.high.y - place.low.y < 80)
+    if (!runs.shown() || place.high.x - place.low.x < 100 ||
+        place.high.y - place.low.y < least_height)
         return hide();
     play(runs, seconds, dt);
     ImGui::SetNextWindowPos(place.low);
@@ -201,8 +210,8 @@ void CompareView::draw(const Rect& place, const property::Tree& tree, const Comp
     ImGui::SetNextWindowBgAlpha(1);
     ImGui::Begin("##compare", nullptr, compare_flags);
     rect_ = window_rect();
-    const float em = ImGui::GetFontSize(), gap = 0.4f * em, title = 1.4f * em;
-    const float middle = rect_.middle().x, low = rect_.high.y - 2 * em;
+    const float em = ImGui::GetFontSize(), gap = gap_ems * em, title = title_ems * em;
+    const float middle = rect_.middle().x, low = rect_.high.y - track_ems * em;
     const Rect left{ImVec2(rect_.low.x + gap, rect_.low.y + gap), ImVec2(middle - gap / 2, low)};
     const Rect right{ImVec2(middle + gap / 2, rect_.low.y + gap), ImVec2(rect_.high.x - gap, low)};
     const auto below = [&](const Rect& side) {

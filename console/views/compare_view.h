@@ -15,6 +15,12 @@ namespace fettle::console {
 
 class CompareView {
   public:
+    /// In a lower window, in pixels, there are no pictures.
+    static constexpr float least_height = 80;
+    /// The height of a window of this width in which both pictures use all of their width.
+    /// `aspect`: width / height of a picture.
+    static float height(float width, float aspect);
+
     /// Ends the comparison.
     std::function<void()> close;
 

@@ -48,6 +48,10 @@ const Trace::Sample* sample_at(const Trace& trace, std::int64_t step) {
     return found == all.begin() ? nullptr : &*std::prev(found);
 }
 
+bool follows(const Trace::Sample& before, const Trace::Sample& after) {
+    return after.step == before.step + 1;
+}
+
 }  // namespace
 
 double seconds_between_labels(double seconds) {
@@ -132,19 +136,25 @@ void PlotView::draw_curves(const Scale& scale, const std::vector<Trace>& plots) 
             const auto add = [&](const Trace::Sample& s) {
                 if (s.step >= scale.first) points.push_back(point(scale, s.step, s.*part));
             };
+            const auto draw = [&] {
+                const ImU32 color = color_of(plots, i, second);
+                if (points.size() == 1) list.AddCircleFilled(points.front(), 1.6f, color);
+                list.AddPolyline(points.data(), static_cast<int>(points.size()), color, 0, 1.6f);
+                points.clear();
+            };
             // Draws the lowest and the highest sample of each column of pixels, so that no peak is
-            // lost.
-            for (std::size_t k = 0; k < samples.size(); k += stride) {
+            // lost. At steps without a value the curve is interrupted.
+            for (std::size_t k = 0; k < samples.size();) {
+                const std::size_t end = std::min(k + stride, samples.size());
                 std::size_t low = k, high = k;
-                for (std::size_t n = k; n < std::min(k + stride, samples.size()); ++n) {
-                    if (samples[n].*part < samples[low].*part) low = n;
-                    if (samples[n].*part > samples[high].*part) high = n;
+                for (++k; k < end && follows(samples[k - 1], samples[k]); ++k) {
+                    if (samples[k].*part < samples[low].*part) low = k;
+                    if (samples[k].*part > samples[high].*part) high = k;
                 }
                 add(samples[std::min(low, high)]);
                 if (low != high) add(samples[std::max(low, high)]);
+                if (k == samples.size() || !follows(samples[k - 1], samples[k])) draw();
             }
-            list.AddPolyline(points.data(), static_cast<int>(points.size()),
-                             color_of(plots, i, second), 0, 1.6f);
         }
 }
 
@@ -213,12 +223,16 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
     if (pressed) run("plot()");
 }
 
+float PlotView::added_legend_height(std::size_t values) {
+    return values < 2 ? 0 : static_cast<float>(values - 1) * legend_line();
+}
+
 void PlotView::draw(ImVec2 corner, ImVec2 size, float room, const property::Tree& tree,
                     const std::vector<Trace>& plots, const Times& times, float opacity) {
     if (plots.empty()) return hide();
     // Each value has a line of the legend; the curves keep their height as long as there is room.
-    const float legend = static_cast<float>(plots.size()) * legend_line();
-    size.y = std::min(size.y + legend - legend_line(), room);
+    const float added = added_legend_height(plots.size()), legend = added + legend_line();
+    size.y = std::min(size.y + added, room);
     ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y - size.y));
     ImGui::SetNextWindowSize(size);
     ImGui::SetNextWindowBgAlpha(opacity);

@@ -38,6 +38,8 @@ class PlotView {
     /// up to the height `room`.
     void draw(ImVec2 corner, ImVec2 size, float room, const property::Tree& tree,
               const std::vector<Trace>& plots, const Times& times, float opacity);
+    /// The height that the legend takes for all values but the first.
+    static float added_legend_height(std::size_t values);
     const Rect& rect() const { return rect_; }
     void hide() { rect_ = area_ = {}; }
     /// The rectangle of the curves, and of the button that ends the plot; for tests.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <look/imgui_compat.h>
 #include <look/theme.h>
@@ -249,13 +252,23 @@ void PromptView::draw_menu(float cell, ImFont* bold) {
     ImGui::PopStyleColor();
 }
 
-/// The signature of the call that is being typed, with the present parameter marked.
+/// The signature of the call that is being typed, with the present parameter marked. A long one
+/// has several lines in a narrow window.
 void PromptView::draw_signature() {
     const auto shown = prompt_.search() ? std::nullopt : prompt_.signature();
     if (!shown) return;
     const ImGuiStyle& style = ImGui::GetStyle();
     const float widest = ImGui::GetIO().DisplaySize.x - 16;
-    const float width = std::min(text_width(shown->text) + 2 * style.WindowPadding.x, widest);
+    const std::string text = wrapped(shown->text, widest - 2 * style.WindowPadding.x);
+    std::vector<ParameterRange> lines;
+    float width = 0;
+    for (std::size_t begin = 0; begin <= text.size(); begin = lines.back().end + 1) {
+        lines.push_back({begin, std::min(text.find('\n', begin), text.size())});
+        const std::string_view line =
+            std::string_view(text).substr(begin, lines.back().end - begin);
+        width = std::max(width, text_width(line));
+    }
+    width = std::min(width + 2 * style.WindowPadding.x, widest);
     ImGui::SetNextWindowPos(
         ImVec2(std::clamp(signature_anchor_.x, 8.0f, std::max(8.0f, widest + 8 - width)),
                signature_anchor_.y));
@@ -267,15 +280,25 @@ void PromptView::draw_signature() {
                      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_AlwaysAutoResize);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::Dummy(ImVec2(width - 2 * style.WindowPadding.x, ImGui::GetTextLineHeight()));
-    const std::string_view text = shown->text;
+    const float high = ImGui::GetTextLineHeight();
+    ImGui::Dummy(
+        ImVec2(width - 2 * style.WindowPadding.x, high * static_cast<float>(lines.size())));
     const ParameterRange now = shown->parameter;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    float x = at.x;
-    x += draw_text(list, ImVec2(x, at.y), palette::dim, text.substr(0, now.begin));
-    x += draw_text(list, ImVec2(x, at.y), palette::accent,
-                   text.substr(now.begin, now.end - now.begin));
-    draw_text(list, ImVec2(x, at.y), palette::dim, text.substr(now.end));
+    float y = at.y;
+    for (const ParameterRange& line : lines) {
+        const std::size_t marked = std::clamp(now.begin, line.begin, line.end),
+                          after = std::clamp(now.end, marked, line.end);
+        float x = at.x;
+        const auto draw = [&](std::size_t begin, std::size_t end, ImU32 color) {
+            x += draw_text(list, ImVec2(x, y), color,
+                           std::string_view(text).substr(begin, end - begin));
+        };
+        draw(line.begin, marked, palette::dim);
+        draw(marked, after, palette::accent);
+        draw(after, line.end, palette::dim);
+        y += high;
+    }
     signature_rect_ = window_rect();
     ImGui::End();
     ImGui::PopStyleColor();

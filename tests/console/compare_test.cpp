@@ -185,6 +185,47 @@ TEST_CASE_METHOD(CompareRig, "both runs are shown side by side and play again an
     CHECK_FALSE(runs().shown());
 }
 
+TEST_CASE_METHOD(CompareRig, "two runs have room for their pictures beside plots") {
+    struct Size {
+        unsigned width, height;
+    };
+    const auto [width, height] = GENERATE(Size{1280, 800}, Size{1920, 1080}, Size{400, 900});
+    const std::size_t plots = GENERATE(0u, 1u, 3u);
+    const bool selected = GENERATE(false, true);
+    INFO(width << " x " << height << ", " << plots << " plots, selected " << selected);
+    for (std::size_t i = 0; i < plots; ++i)
+        state().observing.plots().emplace_back(
+            script::Observed{.text = "world.ball.mass", .path = "", .unit = "kg", .value = [] {
+                                 return Value(1.0);
+                             }});
+    if (selected) state().choose(tree.child(tree.child(tree.root(), "world"), "ball"));
+    console::test::RasterSurface window(width, height);
+    for (int i = 0; i < 3; ++i) console.draw(window, 1.0 / 60);
+    const float before = state().screen.panel_rect.high.y;
+    runs().request_change("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    for (int i = 0; i < 4; ++i) console.draw(window, 1.0 / 60);
+    const console::Rect both = state().views.compare_view.rect();
+    const float wanted = console::CompareView::height(
+        both.high.x - both.low.x, static_cast<float>(width) / static_cast<float>(height));
+    const float least = std::min(0.3f * static_cast<float>(height), wanted);
+    CHECK(both.high.y - both.low.y >= least);
+    std::vector<console::Rect> shown{both, state().screen.panel_rect, state().screen.inspector_rect,
+                                     state().views.plot_view.rect(), state().views.time_bar.rect()};
+    const auto apart = [](const console::Rect& a, const console::Rect& b) {
+        return a.high.x <= b.low.x || b.high.x <= a.low.x || a.high.y <= b.low.y ||
+               b.high.y <= a.low.y;
+    };
+    std::erase_if(shown, [](const console::Rect& each) { return each.empty(); });
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) CHECK(apart(shown[i], shown[k]));
+    const console::Rect curves = state().views.plot_view.area();
+    if (plots > 0) CHECK(curves.high.y - curves.low.y >= 60);
+    runs().end();
+    for (int i = 0; i < 3; ++i) console.draw(window, 1.0 / 60);
+    CHECK(state().screen.panel_rect.high.y == before);
+}
+
 TEST_CASE_METHOD(CompareRig, "values that cannot be compared are refused") {
     CHECK_THROWS(runs().request_change("world.ball.mas", Value(3.0), 1));
     CHECK_THROWS(runs().request_change("world.ball", Value(3.0), 1));

@@ -86,6 +86,35 @@ TEST_CASE("the game that begins again has the same instance selected") {
     CHECK_FALSE(next.lua->selected());
 }
 
+TEST_CASE("keys and words for commands stay when the game begins again") {
+    Run first;
+    first.lua->open();
+    first.frame();
+    first.lua->state().run("bind('f5', 'world.ball.mass = 7')");
+    first.lua->state().run("alias('heavy', 'world.ball.mass =')");
+    Run next;
+    next.lua->continue_from(*first.lua->continuation());
+    next.frame();
+    CHECK(next.lua->handle(console::test::key_event("f5", true)));
+    next.frame();
+    CHECK(property::get(next.tree, "world.ball.mass") == Value(7.0));
+    next.lua->state().run("heavy 12");
+    CHECK(property::get(next.tree, "world.ball.mass") == Value(12.0));
+}
+
+TEST_CASE("a pinned value of a run before that is not there yet is no message") {
+    console::Layout layout;
+    layout.pins = {"world.boss.mass"};
+    layout.plots = {"world.boss.position"};
+    Run run(layout);
+    run.lua->open();
+    run.frame();
+    CHECK(run.lua->state().observing.pins().size() == 1);
+    CHECK(run.text().find("boss") == std::string::npos);
+    run.lua->state().run("pin world.boss.mass");
+    CHECK(run.text().find("pin: world.boss: no such name") != std::string::npos);
+}
+
 TEST_CASE("sizes and what is pinned and plotted are kept from run to run") {
     std::optional<console::Layout> kept;
     {

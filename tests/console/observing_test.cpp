@@ -18,6 +18,22 @@ using console::test::ObservingRig;
 using property::Value;
 using property::Vec2;
 
+TEST_CASE("what cannot be computed is told when it is observed, with the nearest name") {
+    ObservingRig rig;
+    rig.run("pin world.ball.mss");
+    rig.run("plot world.ball.positon");
+    rig.run("break_when world.boll.mass > 3");
+    INFO(rig.text());
+    CHECK(rig.text().find("pin: world.ball.mss: no such name (did you mean \"mass\"?)") !=
+          std::string::npos);
+    CHECK(rig.text().find("plot: world.ball.positon: no such name (did you mean \"position\"?)") !=
+          std::string::npos);
+    CHECK(rig.text().find("break_when: world.boll: no such name (did you mean \"ball\"?)") !=
+          std::string::npos);
+    REQUIRE(rig.pins().size() == 1);  // it may be made later
+    CHECK(rig.pins().front().problem().starts_with("world.ball.mss"));
+}
+
 TEST_CASE("a pinned value is shown with its unit and followed from the kept past on") {
     ObservingRig rig;
     rig.step(500);

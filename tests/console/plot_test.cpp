@@ -70,6 +70,31 @@ TEST_CASE("the legend has the value of a condition at the mouse") {
     CHECK(view.legend().at(0).value == "false");
 }
 
+TEST_CASE("a curve is interrupted where there is no value") {
+    ObservingRig rig;
+    rig.step(100);
+    rig.run(
+        "plot(function() local x = world.ball.position.x "
+        "return (x < 40 or x > 60) and x or 'none' end)");
+    rig.step();
+    rig.show();
+    const console::Rect area = rig.lua.state().views.plot_view.area();
+    const auto curve_at = [&](float share) {
+        const auto wide = static_cast<std::size_t>(rig.surface.width());
+        const auto x = static_cast<std::size_t>(area.low.x + share * (area.high.x - area.low.x));
+        int bright = 0;
+        for (auto y = static_cast<std::size_t>(area.low.y);
+             y < static_cast<std::size_t>(area.high.y); ++y) {
+            const auto& pixel = rig.surface.pixels()[y * wide + x];
+            if (std::max({pixel[0], pixel[1], pixel[2]}) > 150) ++bright;
+        }
+        return bright;
+    };
+    CHECK(curve_at(0.25f) > 0);
+    CHECK(curve_at(0.5f) == 0);
+    CHECK(curve_at(0.75f) > 0);
+}
+
 TEST_CASE("the legend of a plot does not move while values change their length") {
     ObservingRig rig;
     rig.run("plot world.ball.position, world.crate.mass");

@@ -297,10 +297,38 @@ TEST_CASE("deleted instances leave the selection") {
     CHECK(rig.selection().empty());
 }
 
+TEST_CASE("of many selected instances some are looked at in a frame, and all in a few") {
+    using console::Selection;
+    property::Tree tree;
+    console::test::make_game(tree);
+    const Handle world = tree.child(tree.root(), "world");
+    std::vector<Handle> many;
+    for (std::size_t i = 0; i < 4 * Selection::checked_in_a_frame; ++i)
+        many.push_back(tree.create(tree.class_named("Body"), world));
+    Selection selection(tree);
+    selection.select(many);
+    REQUIRE(selection.of_one_class());
+    for (std::size_t i = 0; i + 1 < many.size(); i += 2) tree.destroy(many[i]);
+    selection.drop_deleted();
+    CHECK(selection.others().size() == many.size() - 1 - Selection::checked_in_a_frame / 2);
+    for (int frame = 0; frame < 5; ++frame) {
+        tree.destroy(tree.create(tree.class_named("Body"), world));
+        selection.drop_deleted();
+    }
+    CHECK(selection.others().size() == many.size() / 2 - 1);
+    CHECK(selection.of_one_class());
+    CHECK_FALSE(selection.contains(many[0]));
+    CHECK(selection.contains(many[1]));
+    CHECK(selection.last() == many.back());
+}
+
 TEST_CASE("the buttons for several instances stay in a narrow inspector with large text") {
     SelectionRig rig;
     property::set(rig.tree, "console.scale", Value(2.0));
     rig.select_all();
+    const bool of_one_class = GENERATE(true, false);
+    if (!of_one_class) rig.state().inspector.select({rig.ball, rig.world});
+    rig.draw(3);
     const ImGuiWindow* const inspector = ImGui::FindWindowByName("##inspector");
     REQUIRE(inspector != nullptr);
     CHECK(inspector->ContentSize.x <= inspector->WorkRect.GetWidth());

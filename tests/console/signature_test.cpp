@@ -4,6 +4,8 @@
 #include "catch.h"
 #include "rig.h"
 
+#include <imgui_internal.h>
+
 namespace signature_test {
 
 using namespace fettle;
@@ -47,6 +49,26 @@ TEST_CASE("the parameters of a signature are found") {
     CHECK(parameter("f(a)", 1).empty());
     CHECK(parameter("f()", 0).empty());
     CHECK(parameter("number", 0).empty());
+}
+
+TEST_CASE("a long signature has several lines in a narrow window") {
+    console::test::Rig rig;
+    script::Runtime runtime(rig.tree, {});
+    console::Console lua(rig.tree, runtime);
+    lua.open();
+    lua.state().prompt.edit().insert("ab(");
+    REQUIRE(lua.state().prompt.signature());
+    const auto height = [&](unsigned width) {
+        console::test::RasterSurface window(width, 600);
+        for (int i = 0; i < 3; ++i) lua.draw(window, 1.0 / 60);
+        const console::Rect rect = lua.state().views.prompt_view.signature_rect();
+        CHECK(rect.high.x <= static_cast<float>(width));
+        const ImGuiWindow* const shown = ImGui::FindWindowByName("##signature");
+        CHECK(shown->ContentSize.x <= shown->WorkRect.GetWidth() + 1);
+        return rect.high.y - rect.low.y;
+    };
+    INFO(lua.state().prompt.signature()->text);
+    CHECK(height(180) > height(1280) + 10);
 }
 
 TEST_CASE("the signature is shown while arguments are typed") {

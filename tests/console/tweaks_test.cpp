@@ -98,6 +98,21 @@ TEST_CASE("in a narrow window the list of tweaks leaves the times to tooltips") 
     CHECK_FALSE(rig.state().views.tweak_list.button(1, "drop").empty());
 }
 
+TEST_CASE("a command of a menu or a key shows its output in place of the list of tweaks") {
+    TweakedRig rig;
+    rig.state().run("world.ball.mass");
+    CHECK(rig.value("console.tweaks") == Value(false));
+    CHECK(rig.logged("world.ball.mass: 5"));
+}
+
+TEST_CASE("the file of a plot is told in place of the list of tweaks") {
+    TweakedRig rig;
+    rig.state().observing.exports().push_back("csv");
+    rig.console.between_frames();
+    CHECK(rig.value("console.tweaks") == Value(false));
+    CHECK(rig.logged("nothing is plotted"));
+}
+
 TEST_CASE("a command shows its output in place of the list of tweaks") {
     TweakedRig rig;
     rig.type("world.ball.mass");

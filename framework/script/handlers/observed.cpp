@@ -70,6 +70,12 @@ std::vector<std::string> paths_in(std::string_view text) {
     return found;
 }
 
+// A one-line text needs no line number; "formula" is only the name of the chunk.
+std::string without_chunk(const std::string& message) {
+    constexpr std::string_view chunk = "formula:1: ";
+    return message.starts_with(chunk) ? message.substr(chunk.size()) : message;
+}
+
 Observed observed(Machine& machine, std::string text, property::Formula formula) {
     Observed result;
     result.text = std::move(text);
@@ -87,7 +93,13 @@ Observed observed(Machine& machine, std::string text, property::Formula formula)
                     function = std::move(formula.function)]() -> Value {
         if (alive.expired()) throw Error(ErrorKind::deleted, "the tree was destroyed");
         const property::Inquiry inquiry(machine.tree, "what is observed", "cannot");
-        return function(machine.tree);
+        try {
+            return function(machine.tree);
+        } catch (const Error&) {
+            throw;
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(without_chunk(error.what()));
+        }
     };
     return result;
 }

@@ -1,0 +1,115 @@
+// The title of the panel: what is selected, the field that filters the log, and buttons.
+
+#include <string>
+#include <string_view>
+
+#include <look/fields.h>
+#include <look/imgui_compat.h>
+#include <look/theme.h>
+#include <panel/state.h>
+
+namespace fettle::console {
+
+/// The field that filters the log, in the title.
+void Console::State::draw_filter(float& right, float em) {
+    const float wide = 9 * em;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    right -= wide;
+    ImGui::SetCursorScreenPos(ImVec2(right, start.y));
+    ImGui::SetNextItemWidth(wide);
+    std::string text = settings.text("filter");
+    const float padding = (button_height() - ImGui::GetTextLineHeight()) / 2;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        ImVec2(ImGui::GetStyle().FramePadding.x, padding));
+    if (input_line("##filter", "filter the log", text, 0))
+        settings.set("filter", property::Value(text));
+    ImGui::PopStyleVar();
+    screen.filter_rect = item_rect();
+    right -= ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetCursorScreenPos(start);
+}
+
+bool Console::State::title_button(const char* label, bool lit, float& right) {
+    const FontScope font(fonts().sans);
+    float pad = ImGui::GetStyle().FramePadding.x;
+    const std::string_view shown =
+        std::string_view(label).substr(0, std::string_view(label).find("##"));
+    float button_width = text_width(shown) + 2 * pad;
+    const float high = button_height();
+    ImVec2 start = ImGui::GetCursorScreenPos();
+    if (right - button_width < start.x) return false;  // there is no room: it is left out
+    right -= button_width;
+    ImGui::SetCursorScreenPos(ImVec2(right, start.y));
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    bool pressed = ImGui::InvisibleButton(label, ImVec2(button_width, high));
+    bool hovered = ImGui::IsItemHovered();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImVec2 end(at.x + button_width, at.y + high);
+    float rounding = ImGui::GetStyle().FrameRounding;
+    list.AddRectFilled(at, end, hovered ? palette::hover : palette::raised, rounding);
+    const float above = (high - ImGui::GetTextLineHeight()) / 2;
+    draw_text(list, ImVec2(at.x + pad, at.y + above), lit ? palette::accent : palette::dim, shown);
+    right -= ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetCursorScreenPos(start);
+    return pressed;
+}
+
+void Console::State::draw_title(float cell) {
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    float content = ImGui::GetContentRegionAvail().x;
+    float right = at.x + content;
+    bool shown = settings.flag("inspector"), pauses = settings.flag("pauses");
+    if (title_button("inspector", shown, right)) settings.set("inspector", property::Value(!shown));
+    if (title_button("pause", pauses, right)) settings.set("pauses", property::Value(!pauses));
+    if (views.overlay_bar.available()) {
+        const int lit = views.overlay_bar.lit();
+        const std::string label =
+            lit == 0 ? "overlays###overlays" : "overlays " + std::to_string(lit) + "###overlays";
+        const bool listed = settings.flag("overlays");
+        if (title_button(label.c_str(), listed, right))
+            settings.set("overlays", property::Value(!listed));
+    }
+    if (views.tweak_list.available()) {
+        const bool listed = settings.flag("tweaks");
+        const std::size_t open = views.tweak_list.open_count();
+        const std::string label =
+            open == 0 ? "tweaks###tweaks" : "tweaks " + std::to_string(open) + "###tweaks";
+        if (title_button(label.c_str(), listed, right))
+            settings.set("tweaks", property::Value(!listed));
+    }
+    const float em = ImGui::GetFontSize();
+    if (content > 46 * em) draw_filter(right, em);
+
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    float x = at.x;
+    compat::push_font(ui.bold());
+    if (x + text_width("console") < right)
+        x += draw_text(list, ImVec2(x, at.y + 1), palette::text, "console");
+    ImGui::PopFont();
+    x += 2 * cell;
+    if (tree.alive(inspector.selected())) {
+        // In a narrow window the inspector below says it.
+        constexpr float least_cells = 12;
+        constexpr std::string_view it = "it = ";
+        const std::string path = tree.path(inspector.selected());
+        const float before = text_width(it), room = right - x - cell;
+        const float wide = std::min(before + text_width(path), room);
+        if (wide < room || room >= least_cells * cell) {
+            draw_text(list, ImVec2(x, at.y + 1), palette::accent, it);
+            draw_path_fit(list, ImVec2(x + before, at.y + 1), palette::accent, path, wide - before);
+            x += wide + 3 * cell;
+        }
+    }
+    constexpr std::string_view hints = "Tab complete   ↑ history   Ctrl-R search   Esc close";
+    const FontScope font(fonts().sans);
+    float hint_width = text_width(hints);
+    if (x + hint_width + 2 * cell < right)
+        draw_text(list, ImVec2(right - hint_width - cell, at.y + 1), palette::faint, hints);
+    ImGui::Dummy(ImVec2(content, button_height() + 2));
+    ImVec2 line = ImGui::GetCursorScreenPos();
+    list.AddLine(ImVec2(screen.panel_rect.low.x, line.y - 2),
+                 ImVec2(screen.panel_rect.high.x, line.y - 2), palette::line);
+    ImGui::Dummy(ImVec2(1, 1));
+}
+
+}  // namespace fettle::console
