@@ -77,6 +77,12 @@ float check_range(const char* what, float value, float low, float high) {
     return value;
 }
 
+void check_order(const char* lower_name, float lower, const char* upper_name, float upper) {
+    if (lower > upper)
+        refuse(lower_name, text(lower),
+               std::string("at most ") + upper_name + ", which is " + text(upper));
+}
+
 void check_name(const char* what, std::string_view value) {
     constexpr size_t most = 63;
     if (value.size() > most)

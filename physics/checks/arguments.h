@@ -50,6 +50,8 @@ inline float check_strength(const char* what, float value) {
 inline float check_stiffness(const char* what, float hertz) {
     return check_range(what, hertz, 0.0f, infinity);
 }
+/// Two limits that a definition gives together.
+void check_order(const char* lower_name, float lower, const char* upper_name, float upper);
 /// At most 63 bytes without a zero.
 void check_name(const char* what, std::string_view value);
 int check_count(const char* what, int value, int low, int high);

@@ -39,6 +39,19 @@ JointDef common_of(const Def& def) {
             def.constraint_damping_ratio};
 }
 
+/// A definition gives both limits at once, so a lower limit above the upper one is an error. The
+/// functions that set one of them accept it, since the other one may follow.
+template <class Def>
+void check_limits(const Def& def) {
+    if constexpr (requires { def.lower_angle; })
+        check_order("lower_angle", def.lower_angle, "upper_angle", def.upper_angle);
+    if constexpr (requires { def.lower_translation; })
+        check_order("lower_translation", def.lower_translation, "upper_translation",
+                    def.upper_translation);
+    if constexpr (requires { def.min_length; })
+        check_order("min_length", def.min_length, "max_length", def.max_length);
+}
+
 template <class Handle>
 Handle make_joint(World& world, WorldData& data, const JointRecord& record) {
     const uint32_t slot = data.change<create_joint>(record);
@@ -110,6 +123,7 @@ Settings& Joint::edit(const char* of, const char* function) const {
         JointRecord record = checked(*this, Of##Settings::type, common_of(def)); \
         define(record.settings.as<Of##Settings>(), def);                         \
         record.settings.as<Of##Settings>().check();                              \
+        check_limits(def);                                                       \
         auto joint = make_joint<Of##Joint>(*this, data, record);                 \
         begin;                                                                   \
         return joint;                                                            \

@@ -1,3 +1,4 @@
+#include <fettle/physics/position.h>
 #include <saving/seal.h>
 #include <saving/words.h>
 

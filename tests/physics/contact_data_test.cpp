@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "catch.h"
+#include "saved_worlds.h"
 #include "scenes.h"
 
 // Numbers of the host for contacts.

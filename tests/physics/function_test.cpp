@@ -69,7 +69,8 @@ TEST_CASE("a function ends all copies of what it keeps") {
         CHECK(living == 1);
         Function<int(int)> two = one;
         CHECK(living == 2);
-        two = two;
+        const Function<int(int)>& itself = two;
+        two = itself;
         CHECK(two(40) == 42);
         Function<int(int)> three = std::move(one);
         CHECK(living == 2);

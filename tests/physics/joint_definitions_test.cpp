@@ -144,4 +144,36 @@ TEST_CASE("a definition without a meaning makes no joint") {
     CHECK(world.joint_count() == 0);
 }
 
+TEST_CASE("a definition with a lower limit above the upper one is refused with both numbers") {
+    World world;
+    const BodyId b = add_box(world, {0, 0}).id();
+    CHECK_THROWS_WITH(
+        world.create_revolute_joint({.body_b = b, .lower_angle = 2, .upper_angle = 1}),
+        "lower_angle = 2: expected at most upper_angle, which is 1");
+    CHECK_THROWS_WITH(
+        world.create_rotary_limit_joint({.body_b = b, .lower_angle = 0.5f, .upper_angle = -0.5f}),
+        "lower_angle = 0.5: expected at most upper_angle, which is -0.5");
+    const char* translation =
+        "lower_translation = 0: expected at most upper_translation, which is -1";
+    CHECK_THROWS_WITH(world.create_prismatic_joint(
+                          {.body_b = b, .lower_translation = 0, .upper_translation = -1}),
+                      translation);
+    CHECK_THROWS_WITH(
+        world.create_pin_slot_joint({.body_b = b, .lower_translation = 0, .upper_translation = -1}),
+        translation);
+    CHECK_THROWS_WITH(
+        world.create_wheel_joint({.body_b = b, .lower_translation = 0, .upper_translation = -1}),
+        translation);
+    CHECK_THROWS_WITH(world.create_distance_joint({.body_b = b, .min_length = 3, .max_length = 2}),
+                      "min_length = 3: expected at most max_length, which is 2");
+    CHECK(world.joint_count() == 0);
+
+    // Equal limits are a definition, and a handle sets one limit after the other.
+    RevoluteJoint pin =
+        world.create_revolute_joint({.body_b = b, .lower_angle = 1, .upper_angle = 1});
+    pin.set_lower_angle(3);
+    pin.set_upper_angle(4);
+    CHECK(pin.lower_angle() == 3);
+}
+
 }  // namespace joint_definitions_test

@@ -179,6 +179,24 @@ TEST_CASE("every value of a definition of a joint in C comes into the joint") {
     REQUIRE(fettle_world_destroy(world) == FETTLE_DONE);
 }
 
+TEST_CASE("a definition in C whose limits cross is refused with both numbers") {
+    fettle_world* world = nullptr;
+    fettle_id body = 0, joint = 0;
+    fettle_revolute_joint_def def;
+    REQUIRE(fettle_world_create(nullptr, &world) == FETTLE_DONE);
+    REQUIRE(fettle_world_create_body(world, nullptr, &body) == FETTLE_DONE);
+    REQUIRE(fettle_revolute_joint_def_init(&def, sizeof def) == FETTLE_DONE);
+    def.body_b = body;
+    def.lower_angle = 2;
+    def.upper_angle = 1;
+    CHECK(fettle_world_create_revolute_joint(world, &def, &joint) == FETTLE_INVALID);
+    CHECK_THAT(
+        fettle_last_error(),
+        Catch::Matchers::Contains("lower_angle = 2: expected at most upper_angle, which is 1"));
+    CHECK(joint == 0);
+    REQUIRE(fettle_world_destroy(world) == FETTLE_DONE);
+}
+
 TEST_CASE("a rope that a definition in C leaves open is taut over the wheels that it names") {
     fettle_world* world = nullptr;
     fettle_id a = 0, b = 0, rope = 0;

@@ -422,6 +422,20 @@ TEST_CASE_METHOD(
     step(2);
     REQUIRE(told.size() == 3);
     CHECK_THAT(told[2], contains("world.weld does nothing: its body_a and body_b are the same"));
+    const Handle pin = make("RevoluteJoint", world(), "pin");
+    tree.set(pin, "body_b", late);
+    tree.set(pin, "lower_angle", 0.5);
+    tree.set(pin, "upper_angle", 1.0);
+    step();
+    CHECK(told.size() == 3);
+    const Handle slide = make("PrismaticJoint", world(), "slide");
+    tree.set(slide, "body_b", late);
+    tree.set(slide, "lower_translation", 2.5);
+    tree.set(slide, "upper_translation", 1.0);
+    step(2);
+    REQUIRE(told.size() == 4);
+    CHECK_THAT(told[3], contains("world.slide has lower_translation = 2.5: expected at most "
+                                 "upper_translation, which is 1"));
 }
 
 TEST_CASE_METHOD(Game, "no instance of an abstract class is made") {

@@ -55,6 +55,13 @@ class Functions(unittest.TestCase):
         self.assertAlmostEqual(ball.position.x, 1, delta=1e-4)
         self.assertAlmostEqual(ball.angle, 0.25, delta=1e-4)
 
+    def test_limits_that_cross_are_refused(self):
+        world = fettle.World()
+        body = world.body()
+        with self.assertRaisesRegex(fettle.Invalid, "lower_angle = 2: expected at most upper_angle, which is 1"):
+            world.joint("revolute", None, body, lower_angle=2, upper_angle=1)
+        self.assertEqual(world.joints, [])
+
     def test_a_function_that_raises_while_it_is_set_is_kept(self):
         # It was freed although C had it, and the next function took its place in memory.
         world, others = fettle.World(gravity=(0, 0)), []

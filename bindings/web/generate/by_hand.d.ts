@@ -32,7 +32,7 @@ export interface DrawTarget {
 
 /** Repeats a recording of `world.startRecording`, step by step. */
 export declare class Replay implements Iterable<ReplayedStep> {
-  /** A copy of the bytes. Throws `Invalid` if they are damaged, cut off, or of another version of the library. */
+  /** A copy of the bytes. Throws `Invalid` if they are damaged, of another version of the library, or end within the first part. */
   constructor(recording: Uint8Array);
   /** Number of steps in the recording. */
   readonly steps: bigint;

@@ -53,6 +53,12 @@ test("a contact is mixed and edited and ignored", () => {
   assert.ok(ball.position.y < 0);
 });
 
+test("limits that cross are refused", () => {
+  const { world, ball } = standing();
+  assert.throws(() => world.createRevoluteJoint({ bodyB: ball, lowerAngle: 2, upperAngle: 1 }),
+    (error) => error instanceof Invalid && /= 2: expected at most .*, which is 1/.test(error.message));
+});
+
 test("functions move a body", () => {
   const { world, ball } = standing();
   let steps = 0;

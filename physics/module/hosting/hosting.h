@@ -190,10 +190,10 @@ class Hosting {
     void destroy_postponed();  ///< calls those that are possible now
     /// Tells of what was placed below the root since the last call and does nothing there, once for
     /// each kind: bodies, fields and joints below no world, shapes on no body, joints that hold
-    /// nothing.
+    /// nothing. Also of a joint with a lower limit above the upper one.
     void report_strays();
-    /// Notes a joint that may do nothing.
-    void note_stray_joint(Handle self);
+    /// Notes a joint that was placed, for `report_strays`.
+    void note_placed_joint(Handle self);
     std::function<void(const std::string&)> on_problem;
     /// Throws Error(rejected) while the world of `row` calls a function.
     void require_unlocked(Row row);
@@ -290,10 +290,11 @@ class Hosting {
         std::vector<Handle> placed{};
         bool reported = false;
     };
-    Strays outside_, stray_shapes_, stray_joints_;
+    Strays outside_, stray_shapes_, stray_joints_, crossed_limits_;
     void note_stray(Handle self, Strays& strays) const;
-    void report_first(Strays& strays, const std::function<bool(Handle)>& is_stray,
-                      const char* what);
+    std::string crossed_limits(Handle joint) const;
+    /// `problem_of`: what is wrong with an instance; empty: nothing.
+    void report_first(Strays& strays, const std::function<std::string(Handle)>& problem_of);
     /// Which events and callbacks have handlers.
     struct Wanted {
         bool hits = false, persisting = false, before_solve = false, mixing = false, filter = false;

@@ -15,7 +15,7 @@ Row Joints::create(Handle self, physics::JointType type) {
 
 Row Joints::place(Handle self, Row row) {
     const std::uint32_t number = hosting_.world_above(self);
-    if (number == limbo || body(row, 0) == body(row, 1)) hosting_.note_stray_joint(self);
+    hosting_.note_placed_joint(self);
     if (number == world_number(row)) return row;
     hosting_.require_unlocked(row);
     const Hosting::Placing placing(hosting_);

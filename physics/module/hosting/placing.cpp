@@ -138,37 +138,89 @@ void Hosting::note_stray(Handle self, Strays& strays) const {
         strays.placed.push_back(self);
 }
 
-void Hosting::note_stray_joint(Handle self) {
+void Hosting::note_placed_joint(Handle self) {
     note_stray(self, world_above(self) == limbo ? outside_ : stray_joints_);
+    note_stray(self, crossed_limits_);
+}
+
+namespace {
+
+/// What is wrong with the limits of a joint, as the library says it of a definition.
+std::string crossed(const char* lower_name, float lower, const char* upper_name, float upper) {
+    if (!(lower > upper)) return {};
+    const auto text = [](float value) {
+        return property::number_text(double(value), property::Precision::single_precision);
+    };
+    return std::string("has ") + lower_name + " = " + text(lower) + ": expected at most " +
+           upper_name + ", which is " + text(upper) + " and is used for both";
+}
+
+template <class Joint>
+std::string crossed_limits_of(const Joint& joint) {
+    if constexpr (requires { joint.lower_angle(); })
+        return crossed("lower_angle", joint.lower_angle(), "upper_angle", joint.upper_angle());
+    else if constexpr (requires { joint.lower_translation(); })
+        return crossed("lower_translation", joint.lower_translation(), "upper_translation",
+                       joint.upper_translation());
+    else
+        return crossed("min_length", joint.min_length(), "max_length", joint.max_length());
+}
+
+}  // namespace
+
+std::string Hosting::crossed_limits(Handle joint) const {
+    const Row row = tree.row(joint);
+    const auto of = [&]<class Joint>() { return crossed_limits_of(joints.at<Joint>(row)); };
+    switch (joints.at(row).type()) {
+        case physics::JointType::distance:
+            return of.operator()<physics::DistanceJoint>();
+        case physics::JointType::revolute:
+            return of.operator()<physics::RevoluteJoint>();
+        case physics::JointType::rotary_limit:
+            return of.operator()<physics::RotaryLimitJoint>();
+        case physics::JointType::prismatic:
+            return of.operator()<physics::PrismaticJoint>();
+        case physics::JointType::pin_slot:
+            return of.operator()<physics::PinSlotJoint>();
+        case physics::JointType::wheel:
+            return of.operator()<physics::WheelJoint>();
+        default:
+            return {};
+    }
 }
 
 void Hosting::report_strays() {
-    report_first(
-        outside_, [this](Handle each) { return world_above(each) == limbo; },
-        "is below no World, so it takes part in no step; add it to one: world:add(...)");
-    report_first(
-        stray_shapes_, [this](Handle each) { return !body_above(each); },
-        "is on no Body, so nothing touches it; put it into one: Body { Circle {} }");
-    const auto holds_nothing = [this](Handle each) {
-        return joints.body(tree.row(each), 0) == joints.body(tree.row(each), 1);
+    const auto unless = [](bool fine, const char* problem) {
+        return std::string(fine ? "" : problem);
     };
-    report_first(
-        stray_joints_, holds_nothing,
-        "does nothing: its body_a and body_b are the same, or both nil, which is the world");
+    report_first(outside_, [&](Handle each) {
+        return unless(world_above(each) != limbo,
+                      "is below no World, so it takes part in no step; add it to one: "
+                      "world:add(...)");
+    });
+    report_first(stray_shapes_, [&](Handle each) {
+        return unless(bool(body_above(each)),
+                      "is on no Body, so nothing touches it; put it into one: Body { Circle {} }");
+    });
+    report_first(stray_joints_, [&](Handle each) {
+        return unless(
+            joints.body(tree.row(each), 0) != joints.body(tree.row(each), 1),
+            "does nothing: its body_a and body_b are the same, or both nil, which is the world");
+    });
+    report_first(crossed_limits_, [this](Handle each) { return crossed_limits(each); });
 }
 
-void Hosting::report_first(Strays& strays, const std::function<bool(Handle)>& is_stray,
-                           const char* what) {
+void Hosting::report_first(Strays& strays, const std::function<std::string(Handle)>& problem_of) {
     if (strays.placed.empty()) return;
     std::vector<Handle> placed = std::exchange(strays.placed, {});
     std::erase_if(placed, [&](Handle each) {
-        return !tree.alive(each) || !tree.is_below(each, tree.root()) || !is_stray(each);
+        return !tree.alive(each) || !tree.is_below(each, tree.root()) || problem_of(each).empty();
     });
     if (placed.empty()) return;
     strays.reported = true;
     const std::string more =
         placed.size() > 1 ? " (with " + std::to_string(placed.size() - 1) + " more)" : "";
-    on_problem(tree.path(placed.front()) + more + " " + what);
+    on_problem(tree.path(placed.front()) + more + " " + problem_of(placed.front()));
 }
 
 // --- Fields

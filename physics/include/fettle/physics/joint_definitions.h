@@ -7,9 +7,10 @@
 
 // A definition for each type of joint but the mouse joint (definitions.h): plain aggregates for
 // designated initializers. They begin with the members of `JointDef`, which converts to each of
-// them. The handles (joint.h, sliding_joints.h, coupling_joints.h) describe the values. A spring
-// with a higher `hertz` than a fifth of the rate of sub-steps acts with that: 48 Hz, if a step of
-// 1/60 s has four.
+// them. A lower limit above the upper one throws std::invalid_argument with both numbers; the
+// functions of a handle set one at a time, and accept it. The handles (joint.h, sliding_joints.h,
+// coupling_joints.h) describe the values. A spring with a higher `hertz` than a fifth of the rate
+// of sub-steps acts with that: 48 Hz, if a step of 1/60 s has four.
 
 FETTLE_PHYSICS_BEGIN
 
