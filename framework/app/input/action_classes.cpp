@@ -296,6 +296,7 @@ void Input::State::update_action(Action& action, bool tells_press) {
 }
 
 void Input::begin_step() {
+    state_->presses_seen = true;
     for (State::Action& action : state_->actions)
         for (State::Edge* edge : {&action.pressed, &action.released})
             edge->seen = std::exchange(edge->for_step, false);
@@ -313,6 +314,7 @@ void Input::end_step_or_update() {
 }
 
 void Input::forget_presses() {
+    state_->presses_seen = true;
     for (State::Action& action : state_->actions)
         action.pressed.for_step = action.released.for_step = false;
 }

@@ -35,6 +35,26 @@ std::optional<std::size_t> raw_axis(std::string_view name) {
     return static_cast<std::size_t>(found - names.begin());
 }
 
+/// The cause of what an event changes.
+std::function<std::string()>& window_name() {
+    static std::function<std::string()> name = [] { return std::string("window"); };
+    return name;
+}
+
+/// The event that ends what an event begins, or none.
+std::optional<EventKind> release_of(EventKind press) {
+    switch (press) {
+        case EventKind::key_pressed:
+            return EventKind::key_released;
+        case EventKind::mouse_pressed:
+            return EventKind::mouse_released;
+        case EventKind::gamepad_pressed:
+            return EventKind::gamepad_released;
+        default:
+            return std::nullopt;
+    }
+}
+
 /// Whether events have turned the axis round, so that up is positive.
 bool points_up(std::size_t axis) {
     return axis == 1 || axis == 4 || axis == 7;
@@ -104,9 +124,46 @@ Input::~Input() {
 }
 
 void Input::apply(const InputEvent& event) {
+    if (!must_wait(event)) apply_now(event);
+}
+
+/// Whether a release is kept until the end of the frame. Notes presses.
+bool Input::must_wait(const InputEvent& event) {
     State& s = *state_;
-    static std::function<std::string()> window = [] { return std::string("window"); };
-    const property::Tree::CauseScope cause(s.tree, property::Writer::module, &window);
+    const auto same =
+        std::find_if(s.new_presses.begin(), s.new_presses.end(), [&](const State::NewPress& each) {
+            return each.press.name == event.name && each.press.gamepad == event.gamepad &&
+                   (each.press.kind == event.kind || release_of(each.press.kind) == event.kind);
+        });
+    if (release_of(event.kind) && !event.repeated) {
+        if (same != s.new_presses.end()) {
+            const std::optional<InputEvent> release = same->release;
+            s.new_presses.erase(same);
+            if (release) apply_release(*release);
+        }
+        s.new_presses.push_back({.press = event});
+        return false;
+    }
+    if (same == s.new_presses.end() || event.kind == same->press.kind) return false;
+    if (event.kind == EventKind::mouse_released) point(event, true);
+    same->release = event;
+    return true;
+}
+
+/// Applies a release that waited, where it happened: the mouse may have moved on meanwhile.
+void Input::apply_release(const InputEvent& event) {
+    if (event.kind != EventKind::mouse_released) return apply_now(event);
+    State& s = *state_;
+    const property::Tree::CauseScope cause(s.tree, property::Writer::module, &window_name());
+    const Vec2 now = s.mouse + s.view.corner();
+    point(event, false);
+    set_switch(s.mouse_instance, event.name, false);
+    point({.x = static_cast<float>(now.x), .y = static_cast<float>(now.y)}, false);
+}
+
+void Input::apply_now(const InputEvent& event) {
+    State& s = *state_;
+    const property::Tree::CauseScope cause(s.tree, property::Writer::module, &window_name());
     switch (event.kind) {
         case EventKind::key_pressed:
             if (!event.repeated)
@@ -236,6 +293,7 @@ void Input::apply_gamepad(const InputEvent& event) {
 
 void Input::release_all() {
     State& s = *state_;
+    s.new_presses.clear();
     const auto release = [&](Handle instance, const auto& switches) {
         for (const State::Switch& each : switches)
             if (each.down) s.tree.set(instance, each.name, false);
@@ -272,6 +330,9 @@ void Input::end_frame() {
     // A turn of the wheel by a script during the frame counts for the next frame, like its
     // callback.
     state_->wheel -= std::exchange(state_->wheel_delivered, 0);
+    if (!std::exchange(state_->presses_seen, false)) return;
+    for (const State::NewPress& each : std::exchange(state_->new_presses, {}))
+        if (each.release) apply_release(*each.release);
 }
 
 namespace {

@@ -87,6 +87,12 @@ struct Input::State {
         std::optional<Act> act{};
         bool taken = false;
     };
+    /// A press of a device that no step has seen yet. Its release waits until the end of the frame
+    /// with the next step, so that a short click is down in that step.
+    struct NewPress {
+        InputEvent press;
+        std::optional<InputEvent> release{};
+    };
     /// A change that one step and one update see.
     struct Edge {
         bool for_step = false, for_update = false;  // not seen yet
@@ -132,6 +138,8 @@ struct Input::State {
     double wheel_delivered = 0;  // part of `wheel` whose callbacks are delivered in this frame
     std::vector<Call> calls{};
     bool silent = false;  // no callbacks for mouse moves
+    std::vector<NewPress> new_presses{};
+    bool presses_seen = false;  // by a step of this frame, or the game is paused
     Foreground* foreground = nullptr;
 
     /// Registers the classes and creates the instances.

@@ -48,7 +48,8 @@ class Input {
     void give_first(Foreground* foreground);
     Foreground* foreground() const;
 
-    /// Applies an event for the game.
+    /// Applies an event for the game. The release of a key or button that no step has seen down is
+    /// applied at the end of the frame with the next step, or at its next press.
     void apply(const InputEvent& event);
     /// Applies an event that a layer used: keys and buttons that the game holds are released, and
     /// the mouse position is updated; nothing else reaches the game.
@@ -68,7 +69,8 @@ class Input {
     void end_step_or_update();
     /// Drops presses that no step has seen, since the game is paused.
     void forget_presses();
-    /// End of the frame: values per frame (the wheel) are reset.
+    /// End of the frame: values per frame (the wheel) are reset, and releases that waited for a
+    /// step are applied.
     void end_frame();
 
     /// True if the game has a key ("space") held down; false for unknown names.
@@ -81,6 +83,9 @@ class Input {
     struct FETTLE_APP_PRIVATE State;
 
   private:
+    void apply_now(const InputEvent& event);
+    bool must_wait(const InputEvent& event);
+    void apply_release(const InputEvent& event);
     void point(const InputEvent& event, bool tell);
     void set_switch(property::Handle instance, std::string_view name, bool down);
     void repeat_key(std::string_view name);
