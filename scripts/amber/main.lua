@@ -15,7 +15,7 @@ input.actions.pause = { "escape", "p", "gamepad.start" }
 input.actions.choose = { { "a", "d", "s", "w" }, { "left", "right", "down", "up" }, "gamepad.left", "gamepad.pad" }
 
 local function load_level(index, screen)
-    run.level, run.sparks = index, 0
+    run.level, run.sparks, run.still = index, 0, 0
     if world:has("level") then world.level:delete() end
     scene.load(string.format("levels/%02d.json", index), world, "level").number = index
     things.taken, things.chosen, amber_cuts, clock, fade = {}, nil, {}, 0, 1
@@ -90,6 +90,7 @@ function step(dt)
     rewind.step()
     if not playing() then return end
     clock = clock + dt
+    run.still = world.level.ball.velocity:length() < 0.05 and run.still + dt or 0
     local at, home = world.level.ball.position, world.level.goal.position
     for _, spark in ipairs(world.level:children("Spark")) do
         if not things.taken[spark.name] and (spark.position - at):length() < 0.8 then

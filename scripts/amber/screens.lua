@@ -1,7 +1,7 @@
 -- The menus, which are widgets, and what is written during play. While a menu is open, the game gets neither keys nor clicks.
 
 local things, sound = require("things"), require("sound")
-local screens = { name = "title", back = "title", age = 0, game = { count = 12, level = 0, sparks = 0, tries = 0 } }
+local screens = { name = "title", back = "title", age = 0, game = { count = 12, level = 0, sparks = 0, tries = 0, still = 0 } }
 local ink, gold, cream, dim, faded = things.ink, things.gold, things.cream, color("#a99bc9"), things.faded
 local full, missing = color("white"), color("#564880")      -- the tints of sparks
 local menus, left = {}, {}                                  -- by name: functions that make them, and what led out of them
@@ -151,7 +151,8 @@ function screens.update(dt)
     for k = 1, math.min(screens.result.sparks, math.floor(counted * 3)) do column.sparks:children()[k].tint = full end
 end
 
-function screens.tip() return screens.game.tries > 3 and world.level.tip or "" end          -- from the fourth try on
+-- From the fourth try on, and when the drop lies still, or hangs, for long.
+function screens.tip() return (screens.game.tries > 3 or screens.game.still > 12) and world.level.tip or "" end
 
 function screens.draw_play(pen, past)
     pen.text(vec(0, 6.6), screens.tip(), 0.46, gold)

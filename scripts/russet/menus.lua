@@ -58,7 +58,7 @@ function Title:enter()
         size = vec(1.5, 1.5), origin = vec(0.5, 0), z = 5 }, "cub")
     fx.tune(sounds.music, 1)
     local reached = store.reached or 1
-    local list = { line("Bring the cub home!\nArrows run, space jumps."), button("new", "New game", function() menus.play(1, true) end, "accent") }
+    local list = { line(formula(function() return "Bring the cub home!\nArrows run, " .. input.actions.jump[1] .. " jumps." end)), button("new", "New game", function() menus.play(1, true) end, "accent") }
     if reached > 1 then list[3] = button("go_on", "Go on at " .. fx.places[reached].name, function() menus.play(reached, true) end) end
     for _, more in ipairs { button("scores", "Best scores", menus.scores), button("settings", "Settings", menus.settings),
         button("leave", "Quit", quit, "quiet") } do list[#list + 1] = more end

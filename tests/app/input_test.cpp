@@ -127,6 +127,20 @@ TEST_CASE("a press that is shorter than a frame of a paused game ends with the f
     CHECK(game.heard() == "-a");
 }
 
+TEST_CASE("in slow motion a key that is released waits for no step") {
+    Game game(listener);
+    game.set("time.scale", 1e-3);
+    game.press("a");
+    game.release("a");
+    for (int i = 0; i < 10; ++i) {
+        game.loop.frame(tick);
+        CHECK(game.heard() == (i == 0 ? "+a" : ""));
+        CHECK(game.get("input.keys.a").boolean() == (i < 9));
+    }
+    game.loop.frame(tick);
+    CHECK(game.heard() == "-a");
+}
+
 TEST_CASE("the loss of the focus ends a press that is shorter than a frame once") {
     Game game(listener);
     game.press("a");

@@ -41,6 +41,9 @@ std::function<std::string()>& window_name() {
     return name;
 }
 
+/// In slow motion a step may be seconds away: a release waits for it no longer than this.
+constexpr int most_frames_without_step = 10;
+
 /// The event that ends what an event begins, or none.
 std::optional<EventKind> release_of(EventKind press) {
     switch (press) {
@@ -330,9 +333,13 @@ void Input::end_frame() {
     // A turn of the wheel by a script during the frame counts for the next frame, like its
     // callback.
     state_->wheel -= std::exchange(state_->wheel_delivered, 0);
-    if (!std::exchange(state_->presses_seen, false)) return;
-    for (const State::NewPress& each : std::exchange(state_->new_presses, {}))
-        if (each.release) apply_release(*each.release);
+    const bool seen = std::exchange(state_->presses_seen, false);
+    for (State::NewPress& each : std::exchange(state_->new_presses, {})) {
+        if (!seen && ++each.frames < most_frames_without_step)
+            state_->new_presses.push_back(std::move(each));
+        else if (each.release)
+            apply_release(*each.release);
+    }
 }
 
 namespace {

@@ -88,10 +88,11 @@ struct Input::State {
         bool taken = false;
     };
     /// A press of a device that no step has seen yet. Its release waits until the end of the frame
-    /// with the next step, so that a short click is down in that step.
+    /// with the next step, so that a short click is down in that step, but not for many frames.
     struct NewPress {
         InputEvent press;
         std::optional<InputEvent> release{};
+        int frames = 0;  // that have ended since
     };
     /// A change that one step and one update see.
     struct Edge {

@@ -49,7 +49,8 @@ class Input {
     Foreground* foreground() const;
 
     /// Applies an event for the game. The release of a key or button that no step has seen down is
-    /// applied at the end of the frame with the next step, or at its next press.
+    /// applied at the end of the frame with the next step, after ten frames without a step, or at
+    /// its next press.
     void apply(const InputEvent& event);
     /// Applies an event that a layer used: keys and buttons that the game holds are released, and
     /// the mouse position is updated; nothing else reaches the game.
