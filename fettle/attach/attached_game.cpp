@@ -87,7 +87,7 @@ bool AttachedGame::receive(bool waits) {
     for (;;) {
         pollfd ready{.fd = socket_, .events = POLLIN, .revents = 0};
         const int count = ::poll(&ready, 1, waits ? look_milliseconds : 0);
-        if (EndRequest::asked() != 0) return false;
+        if (EndRequest::signal() != 0) return false;
         if (count > 0) break;
         if (!waits) return false;
     }

@@ -251,7 +251,7 @@ bool Listener::answer_next(Connection& to, Turn& turn) {
         refuse(to, "a request has at most " + std::to_string(longest_request) + " bytes");
         return true;
     }
-    tell_lost(to);
+    report_lost(to);
     turn.bytes += end;
     const std::optional<Request> request = read_request(std::string_view(to.in).substr(0, end));
     // A completion takes as long as many commands, so it has a frame of its own.
@@ -298,13 +298,13 @@ void Listener::print(std::string_view line) {
     printed_bytes_ += text.size();
 }
 
-void Listener::tell_lost(Connection& to) {
+void Listener::report_lost(Connection& to) {
     if (to.lost > 0 && to.out.size() <= limits_.kept)
         to.out += lost_text(std::exchange(to.lost, 0));
 }
 
 void Listener::send(Connection& to) {
-    tell_lost(to);
+    report_lost(to);
     if (to.out.empty() || to.gone) return;
     const ssize_t count =
         ::send(to.socket, to.out.data(), std::min(to.out.size(), limits_.kept), MSG_NOSIGNAL);

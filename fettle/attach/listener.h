@@ -95,7 +95,7 @@ class Listener {
     void answer();
     bool answer_next(Connection& to, Turn& turn);
     std::string answer_to(const Request& request, Turn& turn);
-    void tell_lost(Connection& to);
+    void report_lost(Connection& to);
     void send_all();
     void send(Connection& to);
     void refuse(Connection& whom, std::string_view why);

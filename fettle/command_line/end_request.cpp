@@ -89,7 +89,7 @@ EndRequest::~EndRequest() {
     ::sigaction(SIGALRM, &before.back(), nullptr);
 }
 
-int EndRequest::asked() {
+int EndRequest::signal() {
     return end_signal;
 }
 

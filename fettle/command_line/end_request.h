@@ -19,7 +19,7 @@ class EndRequest {
     EndRequest& operator=(const EndRequest&) = delete;
 
     /// The number of the signal; 0 if none has arrived.
-    static int asked();
+    static int signal();
     /// Scripts may run for `seconds` from now on before they are interrupted; 0: without a limit.
     static void allow(unsigned seconds);
 

@@ -76,12 +76,12 @@ std::string on_one_line(std::string_view text) {
     return escaped(text, false);
 }
 
-void tell(std::string_view message) {
+void print_error(std::string_view message) {
     std::fflush(stdout);
     std::fprintf(stderr, "fettle: %s\n", on_one_line(message).c_str());
 }
 
-void tell_lines(std::string_view text) {
+void print_error_lines(std::string_view text) {
     std::fflush(stdout);
     std::fputs(without_controls(text).c_str(), stderr);
 }
@@ -138,8 +138,8 @@ void print_answer(const std::vector<std::string>& lines) {
 bool all_printed() {
     const int problem = std::fflush(stdout) != 0 ? errno : 0;
     if (problem == 0 && std::ferror(stdout) == 0) return true;
-    tell("not all of what was printed could be written" +
-         (problem != 0 ? std::string(": ") + std::strerror(problem) : std::string()));
+    print_error("not all of what was printed could be written" +
+                (problem != 0 ? std::string(": ") + std::strerror(problem) : std::string()));
     return false;
 }
 

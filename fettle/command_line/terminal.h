@@ -15,9 +15,9 @@ std::string without_controls(std::string_view text);
 std::string on_one_line(std::string_view text);
 
 /// Writes "fettle: MESSAGE" as a line to stderr, after everything that was printed before.
-void tell(std::string_view message);
+void print_error(std::string_view message);
 /// Writes lines to stderr, with control characters escaped.
-void tell_lines(std::string_view text);
+void print_error_lines(std::string_view text);
 /// Writes a line of a game's output to stdout; control characters are escaped only for a terminal.
 void print_line(std::string_view text);
 /// Writes the lines of an answer of the console (`lines_of`): in the console's colors if stdout is

@@ -22,15 +22,15 @@ class Attached : private CommandRunner {
 
     int run() {
         lines_.read("Attached to " + game_.name() + ". Ctrl+D ends; the game goes on.");
-        const int asked = EndRequest::asked();
-        if (asked != 0) return status_of_signal(asked);
+        const int signal = EndRequest::signal();
+        if (signal != 0) return status_of_signal(signal);
         if (game_.connected()) return success;
-        tell(game_.reason());
+        print_error(game_.reason());
         return file_error;
     }
 
   private:
-    bool ended() override { return EndRequest::asked() != 0 || !game_.connected(); }
+    bool ended() override { return EndRequest::signal() != 0 || !game_.connected(); }
     void idle() override { game_.look(); }
 
     /// Sends the command and waits for the answer.

@@ -151,7 +151,7 @@ void fill(const fs::path& folder, const fs::path& draft) {
 /// written; then no game is made.
 int new_game(const NewGameOptions& options) {
     if (const std::string problem = template_problem(options.pattern); !problem.empty()) {
-        tell(problem);
+        print_error(problem);
         return bad_usage;
     }
     fs::path folder = fs::absolute(options.folder).lexically_normal();

@@ -68,7 +68,7 @@ PackageFacts facts_of(const fs::path& game) {
             .author = author};
 }
 
-void tell_left_out(const PackedGame& packed) {
+void print_left_out(const PackedGame& packed) {
     std::string names;
     for (const std::string& each : packed.left_out) names += (names.empty() ? "" : ", ") + each;
     if (!names.empty()) print_line("left out: " + names);
@@ -76,7 +76,8 @@ void tell_left_out(const PackedGame& packed) {
 
 int package(const PackageOptions& options) {
     if (options.file.empty() && options.linux_run.empty() && options.deb.empty()) {
-        tell("package: name what to make: --file NAME.fettle, --linux FOLDER or --deb NAME.deb");
+        print_error(
+            "package: name what to make: --file NAME.fettle, --linux FOLDER or --deb NAME.deb");
         return bad_usage;
     }
     const fs::path game = found_game(options.game);
@@ -86,14 +87,14 @@ int package(const PackageOptions& options) {
     const PackedGame packed = packed_game(game, read_settings(game).package_exclude);
     ArchiveFiles files = packed.files;
     const std::vector<std::string> problems = problems_of(packed, options.made);
-    for (const std::string& problem : problems) tell(problem);
+    for (const std::string& problem : problems) print_error(problem);
     if (!problems.empty()) {
-        tell(
+        print_error(
             "nothing was made: the game would not run elsewhere. --made NAME names a file that "
             "the game makes itself");
         return file_error;
     }
-    tell_left_out(packed);
+    print_left_out(packed);
     if (!options.file.empty()) {
         require_installed_modules(game);
         write_archive(options.file, files);

@@ -29,7 +29,7 @@ std::string message_of(const CLI::ParseError& error) {
 /// `command`: to which the wrong arguments were given; null: to none.
 int refuse(const std::string& reason, const CLI::App* command = nullptr) {
     const std::string name = command != nullptr ? command->get_name() + " " : "";
-    tell(reason + " (fettle " + name + "--help tells more)");
+    print_error(reason + " (fettle " + name + "--help tells more)");
     return bad_usage;
 }
 
@@ -74,7 +74,7 @@ int run_program(int argc, char** argv) {
     try {
         return run_command(argc, argv);
     } catch (const std::exception& error) {
-        tell(property::exception_text(error));
+        print_error(property::exception_text(error));
         return script_error;
     }
 }

@@ -50,8 +50,8 @@ class Repl : private CommandRunner {
         session_.start();
         last_ = Clock::now();
         lines_.read("Type any Lua, or help(). Tab completes, Ctrl+C stops, Ctrl+D ends.");
-        const int asked = EndRequest::asked();
-        return asked != 0 ? status_of_signal(asked) : session_.exit_status();
+        const int signal = EndRequest::signal();
+        return signal != 0 ? status_of_signal(signal) : session_.exit_status();
     }
 
   private:
@@ -59,11 +59,11 @@ class Repl : private CommandRunner {
 
     void report(const script::ScriptError& error) {
         lines_.make_room();
-        tell_lines(app::error_text(error));
+        print_error_lines(app::error_text(error));
     }
 
     bool ended() override {
-        return EndRequest::asked() != 0 || session_.runtime().quit_status().has_value();
+        return EndRequest::signal() != 0 || session_.runtime().quit_status().has_value();
     }
 
     /// In a terminal, the game goes on while the next command is typed; otherwise it stands still

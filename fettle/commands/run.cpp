@@ -54,7 +54,7 @@ int run_headless(const RunOptions& options, Gallery* gallery) {
     for (std::int64_t turn = 0; !session.failed() && !loop.stopped() && !loop.closing() &&
                                 (!options.steps || turn < *options.steps);
          ++turn) {
-        if (EndRequest::asked() != 0) close(session);
+        if (EndRequest::signal() != 0) close(session);
         session.follow_files();
         loop.turn();
         limit.turn_ends(loop.lived());
@@ -62,7 +62,7 @@ int run_headless(const RunOptions& options, Gallery* gallery) {
             session.note("open_game: a run without a window stays in the gallery");
     }
     // A signal may have arrived during the last turn, or while the game was loaded.
-    if (EndRequest::asked() != 0 && !loop.closing() && !loop.stopped()) {
+    if (EndRequest::signal() != 0 && !loop.closing() && !loop.stopped()) {
         close(session);
         loop.turn();
     }
@@ -174,7 +174,7 @@ class WindowRun {
         note_back_button(now);
         if (gone_back_for(escape_since_, now) || gone_back_for(back_since_, now))
             open(gallery_->game());
-        if (EndRequest::asked() != 0 && !loop.closing()) close(*session_);
+        if (EndRequest::signal() != 0 && !loop.closing()) close(*session_);
         follow_files();
         if (reload_) return false;
         loop.frame(seconds, options_.steps.value_or(INT64_MAX));
@@ -251,7 +251,7 @@ class WindowRun {
         app::Loop& loop = session_->loop();
         error_screen_.show_running(call);
         const auto ends = [&] {
-            return error_screen_.stop_wanted() || loop.closing() || EndRequest::asked() != 0;
+            return error_screen_.stop_wanted() || loop.closing() || EndRequest::signal() != 0;
         };
         do {
             for (app::InputEvent event; window().poll(event);) loop.handle(event);
@@ -340,7 +340,7 @@ int run_replay(RunOptions options) {
         window->present();
     };
     const bool test = window != nullptr && !start.test.empty();
-    const auto ended = [&] { return closed || EndRequest::asked() != 0; };
+    const auto ended = [&] { return closed || EndRequest::signal() != 0; };
     while (!ended() && replay.frame()) {
         const bool skipped = test && replay.steps() + last_steps < recording.steps();
         if (window != nullptr && !skipped) show();
@@ -354,7 +354,7 @@ int run_replay(RunOptions options) {
     }
     // The picture in which a test failed stays until the window is closed.
     while (test && options.screenshot.empty() && !ended()) show();
-    if (EndRequest::asked() != 0) return status_of_signal(EndRequest::asked());
+    if (EndRequest::signal() != 0) return status_of_signal(EndRequest::signal());
     if (!replay.difference().empty()) return complain(script_error, replay.difference());
     std::unique_ptr<app::Screen> picture;
     if (window == nullptr) {

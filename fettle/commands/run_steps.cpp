@@ -24,7 +24,7 @@ constexpr std::uint64_t in_sandbox = 2000;
 }  // namespace
 
 int complain(ExitStatus status, const std::string& message) {
-    tell(message);
+    print_error(message);
     return status;
 }
 
@@ -39,7 +39,7 @@ void close(Session& session) {
 int finish(Session& session, const RunOptions& options, app::Screen* screen) {
     EndRequest::allow(0);
     int status = session.exit_status();
-    if (EndRequest::asked() != 0) status = status_of_signal(EndRequest::asked());
+    if (EndRequest::signal() != 0) status = status_of_signal(EndRequest::signal());
     if (const std::string problem = session.recording_problem(); !problem.empty())
         status = complain(file_error, problem);
     if (options.hash) std::printf("%016" PRIx64 "\n", session.loop().hash());
@@ -51,16 +51,16 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen) {
         }
     }
     if (status != success || session.runtime().quit_status()) return status;
-    const auto tell_unreached = [&](const char* option, const auto& all, std::uint64_t reached) {
+    const auto print_unreached = [&](const char* option, const auto& all, std::uint64_t reached) {
         for (const auto& [step, chunk] : all)
             if (step > reached)
-                tell(option + (" " + std::to_string(step)) +
-                     " was never reached: the run ended with its step " +
-                     std::to_string(session.loop().lived()));
+                print_error(option + (" " + std::to_string(step)) +
+                            " was never reached: the run ended with its step " +
+                            std::to_string(session.loop().lived()));
     };
     // A chunk runs before its step, which is never made if the chunk pauses the game.
-    tell_unreached("--at", options.at, session.chunks_until());
-    tell_unreached("--console", options.console, session.typed_until());
+    print_unreached("--at", options.at, session.chunks_until());
+    print_unreached("--console", options.console, session.typed_until());
     return status;
 }
 

@@ -66,9 +66,9 @@ class Suite {
 
     int run() {
         for (const std::string& file : test_files(options_.game))
-            if (EndRequest::asked() == 0) run(file);
+            if (EndRequest::signal() == 0) run(file);
         if (!options_.junit.empty()) write_junit(options_.junit, outcomes_);
-        if (EndRequest::asked() != 0) return status_of_signal(EndRequest::asked());
+        if (EndRequest::signal() != 0) return status_of_signal(EndRequest::signal());
         const auto failed = std::ranges::count(outcomes_, false, &TestOutcome::passed);
         if (outcomes_.empty()) {
             print_line(options_.filter.empty()
@@ -93,7 +93,7 @@ class Suite {
         // Nothing can be tested if the game or the file cannot be loaded.
         if (!list.outcome.passed) return add(list.outcome);
         for (const std::string& name : list.names) {
-            if (EndRequest::asked() != 0) return;
+            if (EndRequest::signal() != 0) return;
             const bool wanted = file.find(options_.filter) != std::string::npos ||
                                 name.find(options_.filter) != std::string::npos;
             if (wanted) add(run_test(options_, {.file = file, .name = name}));

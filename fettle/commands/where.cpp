@@ -23,7 +23,7 @@ struct WhereOptions {
 int where(const WhereOptions& options) {
     const fs::path game = found_game(options.game);
     const fs::path player = property::player_folder(game, read_settings(game).id);
-    const auto tell_place = [](const std::string& what, const fs::path& place) {
+    const auto print_place = [](const std::string& what, const fs::path& place) {
         std::error_code error;
         const bool there = fs::exists(place, error);
         print_line(what + std::string(13 - what.size(), ' ') + place.string() +
@@ -32,12 +32,12 @@ int where(const WhereOptions& options) {
     if (player.empty()) {
         print_line("This user has neither XDG_DATA_HOME nor HOME: nothing of a game is kept.");
     } else {
-        tell_place("store", player / "store.json");
-        tell_place("saves", player / "saves");
-        tell_place("settings", player / "settings.json");
-        tell_place("preferences", player / "preferences.json");
+        print_place("store", player / "store.json");
+        print_place("saves", player / "saves");
+        print_place("settings", player / "settings.json");
+        print_place("preferences", player / "preferences.json");
     }
-    tell_place("tweaks", property::journal_of(game));
+    print_place("tweaks", property::journal_of(game));
     return success;
 }
 

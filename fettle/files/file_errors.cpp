@@ -16,22 +16,22 @@ int with_file_errors(const std::function<int()>& command) {
     try {
         return command();
     } catch (const FileError& error) {
-        tell(error.what());
+        print_error(error.what());
     } catch (const property::FileError& error) {
-        tell(error.what());
+        print_error(error.what());
     } catch (const property::SceneError& error) {
-        tell(error.what());  // of game.json
+        print_error(error.what());  // of game.json
     } catch (const app::RecordingError& error) {
-        tell(error.what());
+        print_error(error.what());
     } catch (const module::LoadError& error) {
-        tell(error.what());
+        print_error(error.what());
     } catch (const std::filesystem::filesystem_error& error) {
         // A copy names two files, and these errors are those of the second one.
         const bool of_target = error.code() == std::errc::no_space_on_device ||
                                error.code() == std::errc::read_only_file_system;
         const std::filesystem::path& file =
             of_target && !error.path2().empty() ? error.path2() : error.path1();
-        tell(file.string() + ": " + error.code().message());
+        print_error(file.string() + ": " + error.code().message());
     }
     return file_error;
 }

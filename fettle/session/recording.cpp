@@ -40,7 +40,7 @@ void Session::make_recorder() {
     if (!options_.record.empty()) recorder_->write_to(options_.record, options_.test ? 20 : 1);
     recorder_->file(recorded_text(KeptFile::store, store_->initial()));
     recorder_->file(recorded_text(KeptFile::preferences, preferences_->initial()));
-    files_.tell([this](const property::GameFiles::Finding& finding) {
+    files_.listen([this](const property::GameFiles::Finding& finding) {
         recorder_->file(recorded(finding, options_.game));
     });
     runtime_->on_command([this](std::string_view command) {

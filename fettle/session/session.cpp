@@ -198,7 +198,7 @@ void Session::note(const std::string& text) {
     if (receivers_.output)
         receivers_.output(text);
     else
-        tell(text);
+        print_error(text);
     if (listener_) listener_->print(text);
     if (run_.ending) return;
     if (console_)
@@ -469,7 +469,7 @@ void Session::fail(const script::ScriptError& error) {
     // Not an error of the game: its scripts were stopped to end the run.
     if (runtime_->interrupted()) {
         if (std::exchange(run_.interruption, error.message) != error.message)
-            tell("in " + error.context + ": " + error.message);
+            print_error("in " + error.context + ": " + error.message);
         return;
     }
     run_.failed = true;
@@ -481,7 +481,7 @@ void Session::fail(const script::ScriptError& error) {
 /// A method that fails for each of a hundred instances is reported once, with the count.
 void Session::report_error(const script::ScriptError& error) {
     if (!repeated_.first(error)) return;
-    if (!receivers_.output) tell_lines(app::error_text(error));
+    if (!receivers_.output) print_error_lines(app::error_text(error));
     if (listener_) listener_->print(app::error_text(error));
     if (console_) console_->report(error);
 }

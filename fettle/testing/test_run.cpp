@@ -132,7 +132,7 @@ class TestRun {
         app::Loop& loop = session.loop();
         const auto limit = std::chrono::seconds(options_.timeout);
         while (outcome_.message.empty() && !session.test()->done()) {
-            if (EndRequest::asked() != 0) return fail("it was interrupted");
+            if (EndRequest::signal() != 0) return fail("it was interrupted");
             if (loop.lived() >= most_steps)
                 return fail("the test did not end within " + std::to_string(most_steps) + " steps");
             if (Clock::now() - begun > limit)

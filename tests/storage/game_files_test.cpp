@@ -36,7 +36,7 @@ TEST_CASE("files are reported once when they are read and before they are writte
     files.take_note();
     CHECK(files.read(folder / "a.json") == "one");
     CHECK_FALSE(files.exists(folder / "b.json"));
-    files.tell([&](const GameFiles::Finding& finding) { findings.push_back(finding); });
+    files.listen([&](const GameFiles::Finding& finding) { findings.push_back(finding); });
     CHECK(findings.front().checksum == file_checksum(folder / "a.json"));
     CHECK(reported(findings) == std::vector<std::string>{"a.json read", "b.json missing"});
     CHECK(files.exists(folder / "a.json"));
@@ -62,10 +62,10 @@ TEST_CASE("a listener of files may replace itself") {
     auto held = std::make_shared<int>();
     const std::weak_ptr<int> life = held;
     bool lived = false;
-    files.tell([held = std::move(held), &files, &life, &lived](const GameFiles::Finding&) {
+    files.listen([held = std::move(held), &files, &life, &lived](const GameFiles::Finding&) {
         const std::weak_ptr<int>& watched = life;
         bool& result = lived;
-        files.tell([](const GameFiles::Finding&) {});
+        files.listen([](const GameFiles::Finding&) {});
         result = !watched.expired();
     });
     CHECK(files.read(folder / "a.json") == "one");

@@ -242,9 +242,9 @@ void Input::observe(const InputEvent& event) {
     }
 }
 
-void Input::point(const InputEvent& event, bool tell) {
+void Input::point(const InputEvent& event, bool notify) {
     State& s = *state_;
-    s.silent = !tell;
+    s.silent = !notify;
     s.tree.set(s.mouse_instance, "screen", Vec2(event.x, event.y) - s.view.corner());
     s.silent = false;
 }

@@ -169,7 +169,7 @@ void Loop::draw(Screen& screen, double seconds) {
     draw_transition(painter, tree_, drawn.picture());
     if (const Effect* const effect = services_.effects().now(clock.now))
         if (const std::string problem = screen.apply(*effect); !problem.empty())
-            services_.effects().tell("view.effect: " + problem);
+            services_.effects().report("view.effect: " + problem);
     if (blame) {
         ClipRectangle room{0, 0, screen.surface().width(), screen.surface().height()};
         for (const Layer* layer : layers_) room = layer->left_free(room);

@@ -93,8 +93,8 @@ Effects::Effects(property::Tree& tree, const View& view, property::Assets* asset
     tree.create(uniforms, tree.child(tree.root(), "view"), "uniforms");
 }
 
-void Effects::tell(const std::string& problem) {
-    if (told_.insert(problem).second && tell_) tell_(problem);
+void Effects::report(const std::string& problem) {
+    if (reported_.insert(problem).second && report_) report_(problem);
 }
 
 void Effects::renew(const std::string& name) {
@@ -104,15 +104,15 @@ void Effects::renew(const std::string& name) {
 void Effects::read() {
     effect_ = {.name = view_.effect};
     readable_ = false;
-    told_.clear();
+    reported_.clear();
     if (effect_.name.empty()) return;
-    if (assets_ == nullptr) return tell("view.effect: this program has no files");
+    if (assets_ == nullptr) return report("view.effect: this program has no files");
     try {
         effect_.code = assets_->read("view.effect", effect_.name, endings);
         declared_ = uniforms_in(effect_.code);
         readable_ = true;
     } catch (const std::exception& error) {
-        tell(error.what());
+        report(error.what());
     }
 }
 
@@ -125,11 +125,11 @@ void Effects::set_uniforms() {
         const Value value = tree_.peek(uniforms, *each);
         const auto found = declared_.find(name);
         if (found == declared_.end())
-            tell("view.uniforms." + name + ": " + effect_.name +
-                 " declares no uniform of that name");
+            report("view.uniforms." + name + ": " + effect_.name +
+                   " declares no uniform of that name");
         else if (!fits(value, found->second))
-            tell("view.uniforms." + name + ": " + effect_.name + " declares a " + found->second +
-                 ", got " + property::value_text(value));
+            report("view.uniforms." + name + ": " + effect_.name + " declares a " + found->second +
+                   ", got " + property::value_text(value));
         else
             effect_.uniforms.push_back({name, value, found->second});
     }

@@ -26,8 +26,8 @@ class Effects {
     /// The effect to draw now; null if there is none. `time`: s.
     const Effect* now(double time);
     /// Reports a problem, once.
-    void tell(const std::string& problem);
-    void on_problem(std::function<void(const std::string&)> tell) { tell_ = std::move(tell); }
+    void report(const std::string& problem);
+    void on_problem(std::function<void(const std::string&)> report) { report_ = std::move(report); }
     /// Reads the file again before the next frame.
     void renew(const std::string& name);
 
@@ -41,8 +41,8 @@ class Effects {
     Effect effect_{};
     bool readable_ = false;
     std::map<std::string, std::string> declared_{};  // uniforms of the code with their types
-    std::set<std::string> told_{};
-    std::function<void(const std::string&)> tell_{};
+    std::set<std::string> reported_{};
+    std::function<void(const std::string&)> report_{};
 };
 
 /// The uniforms that a shader declares, with their types.

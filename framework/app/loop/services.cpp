@@ -63,8 +63,8 @@ Services::~Services() {
     for (const char* name : class_names) property::end_class(tree_, tree_.class_named(name));
 }
 
-void Services::on_effect_problem(std::function<void(const std::string&)> tell) {
-    effects_->on_problem(std::move(tell));
+void Services::on_effect_problem(std::function<void(const std::string&)> report) {
+    effects_->on_problem(std::move(report));
 }
 
 void Services::renew_effect(const std::string& name) {

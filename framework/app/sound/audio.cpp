@@ -270,12 +270,12 @@ void Audio::State::pass(Handle voice, double dt) {
     tree.set(voice, *of_voice.time, length);
     tree.set(voice, *of_voice.playing, false);
     tree.set(voice, *of_voice.over, true);
-    const auto tell = [&](Handle to, std::vector<Value> values) {
+    const auto emit = [&](Handle to, std::vector<Value> values) {
         const property::Event& finished = *tree.class_of(to).event("finished");
         if (tree.listens(to, finished)) tree.emit(to, finished, std::move(values));
     };
-    tell(voice, {});
-    tell(source, {Value(voice)});
+    emit(voice, {});
+    emit(source, {Value(voice)});
 }
 
 }  // namespace fettle::app

@@ -87,7 +87,7 @@ class Input {
     void apply_now(const InputEvent& event);
     bool must_wait(const InputEvent& event);
     void apply_release(const InputEvent& event);
-    void point(const InputEvent& event, bool tell);
+    void point(const InputEvent& event, bool notify);
     void set_switch(property::Handle instance, std::string_view name, bool down);
     void repeat_key(std::string_view name);
     void apply_gamepad(const InputEvent& event);

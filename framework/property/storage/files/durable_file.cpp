@@ -47,8 +47,8 @@ bool write_all(int descriptor, std::string_view content) {
 
 class Replacement {
   public:
-    Replacement(const fs::path& asked, std::string_view content)
-        : asked_(asked), content_(content) {}
+    Replacement(const fs::path& given, std::string_view content)
+        : given_(given), content_(content) {}
 
     void run() {
         find_target();
@@ -65,7 +65,7 @@ class Replacement {
 
   private:
     [[noreturn]] void fail(const std::string& why) const {
-        throw FileError(asked_, "could not be written: " + why);
+        throw FileError(given_, "could not be written: " + why);
     }
     [[noreturn]] void fail(int error) const { fail(system_reason(error)); }
 
@@ -73,9 +73,9 @@ class Replacement {
     /// file without an error.
     void find_target() {
         std::error_code error;
-        target_ = asked_;
-        if (fs::is_symlink(asked_, error)) {
-            target_ = fs::canonical(asked_, error);
+        target_ = given_;
+        if (fs::is_symlink(given_, error)) {
+            target_ = fs::canonical(given_, error);
             if (error) fail("it is a link, and what it leads to cannot be found");
         }
         struct stat status {};
@@ -113,10 +113,10 @@ class Replacement {
         const bool done = descriptor && ::fsync(descriptor.number()) == 0;
         if (done || errno == EINVAL || errno == ENOSYS || errno == EACCES) return;
         throw FileError(
-            asked_, "was written, but may not survive a loss of power: " + system_reason(errno));
+            given_, "was written, but may not survive a loss of power: " + system_reason(errno));
     }
 
-    const fs::path& asked_;
+    const fs::path& given_;
     std::string_view content_;
     fs::path target_;
     bool replaces_ = false;

@@ -219,7 +219,7 @@ std::shared_ptr<void> GameFiles::lock() {
 
 // --- Reports -------------------------------------------------------------------------------------
 
-void GameFiles::tell(std::function<void(const Finding&)> listener) {
+void GameFiles::listen(std::function<void(const Finding&)> listener) {
     listener_ = std::move(listener);
     for (Finding& finding : std::exchange(findings_, {})) add(std::move(finding));
 }

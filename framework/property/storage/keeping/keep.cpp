@@ -63,9 +63,9 @@ class Keeping {
         if (is_first || other.now == row.now ||
             run_.row_paths.home_of_top(other) == run_.row_paths.home_of_top(row))
             return true;
-        run_.row_report.tell(row,
-                             file.filename().string() + " is the scene of " + path_of(other) +
-                                 " as well, which has another value: drop one of the two tweaks");
+        run_.row_report.add_problem(
+            row, file.filename().string() + " is the scene of " + path_of(other) +
+                     " as well, which has another value: drop one of the two tweaks");
         return false;
     }
 

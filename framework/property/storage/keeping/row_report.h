@@ -17,7 +17,7 @@ class RowReport {
   public:
     explicit RowReport(TweakReport& report) : report_(report) {}
 
-    void tell(const JournalRow& row, const std::string& reason) {
+    void add_problem(const JournalRow& row, const std::string& reason) {
         // Messages about scene files contain paths from the top of the scene: "ball.mass: expected
         // ..."
         const std::string path = path_of(row), about = reason.substr(0, reason.find(": "));
@@ -25,7 +25,7 @@ class RowReport {
         report_.problems.push_back(path + (same ? reason.substr(about.size()) : ": " + reason));
     }
     void refuse(const JournalRow& row, const RowPaths& paths, const std::string& reason) {
-        tell(row, reason);
+        add_problem(row, reason);
         note_refused(row, paths);
     }
     template <class Keep>
@@ -34,9 +34,9 @@ class RowReport {
             keep_it();
             return true;
         } catch (const SceneError& error) {
-            tell(row, error.reason());  // the position refers to a temporary text
+            add_problem(row, error.reason());  // the position refers to a temporary text
         } catch (const Error& error) {
-            tell(row, error.what());
+            add_problem(row, error.what());
         }
         return false;
     }

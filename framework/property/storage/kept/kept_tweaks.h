@@ -134,7 +134,7 @@ class KeptTweaks {
     void report_unused_values();
     void warn(std::size_t offset, const std::string& reason);
     void warn(const Document& document, std::size_t offset, const std::string& reason);
-    void tell(const SceneError& error);
+    void report(const SceneError& error);
     const Node* member(std::string_view section, const std::string& key) const;
     /// The text of an entry, with its first column as column 1.
     std::string text_of(const std::string& section, const std::string& key) const;

@@ -23,11 +23,11 @@ void KeptTweaks::warn(const Document& document, std::size_t offset, const std::s
     try {
         document.fail(ErrorKind::rejected, offset, reason);
     } catch (const SceneError& error) {
-        tell(error);
+        report(error);
     }
 }
 
-void KeptTweaks::tell(const SceneError& error) {
+void KeptTweaks::report(const SceneError& error) {
     if (reported_.insert(error.what()).second) warn_(error.what());
 }
 
@@ -71,7 +71,7 @@ bool KeptTweaks::assign(const Assignment& to, bool last) {
             tree_.set_or_add(to.instance, to.property, value);
     } catch (const SceneError& error) {
         if (!last && error.kind() == ErrorKind::unknown_name) return false;
-        tell(error.about(to.path));
+        report(error.about(to.path));
     } catch (const Error& error) {
         warn(document, node.begin, error.what());
     }
@@ -187,7 +187,7 @@ void KeptTweaks::create(const std::string& path) {
                                 tree_.path(each.instance) + path_suffix(each.property), top, scene,
                                 each.node});
     } catch (const SceneError& error) {
-        tell(error);
+        report(error);
     } catch (const Error& error) {
         warn(node->begin, path + ": " + error.what());
     }

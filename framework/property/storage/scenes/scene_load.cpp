@@ -79,7 +79,7 @@ class SceneLoader {
         now_ = &document_.root();
         if (parent_) tree_.move(detached.top, parent_, name_);
         const Handle top = std::exchange(detached.top, Handle{});
-        tell_ready(top);
+        notify_ready(top);
         if (warnings_ != nullptr)
             warnings_->insert(warnings_->end(), plan_.warnings.begin(), plan_.warnings.end());
         describe();
@@ -312,8 +312,8 @@ class SceneLoader {
         }
     }
 
-    void tell_ready(Handle handle) {
-        for (const Handle child : tree_.children(handle)) tell_ready(child);
+    void notify_ready(Handle handle) {
+        for (const Handle child : tree_.children(handle)) notify_ready(child);
         if (const Event* ready = tree_.class_of(handle).event("ready")) {
             tree_.emit(handle, *ready, {});
         }

@@ -181,7 +181,7 @@ void Tweaks::State::touch(Entry& entry) {
     dirty.push_back(&entry);
 }
 
-void Tweaks::State::tell_origin(Entry& entry, Handle instance) const {
+void Tweaks::State::note_origin(Entry& entry, Handle instance) const {
     const auto origin = origins.find(instance);
     if (!origin) return;
     entry.row.file = origin->file.string();
@@ -201,7 +201,7 @@ void Tweaks::State::edited(Handle instance, const Property& property, const Cell
     if (entries.size() > known) {
         its.was = image_of(tree, property, before);
         name_deleted(its.was, before.value);
-        tell_origin(its, instance);
+        note_origin(its, instance);
     }
     if (its.row.state == RowState::kept) its.was = its.now;  // the file contains that value
     its.property = property.symbol;
@@ -310,7 +310,7 @@ Tweaks::State::Entry& Tweaks::State::add_deletion(Handle instance, const std::st
     deletion.gone = false;
     deletion.deletion = deletion.with = nullptr;
     deleted[instance.key()] = &deletion;
-    tell_origin(deletion, instance);
+    note_origin(deletion, instance);
     touch(deletion);
     return deletion;
 }
@@ -422,7 +422,7 @@ Tweaks::~Tweaks() {
     state_->rest = 0;
     if (state_->journal) state_->journal->be_patient();
     barrier();
-    state_->tell_lost();
+    state_->report_lost();
 }
 
 Tweaks::State& Tweaks::usable() const {

@@ -92,7 +92,7 @@ void Tweaks::State::settle_one(Handle instance) {
     its.row.file.clear();
     its.row.inside.clear();
     origins.forget(tree, instance);  // its own tweak describes it completely
-    tell_origin(its, tree.parent(instance));
+    note_origin(its, tree.parent(instance));
     touch(its);
 }
 
@@ -271,7 +271,7 @@ void Tweaks::State::commit() {
 }
 
 /// Called at the end of the run: there is no next barrier.
-void Tweaks::State::tell_lost() const {
+void Tweaks::State::report_lost() const {
     if (!journal) return;
     const auto lost = std::count_if(dirty.begin(), dirty.end(),
                                     [this](const Entry* entry) { return visible(*entry); });

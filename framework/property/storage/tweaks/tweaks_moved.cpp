@@ -36,7 +36,7 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     if (first || move.row.state == RowState::kept) {  // the files contain its home path
         move.row.instance = path_below(home_of(old_parent), old_name);
         move.row.now = old_path;
-        tell_origin(move, instance);
+        note_origin(move, instance);
     }
     repath(instance, old_path);
     move.row.now = tree.path(instance);
@@ -201,7 +201,7 @@ bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
         repath(instance, old_path);
         made.row.file.clear();
         made.row.inside.clear();
-        tell_origin(made, tree.parent(instance));
+        note_origin(made, tree.parent(instance));
         touch(made);
         return true;
     }
@@ -303,7 +303,7 @@ void Tweaks::State::name_again(Entry& made, const std::string& path) {
         Entry& its = entry(Kind::value, tree.path(instance), property->name, instance);
         if (entries.size() > known) {
             its.was.kind = Image::Kind::by_default;
-            tell_origin(its, instance);
+            note_origin(its, instance);
         }
         its.property = property->symbol;
         its.now = image_now(tree, instance, property->symbol, false);

@@ -110,7 +110,7 @@ struct Tweaks::State : EditObserver {
     void steps_renamed(const std::filesystem::path& file, const SceneOrigins::Names& names);
     /// A row of an earlier run was kept: the tweak of this run about the same value starts from it.
     void file_says(const JournalRow& row);
-    void tell_origin(Entry& entry, Handle instance) const;
+    void note_origin(Entry& entry, Handle instance) const;
 
     // tweaks_commit.cpp: rows
     void barrier();
@@ -136,7 +136,7 @@ struct Tweaks::State : EditObserver {
     void rename_mentions(const std::string& from, const std::string& to);
     void name_again(Entry& made, const std::string& path);
     void commit();
-    void tell_lost() const;
+    void report_lost() const;
 
     /// The path without links if it is one of the game's own files. Files loaded from elsewhere are
     /// not changed.
