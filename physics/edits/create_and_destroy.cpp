@@ -152,7 +152,7 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
             // once.
             const uint32_t only[1] = {slot};
             remove_awake(e.objects, e.active, slot);
-            put_to_sleep(e.activity, only);
+            put_to_sleep(e.activity, only, e.objects.island_slots.take(e.objects.islands));
             e.activity.events.slept.pop_back();
             record.flags.never_awake = true;
             state.velocity = def.velocity;  // stored until it wakes

@@ -118,10 +118,9 @@ void wake_all(const Activity& activity) {
     }
 }
 
-void put_to_sleep(const Activity& activity, std::span<const uint32_t> group) {
+void put_to_sleep(const Activity& activity, std::span<const uint32_t> group, uint32_t island) {
     ObjectState& objects = activity.objects;
     Columns& columns = activity.columns;
-    const uint32_t island = objects.island_slots.take(objects.islands);
     uint32_t* link = &objects.islands[island].first;
     for (uint32_t body : group) {
         BodyRecord& record = objects.bodies[body];
@@ -139,8 +138,9 @@ void put_to_sleep(const Activity& activity, std::span<const uint32_t> group) {
     }
 }
 
-/// Removes sleeping objects from the lists. One pass over each list keeps the order; removing
-/// entries one by one would not.
+namespace {
+
+/// Removes sleeping objects from the lists. One pass over each list keeps the order.
 void compact_awake(ObjectState& objects, ActiveLists& active) {
     size_t kept = 0;
     for (uint32_t body : active.awake_bodies) {
@@ -175,20 +175,42 @@ void compact_awake(ObjectState& objects, ActiveLists& active) {
     }
 }
 
+/// Removes the contacts and joints of a small sleeping group from the lists, in a time that does
+/// not depend on the length of the lists. The last entry of a list takes the place of a removed
+/// one.
+void remove_links(ObjectState& objects, ActiveLists& active, std::span<const uint32_t> group) {
+    for (const uint32_t body : group) {
+        objects.for_each_contact(body, [&](uint32_t contact) {
+            const ContactRecord& c = objects.contacts[contact];
+            if (c.awake_index != none &&
+                objects.bodies[objects.other_body(contact, body)].solver_index == 0)
+                remove_awake_contact(objects, active, contact);
+        });
+        objects.for_each_joint(
+            body, [&](uint32_t joint, uint32_t) { list_joint(objects, active, joint); });
+    }
+}
+
+}  // namespace
+
 void put_group_to_sleep(const Activity& activity, uint32_t body) {
     ObjectState& objects = activity.objects;
     ActiveLists& active = activity.active;
     if (objects.bodies[body].solver_index == 0) return;
-    std::vector<uint32_t> group = {body};
-    std::vector<bool> seen(objects.bodies.size());
-    seen[body] = true;
+    const uint32_t island = objects.island_slots.take(objects.islands);
+    std::vector<uint32_t> group;
+    // The island also marks the members of the group.
+    const auto add = [&](uint32_t member) {
+        objects.bodies[member].lists.island = island;
+        group.push_back(member);
+    };
+    add(body);
     for (size_t i = 0; i < group.size(); ++i) {
         if (objects.bodies[group[i]].mobility != Mobility::dynamic) continue;
         auto follow = [&](uint32_t other) {
-            if (seen[other] || objects.bodies[other].solver_index == 0) return;
-            if (objects.bodies[other].mobility != Mobility::dynamic) return;
-            seen[other] = true;
-            group.push_back(other);
+            const BodyRecord& record = objects.bodies[other];
+            if (record.solver_index == 0 || record.lists.island == island) return;
+            if (record.mobility == Mobility::dynamic) add(other);
         };
         objects.for_each_joint(group[i], [&](uint32_t joint, uint32_t side) {
             if (objects.joints[joint].moves()) follow(objects.joints[joint].bodies[side ^ 1]);
@@ -199,8 +221,17 @@ void put_group_to_sleep(const Activity& activity, uint32_t body) {
                 follow(objects.other_body(contact, group[i]));
         });
     }
-    put_to_sleep(activity, group);
-    compact_awake(objects, active);
+    // Many bodies may be put to sleep one by one: a pass over all lists for each would be
+    // quadratic. The solver converges best in the order of creation, so large groups keep it.
+    constexpr size_t share = 16;
+    const bool small = group.size() * share < active.awake_bodies.size();
+    if (small)
+        for (const uint32_t member : group) remove_awake(objects, active, member);
+    put_to_sleep(activity, group, island);
+    if (small)
+        remove_links(objects, active, group);
+    else
+        compact_awake(objects, active);
 }
 
 void keep_pushed_awake(ObjectState& objects, const ActiveLists& active, const BodyScratch& bodies,
@@ -298,7 +329,8 @@ void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
         }
         groups[group_of[root]].push_back(active.awake_bodies[i]);
     }
-    for (const auto& group : groups) put_to_sleep(activity, group);
+    for (const auto& group : groups)
+        put_to_sleep(activity, group, objects.island_slots.take(objects.islands));
     if (!groups.empty()) compact_awake(objects, active);
 }
 

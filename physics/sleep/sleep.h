@@ -35,9 +35,9 @@ void wake_joint(const Activity& activity, uint32_t joint);
 void wake_jointed(const Activity& activity);
 void wake_all(const Activity& activity);
 
-/// The lists of awake objects still contain these bodies until `compact_awake`.
-void put_to_sleep(const Activity& activity, std::span<const uint32_t> bodies);
-void compact_awake(ObjectState& objects, ActiveLists& active);
+/// The bodies become the members of `island`. The caller removes them from the lists of awake
+/// objects.
+void put_to_sleep(const Activity& activity, std::span<const uint32_t> bodies, uint32_t island);
 /// Puts the body to sleep with all bodies that it touches or is joined to.
 void put_group_to_sleep(const Activity& activity, uint32_t body);
 /// `candidates`: number of bodies that have rested long enough. A body that moves on its own does

@@ -342,6 +342,39 @@ TEST_CASE("sleeping bodies and contacts cost nothing in a step") {
     REQUIRE(world.bodies()[5].contacts().size() == 1);
 }
 
+TEST_CASE("stacks put to sleep one after the other leave the lists of what is awake") {
+    constexpr size_t stacks = 40;
+    World world;
+    add_floor(world);
+    std::vector<Body> lower;
+    for (size_t i = 0; i < stacks; ++i) {
+        const float x = float(i) * 2.0f - 40.0f;
+        lower.push_back(add_box(world, {x, 0.5f}));
+        Body upper = add_box(world, {x, 1.5f});
+        world.create_weld_joint(
+            {.body_a = lower.back().id(), .body_b = upper.id(), .anchor_a = {0, 1}});
+    }
+    run(world, 0.1f);
+    for (size_t i = 0; i < stacks; ++i) {
+        lower[(i * 7) % stacks].set_awake(false);
+        std::vector<std::byte> bytes;
+        world.save(bytes);
+        World loaded;
+        loaded.restore(bytes);  // refuses false lists
+        loaded.step(1.0f / 60.0f);
+        const StepStatistics now = loaded.statistics();
+        REQUIRE(now.awake_bodies == 2 * (stacks - 1 - i));
+        REQUIRE(now.awake_joints == stacks - 1 - i);
+        REQUIRE(now.islands == i + 1);
+    }
+    run(world, 0.1f);
+    REQUIRE(world.statistics().awake_contacts == 0);
+    for (Body& body : lower) body.set_awake(true);
+    run(world, 0.1f);
+    REQUIRE(world.statistics().awake_bodies == 2 * stacks);
+    REQUIRE(world.statistics().awake_contacts == stacks);
+}
+
 TEST_CASE("a body put to sleep in the air stays there until woken") {
     World world;
     Body ball = add_ball(world, {0, 10});
