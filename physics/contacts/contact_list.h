@@ -33,6 +33,8 @@ struct Touching {
 };
 
 void set_touching(const Touching& touching, uint32_t contact, bool begins);
+/// Lets a contact not act: its touch ends, and its impulses are forgotten.
+void skip_contact(const Touching& touching, uint32_t contact, Skipped reason);
 /// Reports the touches of outlines that ended in this step without a touch of another part.
 void report_parted(const Touching& touching);
 

@@ -54,7 +54,7 @@ void update_manifold(const NarrowPhaseInput& in, ContactRecord& c) {
                 margin, m);
     else
         collide_unusual(in.objects, in.columns, in.settings, c, margin, old.count > 0, m);
-    if (old.count > 0 && !c.sensor && !c.disabled && (is_segment(a) || is_segment(b)))
+    if (old.count > 0 && !c.sensor && c.skipped == Skipped::no && (is_segment(a) || is_segment(b)))
         keep_side(in, c, margin, old.normal);
     // A point with the same vertex and the same edge keeps its impulses for the warm start.
     for (int i = 0; i < m.count; ++i) {
@@ -163,7 +163,8 @@ class Collision {
     bool needs_more(const ContactRecord& c) const {
         const bool active = c.manifold.count > 0;
         if (c.sensor) return active != c.touching;
-        if (!active) return c.touching || c.rolling_impulse != 0.0f;
+        if (!active)
+            return c.touching || c.rolling_impulse != 0.0f || c.skipped == Skipped::crushed;
         return in_.objects.island_slots.count > 0 &&
                (in_.objects.bodies[c.body_a].asleep() || in_.objects.bodies[c.body_b].asleep());
     }
@@ -187,6 +188,7 @@ void follow_note(const NarrowPhaseInput& in, uint32_t slot) {
     } else if (!active) {
         if (c.touching) set_touching(in.list.touching, slot, false);
         c.rolling_impulse = 0.0f;
+        c.skipped = Skipped::no;
     } else if (bodies[c.body_a].asleep() && in_motion(in.objects, in.columns, c.body_b)) {
         // A sleeping body that is about to be hit takes part in the current step.
         wake_body(in.activity, c.body_a);

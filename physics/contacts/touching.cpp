@@ -32,7 +32,7 @@ uint32_t touching_elsewhere(const ObjectState& objects, uint32_t slot) {
     uint32_t found = none;
     const auto touches = [&](uint32_t other) {
         const ContactRecord& d = objects.contacts[other];
-        if (!d.touching || d.disabled || !same_pair(objects, c, d)) return false;
+        if (!d.touching || d.skipped != Skipped::no || !same_pair(objects, c, d)) return false;
         found = other;
         return true;
     };
@@ -134,6 +134,13 @@ void set_touching(const Touching& touching, uint32_t slot, bool begins) {
     report(touching, c, true);
 }
 
+void skip_contact(const Touching& touching, uint32_t contact, Skipped reason) {
+    ContactRecord& c = touching.objects.contacts[contact];
+    c.skipped = reason;
+    if (c.touching) set_touching(touching, contact, false);
+    c.forget_impulses();
+}
+
 void report_parted(const Touching& touching) {
     for (const ContactRecord& c : *touching.parted) report(touching, c, false);
     touching.parted->clear();
@@ -168,11 +175,12 @@ bool reports_for_pair(const ObjectState& objects, uint32_t slot) {
     const ContactRecord& c = objects.contacts[slot];
     if (!is_of_outline(objects, c)) return true;
     const uint32_t body = shorter_list(objects, c) == 0 ? c.body_a : c.body_b;
-    return !objects.any_contact(
-        objects.bodies[body].lists.first_contact, none, [&](uint32_t other) {
-            const ContactRecord& d = objects.contacts[other];
-            return other < slot && d.touching && !d.disabled && same_pair(objects, c, d);
-        });
+    return !objects.any_contact(objects.bodies[body].lists.first_contact, none,
+                                [&](uint32_t other) {
+                                    const ContactRecord& d = objects.contacts[other];
+                                    return other < slot && d.touching && d.skipped == Skipped::no &&
+                                           same_pair(objects, c, d);
+                                });
 }
 
 }  // namespace fettle::physics::detail

@@ -355,23 +355,14 @@ void measure_shapes(const ObjectState& objects, Vec2 center, BodyRecord& body) {
     float extent = 0.0f, thickness = infinity;
     for (uint32_t s = body.lists.first_shape; s != none; s = objects.shapes[s].next) {
         if (!objects.is_solid(s)) continue;
-        const ShapeRecord& shape = objects.shapes[s];
         const ShapeForm& form = objects.forms[s];
-        float inner = infinity;
-        for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
-            const Vec2 v = objects.pool.local[i] - center;
-            extent = max(extent, length(v) + form.radius);
-            if (form.count > 2)
-                inner = min(inner,
-                            dot(objects.pool.normals[i], objects.pool.local[i] - shape.centroid));
-        }
+        for (uint32_t i = form.begin; i < form.begin + form.count; ++i)
+            extent = max(extent, length(objects.pool.local[i] - center) + form.radius);
         if (form.kind == FormKind::ellipse) {
-            const Ellipse ellipse = shape.figure.as<Ellipse>();
+            const Ellipse ellipse = objects.shapes[s].figure.as<Ellipse>();
             extent += max(ellipse.radius_x, ellipse.radius_y);
-            thickness = min(thickness, min(ellipse.radius_x, ellipse.radius_y));
-            continue;
         }
-        thickness = min(thickness, form.count > 2 ? max(inner, 0.0f) + form.radius : form.radius);
+        thickness = min(thickness, inner_radius(objects, s));
     }
     body.extent = extent;
     body.thickness = thickness == infinity ? 0.0f : thickness;

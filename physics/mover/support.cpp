@@ -29,9 +29,7 @@ bool is_held(const WorldData& data, uint32_t body, uint32_t left_out) {
             if (data.joints[joint].moves()) reach(data.joints[joint].bodies[side ^ 1]);
         });
         data.for_each_contact(group[i], [&](uint32_t contact) {
-            const ContactRecord& c = data.contacts[contact];
-            if (c.manifold.count > 0 && !c.sensor && !c.disabled)
-                reach(data.other_body(contact, group[i]));
+            if (data.contacts[contact].acts()) reach(data.other_body(contact, group[i]));
         });
     }
     return held;

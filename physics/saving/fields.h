@@ -178,7 +178,7 @@ void fields(auto& io, Some<Manifold> auto& s) {
 }
 void fields(auto& io, Some<ContactRecord> auto& s) {
     fields_of<ContactRecord>(io, s.shape_a, s.shape_b, s.body_a, s.body_b, s.awake_index,
-                             s.touching, s.sensor, s.special, s.hit_events, s.disabled, s.curved,
+                             s.touching, s.sensor, s.special, s.hit_events, s.skipped, s.curved,
                              s.kept, s.begin_reported, s.friction, s.manifold, s.restitution,
                              s.rolling_resistance, s.surface_speed, s.rolling_impulse);
 }

@@ -226,7 +226,7 @@ void check_contacts(const WorldState& w, Findings& findings) {
                          "a contact");
         findings.require(optional_index(c.awake_index, w.awake_contacts.size()) &&
                              c.manifold.count >= 0 && c.manifold.count <= 2 &&
-                             (!c.kept || c.manifold.count > 0),
+                             (!c.kept || c.manifold.count > 0) && c.skipped <= Skipped::crushed,
                          "a contact");
     }
     for (const ContactLinks& links : w.contact_links)

@@ -399,7 +399,7 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
             const uint32_t slot = awake[i];
             if (i + contacts_ahead < count) contacts[awake[i + contacts_ahead]].prefetch();
             const ContactRecord& record = contacts[slot];
-            if (record.manifold.count == 0 || record.sensor || record.disabled) continue;
+            if (!record.acts()) continue;
             const SolverEnd a = bodies.solver_ends[record.body_a],
                             b = bodies.solver_ends[record.body_b];
             // Most contacts are not special, and their surface is in a cache line that is not read.

@@ -216,9 +216,7 @@ void put_group_to_sleep(const Activity& activity, uint32_t body) {
             if (objects.joints[joint].moves()) follow(objects.joints[joint].bodies[side ^ 1]);
         });
         objects.for_each_contact(group[i], [&](uint32_t contact) {
-            const ContactRecord& c = objects.contacts[contact];
-            if (c.manifold.count > 0 && !c.sensor && !c.disabled)
-                follow(objects.other_body(contact, group[i]));
+            if (objects.contacts[contact].acts()) follow(objects.other_body(contact, group[i]));
         });
     }
     // Many bodies may be put to sleep one by one: a pass over all lists for each would be
@@ -306,7 +304,7 @@ void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
     };
     for (uint32_t slot : active.awake_contacts) {
         const ContactRecord& c = objects.contacts[slot];
-        if (c.manifold.count == 0 || c.sensor || c.disabled) continue;
+        if (!c.acts()) continue;
         link(c.body_a, c.body_b);
         if (!carried_by_belt(objects, columns, c)) continue;
         disturb(c.body_a);

@@ -27,11 +27,4 @@ struct FreeMotion {
     Vec2 at(Vec2 arm) const { return velocity + turn * Vec2{-arm.y, arm.x}; }
 };
 
-/// Must be called when a body was too fast: the next step must not begin with impulses that were
-/// too large.
-inline void forget_impulses(ContactRecord& contact) {
-    for (ManifoldPoint& point : contact.manifold.points)
-        point.normal_impulse = point.tangent_impulse = 0.0f;
-}
-
 }  // namespace fettle::physics::detail

@@ -103,7 +103,7 @@ class Squeezes {
         b.turn *= scale(std::fabs(b.turn), dt_ * most_turn);
         input_.objects.for_each_contact(body, [&](uint32_t contact) {
             ContactRecord& c = input_.objects.contacts[contact];
-            if (acts(c)) forget_impulses(c);
+            if (c.acts()) c.forget_impulses();  // they are too large
         });
         return true;
     }
@@ -112,7 +112,7 @@ class Squeezes {
         const uint32_t body = input_.active.awake_bodies[index - 1];
         input_.objects.for_each_contact(body, [&](uint32_t contact) {
             const uint32_t other = input_.objects.other_body(contact, body);
-            if (!acts(input_.objects.contacts[contact]) || !yields(other)) return;
+            if (!input_.objects.contacts[contact].acts() || !yields(other)) return;
             const uint32_t neighbor = input_.objects.bodies[other].solver_index;
             if (std::exchange(reached_[neighbor], 1)) return;
             waiting_.push_back(neighbor);
@@ -127,9 +127,6 @@ class Squeezes {
     /// Of a body, so many contacts are compared with the others.
     static constexpr size_t most_presses = 8;
 
-    bool acts(const ContactRecord& c) const {
-        return c.manifold.count > 0 && !c.sensor && !c.disabled;
-    }
     bool yields(uint32_t body) const {
         return input_.objects.bodies[body].mobility == Mobility::dynamic;
     }
@@ -148,7 +145,7 @@ class Squeezes {
         const bool between = objects.any_contact(first, none, [&](uint32_t i) {
             const ContactRecord& c = objects.contacts[i];
             const uint32_t other = c.body_a == body ? c.body_b : c.body_a;
-            if (yields(other) || !acts(c)) return false;
+            if (yields(other) || !c.acts()) return false;
             const Press press = {normal_from(other, c), depth_of(c), speed_of(other, c)};
             if (!(press.depth > least_unyielding_)) return false;
             // A piston between two walls is not squeezed.
@@ -164,7 +161,7 @@ class Squeezes {
         return objects.any_contact(first, none, [&](uint32_t i) {
             const ContactRecord& c = objects.contacts[i];
             const uint32_t other = c.body_a == body ? c.body_b : c.body_a;
-            return acts(c) && yields(other) && depth_of(c) > least_yielding * thickness &&
+            return c.acts() && yields(other) && depth_of(c) > least_yielding * thickness &&
                    any_opposing(normal_from(other, c), [](const Press&) { return true; });
         });
     }
@@ -205,7 +202,7 @@ class Squeezes {
         float most = max(length(own.velocity), input_.settings.push_speed);
         objects.for_each_contact(body, [&](uint32_t contact) {
             const ContactRecord& c = objects.contacts[contact];
-            if (!acts(c)) return;
+            if (!c.acts()) return;
             const uint32_t other = objects.other_body(contact, body);
             const FreeMotion motion = FreeMotion::of(input_, columns_, other);
             for (int k = 0; k < c.manifold.count; ++k) {

@@ -131,6 +131,20 @@ void move_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rot
     boxes[shape] = grow(box_around(center, box), form.radius);
 }
 
+float inner_radius(const ObjectState& objects, uint32_t shape) {
+    const ShapeForm& form = objects.forms[shape];
+    if (form.kind == FormKind::ellipse) {
+        const Ellipse ellipse = objects.shapes[shape].figure.as<Ellipse>();
+        return min(ellipse.radius_x, ellipse.radius_y);
+    }
+    if (form.count <= 2) return form.radius;
+    const VertexPool& pool = objects.pool;
+    float inner = infinity;
+    for (uint32_t i = form.begin; i < form.begin + form.count; ++i)
+        inner = min(inner, dot(pool.normals[i], pool.local[i] - objects.shapes[shape].centroid));
+    return max(inner, 0.0f) + form.radius;
+}
+
 float fat_margin(const Box4& box) {
     const float extent = 0.5f * max(box.high.x - box.low.x, box.high.y - box.low.y);
     return speculative_margin + min(0.05f, 0.125f * extent);

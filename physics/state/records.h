@@ -244,6 +244,13 @@ inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
     return (uint8_t(a.kind) | uint8_t(b.kind)) == 0;
 }
 
+/// Why a contact does not act although its shapes touch.
+enum class Skipped : uint8_t {
+    no,
+    by_callback,  ///< in this step
+    crushed       ///< until the shapes part: contacts/crushed.h
+};
+
 /// A pair of shapes whose fat boxes overlap. The slots of awake contacts are listed.
 struct alignas(64) ContactRecord {
     uint32_t shape_a = none, shape_b = none;  ///< shape_a < shape_b
@@ -253,8 +260,8 @@ struct alignas(64) ContactRecord {
     bool sensor = false;
     bool special = false;  ///< rolling resistance, surface speed or restitution
     bool hit_events = false;
-    bool disabled = false;  ///< disabled in this step by a callback
-    bool curved = false;    ///< a contact of an ellipse: it moves along the rim within the step
+    Skipped skipped = Skipped::no;
+    bool curved = false;  ///< a contact of an ellipse: it moves along the rim within the step
     /// Two points: the manifold may be kept; one: its geometry is stored. Edits of a body or its
     /// shapes reset it.
     bool kept = false;
@@ -264,6 +271,13 @@ struct alignas(64) ContactRecord {
     float restitution = 0.0f, rolling_resistance = 0.0f, surface_speed = 0.0f;
     float rolling_impulse = 0.0f;
 
+    bool acts() const { return manifold.count > 0 && !sensor && skipped == Skipped::no; }
+    /// The next step does not begin with the impulses of this one.
+    void forget_impulses() {
+        for (ManifoldPoint& point : manifold.points)
+            point.normal_impulse = point.tangent_impulse = 0.0f;
+        rolling_impulse = 0.0f;
+    }
     void prefetch() const {
         __builtin_prefetch(this, 1);
         __builtin_prefetch(reinterpret_cast<const char*>(this) + 64, 1);

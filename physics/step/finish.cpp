@@ -115,8 +115,8 @@ uint32_t finish_bodies(const FinishInput& in, float dt) {
     std::vector<FinishedPiece>& finished = in.scratch.finished;
     const size_t count = awake.size();
     finished.resize((count + bodies_of_piece - 1) / bodies_of_piece);
-    // With callbacks, a fast body looks up its pairs, because they may be disabled.
-    if (in.callbacks) end_pairs(in.list, in.pairs);
+    // A fast body looks up its pairs, because their contacts may not act.
+    if (in.skips) end_pairs(in.list, in.pairs);
     if (in.settings.continuous) list_driven_bodies(in);
     share_out(in.threads, uint32_t(1 + finished.size()), [&](uint32_t block) {
         if (block == 0) {

@@ -27,7 +27,7 @@ struct FinishInput {
     Activity activity;
     Events& later;  ///< events of the next step
     UserFilter filter;
-    bool callbacks;  ///< the user has callbacks that may disable contacts
+    bool skips;  ///< contacts that touch may not act: callbacks, crushed bodies
     StepStatistics& statistics;
     ThreadPool* threads;
 };

@@ -155,11 +155,11 @@ bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other) {
     if (in.objects.shapes[shape].surface.sensor || in.objects.shapes[other].surface.sensor ||
         !may_collide(in.objects, in.filter, shape, other))
         return false;
-    // Without callbacks nothing is read, because pairs may be ending at the same time
+    // If all contacts act nothing is read, because pairs may be ending at the same time
     // (`finish_bodies`).
-    if (!in.callbacks) return true;
+    if (!in.skips) return true;
     const uint32_t contact = in.boxes.pairs.find(shape, other);
-    return contact == PairSet::absent || !in.objects.contacts[contact].disabled;
+    return contact == PairSet::absent || in.objects.contacts[contact].skipped == Skipped::no;
 }
 
 Box4 swept_box(const FinishInput& in, uint32_t shape, const Motion& motion, float now) {

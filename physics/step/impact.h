@@ -33,7 +33,7 @@ Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Mot
 /// A box around the shape on its way from `now` to 1.
 Box4 swept_box(const FinishInput& in, uint32_t shape, const Motion& motion, float now);
 
-/// False if the two shapes do not collide, or if a callback disabled their contact.
+/// False if the two shapes do not collide, or if their contact does not act.
 bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other);
 
 /// Moves the body from the pose of its vertices to where its motion ends.

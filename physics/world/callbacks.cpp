@@ -69,6 +69,11 @@ UserFilter WorldData::user_filter() const {
 
 namespace {
 
+/// A callback disables a contact for one step only.
+void enable(ContactRecord& c) {
+    if (c.skipped == Skipped::by_callback) c.skipped = Skipped::no;
+}
+
 /// Calls the callbacks for the contacts of a step in their order, so that equal inputs give equal
 /// results.
 class ContactCallbacks {
@@ -80,7 +85,7 @@ class ContactCallbacks {
         std::vector<uint32_t> called;
         for (const uint32_t slot : world_.awake_contacts) {
             ContactRecord& c = world_.contacts[slot];
-            c.disabled = false;
+            enable(c);
             if (!acts(c)) continue;
             remix(world_, world_.settings, c);  // changes by a callback are valid for one step only
             if (world_.self.mix) called.push_back(slot);
@@ -104,7 +109,7 @@ class ContactCallbacks {
         std::vector<uint32_t> ends;  // of the parts of each pair
         for (uint32_t i = 0; i < world_.awake_contacts.size(); ++i) {
             const ContactRecord& c = world_.contacts[world_.awake_contacts[i]];
-            if (!acts(c) || c.disabled || !may_call(c)) continue;
+            if (!c.acts() || !may_call(c)) continue;
             const Part part = {pair_of(c), i};
             if (!is_of_outline(world_, c)) {
                 parts.push_back(part);
@@ -143,9 +148,9 @@ class ContactCallbacks {
             if (i == pairs.size() || c.sensor) continue;
             if (acts(c)) {
                 near[i] = true;
-                disable(c, slot);
+                skip_contact(world_.touching(), slot, Skipped::by_callback);
             } else {
-                c.disabled = false;
+                enable(c);
             }
         }
         size_t kept = 0;
@@ -302,7 +307,9 @@ class ContactCallbacks {
         for (const Part& part : parts) {
             ContactRecord& c = record(part);
             accept(c, edit, &before, in_before_solve);
-            if (!edit.enabled || edit.ignored) disable(c, world_.awake_contacts[part.at]);
+            if (!edit.enabled || edit.ignored)
+                skip_contact(world_.touching(), world_.awake_contacts[part.at],
+                             Skipped::by_callback);
         }
     }
 
@@ -312,13 +319,6 @@ class ContactCallbacks {
             answer.given = answered;
             return answer;
         });
-    }
-
-    void disable(ContactRecord& c, uint32_t slot) {
-        c.disabled = true;
-        if (c.touching) set_touching(world_.touching(), slot, false);
-        for (ManifoldPoint& p : c.manifold.points) p.normal_impulse = p.tangent_impulse = 0.0f;
-        c.rolling_impulse = 0.0f;
     }
 
     WorldData& world_;
@@ -340,7 +340,7 @@ void remix_all(WorldData& data) {
     for (ContactRecord& c : data.contacts) {
         if (c.shape_a == none) continue;
         remix(data, data.settings, c);
-        c.disabled = false;
+        enable(c);
     }
 }
 

@@ -1,4 +1,5 @@
 #include <checks/hooks.h>
+#include <contacts/crushed.h>
 #include <contacts/narrow_phase.h>
 #include <contacts/pairs.h>
 #include <contacts/reports.h>
@@ -111,6 +112,7 @@ void WorldData::step(float dt) {
     statistics.pairs_ms = clock.lap();
     narrow_phase({objects(), columns(), broad_phase(), active(), settings, pair_scratch(),
                   contact_list(), activity(), kernels, threads});
+    const bool crushed = skip_crushed(touching(), active());
     consult_callbacks();
     statistics.narrow_ms = clock.lap();
 
@@ -123,7 +125,8 @@ void WorldData::step(float dt) {
     sleep_candidates = finish_bodies(
         {objects(), columns(), broad_phase(), active(), settings, body_scratch(),
          sub.settings.substeps, *this, pair_scratch(), contact_list(), activity(), pending,
-         user_filter(), self.see_contacts() || !ignored_pairs.empty(), statistics, threads},
+         user_filter(), crushed || self.see_contacts() || !ignored_pairs.empty(), statistics,
+         threads},
         dt);
     note_velocities_after(self.sums, columns());
     report_parted(touching());

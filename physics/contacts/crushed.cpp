@@ -1,0 +1,141 @@
+#include <contacts/crushed.h>
+#include <state/place_shape.h>
+
+#include <algorithm>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// A body counts as crushed once the overlaps on its two sides add up to this part of its smallest
+/// width, or of that of the obstacle: beyond the middle of a thin plate, it would leave the plate
+/// on the other side.
+constexpr float crushed_share = 0.5f;
+/// An overlap of two dynamic bodies passes the pressure on if it is deeper than this part of the
+/// smaller width of the two. No load of a stack presses bodies together that much.
+constexpr float passing_share = 0.125f;
+/// The cosine of the angle between the normals at the two sides of a body that is crushed, at most.
+constexpr float opposite = -0.5f;
+/// The pressure is followed to so many bodies.
+constexpr size_t most_bodies = 64;
+
+float depth_of(const Manifold& m) {
+    float separation = m.points[0].separation;
+    if (m.count > 1) separation = min(separation, m.points[1].separation);
+    return -separation;
+}
+
+class Pressure {
+  public:
+    Pressure(const ObjectState& objects, const Columns& columns)
+        : objects_(objects), columns_(columns) {}
+
+    /// True if the body of the contact that is not `presser` is crushed. Then `pressed` lists it
+    /// and bodies that are pressed through it.
+    bool crushes(uint32_t presser, uint32_t contact) {
+        const ContactRecord& c = objects_.contacts[contact];
+        const uint32_t body = objects_.other_body(contact, presser);
+        if (objects_.bodies[body].mobility != Mobility::dynamic || !comes_nearer(presser, c))
+            return false;
+        pressed_.assign(1, {body, contact});
+        for (size_t i = 0; i < pressed_.size(); ++i)
+            if (is_held(pressed_[i])) return true;
+        return false;
+    }
+
+    /// A body, and the contact through which it is pressed.
+    struct Pressed {
+        uint32_t body, from;
+    };
+    const std::vector<Pressed>& pressed() const { return pressed_; }
+
+  private:
+    float width(uint32_t body) const { return 2.0f * objects_.bodies[body].thickness; }
+    /// The smallest width of the body or of the fixed shape. Border, segments and chains have none:
+    /// what touches them stays on its side.
+    float least_width(uint32_t body, uint32_t shape) const {
+        if (objects_.forms[shape].kind == FormKind::border) return width(body);
+        const float inner = inner_radius(objects_, shape);
+        return inner > 0.0f ? min(width(body), 2.0f * inner) : width(body);
+    }
+    /// The normal of the contact, towards `body`.
+    static Vec2 normal_towards(uint32_t body, const ContactRecord& c) {
+        return body == c.body_b ? c.manifold.normal : -c.manifold.normal;
+    }
+    bool comes_nearer(uint32_t presser, const ContactRecord& c) const {
+        const BodyState& state = columns_.states[presser];
+        const ManifoldPoint& point = c.manifold.points[0];
+        const Vec2 arm = presser == c.body_a ? point.anchor_a : point.anchor_b;
+        const Vec2 velocity = state.velocity + cross(state.angular_velocity, arm);
+        return dot(velocity, normal_towards(c.body_a == presser ? c.body_b : c.body_a, c)) > 0.0f;
+    }
+    bool is_fixed(uint32_t body) const {
+        const BodyState& state = columns_.states[body];
+        return objects_.bodies[body].mobility != Mobility::dynamic && state.velocity == Vec2{} &&
+               state.angular_velocity == 0.0f;
+    }
+
+    /// True if a fixed obstacle holds the body against the pressure. Lists the bodies to which the
+    /// pressure goes on.
+    bool is_held(const Pressed pressed) {
+        const auto [body, from] = pressed;
+        const ContactRecord& pressing = objects_.contacts[from];
+        const Vec2 push = normal_towards(body, pressing);
+        const float depth = depth_of(pressing.manifold);
+        const uint32_t first = objects_.bodies[body].lists.first_contact;
+        return objects_.any_contact(first, none, [&](uint32_t contact) {
+            const ContactRecord& c = objects_.contacts[contact];
+            if (contact == from || !c.acts()) return false;
+            if (!(dot(normal_towards(body, c), push) < opposite)) return false;
+            const float opposing = depth_of(c.manifold);
+            const uint32_t other = objects_.other_body(contact, body);
+            if (is_fixed(other)) {
+                const uint32_t obstacle = other == c.body_a ? c.shape_a : c.shape_b;
+                return depth + opposing > crushed_share * least_width(body, obstacle);
+            }
+            if (objects_.bodies[other].mobility == Mobility::dynamic &&
+                opposing > passing_share * min(width(body), width(other)))
+                add(other, contact);
+            return false;
+        });
+    }
+    void add(uint32_t body, uint32_t from) {
+        const bool known = std::any_of(pressed_.begin(), pressed_.end(),
+                                       [&](const Pressed& p) { return p.body == body; });
+        if (!known && pressed_.size() < most_bodies) pressed_.push_back({body, from});
+    }
+
+    const ObjectState& objects_;
+    const Columns& columns_;
+    std::vector<Pressed> pressed_;
+};
+
+/// The stored impulses of a pressed body balance those of the presser, and are far greater than
+/// what else acts on it: without the presser they would throw it.
+void forget_impulses_of(ObjectState& objects, uint32_t body) {
+    objects.for_each_contact(
+        body, [&](uint32_t contact) { objects.contacts[contact].forget_impulses(); });
+}
+
+}  // namespace
+
+bool skip_crushed(const Touching& touching, const ActiveLists& active) {
+    ObjectState& objects = touching.objects;
+    if (objects.kinematic_bodies == 0) return false;
+    Pressure pressure(objects, touching.columns);
+    bool any = false;
+    for (const uint32_t body : active.awake_bodies) {
+        if (objects.bodies[body].mobility != Mobility::kinematic) continue;
+        objects.for_each_contact(body, [&](uint32_t contact) {
+            const ContactRecord& c = objects.contacts[contact];
+            if (c.acts() && pressure.crushes(body, contact)) {
+                skip_contact(touching, contact, Skipped::crushed);
+                for (const auto& pressed : pressure.pressed())
+                    forget_impulses_of(objects, pressed.body);
+            }
+            any = any || c.skipped == Skipped::crushed;
+        });
+    }
+    return any;
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <contacts/contact_list.h>
+
+// Crushed bodies. A kinematic body of infinite mass that presses a body against a fixed obstacle
+// would press it into the obstacle and through it, since no velocity meets both contacts. The fixed
+// obstacle has priority: once the space between the two is less than half as wide as the body, the
+// contact with the kinematic body does not act until the two have parted. So a crusher passes
+// through what it crushes, and a body that was crushed is neither lost below the ground nor thrown.
+// The same holds if other bodies are between, each pressed into the next one.
+
+namespace fettle::physics::detail {
+
+/// Finds the contacts in which a kinematic body begins to crush another one, and lets them not act.
+/// Returns true if a contact of an awake kinematic body does not act because of that.
+bool skip_crushed(const Touching& touching, const ActiveLists& active);
+
+}  // namespace fettle::physics::detail
