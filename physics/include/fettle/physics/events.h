@@ -33,7 +33,8 @@ struct ContactBeginEvent {
     ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
 };
 
-/// Two shapes no longer touch, or one of them was destroyed, detached or disabled.
+/// Two shapes no longer touch, or one of them was destroyed, detached or disabled, or a kinematic
+/// body crushed the other one.
 struct ContactEndEvent {
     ShapeId shape_a;  ///< the normal points away from it
     ShapeId shape_b;  ///< the other shape
