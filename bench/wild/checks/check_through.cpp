@@ -32,8 +32,9 @@ class Through : public Check {
 
     std::optional<std::string> look(const Moment& moment) override {
         note_overlaps(moment);
+        note_held(moment);
         const auto crossed = passages_.of(moment);
-        if (!crossed.empty() && !bullets_) pressed_ = pressed(moment);
+        if (!crossed.empty() && !bullets_) pulled_ = pulled(moment);
         for (const Passage& passage : crossed)
             if (auto what = cross(passage, moment)) return what;
         time_ += moment.dt;
@@ -84,21 +85,34 @@ class Through : public Check {
                            (overlaps_[i] || moment.plan.bodies[i].born == moment.step);
     }
 
-    /// True if a body is pressed between a kinematic and a fixed obstacle, or between a bullet and
-    /// another body. It then has to overlap one of the two.
+    /// True if a body is or was pressed between a kinematic and another obstacle, or between a
+    /// bullet and another body: it then has to overlap one of the two. Through a static obstacle,
+    /// only joints may pull it.
     bool is_squeezed(const Passage& passage, const Moment& moment) const {
         const BodyNow& obstacle = moment.after[std::size_t(passage.obstacle)];
         if (obstacle.type != BodyType::static_body)
             return touches_others(moment, passage.body, passage.obstacle) ||
-                   is_near_other_fixed(moment, passage.body, passage.obstacle);
-        return pressed_[std::size_t(passage.body)];
+                   is_near_other_fixed(moment, passage.body, passage.obstacle) ||
+                   time_ - held_[std::size_t(passage.body)] < push_time;
+        return pulled_[std::size_t(passage.body)];
+    }
+
+    /// A kinematic body passes through what it crushes, which a static body pushes out first.
+    void note_held(const Moment& moment) {
+        held_.resize(moment.after.size(), -1);
+        for (std::size_t i = 0; i < held_.size(); ++i)
+            for (const int other : moment.after[i].touched)
+                if (other == the_world ||
+                    moment.after[std::size_t(other)].type == BodyType::static_body)
+                    held_[i] = time_;
     }
 
     const bool bullets_;
     Passages passages_;
     std::map<decltype(Passage().pair()), Entry> inside_;
-    std::vector<bool> pressed_;
+    std::vector<bool> pulled_;
     std::vector<bool> overlaps_;  // since the body was made
+    std::vector<double> held_;    // time at which a static body touched the body last, s
     double time_ = 0;
 };
 

@@ -156,7 +156,10 @@ bool is_near_other_fixed(const Moment& moment, int body, int obstacle) {
     return false;
 }
 
-std::vector<bool> pressed(const Moment& moment) {
+namespace {
+
+/// The bodies that joints, and contacts if `by_contacts`, connect with a kinematic body.
+std::vector<bool> connected(const Moment& moment, bool by_contacts) {
     std::vector<bool> reached(moment.after.size(), false);
     std::vector<int> open;
     const auto reach = [&](int index) {
@@ -172,7 +175,7 @@ std::vector<bool> pressed(const Moment& moment) {
         open.pop_back();
         for (const std::vector<BodyNow>* bodies : {&moment.before, &moment.after})
             for (const int other : (*bodies)[std::size_t(index)].touched)
-                if (other != the_world &&
+                if (by_contacts && other != the_world &&
                     moment.after[std::size_t(other)].type == BodyType::dynamic_body)
                     reach(other);
         for (const JointPlan& joint : moment.plan.joints) {
@@ -181,6 +184,16 @@ std::vector<bool> pressed(const Moment& moment) {
         }
     }
     return reached;
+}
+
+}  // namespace
+
+std::vector<bool> pressed(const Moment& moment) {
+    return connected(moment, true);
+}
+
+std::vector<bool> pulled(const Moment& moment) {
+    return connected(moment, false);
 }
 
 }  // namespace fettle::bench::wild

@@ -52,7 +52,12 @@ bool touches_others(const Moment& moment, int body, int obstacle);
 /// within one step, before there was a contact with the other one.
 bool is_near_other_fixed(const Moment& moment, int body, int obstacle);
 
-/// The bodies that a moving kinematic body presses on, directly or through others.
+/// The bodies that a kinematic body presses on or pulls at, directly or through others.
 std::vector<bool> pressed(const Moment& moment);
+
+/// The bodies that joints connect with a kinematic body, directly or through others: it may pull
+/// them through a static body. It does not press them through, since it passes through what it
+/// crushes.
+std::vector<bool> pulled(const Moment& moment);
 
 }  // namespace fettle::bench::wild
