@@ -197,15 +197,16 @@ struct JointLists {
     }
 };
 
-/// The softness of each joint that has a stiffness of its own.
+/// The softness of each joint that has a stiffness of its own. One that is stiffer than the
+/// sub-steps can follow would throw a net of such joints apart.
 void soften_tuned(const ObjectState& objects, JointScratch& joints, float h) {
     for (size_t type = 0; type < joint_type_count; ++type) {
         JointArray& array = joints.joint_arrays[JointScratch::tuned * joint_type_count + type];
         array.softness.clear();
         for (const uint32_t slot : array.joints) {
             const JointRecord& joint = objects.joints[slot];
-            array.softness.push_back(make_softness(min(joint.constraint_hertz, 0.5f / h),
-                                                   joint.constraint_damping_ratio, h));
+            const float hertz = min(joint.constraint_hertz, ContactStiffness::greatest_share / h);
+            array.softness.push_back(make_softness(hertz, joint.constraint_damping_ratio, h));
         }
     }
 }

@@ -146,8 +146,8 @@ Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, u
     }
     // A thick body may have thin pieces.
     if (shape.kind == FormKind::piece && inner < least_depth) return {};
-    // What moves by command carries a body on its way; a body in it is left to the contacts.
-    const float slip = is_driven(in, other) ? 0.0f : max(inner, least_depth);
+    // A body with its centroid in the obstacle already goes no deeper.
+    const float slip = max(inner, least_depth);
     return obstacle.of_point(place(now), place(1.0f), slip);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "report/table.h"
 #include "wild/checks/check.h"
@@ -32,7 +33,7 @@ double kinetic(const BodyNow& body) {
 ///   the sub-steps;
 /// - what pushes overlapping bodies apart: 3 m/s between two bodies, which the library allows for
 ///   it. A body that was deeper than 1 cm in others is pushed by each of them, and pushes what lies
-///   on it.
+///   on it or is joined to it.
 class Energy : public Check {
   public:
     std::optional<std::string> look(const Moment& moment) override {
@@ -44,6 +45,10 @@ class Energy : public Check {
         double moving = 0, allowed = 0;
         overlapped_.resize(moment.after.size(), false);
         pushes_.resize(moment.after.size(), 1);
+        for (const JointPlan& joint : moment.plan.joints)
+            for (const auto& [from, to] : {std::pair(joint.a, joint.b), {joint.b, joint.a}})
+                if (from != the_world && to != the_world && overlapped_[std::size_t(from)])
+                    overlapped_[std::size_t(to)] = true;
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
             const BodyNow& body = moment.after[i];
             if (!moves_freely(body)) continue;

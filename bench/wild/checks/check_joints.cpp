@@ -132,12 +132,15 @@ class Joints : public Check {
         if (!gap || gap->length > slack || gap->angle > angular_slack) left_out_[i] = true;
     }
 
-    /// Leaves out a joint when one of its bodies is edited, and then the other joints of these
-    /// bodies: both ends may now be held in places that are too far apart.
+    /// Leaves out a joint when one of its bodies is edited or made inside of an obstacle, and then
+    /// the other joints of these bodies: both ends may be held in places that are too far apart.
     void leave_out_infeasible(const Moment& moment, std::size_t i) {
         const JointPlan& joint = moment.plan.joints[i];
         for (const int end : {joint.a, joint.b})
-            if (end != the_world && moment.edited_bodies[std::size_t(end)]) left_out_[i] = true;
+            if (end != the_world && (moment.edited_bodies[std::size_t(end)] ||
+                                     (moment.plan.bodies[std::size_t(end)].born == moment.step &&
+                                      is_pushed(moment, end))))
+                left_out_[i] = true;
         if (!left_out_[i]) return;
         // The other joints of its bodies are left out too, and so on through the group.
         for (std::size_t k = 0; k < moment.plan.joints.size(); ++k) {

@@ -52,8 +52,8 @@ void define_joint(Hosting& hosting) {
                "force, is larger.",
                setting<&Joint::report_torque, &Joint::set_report_torque>(hosting)),
         amount("constraint_hertz", 0, "Hz",
-               "How fast it corrects an error of its position; 0: 60 Hz, and more where it "
-               "connects bodies of very different masses.",
+               "How fast it corrects an error of its position, at most a quarter of the rate of "
+               "sub-steps; 0: 60 Hz, and more where it connects bodies of very different masses.",
                setting<&Joint::constraint_hertz, &Joint::set_constraint_hertz>(hosting)),
         within(
             {.min = 0, .max = 1000},

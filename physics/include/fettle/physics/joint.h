@@ -62,7 +62,7 @@ class Joint {
     float report_torque() const;  ///< N m
     void set_report_torque(float torque);
     /// Stiffness of the joint itself, Hz: how fast it corrects an error of its position; limited to
-    /// half the rate of sub-steps. 0 (the default): 60 Hz, and more where the joint connects bodies
+    /// a quarter of the rate of sub-steps. 0 (the default): 60 Hz, and more where the joint connects bodies
     /// of very different masses. The solver `direct` holds joints exactly, whatever this is.
     float constraint_hertz() const;
     void set_constraint_hertz(float hertz);
