@@ -1278,7 +1278,7 @@ Mover = {}
 ---@field break_torque number It breaks if its torque, besides that of its force, is larger. · N m · 0 to inf · default inf · may be infinite
 ---@field broken boolean True if it broke and does not act; false repairs it. · true or false · default false · simulated
 ---@field constraint_damping_ratio number Damping ratio of a constraint_hertz above 0. · 0 to 1000 · default 2
----@field constraint_hertz number How fast it corrects an error of its position; 0: 60 Hz, and more where it connects bodies of very different masses. · Hz · at least 0 · default 0
+---@field constraint_hertz number How fast it corrects an error of its position, at most a quarter of the rate of sub-steps; 0: 60 Hz, and more where it connects bodies of very different masses. · Hz · at least 0 · default 0
 ---@field enabled boolean True if it may act. · true or false · default true
 ---@field force vec Force on its body, or on body_b, in the last step. · N · any finite vec · read-only, simulated
 ---@field report_force number The event loaded is emitted in each step in which its force, as the mean of the step, is larger; infinite: never. · N · 0 to inf · default inf · may be infinite
