@@ -54,7 +54,7 @@ void Tree::enlarge_above(int32_t leaf) {
     }
 }
 
-void Tree::forget_pairs(int32_t leaf) {
+void Tree::clear_pairs(int32_t leaf) {
     flag(leaf);
     update_bucket(leaf, true);
 }

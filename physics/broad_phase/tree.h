@@ -48,7 +48,7 @@ class Tree {
     /// `rebuild`.
     void refit(ThreadPool* threads = nullptr, std::span<const Box4> before = {});
     /// Marks the leaf as moved and all of its pairs as unknown.
-    void forget_pairs(int32_t leaf);
+    void clear_pairs(int32_t leaf);
 
     /// If leaves were inserted or removed since the last call, builds the moved parts of the tree
     /// again. Leaves keep their indices. `before`: for each item, its box when `clear_moves` was
@@ -226,15 +226,15 @@ class Tree {
     }
     void fill_bucket(const BucketPlace& place, BoxBucket& bucket, const Before& before) const;
     void begin_epoch(BoxBucket& bucket) const;
-    void update_bucket(int32_t leaf, bool forget_pairs);
+    void update_bucket(int32_t leaf, bool clear_pairs);
     template <typename Visit>
     void pairs_of_buckets(const BoxBucket& a, const Tree& other, const BoxBucket& b,
                           FindOverlaps overlaps, Visit&& visit) const;
     void leaves_changed() {
         built_since_change_ = false;
-        if (!bucket_of_.empty()) forget_build();
+        if (!bucket_of_.empty()) discard_build();
     }
-    void forget_build();
+    void discard_build();
     int32_t allocate();
     void release(int32_t node);
     void link_leaf(int32_t leaf);

@@ -61,7 +61,7 @@ void Tree::rebuild(ThreadPool* threads, std::span<const Box4> before) {
     enlarged_ = 0;
 }
 
-void Tree::forget_build() {
+void Tree::discard_build() {
     bucket_of_.clear();
     buckets_.clear();
     parts_.clear();
@@ -319,7 +319,7 @@ void Tree::begin_epoch(BoxBucket& bucket) const {
 }
 
 /// Updates the bucket of a leaf that has moved since the bucket was filled.
-void Tree::update_bucket(int32_t leaf, bool forget_pairs) {
+void Tree::update_bucket(int32_t leaf, bool clear_pairs) {
     for (int32_t i = leaf; i != none && !bucket_of_.empty(); i = nodes_[size_t(i)].parent) {
         const int32_t place = bucket_of_[size_t(i)];
         if (place < 0) continue;
@@ -329,7 +329,7 @@ void Tree::update_bucket(int32_t leaf, bool forget_pairs) {
         const uint32_t *first = bucket.item, *last = first + bucket.count;
         const auto slot = uint32_t(std::find(first, last, node.item()) - first);
         bucket.now.set(slot, node.box);
-        if (forget_pairs) bucket.before.set(slot, no_box);
+        if (clear_pairs) bucket.before.set(slot, no_box);
         bucket.moved |= uint32_t{1} << slot;
         return;
     }

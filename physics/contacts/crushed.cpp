@@ -111,9 +111,9 @@ class Pressure {
 
 /// The stored impulses of a pressed body balance those of the presser, and are far greater than
 /// what else acts on it: without the presser they would throw it.
-void forget_impulses_of(ObjectState& objects, uint32_t body) {
-    objects.for_each_contact(
-        body, [&](uint32_t contact) { objects.contacts[contact].forget_impulses(); });
+void clear_impulses_of(ObjectState& objects, uint32_t body) {
+    objects.for_each_contact(body,
+                             [&](uint32_t contact) { objects.contacts[contact].clear_impulses(); });
 }
 
 }  // namespace
@@ -130,7 +130,7 @@ bool skip_crushed(const Touching& touching, const ActiveLists& active) {
             if (c.acts() && pressure.crushes(body, contact)) {
                 skip_contact(touching, contact, Skipped::crushed);
                 for (const auto& pressed : pressure.pressed())
-                    forget_impulses_of(objects, pressed.body);
+                    clear_impulses_of(objects, pressed.body);
             }
             any = any || c.skipped == Skipped::crushed;
         });

@@ -138,7 +138,7 @@ void skip_contact(const Touching& touching, uint32_t contact, Skipped reason) {
     ContactRecord& c = touching.objects.contacts[contact];
     c.skipped = reason;
     if (c.touching) set_touching(touching, contact, false);
-    c.forget_impulses();
+    c.clear_impulses();
 }
 
 void report_parted(const Touching& touching) {

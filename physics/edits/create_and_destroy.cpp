@@ -221,7 +221,7 @@ void set_form(const Editing& e, uint32_t slot, const Geometry& geometry,
     ObjectState& objects = e.objects;
     ShapeRecord& record = objects.shapes[slot];
     drop_parts(e, slot, none);
-    if (!std::holds_alternative<Chain>(geometry)) forget_segment_surfaces(objects, slot);
+    if (!std::holds_alternative<Chain>(geometry)) remove_segment_surfaces(objects, slot);
     record.outline = 0;
     FormKind kind = FormKind::convex;
     uint32_t count = 0, room = 0;
@@ -280,7 +280,7 @@ void destroy_shape(const Editing& e, uint32_t shape) {
     ObjectState& objects = e.objects;
     if (objects.forms[shape].body != none) detach_shape(e, shape);
     drop_parts(e, shape, none);
-    forget_segment_surfaces(objects, shape);
+    remove_segment_surfaces(objects, shape);
     objects.pool.release(objects.forms[shape].begin, objects.shapes[shape].capacity);
     const bool part = objects.shapes[shape].owner != none;
     const bool listed = objects.shapes[shape].moved;

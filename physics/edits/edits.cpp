@@ -55,7 +55,7 @@ void mark_moved(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t sha
     const ShapeRecord& record = objects.shapes[shape];
     if (record.proxy != Tree::none)
         (record.tree == Mobility::fixed ? broad_phase.fixed_tree : broad_phase.moving_tree)
-            .forget_pairs(record.proxy);
+            .clear_pairs(record.proxy);
     if (objects.shapes[shape].moved) return;
     objects.shapes[shape].moved = true;
     broad_phase.moved_shapes.push_back(shape);

@@ -118,7 +118,7 @@ const SegmentSurface* own_surface(const ObjectState& objects, uint32_t shape, ui
 /// None: it gets that of the shape. `share_surface` must be called after.
 void set_own_surface(ObjectState& objects, uint32_t shape, uint32_t segment,
                      const std::optional<SegmentSurface>& surface);
-void forget_segment_surfaces(ObjectState& objects, uint32_t shape);
+void remove_segment_surfaces(ObjectState& objects, uint32_t shape);
 /// The surface of the shape with what the segment has of its own.
 ShapeDef with_own(const ShapeDef& of_shape, const SegmentSurface& own);
 

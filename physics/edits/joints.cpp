@@ -90,7 +90,7 @@ void set_joint_bodies(const Editing& e, uint32_t joint, uint32_t a, uint32_t b) 
     }
     e.objects.dormant_joints += record.dormant();
     record.enabled = enabled;
-    forget_impulses(e.objects, joint);
+    clear_impulses(e.objects, joint);
     update_joint(e, joint);
 }
 

@@ -50,7 +50,7 @@ void set_own_surface(ObjectState& objects, uint32_t shape, uint32_t segment,
     }
 }
 
-void forget_segment_surfaces(ObjectState& objects, uint32_t shape) {
+void remove_segment_surfaces(ObjectState& objects, uint32_t shape) {
     auto& all = objects.segment_surfaces;
     if (all.empty()) return;
     all.erase(all.begin() + std::ptrdiff_t(place_of(objects, shape, 0)),

@@ -28,7 +28,7 @@ struct VertexPool {
         if (!bin.empty()) {
             const uint32_t begin = bin.back();
             bin.pop_back();
-            forget_place(begin, capacity);
+            clear_place(begin, capacity);
             return begin;
         }
         const uint32_t begin = uint32_t(local.size());
@@ -43,7 +43,7 @@ struct VertexPool {
     }
     /// A shape without a body has no place, and must not have that of an earlier shape, which may
     /// have been too far away to be saved and restored.
-    void forget_place(uint32_t begin, uint32_t capacity) {
+    void clear_place(uint32_t begin, uint32_t capacity) {
         std::fill_n(vertices.begin() + begin, capacity, Vec2{});
         std::fill_n(directions.begin() + begin, capacity, Vec2{});
         std::fill_n(offsets.begin() + begin, capacity, 0.0f);

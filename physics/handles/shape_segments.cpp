@@ -86,7 +86,7 @@ void Shape::set_segment_surfaces(std::span<const SegmentSurface> surfaces) {
         throw std::invalid_argument("surfaces: expected none or " + std::to_string(count) +
                                     ", one for each segment of the chain, got " +
                                     std::to_string(surfaces.size()));
-    forget_segment_surfaces(data, id_.index);
+    remove_segment_surfaces(data, id_.index);
     for (uint32_t i = 0; i < surfaces.size(); ++i)
         data.change<set_own_surface>(id_.index, i, surfaces[i]);
     surface_changed(data, id_.index);

@@ -13,7 +13,7 @@ constexpr float nearly_all = 0.75f;
 
 }  // namespace
 
-void SolverBlocks::remember(std::span<const uint32_t> bodies, bool several) {
+void SolverBlocks::set_bodies(std::span<const uint32_t> bodies, bool several) {
     bodies_.assign(bodies.begin(), bodies.end());
     several_ = several;
     age_ = 0;

@@ -50,7 +50,7 @@ class SolverBlocks {
     bool may_be_several() { return wait_ == 0 || --wait_ == 0; }
 
     /// The next blocks are built for these bodies. `several`: there may be more than one block.
-    void remember(std::span<const uint32_t> bodies, bool several);
+    void set_bodies(std::span<const uint32_t> bodies, bool several);
     /// True if the blocks were built for these bodies in this order, so that a contact that links
     /// two blocks matters.
     bool may_be_linked(std::span<const uint32_t> bodies) const;

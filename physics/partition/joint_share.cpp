@@ -13,7 +13,7 @@ void JointShare::unite() {
     nodes_.sum_up();
 }
 
-void JointShare::remember(const StripNodes& nodes, std::span<const SolverBody> bodies) {
+void JointShare::save_velocities(const StripNodes& nodes, std::span<const SolverBody> bodies) {
     for (size_t i = nodes_.begin(nodes); i < nodes_.end(nodes); ++i) {
         const SolverBody& b = bodies[uint32_t(bodies_[i])];
         velocities_[i] = {b.velocity, b.angular_velocity};

@@ -21,7 +21,7 @@ class JointShare {
     /// it causes to `forces`.
     void around(const StripNodes& nodes, std::span<const SolverBody> bodies,
                 std::span<SolverForce> forces, auto&& pass) {
-        remember(nodes, bodies);
+        save_velocities(nodes, bodies);
         pass();
         add_change(nodes, bodies, forces);
     }
@@ -34,7 +34,7 @@ class JointShare {
         Vec2 linear;
         float angular = 0.0f;
     };
-    void remember(const StripNodes& nodes, std::span<const SolverBody> bodies);
+    void save_velocities(const StripNodes& nodes, std::span<const SolverBody> bodies);
     void add_change(const StripNodes& nodes, std::span<const SolverBody> bodies,
                     std::span<SolverForce> forces) const;
 

@@ -198,7 +198,7 @@ struct Coloring {
     /// `several`: whole islands are distributed to several blocks.
     void make_blocks(bool several) {
         blocks.begin(uint32_t(awake_bodies.size()) + 1);
-        blocks.remember(awake_bodies, several);
+        blocks.set_bodies(awake_bodies, several);
         if (!several) {
             blocks.finish_as_one();
             return;

@@ -105,7 +105,7 @@ struct JointLists {
     uint8_t note_of(uint32_t slot) {
         const JointRecord& joint = objects.joints[slot];
         const JointRole role = role_of(objects, joint);
-        if (role == JointRole::idle) forget_impulses(objects, slot);
+        if (role == JointRole::idle) clear_impulses(objects, slot);
         if (role != JointRole::acting) return 0;  // it keeps its impulses until a body wakes
         // Unlike a contact, a joint also writes to a body that moves on its own. The nodes of all
         // joints of such a body are on one path from the root, so no two of them are solved at the

@@ -109,7 +109,7 @@ void limit_pushes(const SolverInput& input, const Columns& columns) {
             ContactRecord& c = objects.contacts[contact];
             if (c.manifold.count == 0 || c.sensor) return;
             add(objects.other_body(contact, body));
-            c.forget_impulses();  // those of a body that was too fast are too large
+            c.clear_impulses();  // those of a body that was too fast are too large
         });
     }
 }

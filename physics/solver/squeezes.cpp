@@ -103,7 +103,7 @@ class Squeezes {
         b.turn *= scale(std::fabs(b.turn), dt_ * most_turn);
         input_.objects.for_each_contact(body, [&](uint32_t contact) {
             ContactRecord& c = input_.objects.contacts[contact];
-            if (c.acts()) c.forget_impulses();  // they are too large
+            if (c.acts()) c.clear_impulses();  // they are too large
         });
         return true;
     }

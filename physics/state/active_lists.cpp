@@ -12,7 +12,7 @@ JointRole role_of(const ObjectState& objects, const JointRecord& joint) {
     return role;
 }
 
-void forget_impulses(ObjectState& objects, uint32_t joint) {
+void clear_impulses(ObjectState& objects, uint32_t joint) {
     JointRecord& record = objects.joints[joint];
     record.impulses = {};
     record.force = {};
@@ -51,7 +51,7 @@ void list_joint(ObjectState& objects, ActiveLists& active, uint32_t joint) {
     const auto [a, b] = record.bodies;
     const bool wanted = objects.may_act(record) && (objects.bodies[a].solver_index != 0 ||
                                                     objects.bodies[b].solver_index != 0);
-    if (!wanted && role_of(objects, record) == JointRole::idle) forget_impulses(objects, joint);
+    if (!wanted && role_of(objects, record) == JointRole::idle) clear_impulses(objects, joint);
     if (wanted == (record.awake_index != none)) return;
     if (wanted) {
         record.awake_index = uint32_t(list.size());

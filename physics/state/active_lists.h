@@ -9,7 +9,7 @@ namespace fettle::physics::detail {
 enum class JointRole { idle, asleep, acting };
 JointRole role_of(const ObjectState& objects, const JointRecord& joint);
 
-void forget_impulses(ObjectState& objects, uint32_t joint);
+void clear_impulses(ObjectState& objects, uint32_t joint);
 
 // Changes of the lists of awake objects.
 

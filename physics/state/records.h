@@ -273,7 +273,7 @@ struct alignas(64) ContactRecord {
 
     bool acts() const { return manifold.count > 0 && !sensor && skipped == Skipped::no; }
     /// The next step does not begin with the impulses of this one.
-    void forget_impulses() {
+    void clear_impulses() {
         for (ManifoldPoint& point : manifold.points)
             point.normal_impulse = point.tangent_impulse = 0.0f;
         rolling_impulse = 0.0f;

@@ -105,7 +105,7 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
     }
 }
 
-void forget_ends(const ActiveLists& active, BodyScratch& bodies) {
+void clear_ends(const ActiveLists& active, BodyScratch& bodies) {
     for (const uint32_t body : active.awake_bodies) bodies.solver_ends[body] = {};
 }
 

@@ -20,7 +20,7 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
 void limit_commanded(const ObjectState& objects, const BodyRecord& record, SolverBody& body);
 
 /// Must be called when no later stage of the step needs the ends of the bodies.
-void forget_ends(const ActiveLists& active, BodyScratch& bodies);
+void clear_ends(const ActiveLists& active, BodyScratch& bodies);
 
 // Fields of force: once per step they add to the forces of the sub-steps on the awake bodies. A
 // resistance never removes more velocity in a step than there is, so that dense air is stable.

@@ -132,7 +132,7 @@ void WorldData::step(float dt) {
     report_parted(touching());
     note_ended_contacts();
     order_lists(objects(), active(), strips, body_scratch(), steps, reordering, threads);
-    forget_ends(active(), body_scratch());
+    clear_ends(active(), body_scratch());
     statistics.finish_ms = clock.lap();
     ++steps;
     sleep_resting_islands(activity(), joint_scratch(), settings, sleep_candidates, steps);

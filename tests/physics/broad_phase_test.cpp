@@ -131,7 +131,7 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
                     tree.remove(leaf.node);
                     model.erase(it);
                 } else if (action == 3) {
-                    tree.forget_pairs(leaf.node);
+                    tree.clear_pairs(leaf.node);
                     leaf.moved = true;
                     before[side][it->first] = no_box;
                 } else {

@@ -147,7 +147,7 @@ TEST_CASE("a walk does not come upon pairs in buckets that overlapped before") {
     grown.place(boxes);
     const size_t known = pairs_of(grown.tree).size();
     REQUIRE(known < 100);  // of leaves that are in no bucket
-    grown.tree.forget_pairs(grown.leaves[500]);
+    grown.tree.clear_pairs(grown.leaves[500]);
     const auto meets = std::count_if(boxes.begin(), boxes.end(),
                                      [&](const Box4& box) { return overlap(box, boxes[500]); });
     REQUIRE(meets > 1);
