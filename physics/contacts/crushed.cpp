@@ -30,14 +30,15 @@ class Pressure {
         : objects_(objects), columns_(columns) {}
 
     /// True if the body of the contact that is not `presser` is crushed. Then `pressed` lists it
-    /// and bodies that are pressed through it.
+    /// and bodies that are pressed through it. A presser that stands counts if it is directly
+    /// opposite to the obstacle: a game may set its position in each step.
     bool crushes(uint32_t presser, uint32_t contact) {
         const ContactRecord& c = objects_.contacts[contact];
         const uint32_t body = objects_.other_body(contact, presser);
-        if (objects_.bodies[body].mobility != Mobility::dynamic || !comes_nearer(presser, c))
-            return false;
+        const float speed = speed_towards(body, presser, c);
+        if (objects_.bodies[body].mobility != Mobility::dynamic || speed < 0.0f) return false;
         pressed_.assign(1, {body, contact});
-        for (size_t i = 0; i < pressed_.size(); ++i)
+        for (size_t i = 0; i < pressed_.size() && (i == 0 || speed > 0.0f); ++i)
             if (is_held(pressed_[i])) return true;
         return false;
     }
@@ -61,12 +62,12 @@ class Pressure {
     static Vec2 normal_towards(uint32_t body, const ContactRecord& c) {
         return body == c.body_b ? c.manifold.normal : -c.manifold.normal;
     }
-    bool comes_nearer(uint32_t presser, const ContactRecord& c) const {
+    float speed_towards(uint32_t body, uint32_t presser, const ContactRecord& c) const {
         const BodyState& state = columns_.states[presser];
         const ManifoldPoint& point = c.manifold.points[0];
         const Vec2 arm = presser == c.body_a ? point.anchor_a : point.anchor_b;
         const Vec2 velocity = state.velocity + cross(state.angular_velocity, arm);
-        return dot(velocity, normal_towards(c.body_a == presser ? c.body_b : c.body_a, c)) > 0.0f;
+        return dot(velocity, normal_towards(body, c));
     }
     bool is_fixed(uint32_t body) const {
         const BodyState& state = columns_.states[body];
