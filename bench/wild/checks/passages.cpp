@@ -119,21 +119,31 @@ void Passages::look(const Pair& pair, const Moment& moment, std::vector<Passage>
         for (int i = 1; i <= count && begin < end; ++i)
             times.push_back(begin + (end - begin) * float(i) / float(count));
     }
-    for (const float time : times) {
-        const Vec2 to = place(time);
-        const Vec2 low = from.min(to), high = from.max(to);
+    const auto cross = [&](Vec2 begin, Vec2 end, std::vector<Passage>& crossed) {
+        const Vec2 low = begin.min(end), high = begin.max(end);
         const bool near = low.x <= outline.box.max.x && low.y <= outline.box.max.y &&
                           high.x >= outline.box.min.x && high.y >= outline.box.min.y;
         for (const Edge& edge : outline.edges) {
             if (!near) break;
-            if (const int sense = crossing(edge, from, to); sense != 0) {
+            if (const int sense = crossing(edge, begin, end); sense != 0) {
                 const Vec2 along = (edge.to - edge.from).normalized();
-                found.push_back({pair.body, pair.core, pair.obstacle, pair.shape, sense,
-                                 Vec2{-along.y, along.x}, outline.kind});
+                crossed.push_back({pair.body, pair.core, pair.obstacle, pair.shape, sense,
+                                   Vec2{-along.y, along.x}, outline.kind});
             }
         }
+    };
+    std::vector<Passage> on_way, straight;
+    const Vec2 first = from;
+    for (const float time : times) {
+        const Vec2 to = place(time);
+        cross(from, to, on_way);
         from = to;
     }
+    // How a body that was carried slid along the obstacle is not known. If it left the obstacle
+    // again, and the straight way does not cross it, it slid past an end.
+    cross(first, last, straight);
+    if (carried && straight.empty() && on_way.size() % 2 == 0) return;
+    found.insert(found.end(), on_way.begin(), on_way.end());
 }
 
 bool touches_others(const Moment& moment, int body, int obstacle) {
