@@ -78,7 +78,8 @@ class Pressure {
     /// True if a fixed obstacle holds the body against the pressure. Lists the bodies to which the
     /// pressure goes on.
     bool is_held(const Pressed pressed) {
-        const auto [body, from] = pressed;
+        const uint32_t body = pressed.body;
+        const uint32_t from = pressed.from;
         const ContactRecord& pressing = objects_.contacts[from];
         const Vec2 push = normal_towards(body, pressing);
         const float depth = depth_of(pressing.manifold);

@@ -16,13 +16,13 @@ void World::keep_account(BodyId body) {
     const auto of_body = [&](const VelocitySums& sums) { return sums.body == body; };
     std::erase_if(all, [&](const VelocitySums& sums) { return !data.is_valid(sums.body); });
     if (std::any_of(all.begin(), all.end(), of_body)) return;
-    if (all.size() == most_accounts) {
-        all.erase(all.begin());
+    const bool full = all.size() == most_accounts;
+    if (full) all.erase(all.begin());
+    all.push_back({.body = body});
+    if (full)
         log(LogLevel::note,
             "World::keep_account: the account that began first ends, because a "
             "world keeps eight at most");
-    }
-    all.push_back({.body = body});
 }
 
 std::optional<VelocityAccount> World::account(BodyId body) const {

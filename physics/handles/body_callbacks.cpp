@@ -12,24 +12,26 @@ using namespace detail;
 namespace {
 
 /// The functions of a body, to be set; a body without any gets an entry in the order of the slots.
-BodyFunctions& functions_of(WorldSelf& self, BodyId body) {
+/// `replaced` takes those of a destroyed body that had the slot.
+BodyFunctions& functions_of(WorldSelf& self, BodyId body, BodyFunctions& replaced) {
     auto& all = self.functions;
     const auto place = std::lower_bound(
         all.begin(), all.end(), body.index,
         [](const BodyFunctions& each, uint32_t slot) { return each.body.index < slot; });
     if (place == all.end() || place->body.index != body.index)
         return *all.insert(place, BodyFunctions{.body = body});
-    if (place->body != body) *place = BodyFunctions{.body = body};  // of a destroyed body
+    if (place->body != body) replaced = std::exchange(*place, BodyFunctions{.body = body});
     return *place;
 }
 
 /// `function` goes to the entry of the body; an entry without functions is removed. The old
-/// function is destroyed last, because its destructor may use the world.
+/// functions are destroyed last, because their destructors may use the world.
 template <class Function>
 void set_function(WorldData& data, BodyId body, Function BodyFunctions::*which,
                   Function& function) {
     auto& all = data.self.functions;
-    BodyFunctions& own = functions_of(data.self, body);
+    BodyFunctions replaced;
+    BodyFunctions& own = functions_of(data.self, body, replaced);
     std::swap(own.*which, function);
     if (!own.velocity && !own.position) all.erase(all.begin() + (&own - all.data()));
     data.change<wake_body>(body.index);

@@ -45,9 +45,45 @@ Aabb box_around(const Position& a, const Position& b) {
     return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
+/// The functions of a host, of which any may destroy the world: then the drawing ends.
+class Pen {
+  public:
+    Pen(const WorldSelf& self, DebugDraw& target) : self_(self), target_(target) {}
+
+    void polygon(std::span<const Position> points, bool closed, uint32_t color) {
+        target_.polygon(points, closed, color);
+        go_on();
+    }
+    void circle(const Position& center, float radius, float angle, uint32_t color) {
+        target_.circle(center, radius, angle, color);
+        go_on();
+    }
+    void segment(const Position& from, const Position& to, uint32_t color) {
+        target_.segment(from, to, color);
+        go_on();
+    }
+    void point(const Position& at, uint32_t color) {
+        target_.point(at, color);
+        go_on();
+    }
+    uint32_t color_of(const Body& body, const Shape& shape) const {
+        const uint32_t color = target_.color_of(body, shape);
+        go_on();
+        return color;
+    }
+
+  private:
+    void go_on() const {
+        if (self_.orphaned()) self_.throw_orphaned();
+    }
+
+    const WorldSelf& self_;
+    DebugDraw& target_;
+};
+
 class Drawing {
   public:
-    Drawing(const World& world, DebugDraw& target, const DebugDrawOptions& options)
+    Drawing(const World& world, const Pen& target, const DebugDrawOptions& options)
         : world_(world), target_(target), options_(options) {}
 
     void draw() {
@@ -149,7 +185,7 @@ class Drawing {
     }
 
     const World& world_;
-    DebugDraw& target_;
+    Pen target_;
     const DebugDrawOptions& options_;
     std::vector<Position> points_;
 };
@@ -170,7 +206,7 @@ void World::draw(DebugDraw& target, const DebugDrawOptions& options) const {
     if (options.region) check_box("region", *options.region);
     data_->read_all();  // before the world is locked
     WorldLock lock(data_->self, WorldLock::During::query, in_draw);
-    Drawing(*this, target, options).draw();
+    Drawing(*this, Pen(data_->self, target), options).draw();
     lock.finish();
 }
 

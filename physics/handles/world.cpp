@@ -82,8 +82,10 @@ World& World::operator=(World&& other) {
     if (data_) data_->self.may_replace("World", "operator=");
     other.populate("operator=");
     World empty;
-    if (data_) {
-        CallsAfterStep::end(data_.get());
+    // Destroyed last: what its functions hold may use this world.
+    const detail::Owned<WorldData> old = std::move(data_);
+    if (old) {
+        CallsAfterStep::end(old.get());
         link_->world = nullptr;
         link_->data = nullptr;
     }
@@ -283,12 +285,12 @@ void World::set_threads(int threads) {
     check_count("threads", threads, 1, 64);
     const bool own = !data.self.pool || !data.self.pool->has_host();
     if (own && threads == this->threads()) return;
+    data.self.pool = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
+    data.threads = data.self.pool.get();
     if (threads > processors() && is_logged())
         log(LogLevel::note, "World::set_threads: threads = " + std::to_string(threads) +
                                 ": as many work as there are processors, which are " +
                                 std::to_string(processors()));
-    data.self.pool = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
-    data.threads = data.self.pool.get();
 }
 
 void World::set_scheduler(TaskScheduler* scheduler, int threads) {

@@ -31,7 +31,7 @@ constexpr float little_push = 0.1f, little_more = 1.02f;
 /// A body that does not move along is thrown only if it spins faster than this, rad/s.
 constexpr float slow_turn = 10.0f;
 /// A presser that moves slower than this, m/s, stands.
-constexpr float standing = 0.001f;
+constexpr float standing_speed = 0.001f;
 
 /// A contact with a body that does not yield, as the squeezed body sees it.
 struct Press {
@@ -150,7 +150,7 @@ class Squeezes {
             if (!(press.depth > least_unyielding_)) return false;
             // A piston between two walls is not squeezed.
             if (press.depth > deep || any_opposing(press.normal, [&](const Press& opposing) {
-                    return press.speed + opposing.speed > standing ||
+                    return press.speed + opposing.speed > standing_speed ||
                            press.depth + opposing.depth > 0.5f * deep;
                 }))
                 return true;

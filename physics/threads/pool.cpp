@@ -128,7 +128,7 @@ void ThreadPool::do_task(uint32_t number) {
     // step for it.
     if (std::this_thread::get_id() == caller_) return;
     host_tasks_.fetch_add(1);
-    if (number + 1 < shares_.size()) serve(number + 1);
+    if (number < shares_.size() - 1) serve(size_t{number} + 1);
     host_tasks_.fetch_sub(1);
 }
 

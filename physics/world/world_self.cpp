@@ -30,7 +30,9 @@ void WorldSelf::refuse_or_report(const char* of, const char* function) const {
 }
 
 void WorldSelf::set_witness(std::unique_ptr<Witness> witness) {
-    witness_ = std::move(witness);
+    // The old one is destroyed with the argument, after this call: its sink may hold or use the
+    // world.
+    std::swap(witness_, witness);
     if (witness_ != nullptr)
         work_.fetch_or(watched, std::memory_order_relaxed);
     else

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 #include "catch.h"
@@ -147,6 +148,46 @@ TEST_CASE("contacts are drawn with their normals") {
         REQUIRE((to - from).length() == Approx(0.2).margin(1e-4));
         REQUIRE(std::fabs(from.y) < 0.02f);
     }
+}
+
+TEST_CASE("a function that draws and destroys the world ends the drawing with an error") {
+    struct Destroyer : Sheet {
+        std::unique_ptr<World>* world = nullptr;
+        mutable int calls = 0;
+        int last = 0;
+        void act() const {
+            if (++calls == last) world->reset();
+        }
+        void polygon(std::span<const Position>, bool, uint32_t) override { act(); }
+        void circle(const Position&, float, float, uint32_t) override { act(); }
+        void segment(const Position&, const Position&, uint32_t) override { act(); }
+        void point(const Position&, uint32_t) override { act(); }
+        uint32_t color_of(const Body&, const Shape&) const override {
+            act();
+            return 0;
+        }
+    };
+    int last = 0;
+    for (bool destroyed = true; destroyed;) {
+        auto world = std::make_unique<World>();
+        Body floor = add_floor(*world);
+        Body ball = add_ball(*world, {0, 0.5f});
+        world->create_weld_joint({.body_a = floor.id(), .body_b = ball.id(), .collide = true});
+        run(*world, 0.1f);
+        Destroyer target;
+        target.world = &world;
+        target.last = ++last;
+        const DebugDrawOptions everything = {.contacts = true, .boxes = true, .centers = true};
+        try {
+            world->draw(target, everything);
+            destroyed = false;
+        } catch (const Locked& error) {
+            REQUIRE_THAT(error.what(), contains("the world was destroyed inside a function of"));
+        }
+        REQUIRE((world == nullptr) == destroyed);
+        REQUIRE(target.calls == last - (destroyed ? 0 : 1));
+    }
+    REQUIRE(last > 12);
 }
 
 TEST_CASE("functions that draw may read and must not edit") {

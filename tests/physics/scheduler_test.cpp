@@ -179,6 +179,25 @@ TEST_CASE("a host that does the tasks at once on the thread that steps changes n
     REQUIRE(helped.hash() == plain.hash());
 }
 
+TEST_CASE("a task with a number that was not given returns at once") {
+    struct Wrong : TaskScheduler {
+        void start(uint32_t count, Task task, void* context) override {
+            std::thread([&] {
+                for (const uint32_t number : {count, count + 1, ~uint32_t{0}})
+                    task(context, number);
+            }).join();
+        }
+        void finish() override {}
+    } wrong;
+    World plain, helped;
+    heap(plain);
+    heap(helped);
+    helped.set_scheduler(&wrong, 4);
+    run(plain, 0.2f);
+    run(helped, 0.2f);
+    REQUIRE(helped.hash() == plain.hash());
+}
+
 TEST_CASE("a host that cannot start its tasks has stopped the step before it began") {
     World plain, helped;
     Failing engine(3);

@@ -12,6 +12,7 @@
 #include <fettle/property/explaining.h>
 
 #include <loop/cameras.h>
+#include <loop/effects.h>
 #include <time/state_hash.h>
 
 namespace fettle::app {

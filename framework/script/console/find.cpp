@@ -12,10 +12,12 @@
 #include <console/find.h>
 #include <console/folded_rows.h>
 #include <lua/environment.h>
+#include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/instance_set.h>
 #include <reference/language.h>
+#include <reference/reference_facts.h>
 #include <reference/signature.h>
 #include <sandbox/sandbox.h>
 #include <text/columns.h>

@@ -8,6 +8,7 @@
 #include <classes/reflection.h>
 #include <classes/script_classes.h>
 #include <library/globals.h>
+#include <library/library.h>
 #include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/interpreter.h>

@@ -17,6 +17,7 @@
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
+#include <motion/tweens.h>
 #include <objects/class_object.h>
 #include <objects/generic_methods.h>
 #include <objects/hints.h>

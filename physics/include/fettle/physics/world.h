@@ -53,8 +53,9 @@ struct Capacity {
 /// moving it moves all that it has, and its handles refer to it at its new place.
 ///
 /// Different worlds are independent, also in several threads. Only one thread at a time may use a
-/// world; but several threads may call `const` methods at once while no other method of the world
-/// or of its objects runs, if nothing was edited since the last step or since `refresh({})`.
+/// world; but several threads may call `const` methods at once, except `after_step` and `validate`,
+/// while no other method of the world or of its objects runs, if nothing was edited since the last
+/// step or since `refresh({})`.
 ///
 /// Methods that are not `const` throw `Locked` inside a function that the world is calling. So do
 /// copying, saving and `validate` inside a step: callbacks.h describes what such a function may do.
