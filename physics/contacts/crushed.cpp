@@ -18,10 +18,18 @@ constexpr float opposite = -0.5f;
 /// The pressure is followed to so many bodies.
 constexpr size_t most_bodies = 64;
 
+/// Bodies that overlap by more than this part of the smaller width are pressed together. Bodies in
+/// a stack overlap by less.
+constexpr float pressed_share = 0.02f;
+
 float depth_of(const Manifold& m) {
     float separation = m.points[0].separation;
     if (m.count > 1) separation = min(separation, m.points[1].separation);
     return -separation;
+}
+
+float width_of(const ObjectState& objects, uint32_t body) {
+    return 2.0f * objects.bodies[body].thickness;
 }
 
 class Pressure {
@@ -50,7 +58,7 @@ class Pressure {
     const std::vector<Pressed>& pressed() const { return pressed_; }
 
   private:
-    float width(uint32_t body) const { return 2.0f * objects_.bodies[body].thickness; }
+    float width(uint32_t body) const { return width_of(objects_, body); }
     /// The smallest width of the body or of the fixed shape. Border, segments and chains have none:
     /// what touches them stays on its side.
     float least_width(uint32_t body, uint32_t shape) const {
@@ -138,6 +146,30 @@ bool skip_crushed(const Touching& touching, const ActiveLists& active) {
         });
     }
     return any;
+}
+
+void release_pressed(ObjectState& objects, const ContactRecord& ended) {
+    std::vector<uint32_t> pressed;
+    const auto add = [&](uint32_t body) {
+        if (objects.bodies[body].mobility == Mobility::dynamic && pressed.size() < most_bodies &&
+            std::find(pressed.begin(), pressed.end(), body) == pressed.end())
+            pressed.push_back(body);
+    };
+    add(ended.body_a), add(ended.body_b);
+    for (size_t i = 0; i < pressed.size(); ++i) {
+        const uint32_t body = pressed[i];
+        objects.for_each_contact(body, [&](uint32_t contact) {
+            ContactRecord& c = objects.contacts[contact];
+            if (!c.acts()) return;
+            const uint32_t other = objects.other_body(contact, body);
+            const bool moves = objects.bodies[other].mobility == Mobility::dynamic;
+            const float width = width_of(objects, body);
+            const float least = moves ? min(width, width_of(objects, other)) : width;
+            if (!(depth_of(c.manifold) > pressed_share * least)) return;
+            c.clear_impulses();
+            add(other);
+        });
+    }
 }
 
 }  // namespace fettle::physics::detail

@@ -15,4 +15,8 @@ namespace fettle::physics::detail {
 /// Returns true if a contact of an awake kinematic body does not act because of that.
 bool skip_crushed(const Touching& touching, const ActiveLists& active);
 
+/// Must be called when the touch of a kinematic body ends: bodies that it pressed together would be
+/// thrown by the stored impulses, which balanced those of the presser.
+void release_pressed(ObjectState& objects, const ContactRecord& ended);
+
 }  // namespace fettle::physics::detail

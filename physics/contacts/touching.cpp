@@ -1,6 +1,7 @@
 // Begin and end of touches, and their events.
 
 #include <contacts/contact_list.h>
+#include <contacts/crushed.h>
 #include <contacts/reports.h>
 
 #include <algorithm>
@@ -82,6 +83,11 @@ void report(const Touching& touching, const ContactRecord& c, bool begins) {
     }
 }
 
+bool touches_kinematic(const ObjectState& objects, const ContactRecord& c) {
+    return objects.bodies[c.body_a].mobility == Mobility::kinematic ||
+           objects.bodies[c.body_b].mobility == Mobility::kinematic;
+}
+
 void begin_touch(const Touching& touching, uint32_t slot) {
     ContactRecord& c = touching.objects.contacts[slot];
     touching.objects.contact_links[slot].began = touching.step;
@@ -102,6 +108,7 @@ void set_touching(const Touching& touching, uint32_t slot, bool begins) {
     if (!c.sensor) {
         objects.bodies[c.body_a].lists.touching += begins ? 1u : ~0u;  // ± 1, modulo 2³²
         objects.bodies[c.body_b].lists.touching += begins ? 1u : ~0u;
+        if (!begins && touches_kinematic(objects, c)) release_pressed(objects, c);
     }
     if (!is_of_outline(objects, c)) {
         if (begins) begin_touch(touching, slot);

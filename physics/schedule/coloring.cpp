@@ -402,6 +402,8 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
             if (!record.acts()) continue;
             const SolverEnd a = bodies.solver_ends[record.body_a],
                             b = bodies.solver_ends[record.body_b];
+            // Of a sleeping body and one that moves on its own: the force stays as it was.
+            if (!a.moves() && !b.moves()) continue;
             // Most contacts are not special, and their surface is in a cache line that is not read.
             const uint8_t held =
                 jointed.empty() ? 0 : std::max(jointed[a.index()], jointed[b.index()]);

@@ -342,6 +342,26 @@ TEST_CASE("sleeping bodies and contacts cost nothing in a step") {
     REQUIRE(world.bodies()[5].contacts().size() == 1);
 }
 
+TEST_CASE("a sleeping stack keeps its force on a platform that another body keeps awake") {
+    World world;
+    Body platform = world.create_body({.type = BodyType::kinematic_body});
+    platform.add(Box{.width = 12, .height = 1, .center = {0, -0.5f}});
+    world.create_body({.position = {3, 0.5f}, .can_sleep = false}).add(Box{});
+    Body lowest = add_box(world, {-2, 0.5f});
+    add_box(world, {-2, 1.5f});
+    add_box(world, {-2, 2.5f});
+    run(world, 8.0f);
+    REQUIRE_FALSE(lowest.awake());
+    float force = 0;
+    for (const Contact& contact : lowest.contacts())
+        if (contact.body_a == platform.id() || contact.body_b == platform.id())
+            force += contact.normal_force;
+    CHECK(force == Approx(3 * 10 * lowest.mass()).epsilon(0.05));
+    lowest.set_awake(true);
+    run(world, 0.1f);
+    CHECK(lowest.velocity().length() < 0.02f);
+}
+
 TEST_CASE("stacks put to sleep one after the other leave the lists of what is awake") {
     constexpr size_t stacks = 40;
     World world;
