@@ -39,6 +39,13 @@ std::string Breaks::add(script::Observed condition) {
     return problem;
 }
 
+std::vector<std::string> Breaks::texts() const {
+    std::vector<std::string> texts;
+    for (const Break& each : all_)
+        if (!each.condition.text.starts_with("function")) texts.push_back(each.condition.text);
+    return texts;
+}
+
 std::vector<std::string> Breaks::look() {
     std::vector<std::string> lines;
     for (Break& each : all_) {

@@ -17,6 +17,9 @@ class Breaks {
     std::string add(script::Observed condition);
     void clear() { all_.clear(); }
     std::size_t size() const { return all_.size(); }
+    /// The conditions as they were typed, but for functions: the text of a function does not
+    /// contain the variables that it uses.
+    std::vector<std::string> texts() const;
     /// Computes all conditions. Returns lines for the log about those that have become true (or,
     /// for a value that is not a boolean, have changed) since the last call.
     std::vector<std::string> look();

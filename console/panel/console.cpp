@@ -440,7 +440,8 @@ std::shared_ptr<const Continuation> Console::continuation() const {
                      .open = state_->is_open(),
                      .selected_path = state_->status.selected_path,
                      .keys = state_->observing.keys(),
-                     .aliases = state_->prompt.aliases()});
+                     .aliases = state_->prompt.aliases(),
+                     .breaks = state_->observing.breaks().texts()});
 }
 void Console::continue_from(const Continuation& earlier) {
     State& s = *state_;
@@ -451,6 +452,7 @@ void Console::continue_from(const Continuation& earlier) {
     s.status.selected_path = earlier.selected_path;
     s.observing.take_keys(earlier.keys);
     s.prompt.take_aliases(earlier.aliases);
+    s.status.breaks = earlier.breaks;
     if (earlier.open) s.open(true);
 }
 bool Console::listens() const {

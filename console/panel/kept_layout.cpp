@@ -47,12 +47,14 @@ void Console::State::take_settings(const Layout& layout) {
     }
 }
 
-/// Restores the pins and plots of the last run, once the game is loaded.
+/// Restores the pins and plots of the last run, and the breaks from before a restart, once the game
+/// is loaded.
 void Console::State::restore_observed() {
     if (std::exchange(status.restored, true) || !interpreter.evaluate || options.replay) return;
     std::vector<std::string> commands;
     for (const std::string& text : options.layout.pins) commands.push_back(call_of("pin", {text}));
     if (!options.layout.plots.empty()) commands.push_back(call_of("plot", options.layout.plots));
+    for (const std::string& text : status.breaks) commands.push_back(call_of("break_when", {text}));
     observing.tells_problems = false;  // the game may not have made them yet
     for (const std::string& command : commands) {
         const script::Evaluation result = interpreter.evaluate(command);

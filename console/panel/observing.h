@@ -63,6 +63,7 @@ class Observing {
     std::vector<Trace>& plots() { return plots_; }
     const std::vector<Trace>& pins() const { return pins_; }
     const std::vector<Trace>& plots() const { return plots_; }
+    const Breaks& breaks() const { return breaks_; }
 
   private:
     void pin(script::Observed what);

@@ -89,8 +89,9 @@ struct Status {
     bool greeted = false;
     bool pausing = false;  // the console has paused the game's time
     bool time_was_paused = false;
-    bool restored = false;      // what was pinned and plotted in earlier runs
-    std::string selected_path;  // of the selected instance when it was last seen
+    bool restored = false;              // what was pinned and plotted in earlier runs
+    std::string selected_path;          // of the selected instance when it was last seen
+    std::vector<std::string> breaks{};  // conditions of the run before a restart
 };
 
 struct Continuation {
@@ -98,6 +99,7 @@ struct Continuation {
     bool open = false;
     std::string selected_path{};
     std::map<std::string, std::string> keys{}, aliases{};  // with their commands
+    std::vector<std::string> breaks{};                     // conditions
 };
 
 struct Console::State {

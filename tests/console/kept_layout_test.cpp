@@ -102,6 +102,22 @@ TEST_CASE("keys and words for commands stay when the game begins again") {
     CHECK(property::get(next.tree, "world.ball.mass") == Value(12.0));
 }
 
+TEST_CASE("conditions of break_when stay when the game begins again") {
+    Run first;
+    first.lua->open();
+    first.frame();
+    first.lua->state().run("break_when world.ball.mass > 5");
+    first.lua->state().run("break_when(function() return world.crate.mass > 5 end)");
+    Run next;
+    next.lua->continue_from(*first.lua->continuation());
+    next.frame();
+    const auto& breaks = next.lua->state().observing.breaks();
+    CHECK(breaks.texts() == std::vector<std::string>{"world.ball.mass > 5"});
+    CHECK(breaks.size() == 1);  // a function may use variables of the run before
+    next.lua->state().run("break_when()");
+    CHECK(breaks.size() == 0);
+}
+
 TEST_CASE("a pinned value of a run before that is not there yet is no message") {
     console::Layout layout;
     layout.pins = {"world.boss.mass"};
