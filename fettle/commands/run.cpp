@@ -96,6 +96,10 @@ class WindowRun {
                .go_on = [this] { session_->loop().resume(); },
                .copy = [this](const std::string& text) { window().clipboard().write(text); },
                .covered_below = [this] { return session_ ? session_->covered_below() : 0; },
+               .left_free =
+                   [this](const app::ClipRectangle& whole) {
+                       return session_ ? session_->left_free(whole) : whole;
+                   },
                .looks_back = [this] { return session_ && session_->looks_back(); },
                .travel =
                    [this](int steps) {

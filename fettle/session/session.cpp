@@ -333,6 +333,13 @@ float Session::covered_below() const {
 #endif
 }
 
+app::ClipRectangle Session::left_free(const app::ClipRectangle& whole) const {
+#ifdef FETTLE_WITH_CONSOLE
+    if (console_) return console_->left_free(whole);
+#endif
+    return whole;
+}
+
 void Session::restart() {
     if (replayed_ != nullptr) return;  // a recording ends there
     const auto refuse = [](const std::string& why) {

@@ -80,6 +80,8 @@ class Session {
     }
     /// Pixels at the lower edge of the window that the console covers.
     float covered_below() const;
+    /// The part of the window, in pixels, that the console does not cover.
+    app::ClipRectangle left_free(const app::ClipRectangle& whole) const;
     /// Whether a restart of the game was requested.
     bool wants_restart() const { return run_.restart; }
     /// Whether the game is at an earlier step than the newest.

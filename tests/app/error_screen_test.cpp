@@ -40,6 +40,34 @@ TEST_CASE("the keys of the error screen are above what covers the lower edge") {
     CHECK(under.line_with("R  reload") < 740);
 }
 
+TEST_CASE("the text of an error is in the part of the window that an open console leaves free") {
+    app::ClipRectangle free{0, 0, 1280, 800};
+    app::ErrorScreen screen({.reload = {},
+                             .go_on = {},
+                             .covered_below = [] { return 60.0f; },
+                             .left_free = [&](const app::ClipRectangle&) { return free; }});
+    script::ScriptError error = an_error();
+    for (int i = 0; i < 12; ++i) error.message += " word" + std::to_string(i);
+    screen.show(error);
+    NotingSurface whole;
+    screen.draw(whole, 0);
+    CHECK(whole.line_with("The game stopped") == 48);
+    CHECK(whole.line_with("no such name") == whole.line_with("word5"));
+    free = {0, 370, 640, 370};
+    NotingSurface part;
+    screen.draw(part, 0);
+    REQUIRE(!part.lines.empty());
+    for (const auto& [line, y] : part.lines) CHECK(y > 370);
+    CHECK(part.line_with("word5") > part.line_with("no such name"));  // it is narrower
+    CHECK(part.line_with("in update") > part.line_with("word11"));
+    // Where nothing is free, no text lies behind another layer.
+    free = {0, 700, 640, 0};
+    NotingSurface none;
+    screen.draw(none, 0);
+    CHECK(none.line_with("The game stopped") == -1);
+    CHECK(none.line_with("R  reload") > 0);
+}
+
 TEST_CASE("the game is seen above a strip while the past before an error is looked at") {
     bool past = false;
     app::ErrorScreen screen({.reload = {},

@@ -18,9 +18,15 @@ constexpr SurfaceColor red{255, 112, 104, 255};
 constexpr SurfaceColor amber{255, 205, 120, 255};
 constexpr SurfaceColor green{166, 218, 149, 255};
 
-constexpr int steps_a_key = 6;     // of the arrows that go through the past
-constexpr float margin = 48;       // px
-constexpr float keys_height = 44;  // px, of the bar with the keys
+constexpr int steps_a_key = 6;      // of the arrows that go through the past
+constexpr float margin = 48;        // px
+constexpr float small_margin = 16;  // px, below another layer
+constexpr float keys_height = 44;   // px, of the bar with the keys
+
+/// Width of the text in a part of the surface, px.
+float room_in(const ClipRectangle& part) {
+    return std::max(100.0f, part.width - 2 * margin);
+}
 
 /// Length of the part of `text` that fits `width` pixels; it ends after a space if there is one.
 std::size_t fitting(Surface& surface, std::string_view text, float width, float size, Face face) {
@@ -266,11 +272,25 @@ void ErrorScreen::draw(Surface& surface, double) {
     if (!running_ && actions_.looks_back && actions_.looks_back()) return draw_strip(surface, low);
     fill(surface, 0, 0, width, height, {18, 20, 26, 238});
     fill(surface, 0, 0, 5, height, running_ ? amber : red);
-    const float room = std::max(100.0f, width - 2 * margin);
-    const float bottom = low - keys_height;
+    draw_text(surface, low - keys_height);
+    draw_keys(surface, low - keys_height);
+}
+
+/// The part of the surface that no other layer covers.
+ClipRectangle ErrorScreen::free_part(const Surface& surface) const {
+    const ClipRectangle whole{0, 0, surface.width(), surface.height()};
+    return actions_.left_free ? actions_.left_free(whole) : whole;
+}
+
+/// Draws the lines in the free part of the surface and above `bottom`, as many as there is room
+/// for.
+void ErrorScreen::draw_text(Surface& surface, float bottom) {
+    const ClipRectangle part = free_part(surface);
+    const float room = room_in(part);
+    bottom = std::min(bottom, part.top + part.height);
     const std::vector<Line> all = broken(surface, lines(), room);
     scroll_ = std::clamp(scroll_, 0, static_cast<int>(all.size()) - 1);
-    float y = margin;
+    float y = part.top + (part.top > 0 ? small_margin : margin);
     for (std::size_t i = static_cast<std::size_t>(scroll_); i < all.size() && y < bottom; ++i) {
         const Line& line = all[i];
         const float step = 1.32f * line.size;
@@ -280,7 +300,6 @@ void ErrorScreen::draw(Surface& surface, double) {
         surface.text(margin, y, line.text, line.size, line.color, line.face);
         y += step;
     }
-    draw_keys(surface, bottom);
 }
 
 /// Draws the keys in a bar, `bottom` being its upper edge.
@@ -302,7 +321,7 @@ void ErrorScreen::draw_over(Surface& surface, float bottom) const {
         {.text = heading_over_, .size = 14, .color = pale},
         {.text = e.message, .size = 17, .color = red, .face = Face::bold, .above = 4}};
     if (!e.source_line.empty()) add_source(all, e);
-    const float room = std::max(100.0f, surface.width() - 2 * margin);
+    const float room = room_in(free_part(surface));
     const std::vector<Line> lines = broken(surface, all, room);
     float needed = 24;
     for (const Line& line : lines) needed += line.above + 1.32f * line.size;
@@ -323,7 +342,7 @@ void ErrorScreen::draw_strip(Surface& surface, float bottom) const {
     fill(surface, 0, top, surface.width(), 38, {18, 20, 26, 255});
     fill(surface, 0, top, 5, 38 + keys_height, red);
     const std::string_view message = error_->message;
-    const float room = std::max(100.0f, surface.width() - 2 * margin);
+    const float room = room_in(free_part(surface));
     surface.text(margin, top + 10,
                  message.substr(0, fitting(surface, message, room, 16, Face::bold)), 16, red,
                  Face::bold);

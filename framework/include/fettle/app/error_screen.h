@@ -23,6 +23,9 @@ class ErrorScreen : public Layer {
         std::function<void(std::string)> copy{};  // C: the whole text, for a clipboard
         /// Pixels at the lower edge of the window that another layer covers.
         std::function<float()> covered_below{};
+        /// The part of the window, in pixels, that other layers leave free. The text is drawn
+        /// there.
+        std::function<ClipRectangle(const ClipRectangle& whole)> left_free{};
         /// True while the user looks at the state before the error. Only a strip shows the error
         /// then, so that the game is visible.
         std::function<bool()> looks_back{};
@@ -65,6 +68,8 @@ class ErrorScreen : public Layer {
     std::vector<Line> lines_of_error() const;
     std::vector<Line> lines_of_running() const;
     bool handle_key(const std::string& key);
+    ClipRectangle free_part(const Surface& surface) const;
+    void draw_text(Surface& surface, float bottom);
     void draw_keys(Surface& surface, float bottom) const;
     void draw_strip(Surface& surface, float bottom) const;
     void draw_over(Surface& surface, float bottom) const;
