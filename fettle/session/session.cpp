@@ -325,21 +325,6 @@ void Session::make_console(app::Clipboard* clipboard) {
 #endif
 }
 
-float Session::covered_below() const {
-#ifdef FETTLE_WITH_CONSOLE
-    return console_ ? console_->covered_below() : 0;
-#else
-    return 0;
-#endif
-}
-
-app::ClipRectangle Session::left_free(const app::ClipRectangle& whole) const {
-#ifdef FETTLE_WITH_CONSOLE
-    if (console_) return console_->left_free(whole);
-#endif
-    return whole;
-}
-
 void Session::restart() {
     if (replayed_ != nullptr) return;  // a recording ends there
     const auto refuse = [](const std::string& why) {
@@ -369,28 +354,6 @@ script::Evaluation Session::evaluate(std::string_view command) {
     if (console_) return console_->evaluate(command);
 #endif
     return runtime_->evaluate(command);
-}
-
-bool Session::console_is_open() const {
-#ifdef FETTLE_WITH_CONSOLE
-    return console_ && console_->is_open();
-#else
-    return false;
-#endif
-}
-
-std::shared_ptr<const console::Continuation> Session::console_continuation() const {
-#ifdef FETTLE_WITH_CONSOLE
-    if (console_) return console_->continuation();
-#endif
-    return nullptr;
-}
-
-void Session::continue_console(
-    [[maybe_unused]] const std::shared_ptr<const console::Continuation>& earlier) {
-#ifdef FETTLE_WITH_CONSOLE
-    if (console_ && earlier) console_->continue_from(*earlier);
-#endif
 }
 
 void Session::add_layer(app::Layer& layer) {

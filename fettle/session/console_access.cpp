@@ -1,0 +1,46 @@
+// What the window needs from the console of a session: whether it is open, where it lies, and what
+// the session after a restart takes over.
+
+#include <session/console_layer.h>
+#include <session/session.h>
+
+namespace fettle::program {
+
+float Session::covered_below() const {
+#ifdef FETTLE_WITH_CONSOLE
+    return console_ ? console_->covered_below() : 0;
+#else
+    return 0;
+#endif
+}
+
+app::ClipRectangle Session::left_free(const app::ClipRectangle& whole) const {
+#ifdef FETTLE_WITH_CONSOLE
+    if (console_) return console_->left_free(whole);
+#endif
+    return whole;
+}
+
+bool Session::console_is_open() const {
+#ifdef FETTLE_WITH_CONSOLE
+    return console_ && console_->is_open();
+#else
+    return false;
+#endif
+}
+
+std::shared_ptr<const console::Continuation> Session::console_continuation() const {
+#ifdef FETTLE_WITH_CONSOLE
+    if (console_) return console_->continuation();
+#endif
+    return nullptr;
+}
+
+void Session::continue_console(
+    [[maybe_unused]] const std::shared_ptr<const console::Continuation>& earlier) {
+#ifdef FETTLE_WITH_CONSOLE
+    if (console_ && earlier) console_->continue_from(*earlier);
+#endif
+}
+
+}  // namespace fettle::program
