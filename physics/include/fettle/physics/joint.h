@@ -62,8 +62,9 @@ class Joint {
     float report_torque() const;  ///< N m
     void set_report_torque(float torque);
     /// Stiffness of the joint itself, Hz: how fast it corrects an error of its position; limited to
-    /// a quarter of the rate of sub-steps. 0 (the default): 60 Hz, and more where the joint connects bodies
-    /// of very different masses. The solver `direct` holds joints exactly, whatever this is.
+    /// a quarter of the rate of sub-steps. 0 (the default): 60 Hz, and more where the joint
+    /// connects bodies of very different masses. The solver `direct` holds joints exactly, whatever
+    /// this is.
     float constraint_hertz() const;
     void set_constraint_hertz(float hertz);
     /// 0 … 1000; 2 by default. Only with a `constraint_hertz`.
