@@ -24,7 +24,7 @@ endif()
 # compiles each alone, so every source still includes what it uses.
 if(NOT DEFINED CMAKE_UNITY_BUILD)
   set(CMAKE_UNITY_BUILD ON)
-  set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 18)
 endif()
 
 # GCC collects its garbage often unless it may use more memory first. With 512 MB it needs at most 60 MB more and a tenth less

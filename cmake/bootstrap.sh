@@ -102,6 +102,8 @@ apt_line() {
 
 is_root() { [[ $(id -u) == 0 ]]; }
 
+may_install() { is_root || { command -v sudo >/dev/null && sudo -n true 2>/dev/null; }; }
+
 # Runs apt-get as root with its own output in a file and its progress as plain lines.
 run_apt() {
     local log=$1 status=0
@@ -129,7 +131,7 @@ ensure_packages() {
     mapfile -t names < <(installable "${missing[@]}")
     ((${#names[@]})) || return 0
 
-    if ! is_root && ! { command -v sudo >/dev/null && sudo -n true 2>/dev/null; }; then
+    if ! may_install; then
         complain "missing packages: ${names[*]}"
         complain "install them with this line, then run ${0##*/} again:"
         printf '    sudo apt-get update && sudo apt-get install -y --no-install-recommends %s\n' \
@@ -155,6 +157,36 @@ ensure_packages() {
         fi
     fi
     rm -f -- "$log"
+}
+
+# ensure_packages_and_later PURPOSE ... -- PURPOSE ...: as ensure_packages, but those of the second purposes are installed in
+# the background, while the compiler works: an installation mostly waits for the network and the disk. later_packages waits
+# for it. A user who may not install packages is told all that are missing at once.
+ensure_packages_and_later() {
+    local now=()
+    while [[ $1 != -- ]]; do now+=("$1"); shift; done
+    shift
+    if ! command -v apt-get >/dev/null || ! may_install; then
+        ensure_packages "${now[@]}" "$@"
+        return
+    fi
+    ensure_packages "${now[@]}"
+    later_log=$(mktemp "${TMPDIR:-/tmp}/fettle-later.XXXXXX")
+    ensure_packages "$@" >"$later_log" 2>&1 &
+    later_job=$!
+    trap later_packages EXIT
+}
+
+# Waits for what ensure_packages_and_later has started. Prints its output and returns its status if it failed.
+later_packages() {
+    local status=0
+    trap - EXIT
+    [[ -n ${later_job:-} ]] || return 0
+    wait "$later_job" || status=$?
+    ((status == 0)) || cat -- "$later_log" >&2
+    rm -f -- "$later_log"
+    later_job=
+    return "$status"
 }
 
 # --- Building -------------------------------------------------------------------------------------

@@ -68,6 +68,30 @@ class Turning {
 
 constexpr int most_rounds = 128;
 
+/// How a sweep moves from a time on, and until when.
+struct Course {
+    Vec2 velocity;      ///< m per step
+    float turn = 0.0f;  ///< rad per step
+    float until = 1.0f;
+};
+
+Course course_after(const Motion& motion, float t) {
+    if (!motion.moves_after(t)) return {};
+    return {motion.velocity, motion.turn, motion.until};
+}
+
+/// The time in which no point of `a` can move farther than `way` in the frame that turns with `b`.
+/// There a body that is carried along, as in a drum, stands still. `apart`: the center of mass of a
+/// minus that of b. The relative velocity of the center changes at most by turn times velocity.
+float time_beside(const Course& a, float extent_a, const Course& b, Vec2 apart, float way) {
+    const Vec2 velocity = a.velocity - b.velocity;
+    const float speed =
+        length(velocity - cross(b.turn, apart)) + std::fabs(a.turn - b.turn) * extent_a;
+    const float change = std::fabs(b.turn) * length(velocity);
+    const float sum = speed + std::sqrt(speed * speed + 2.0f * change * way);
+    return sum > 0.0f ? 2.0f * way / sum : 2.0f;
+}
+
 /// B. Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996, section 2.3: no
 /// point of a shape moves faster than its center of mass and its rotation together, so two shapes
 /// cannot meet before they have moved by their distance. `gap_at(t)` measures it.
@@ -76,21 +100,20 @@ float advance(const Sweep& a, const Sweep& b, float gap, float t, GapAt&& gap_at
     for (int round = 0; round < most_rounds; ++round) {
         const Gap found = gap_at(t);
         if (found.distance <= gap) return t;
-        Vec2 velocity;
-        float spin = 0.0f, end = 1.0f;  // of both: until the first of them stops
-        if (a.motion.moves_after(t)) {
-            velocity = a.motion.velocity;
-            spin = std::fabs(a.motion.turn) * a.extent;
-            end = min(end, a.motion.until);
-        }
-        if (b.motion.moves_after(t)) {
-            velocity = velocity - b.motion.velocity;
-            spin += std::fabs(b.motion.turn) * b.extent;
-            end = min(end, b.motion.until);
-        }
-        const float speed = max(dot(velocity, found.direction), 0.0f) + spin;
+        const Course of_a = course_after(a.motion, t), of_b = course_after(b.motion, t);
+        const float end = min(of_a.until, of_b.until);  // then the first of them stops
+        const float spin = std::fabs(of_a.turn) * a.extent + std::fabs(of_b.turn) * b.extent;
+        const float speed = max(dot(of_a.velocity - of_b.velocity, found.direction), 0.0f) + spin;
         const float way = found.distance - 0.5f * gap;
-        t = speed * (end - t) > way ? t + way / speed : end;
+        if (speed * (end - t) <= way) {
+            t = end;
+        } else {
+            float time = way / speed;
+            if (of_b.turn != 0.0f)
+                time = max(time, time_beside(of_a, a.extent, of_b,
+                                             a.motion.center(t) - b.motion.center(t), way));
+            t = min(t + time, end);
+        }
         if (t >= 1.0f) return 1.0f;
     }
     return t;

@@ -195,7 +195,7 @@ struct Gaps {
 };
 Gaps gaps_of(auto&& make, float speed) {
     Gaps gaps;
-    const unsigned seeds = seeds_or(30);
+    const unsigned seeds = seeds_or(120);
     for (unsigned seed = 0; seed < seeds; ++seed) {
         const Joined all = make(seed, speed);
         INFO("seed " << seed << " at " << speed << " m/s: gap " << all.gap);
