@@ -136,7 +136,7 @@ double shape_cast(const physics::Geometry& form) {
 /// Grounds on which a shape spins; the top of each is at a height of half a meter.
 const physics::Geometry box = physics::Box{.width = 3, .height = 1};
 const physics::Geometry round_hill = physics::Ellipse{.radius_x = 1, .radius_y = 0.5f};
-const physics::Geometry chain = physics::Chain{{{-2, 0.5f}, {0.01f, 0.5f}, {2, 0.5f}}};
+const physics::Geometry bent_chain = physics::Chain{{{-2, 0.5f}, {0.01f, 0.5f}, {2, 0.5f}}};
 const physics::Geometry concave =
     physics::Concave{{{1, 0.5f}, {-1, 0.5f}, {-1, -0.5f}, {0, 0.2f}, {1, -0.5f}}};
 
@@ -148,7 +148,7 @@ const Column columns[] = {
     {"on a box", [](const auto& form) { return spinning(form, box, 0.5f); }},
     {"on another", [](const auto& form) { return spinning(form, form, 0.5f); }},
     {"ellipse", [](const auto& form) { return spinning(form, round_hill, 0.5f); }},
-    {"chain", [](const auto& form) { return spinning(form, chain, 0.5f); }},
+    {"chain", [](const auto& form) { return spinning(form, bent_chain, 0.5f); }},
     {"concave", [](const auto& form) { return spinning(form, concave, 0.5f); }},
     {"distance", distance_between},
     {"ray", ray},

@@ -19,7 +19,12 @@
 namespace fettle::bench {
 namespace {
 
-using namespace wild;
+using wild::Finding;
+using wild::Found;
+using wild::Invariant;
+using wild::Survey;
+using wild::SurveyOptions;
+using wild::WorldPlan;
 
 /// The seed of the world that runs, for the message of a crash.
 std::uint64_t running_seed = 0;
@@ -60,7 +65,7 @@ bool has_box2d(const WildOptions& options) {
         if (name == "fettle") continue;
         if (name != "box2d")
             throw std::invalid_argument("worlds run in fettle and box2d, not in \"" + name + "\"");
-        if (!run_in_box2d(WorldPlan{}))
+        if (!wild::run_in_box2d(WorldPlan{}))
             throw std::invalid_argument("box2d is not built in; install " +
                                         std::string(engine_named(name).package) +
                                         " and build again");
@@ -71,7 +76,7 @@ bool has_box2d(const WildOptions& options) {
 
 std::vector<std::string> names_of(const Survey& survey) {
     std::vector<std::string> names;
-    for (const Invariant& invariant : invariants()) names.push_back(invariant.name);
+    for (const Invariant& invariant : wild::invariants()) names.push_back(invariant.name);
     names.insert(names.end(), {"same", "throws"});
     for (const Found& found : survey.found)
         if (std::ranges::count(names, found.finding.invariant) == 0)

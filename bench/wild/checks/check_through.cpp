@@ -76,13 +76,13 @@ class Through : public Check {
         return {};
     }
 
-    /// A body that is made deep inside another one came from neither side, so its crossings count
-    /// only after it has left the other body.
+    /// A body that is made deep inside another one came from neither side, and a chain does not
+    /// hold what is behind it. Its crossings do not count.
     void note_overlaps(const Moment& moment) {
         overlaps_.resize(moment.after.size(), false);
         for (std::size_t i = 0; i < overlaps_.size(); ++i)
-            overlaps_[i] = moment.after[i].deepest > 0.01f &&
-                           (overlaps_[i] || moment.plan.bodies[i].born == moment.step);
+            if (moment.plan.bodies[i].born == moment.step)
+                overlaps_[i] = moment.after[i].deepest > 0.01f;
     }
 
     /// True if a body is or was pressed between a kinematic and another obstacle, or between a
@@ -97,13 +97,14 @@ class Through : public Check {
         return pulled_[std::size_t(passage.body)];
     }
 
-    /// A kinematic body passes through what it crushes, which a static body pushes out first.
+    /// A kinematic body passes through what it crushes, which another body pushes out first: a
+    /// static one, or the last one of a row before a static one.
     void note_held(const Moment& moment) {
         held_.resize(moment.after.size(), -1);
         for (std::size_t i = 0; i < held_.size(); ++i)
             for (const int other : moment.after[i].touched)
                 if (other == the_world ||
-                    moment.after[std::size_t(other)].type == BodyType::static_body)
+                    moment.after[std::size_t(other)].type != BodyType::kinematic_body)
                     held_[i] = time_;
     }
 
@@ -111,8 +112,8 @@ class Through : public Check {
     Passages passages_;
     std::map<decltype(Passage().pair()), Entry> inside_;
     std::vector<bool> pulled_;
-    std::vector<bool> overlaps_;  // since the body was made
-    std::vector<double> held_;    // time at which a static body touched the body last, s
+    std::vector<bool> overlaps_;  // when the body was made
+    std::vector<double> held_;    // time of its last contact with what is not kinematic, s
     double time_ = 0;
 };
 
