@@ -1038,7 +1038,7 @@ Body = {}
 ---@field mask integer Categories with which it collides, as bits; -1 is all. · any integer · default -1
 ---@field material integer A number for the game, for example to choose the sound of an impact. It has no effect on the simulation. · 0 to 65535 · default 0
 ---@field restitution number Share of the speed of approach with which shapes separate. Two shapes in contact use the greater of their values, or the world's restitution_mix. · 0 to 1 · default 0
----@field rolling_resistance number Resistance to rolling: the lever of the resisting torque as a share of the radius, of the other shape if this one has no round side. · at least 0 · default 0
+---@field rolling_resistance number Resistance to rolling: the lever of the resisting torque as a share of the radius, of the other shape if this one has no round side. The radius of an ellipse is that of a circle of the same area. · at least 0 · default 0
 ---@field sensor boolean True if it reports overlapping shapes and does not push them. It is drawn faint, so that what is in it can be seen, unless it has a color of its own. · true or false · default false
 ---@field sensor_events boolean True if sensor_begin and sensor_end about it are reported, from the next touch on. Both shapes must agree. · true or false · default true
 ---@field surface_speed number Speed of the surface, as of a conveyor belt, counter-clockwise around the shape. · m/s · any finite number · default 0

@@ -22,6 +22,14 @@ float mixed(MixRule rule, float a, float b) {
     }
 }
 
+/// The radius on which a shape rolls, m; 0 for flat shapes. An ellipse rolls like a circle of the
+/// same area.
+float rolling_radius(const ObjectState& objects, uint32_t shape) {
+    if (objects.forms[shape].kind != FormKind::ellipse) return objects.forms[shape].radius;
+    const Ellipse ellipse = objects.shapes[shape].figure.as<Ellipse>();
+    return std::sqrt(ellipse.radius_x * ellipse.radius_y);
+}
+
 }  // namespace
 
 void remix(const ObjectState& objects, const WorldDef& settings, ContactRecord& c) {
@@ -32,8 +40,8 @@ void remix(const ObjectState& objects, const WorldDef& settings, ContactRecord& 
     c.friction = bounded(mixed(settings.friction_mix, a.friction, b.friction), greatest_grip);
     c.restitution = mixed(settings.restitution_mix, a.restitution, b.restitution);
     // On a flat shape, the other one rolls.
-    const float radius_a = objects.forms[c.shape_a].radius,
-                radius_b = objects.forms[c.shape_b].radius;
+    const float radius_a = rolling_radius(objects, c.shape_a),
+                radius_b = rolling_radius(objects, c.shape_b);
     c.rolling_resistance =
         bounded(max(a.rolling_resistance * (radius_a > 0.0f ? radius_a : radius_b),
                     b.rolling_resistance * (radius_b > 0.0f ? radius_b : radius_a)),

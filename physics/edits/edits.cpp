@@ -272,7 +272,7 @@ void refresh_shape(const Editing& e, uint32_t shape) {
     record.set_moments(record.type == ShapeType::ellipse
                            ? moments_of(record.figure.as<Ellipse>())
                            : moments_of({local, form.count}, form.radius));
-    if (form.radius != radius_before)
+    if (form.radius != radius_before || record.type == ShapeType::ellipse)
         remix_shape(objects, e.settings, shape);  // for the rolling resistance
     if (form.body == none) place_shape(objects, e.broad_phase.boxes, shape, {}, 0.0f);
 }

@@ -46,7 +46,9 @@ void prepare_extra(const ContactRecord& record, const ContactConstraint& c, cons
     extra.surface_speed = record.surface_speed;
     extra.rolling_resistance = record.rolling_resistance;
     extra.rolling_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
-    extra.rolling_impulse = record.rolling_impulse * impulse_ratio;
+    // Without resistance, nothing would change the impulse of the last step again.
+    extra.rolling_impulse =
+        record.rolling_resistance > 0.0f ? record.rolling_impulse * impulse_ratio : 0.0f;
     for (int k = 0; k < c.count; ++k) {
         const ConstraintPoint& p = c.points[k];
         extra.approach[k] = dot(c.normal, b.velocity - a.velocity) +

@@ -69,6 +69,44 @@ TEST_CASE("rolling resistance stops a rolling ball and none lets it roll") {
     REQUIRE(braked.position().x > 0.5f);
 }
 
+TEST_CASE("rolling resistance stops an ellipse as it stops a circle of the same area") {
+    World world;
+    add_floor(world, 200.0f);
+    const auto rolled = [&](const Geometry& geometry, auto&& edit) {
+        Body body =
+            world.create_body({.position = {0, 0.5f}, .velocity = {3, 0}, .angular_velocity = -6});
+        Shape shape = body.add(geometry, {.rolling_resistance = 0.1f, .group = -1});
+        run(world, 0.2f);
+        edit(shape);
+        run(world, 5.0f);
+        return body.position().x;
+    };
+    const auto nothing = [](Shape) {};
+    const float circle = rolled(Circle{0.5f}, nothing);
+    REQUIRE(circle > 5.0f);
+    REQUIRE(circle < 10.0f);
+    const float ellipse = rolled(Ellipse{.radius_x = 0.5f, .radius_y = 0.5f}, nothing);
+    REQUIRE(ellipse == Approx(circle).epsilon(0.01));
+    REQUIRE(rolled(Ellipse{.radius_x = 0.53f, .radius_y = 0.47f}, nothing) ==
+            Approx(circle).epsilon(0.2));
+    REQUIRE(rolled(Ellipse{.radius_x = 0.5f, .radius_y = 0.5f},
+                   [](Shape shape) { shape.set_rolling_resistance(0); }) > 1.5f * ellipse);
+}
+
+TEST_CASE("a bouncy ball whose rolling resistance is set to zero rolls on") {
+    World world;
+    add_floor(world, 200.0f);
+    // Its contact is computed like one with rolling resistance, before and after.
+    Body ball = add_ball(world, {0, 0.5f}, 0.5f, {.restitution = 0.5f, .rolling_resistance = 0.1f});
+    ball.set_velocity({3, 0});
+    ball.set_angular_velocity(-6);
+    run(world, 0.2f);
+    ball.shapes()[0].set_rolling_resistance(0);
+    const float velocity = ball.velocity().x;
+    run(world, 5.0f);
+    REQUIRE(ball.velocity().x == Approx(velocity).epsilon(0.01));
+}
+
 TEST_CASE("a conveyor takes a box along its surface") {
     World world;
     Body floor = add_floor(world);

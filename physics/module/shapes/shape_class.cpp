@@ -76,7 +76,8 @@ std::vector<Property> surface(Hosting& hosting) {
                       bound<&Shape::restitution, &Shape::set_restitution>(hosting))),
         amount("rolling_resistance", defaults.rolling_resistance, "",
                "Resistance to rolling: the lever of the resisting torque as a share of the "
-               "radius, of the other shape if this one has no round side.",
+               "radius, of the other shape if this one has no round side. The radius of an "
+               "ellipse is that of a circle of the same area.",
                bound<&Shape::rolling_resistance, &Shape::set_rolling_resistance>(hosting)),
         number("surface_speed", defaults.surface_speed, "m/s",
                "Speed of the surface, as of a conveyor belt, counter-clockwise around the shape.",
