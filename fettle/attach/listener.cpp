@@ -169,22 +169,28 @@ void Listener::end_late() {
         if (!each.greeted && present - each.since > limits_.greeting_seconds) each.gone = true;
 }
 
+/// One at least, and as many as the time of the frame allows: for each, the system frees what it
+/// has sent and nobody has read.
 void Listener::remove_gone() {
-    std::size_t left = 0;
+    std::size_t removed = 0, terminals = 0;
     std::erase_if(connections_, [&](const Connection& each) {
         const bool ends = each.gone || (each.ending && each.out.empty());
-        if (ends) ::close(each.socket);
-        if (ends && each.greeted) ++left;
-        return ends;
+        if (!ends || (removed > 0 && is_late())) return false;
+        ::close(each.socket);
+        ++removed;
+        if (each.greeted) ++terminals;
+        return true;
     });
-    for (; left > 0; --left) answers_.note("a terminal is no longer attached");
+    for (; terminals > 0; --terminals) answers_.note("a terminal is no longer attached");
 }
 
 // --- Requests
 
 void Listener::receive(Connection& from) {
     // While answers wait to be read, no more requests are taken: the sender has to wait.
-    if (from.ending || from.out.size() > limits_.kept || from.in.size() > longest_request) return;
+    if (from.gone || from.ending || from.out.size() > limits_.kept ||
+        from.in.size() > longest_request)
+        return;
     std::array<char, 4096> bytes;
     for (std::size_t have = 0; have < limits_.received;) {
         const ssize_t count = ::recv(from.socket, bytes.data(), bytes.size(), 0);

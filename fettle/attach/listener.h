@@ -26,7 +26,7 @@ struct ListenLimits {
     std::size_t accepted = 4;  // connections of a frame
     // All that a frame does for all connections ends after this time, and goes on in the next
     // frame. What has begun is finished: a command takes as long as a typed one.
-    double busy_seconds = 0.0005;
+    double busy_seconds = 0.00025;
     // A frame begins no further request after this number of requests, after a completion, or after
     // this number of bytes of requests and answers; and no completion after another request.
     std::size_t requests = 8, answered = 32768;

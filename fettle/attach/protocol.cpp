@@ -28,7 +28,7 @@ void append_text(std::string& out, std::string_view text) {
         out += Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// An object of plain values and of lists of them. Anything nested deeper is not built in memory.
+/// An object of a message. Anything nested deeper is not built in memory.
 std::optional<Json> object_in(std::string_view line, int deepest) {
     bool fits = true;
     const Json::parser_callback_t shallow = [&](int depth, Json::parse_event_t, Json&) {
@@ -71,22 +71,6 @@ std::string text_of(const Request& request) {
     return line_of({{"complete", request.text}, {"cursor", request.cursor}});
 }
 
-std::optional<Request> read_request(std::string_view line) {
-    const std::optional<Json> object = object_in(line, 1);
-    if (!object) return std::nullopt;
-    Request request;
-    for (const auto& [kind, key] :
-         {std::pair{Request::Kind::run, "run"}, std::pair{Request::Kind::complete, "complete"}}) {
-        const auto found = object->find(key);
-        if (found == object->end() || !found->is_string()) continue;
-        request.kind = kind;
-        request.text = found->get<std::string>();
-        request.cursor = std::min(number_in(*object, "cursor"), request.text.size());
-        return request;
-    }
-    return std::nullopt;
-}
-
 // --- Messages
 
 std::string welcome_text(std::string_view game) {
@@ -122,17 +106,20 @@ std::string answer_text(const script::Evaluation& said) {
 }
 
 std::string candidates_text(const std::vector<script::Completion>& found) {
-    Json list = Json::array();
-    std::size_t bytes = 0;
+    std::string text = R"({"candidates":[)";
+    std::size_t bytes = 0, count = 0;
     for (const script::Completion& each : found) {
         bytes += each.text.size() + each.label.size() + each.detail.size();
-        if (list.size() == most_candidates || bytes > longest_answer) break;
-        list.push_back({{"text", each.text},
-                        {"label", each.label},
-                        {"detail", each.detail},
-                        {"from", each.replace_from}});
+        if (count == most_candidates || bytes > longest_answer) break;
+        text += count++ == 0 ? R"({"text":)" : R"(,{"text":)";
+        append_text(text, each.text);
+        text += R"(,"label":)";
+        append_text(text, each.label);
+        text += R"(,"detail":)";
+        append_text(text, each.detail);
+        text += R"(,"from":)" + std::to_string(each.replace_from) + '}';
     }
-    return line_of({{"candidates", std::move(list)}});
+    return text + "]}\n";
 }
 
 std::optional<Message> read_message(std::string_view line) {

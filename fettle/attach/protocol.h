@@ -17,6 +17,8 @@ constexpr std::size_t longest_greeting = 128, longest_request = 16384;
 /// Bytes of text in one answer. A longer text is cut, and the number of missing lines is added.
 constexpr std::size_t longest_answer = 65536;
 constexpr std::size_t most_candidates = 100;
+/// Members of a request. A request with more is none.
+constexpr std::size_t most_members = 16;
 
 std::string greeting(std::string_view token);
 /// Whether the line is the greeting with this token. The time that it takes does not depend on
@@ -30,7 +32,8 @@ struct Request {
 };
 
 std::string text_of(const Request& request);
-/// None if the line is not a request.
+/// None if the line is not a request. Reading ends at the first list or object inside the request,
+/// and after `most_members`, so a line that is made to take long takes no longer than a command.
 std::optional<Request> read_request(std::string_view line);
 
 /// Messages of the game. All have a line end.

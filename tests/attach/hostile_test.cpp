@@ -232,6 +232,23 @@ TEST_CASE("a terminal that disconnects during an answer is removed") {
     tell_cost("those who leave", game);
 }
 
+TEST_CASE("connections that end all at once are closed as the time of frames allows") {
+    Game game({.greeting_seconds = 1});
+    std::vector<Visitor> crowd;
+    for (int i = 0; i < 8; ++i) crowd.push_back(game.visitor());
+    game.frames(2);
+    REQUIRE(game.listener().connections() == 8);
+    // For each one that is closed, the system frees what it has sent.
+    for (const Visitor& each : crowd) each.say(std::string(std::size_t{1} << 20, 'x'));
+    game.clock += 2;
+    game.tick = ListenLimits{}.busy_seconds * 2;
+    for (std::size_t left = 8; left-- > 0;) {
+        game.frames();
+        CHECK(game.listener().connections() == left);
+    }
+    tell_cost("connections that end all at once", game);
+}
+
 TEST_CASE("lines that the game prints too fast are counted") {
     Game game;
     Visitor terminal = game.terminal();

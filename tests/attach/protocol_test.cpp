@@ -53,6 +53,16 @@ TEST_CASE("a line that is not a request is refused") {
     }
     CHECK(!read_request(std::string(longest_request, '[')));
     CHECK(!read_request(R"({"run": )" + std::string(20000, '[') + std::string(20000, ']') + "}"));
+    // Nothing is built in memory that no request has, so reading ends there.
+    CHECK(!read_request(R"({"run": "x", "more": []})"));
+    CHECK(!read_request(R"({"run": "x", "more": {}})"));
+    const auto with_members = [](std::size_t count) {
+        std::string line = "{";
+        for (std::size_t i = 1; i < count; ++i) line += "\"" + std::to_string(i) + "\": 1, ";
+        return read_request(line + R"("run": "x"})");
+    };
+    CHECK(with_members(most_members));
+    CHECK(!with_members(most_members + 1));
     const auto beyond = read_request(R"({"complete": "ab", "cursor": 99})");
     REQUIRE(beyond);
     CHECK(beyond->cursor == 2);
@@ -79,8 +89,11 @@ TEST_CASE("messages come back as they were") {
     CHECK(read_message(without_end(answer_text(signs)))->lines ==
           std::vector<std::string>{"  \"x\\y\"", "  ü \x7f", "  \x01\t", "  "});
     const auto found = read_message(without_end(candidates_text(
-        {{.text = "mass", .label = "mass", .detail = "3 kg", .doc = "", .replace_from = 6}})));
-    REQUIRE(found->found.size() == 1);
+        {{.text = "mass", .label = "mass", .detail = "3 kg", .doc = "", .replace_from = 6},
+         {.text = "\"ü\\", .label = "\n", .detail = "", .doc = ""}})));
+    REQUIRE(found->found.size() == 2);
+    CHECK(found->found[1].text == "\"ü\\");
+    CHECK(found->found[1].label == "\n");
     CHECK(found->found[0].text == "mass");
     CHECK(found->found[0].detail == "3 kg");
     CHECK(found->found[0].replace_from == 6);

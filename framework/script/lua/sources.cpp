@@ -27,8 +27,15 @@ constexpr std::string_view overflow = "C stack overflow";  // a message of Lua
 constexpr std::string_view overflow_reason = ": too many brackets, blocks or calls in each other";
 
 /// Reads one byte of a std::string_view; for lua_load.
-const char* read_byte(lua_State* L, void* left, std::size_t* size) {
-    return take_piece(L, *static_cast<std::string_view*>(left), size, 1);
+const char* read_byte(lua_State* L, void* from, std::size_t* size) {
+    constexpr std::size_t charged_at_once = 256;  // a look at the clock takes longer than a byte
+    std::string_view& left = *static_cast<std::string_view*>(from);
+    *size = std::min<std::size_t>(left.size(), 1);
+    if (left.size() % charged_at_once == 0)
+        machine_of(L).budget.charge_by_the_clock(L, charged_at_once);
+    const char* const byte = left.data();
+    left.remove_prefix(*size);
+    return byte;
 }
 
 /// What Lua reads of code with an error until it reports the error. `reader` reads one byte of a
