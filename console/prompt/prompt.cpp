@@ -99,8 +99,18 @@ void Prompt::type(char32_t c) {
 }
 
 void Prompt::paste(std::string_view text) {
+    // Window systems hand long texts over in pieces, which SFML does not read: it gives no text.
+    if (text.empty())
+        return log_.note(
+            "nothing is pasted: the clipboard has no text, or one that is too long (some programs "
+            "hand over 256 KB at most)");
     std::string clean = clean_text(text);
     while (!clean.empty() && clean.back() == '\n') clean.pop_back();
+    // The beginning of a command would do something else than the whole.
+    if (clean.size() > edit_.room())
+        return log_.note("nothing is pasted: the text has " + std::to_string(clean.size()) +
+                         " bytes, and a command has at most " +
+                         std::to_string(TextEdit::max_bytes) + "; exec(\"FILE\") runs a file");
     edit_.insert(clean);
     menu_.close();
     text_changed();

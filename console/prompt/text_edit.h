@@ -37,6 +37,8 @@ class TextEdit {
 
     /// Replaces the whole text and moves the cursor to the end.
     void assign(std::string_view text);
+    /// Bytes that may take the place of the selection.
+    std::size_t room() const { return max_bytes - (text_.size() - selected().size()); }
     /// Replaces the selection. Text beyond `max_bytes` is dropped.
     void insert(std::string_view text);
     void replace(std::size_t from, std::size_t to, std::string_view text);

@@ -298,6 +298,26 @@ TEST_CASE("several pasted lines are one command") {
     CHECK(rig.commands[0] == "for i = 1, 2 do\n  print(i)\nend");
 }
 
+TEST_CASE("a paste that is not possible says why") {
+    OpenRig rig;
+    rig.type("world.ball");
+    rig.clipboard.text = "";  // also if a long text is not handed over
+    rig.key("ctrl+v");
+    CHECK(rig.input() == "world.ball");
+    CHECK(rig.logged("nothing is pasted: the clipboard has no text, or one that is too long"));
+    // A command that is cut somewhere would do something else.
+    rig.clipboard.text = std::string(TextEdit::max_bytes - 9, 'x');
+    rig.key("ctrl+v");
+    CHECK(rig.input() == "world.ball");
+    CHECK(
+        rig.logged("nothing is pasted: the text has 1048567 bytes, and a command has at most "
+                   "1048576"));
+    // Here it takes the place of what is selected.
+    rig.key("ctrl+a");
+    rig.key("ctrl+v");
+    CHECK(rig.input() == rig.clipboard.text);
+}
+
 TEST_CASE("an error shows its line with a caret and the suggestion") {
     OpenRig rig;
     rig.run("world.bal.mass = 5");
