@@ -240,7 +240,8 @@ void Console::State::draw_in_game() {
     draw_outlines();
 }
 
-/// Draws two runs between the panel and the views at the lower edge.
+/// Draws two runs between the panel and the views at the lower edge. They leave the room of the
+/// inspector, as these do: a selection moves nothing.
 void Console::State::draw_comparison(float right, double seconds) {
     if (!comparison.shown() || !options.to_world) return views.compare_view.hide();
     const float top = screen.panel_rect.high.y + margin;
@@ -249,7 +250,6 @@ void Console::State::draw_comparison(float right, double seconds) {
         const float inspected = least_inspector * ImGui::GetFontSize() + margin;
         if (low - inspected >= top + CompareView::least_height) low -= inspected;
     }
-    if (screen.inspector_rect.high.y < screen.panel_rect.high.y + 2 * margin) right = 0;
     views.compare_view.draw({ImVec2(margin, top), ImVec2(screen.width - margin - right, low)}, tree,
                             comparison, seen(), ui.pictures(), seconds,
                             views.time_bar.available() ? views.time_bar.times().dt : 1.0 / 60);
@@ -360,9 +360,11 @@ void Console::State::draw_height_handle() {
 
 void Console::State::draw_inspector(float left, float inspector_width) {
     ImGui::SetNextWindowPos(ImVec2(left, margin));
-    // If nothing is selected, there is only the outline, and the game is visible below it.
-    float tall = tree.alive(inspector.selected()) ? screen.height : panel_height() + 2 * margin;
-    ImGui::SetNextWindowSize(ImVec2(inspector_width, tall - 2 * margin));
+    // If nothing is selected, there is only the outline, and the game is visible below it. Two runs
+    // keep their width when something is selected, so a strip of the game would be beside them.
+    const bool whole = tree.alive(inspector.selected()) || comparison_height() > 0;
+    const float tall = whole ? screen.height - 2 * margin : panel_height();
+    ImGui::SetNextWindowSize(ImVec2(inspector_width, tall));
     ImGui::SetNextWindowBgAlpha(settings.number("opacity"));
     ImGui::Begin("##inspector", nullptr, panel_flags);
     screen.inspector_rect = window_rect();

@@ -219,6 +219,15 @@ TEST_CASE_METHOD(CompareRig, "two runs have room for their pictures beside plots
     std::erase_if(shown, [](const console::Rect& each) { return each.empty(); });
     for (std::size_t i = 0; i < shown.size(); ++i)
         for (std::size_t k = 0; k < i; ++k) CHECK(apart(shown[i], shown[k]));
+    // What is selected moves nothing.
+    state().choose(selected ? property::Handle{}
+                            : tree.child(tree.child(tree.root(), "world"), "ball"));
+    for (int i = 0; i < 3; ++i) console.draw(window, 1.0 / 60);
+    const console::Rect later = state().views.compare_view.rect();
+    CHECK(later.low.x == both.low.x);
+    CHECK(later.high.x == both.high.x);
+    CHECK(later.low.y == both.low.y);
+    CHECK(later.high.y == both.high.y);
     const console::Rect curves = state().views.plot_view.area();
     if (plots > 0) CHECK(curves.high.y - curves.low.y >= 60);
     runs().end();
