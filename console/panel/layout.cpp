@@ -77,7 +77,7 @@ void Console::State::frame(double seconds) {
     draw_part([&] { draw_time_bar(right); });
     draw_part([&] { draw_observed(right); });
     draw_part([&] { draw_frames(right); });
-    draw_part([&] { draw_comparison(right, seconds); });
+    draw_part([&] { draw_comparison(seconds); });
     if (!inspector_is_beside()) draw_part([&] { draw_inspector_below(); });
     draw_part([&] { views.prompt_view.draw_menu(cell, ui.bold()); });
     draw_part([&] { context_menu.draw(); });
@@ -186,8 +186,7 @@ float Console::State::least_plot_height() const {
 /// screen; 0 without a comparison. It is the same with and without a selection.
 float Console::State::comparison_height() {
     if (!comparison.shown() || !options.to_world) return 0;
-    const float right = inspector_is_beside() ? inspector_width() + margin : 0;
-    const float wide = screen.width - 2 * margin - right;
+    const float wide = screen.width - 2 * margin;
     return std::min(CompareView::height(wide, screen.width / screen.height),
                     compared_share * screen.height);
 }
@@ -240,9 +239,9 @@ void Console::State::draw_in_game() {
     draw_outlines();
 }
 
-/// Draws two runs between the panel and the views at the lower edge. They leave the room of the
-/// inspector, as these do: a selection moves nothing.
-void Console::State::draw_comparison(float right, double seconds) {
+/// Draws two runs between the panel and the views at the lower edge. They have all of the width,
+/// because the inspector beside the panel is as low as it: a selection moves nothing.
+void Console::State::draw_comparison(double seconds) {
     if (!comparison.shown() || !options.to_world) return views.compare_view.hide();
     const float top = screen.panel_rect.high.y + margin;
     float low = free_above();
@@ -250,7 +249,7 @@ void Console::State::draw_comparison(float right, double seconds) {
         const float inspected = least_inspector * ImGui::GetFontSize() + margin;
         if (low - inspected >= top + CompareView::least_height) low -= inspected;
     }
-    views.compare_view.draw({ImVec2(margin, top), ImVec2(screen.width - margin - right, low)}, tree,
+    views.compare_view.draw({ImVec2(margin, top), ImVec2(screen.width - margin, low)}, tree,
                             comparison, seen(), ui.pictures(), seconds,
                             views.time_bar.available() ? views.time_bar.times().dt : 1.0 / 60);
 }
@@ -361,8 +360,8 @@ void Console::State::draw_height_handle() {
 void Console::State::draw_inspector(float left, float inspector_width) {
     ImGui::SetNextWindowPos(ImVec2(left, margin));
     // If nothing is selected, there is only the outline, and the game is visible below it. Two runs
-    // keep their width when something is selected, so a strip of the game would be beside them.
-    const bool whole = tree.alive(inspector.selected()) || comparison_height() > 0;
+    // are below it whether something is selected or not.
+    const bool whole = tree.alive(inspector.selected()) && comparison_height() == 0;
     const float tall = whole ? screen.height - 2 * margin : panel_height();
     ImGui::SetNextWindowSize(ImVec2(inspector_width, tall));
     ImGui::SetNextWindowBgAlpha(settings.number("opacity"));

@@ -193,7 +193,7 @@ struct Console::State {
     void draw_in_game();
     void draw_observed(float right);
     void draw_frames(float right);
-    void draw_comparison(float right, double seconds);
+    void draw_comparison(double seconds);
     void draw_inspector(float left, float width);
     void draw_inspector_below();
     void draw_width_handle();
