@@ -137,6 +137,8 @@ void Game::make_console(const fettle_hosted_def& def) {
         .tweaks = files.tweaks.get(),
         .review = [this](std::int64_t from,
                          const auto& look) { loop.timeline().review(from, look); },
+        .review_between = [this](std::int64_t from, std::int64_t to,
+                                 const auto& look) { loop.timeline().review(from, to, look); },
         .repeat_with = [this](
                            std::int64_t from, const auto& change,
                            const auto& look) { loop.timeline().repeat_with(from, change, look); },

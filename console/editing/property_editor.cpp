@@ -61,6 +61,18 @@ bool small_button(const char* id, const char* sign, const char* tip) {
     return pressed;
 }
 
+/// A value to begin with behind the others. A point is half a side away from the last one, and
+/// bends to the left: a polygon drops a point that it has already, or that lies on a side.
+Value added_to(const List& elements, Type type) {
+    if (elements.empty()) return zero_of(type == Type::nil ? Type::number : type);
+    const Value& last = elements.back();
+    if (!last.is(Type::vec2)) return last;
+    const bool some = elements.size() > 1 && elements[elements.size() - 2].is(Type::vec2);
+    Vec2 side = some ? last.vec2() - elements[elements.size() - 2].vec2() : Vec2(0, 0);
+    if (side == Vec2(0, 0)) side = Vec2(1, 0);
+    return Value(last.vec2() + 0.35 * Vec2(side.x - side.y, side.x + side.y));
+}
+
 }  // namespace
 
 Rect PropertyEditor::widget_rect(const Property& property) const {
@@ -394,9 +406,7 @@ void PropertyEditor::list(const Target& target, const Value& value, float width)
     if (target.property->read_only) return;
     if (low_button("+ add")) {
         List longer = elements;
-        Type type = target.property->element;
-        longer.push_back(!longer.empty() ? longer.back()
-                                         : zero_of(type == Type::nil ? Type::number : type));
+        longer.push_back(added_to(elements, target.property->element));
         write(target, Value(std::move(longer)));
     }
 }

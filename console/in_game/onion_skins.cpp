@@ -15,7 +15,10 @@ using property::Handle;
 
 namespace {
 
-constexpr std::int64_t read_past = 240;  // steps
+// Steps on each side of the present one. More are read than are drawn, so that not each frame reads
+// while one drags the time.
+constexpr std::int64_t read_around = 240;
+constexpr std::int64_t drawn_around = OnionSkins::apart * (OnionSkins::drawn + 1);
 
 auto skin_at(const std::deque<OnionSkins::Skin>& skins, std::int64_t step) {
     return std::ranges::lower_bound(skins, step, {}, &OnionSkins::Skin::step);
@@ -28,7 +31,8 @@ void OnionSkins::follow(Handle instance) {
     if (instance == instance_) return;
     instance_ = instance;
     skins_.clear();
-    needs_past_ = static_cast<bool>(instance);
+    known_from_ = 0;
+    known_to_ = -1;
 }
 
 void OnionSkins::take(std::int64_t step) {
@@ -39,7 +43,19 @@ void OnionSkins::take(std::int64_t step) {
         skins_[static_cast<std::size_t>(at - skins_.begin())].pose = *pose;
     else
         skins_.insert(at, {step, *pose});
-    if (skins_.size() > most) skins_.pop_front();
+}
+
+/// Drops poses at the end that is farther from the step.
+void OnionSkins::drop_far_from(std::int64_t step) {
+    for (; skins_.size() > most;) {
+        if (step - skins_.front().step > skins_.back().step - step) {
+            skins_.pop_front();
+            known_from_ = std::max(known_from_, skins_.front().step);
+        } else {
+            skins_.pop_back();
+            known_to_ = std::min(known_to_, skins_.back().step);
+        }
+    }
 }
 
 void OnionSkins::after_step() {
@@ -48,13 +64,27 @@ void OnionSkins::after_step() {
     // The game went back and goes on from here.
     while (!skins_.empty() && skins_.back().step >= step) skins_.pop_back();
     take(step);
+    drop_far_from(step);
+    newest_ = step;
+    if (step > known_to_ + 1) known_from_ = step;
+    known_to_ = step;
 }
 
 void OnionSkins::between_frames(const Review& review) {
-    if (!std::exchange(needs_past_, false) || !review) return;
-    review(static_cast<std::int64_t>(tree_.step()) - read_past, [&](std::int64_t step) {
+    if (!instance_ || !review) return;
+    const auto here = static_cast<std::int64_t>(tree_.step());
+    newest_ = std::max(newest_, here);
+    if (here - drawn_around >= known_from_ && std::min(here + drawn_around, newest_) <= known_to_)
+        return;
+    const std::int64_t from = here - read_around, to = here + read_around;
+    review(from, to, [&](std::int64_t step) {
+        newest_ = std::max(newest_, step);
         if (tree_.alive(instance_)) take(step);
     });
+    const bool gap = from > known_to_ + 1 || to + 1 < known_from_;
+    known_from_ = gap ? from : std::min(from, known_from_);
+    known_to_ = gap ? to : std::max(to, known_to_);
+    drop_far_from(here);
 }
 
 std::vector<std::int64_t> OnionSkins::shown_at(std::int64_t step) const {

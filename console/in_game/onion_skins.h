@@ -16,8 +16,8 @@ namespace fettle::console {
 
 class OnionSkins {
   public:
-    using Review =
-        std::function<void(std::int64_t from, const std::function<void(std::int64_t step)>& look)>;
+    using Review = std::function<void(std::int64_t from, std::int64_t to,
+                                      const std::function<void(std::int64_t step)>& look)>;
     static constexpr std::size_t most = 3600;  // poses
     static constexpr std::int64_t apart = 15;  // steps between two poses that are drawn
     static constexpr int drawn = 12;           // poses on each side of the present one
@@ -28,7 +28,8 @@ class OnionSkins {
     void follow(property::Handle instance);
     /// Keeps the pose after a step; those of later steps are forgotten.
     void after_step();
-    /// Reads the last seconds of the past, once after `follow` was called for another instance.
+    /// Reads the poses around the present step, unless they are known: after `follow` was called
+    /// for another instance, and after the game has gone to a step far from where it was.
     void between_frames(const Review& review);
     void draw(ImDrawList& list, const ToPixels& to_pixels) const;
 
@@ -43,11 +44,14 @@ class OnionSkins {
 
   private:
     void take(std::int64_t step);
+    void drop_far_from(std::int64_t step);
 
     property::Tree& tree_;
     property::Handle instance_;
     std::deque<Skin> skins_;
-    bool needs_past_ = false;
+    // The poses of all kept steps between these are known; from > to: of none.
+    std::int64_t known_from_ = 0, known_to_ = -1;
+    std::int64_t newest_ = 0;  // kept step, as far as it is known
 };
 
 }  // namespace fettle::console

@@ -389,7 +389,7 @@ void Console::between_frames() {
     s.ghosts.watch(s.settings.flag("ghosts"));
     s.comparison.between_frames(s.options.review, s.options.repeat_with, s.options.review_branch);
     s.onion_skins.follow(s.shows("onion_skins") ? s.inspector.selected() : Handle{});
-    s.onion_skins.between_frames(s.options.review);
+    s.onion_skins.between_frames(s.options.review_between);
 }
 float Console::covered_below() const {
     const State& s = *state_;

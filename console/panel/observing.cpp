@@ -242,7 +242,7 @@ void Observing::search_past(const Review& review) {
         return log_.error(property::exception_text(error));
     }
     const std::int64_t here = static_cast<std::int64_t>(tree_.step());
-    const std::string what = "last_time " + condition.text + ": ";
+    const std::string what = property::message_text("last_time " + condition.text + ": ");
     if (first < 0) return report(what + "no step is kept");
     if (last_true < 0)
         return problem.empty() ? report(what + "never since step " + std::to_string(first))

@@ -118,6 +118,54 @@ TEST_CASE("the kept past is reviewed step by step and the present is as it was")
     CHECK(game.time().newest() == 130);
 }
 
+TEST_CASE("a part of the kept past is reviewed also behind the present step") {
+    Playing game(busy);
+    game.play(120);
+    std::map<std::int64_t, property::Vec2> all;
+    for (int step = 0; step <= 120; ++step) {
+        game.time().go_to(step);
+        all.emplace(step, game.get("world.ball.position").vec2());
+    }
+    for (const std::int64_t here : {120, 80, 31})
+        for (const auto& [from, to] : {std::pair<std::int64_t, std::int64_t>{50, 95},
+                                       {-10, 20},
+                                       {110, 400},
+                                       {here, here},
+                                       {here + 1, here + 3}}) {
+            INFO(here << ": " << from << " to " << to);
+            game.time().go_to(here);
+            std::vector<std::int64_t> seen;
+            game.time().review(from, to, [&](std::int64_t step) {
+                seen.push_back(step);
+                CHECK(game.get("world.ball.position").vec2() == all.at(step));
+            });
+            std::vector<std::int64_t> expected;
+            for (std::int64_t step = std::max<std::int64_t>(0, from);
+                 step <= std::min<std::int64_t>(120, to); ++step)
+                expected.push_back(step);
+            CHECK(seen == expected);
+            CHECK(game.services.clock.step == here);
+            REQUIRE(game.loop->hash() == game.hashes[static_cast<std::size_t>(here)]);
+            CHECK(game.time().newest() == 120);
+        }
+}
+
+TEST_CASE("the review of a part ends before a snapshot that was restored later") {
+    Playing game(busy);
+    game.play(20);
+    game.runtime->run("taken = snapshot()", "test");
+    game.play(30);
+    game.runtime->run("restore(taken)", "test");
+    game.play(30);
+    game.time().go_to(10);
+    std::int64_t last = -1;
+    game.time().review(0, 1000, [&](std::int64_t step) { last = step; });
+    CHECK(last >= 10);
+    CHECK(last <= 50);
+    CHECK(game.services.clock.step == 10);
+    REQUIRE(game.loop->hash() == game.hashes[10]);
+}
+
 TEST_CASE("the review of the past begins where a snapshot was restored") {
     Playing game(busy);
     game.play(20);

@@ -84,6 +84,28 @@ void Timeline::review(std::int64_t from, const std::function<void(std::int64_t s
     });
 }
 
+void Timeline::review(std::int64_t from, std::int64_t to,
+                      const std::function<void(std::int64_t step)>& look) {
+    if (to <= place_.here)
+        return review(from, [&](std::int64_t step) {
+            if (step <= to) look(step);
+        });
+    require_between_steps("the past cannot be looked at");
+    settle();
+    if (!keeps()) return;
+    const Keyframe& frame = start_of(from);
+    for (const Keyframe& each : keyframes_)
+        if (each.step > place_.here && each.jumped_to) to = std::min(to, each.step - 1);
+    look_elsewhere(frame, [&] {
+        if (frame.step >= from) look(frame.step);
+        for (const auto& each : steps_) {
+            if (each->number <= frame.step || each->number > to) continue;
+            redo(*each);
+            if (each->number >= from) look(each->number);
+        }
+    });
+}
+
 void Timeline::repeat_with(std::int64_t from, const std::function<void()>& change,
                            const std::function<void(std::int64_t step)>& look) {
     require_between_steps("the past cannot be looked at");

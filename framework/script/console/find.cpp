@@ -104,8 +104,9 @@ std::vector<std::string> find_lines(const property::Tree& tree, std::string_view
     if (!lines.empty()) return lines;
     std::set<std::string>& known = search.known();
     tree.each_below(tree.root(), [&](Handle handle) { known.insert(tree.name(handle)); });
-    return {"nothing has \"" + std::string(word) + "\"" +
-            property::suggestion(word, std::vector<std::string>(known.begin(), known.end()))};
+    return {property::message_text(
+        "nothing has \"" + std::string(word) + "\"" +
+        property::suggestion(word, std::vector<std::string>(known.begin(), known.end())))};
 }
 
 namespace {

@@ -178,7 +178,8 @@ std::string nothing_found(const property::Tree& tree, const std::string& pattern
         std::vector<std::string> known(names.begin(), names.end());
         if (asked.segments().size() == 1)  // the name of a class alone is a pattern, too
             for (const property::Class* of : tree.classes()) known.push_back(of->name());
-        return text + ": nothing has \"" + each + "\"" + property::suggestion(each, known);
+        return property::message_text(text + ": nothing has \"" + each + "\"" +
+                                      property::suggestion(each, known));
     }
     return text;
 }

@@ -126,8 +126,9 @@ int unbookmark(lua_State* L) {
     const std::string name = text_or_nothing(L, 1, "unbookmark: needs the name of a bookmark");
     const auto* function = served(machine, &ConsoleFunctions::unbookmark, "unbookmark");
     if (function != nullptr && (*function)(name) == 0)
-        print_line(machine,
-                   name.empty() ? "there is no bookmark" : "there is no bookmark \"" + name + "\"");
+        print_line(machine, name.empty()
+                                ? "there is no bookmark"
+                                : property::message_text("there is no bookmark \"" + name + "\""));
     return 0;
 }
 

@@ -75,7 +75,7 @@ void log_result(
     std::string line = std::string(done) + " " + std::to_string(report.count) +
                        (report.count == 1 ? " tweak" : " tweaks");
     if (report.count == 0 && report.problems.empty())
-        line = "no open tweak matches \"" + pattern + "\"";
+        line = property::message_text("no open tweak matches \"" + pattern + "\"");
     for (std::size_t i = 0; i < report.files.size(); ++i)
         line +=
             (i == 0 ? " in " : ", ") + std::filesystem::path(report.files[i]).filename().string();

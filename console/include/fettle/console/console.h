@@ -55,6 +55,11 @@ struct Options {
     /// is refused.
     std::function<void(std::int64_t from, const std::function<void(std::int64_t step)>& look)>
         review{};
+    /// As `review`, up to the step `to`, which may be later than the present one. Without it, onion
+    /// skins show only poses that the console has seen.
+    std::function<void(std::int64_t from, std::int64_t to,
+                       const std::function<void(std::int64_t step)>& look)>
+        review_between{};
     /// Repeats the kept past with a change at `from` (app::Timeline::repeat_with). Without it, `ab`
     /// is refused.
     std::function<void(std::int64_t from, const std::function<void()>& change,

@@ -77,6 +77,11 @@ class Timeline {
     /// does. `look` must change nothing, and throw nothing.
     void review(std::int64_t from, const std::function<void(std::int64_t step)>& look);
 
+    /// As above, up to the step `to`, which may be later than the present one; at most to the
+    /// newest one, and to the last before a snapshot was restored.
+    void review(std::int64_t from, std::int64_t to,
+                const std::function<void(std::int64_t step)>& look);
+
     /// Repeats the kept steps from `from` on as if something had been different: calls `change`
     /// with the tree in the state after step `from`, then `look` for each step up to the present
     /// one. Writes of scripts come from the log, since scripts do not run; the modules compute new

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include <fettle/property/export.h>
 
@@ -29,23 +30,21 @@ enum class ErrorKind {
     damaged          // a snapshot or save that is incomplete, changed or of another version
 };
 
+/// A message as people read it. Of a quoted text and of a word that are longer than 300 bytes, only
+/// the first 200 and "…" are kept: callers may give texts of any length. Zero bytes are written as
+/// "\0", because one would end the message.
+std::string message_text(std::string_view message);
+
 /// A refused call: nothing has changed. Its text names the path, the value and the expected kind of
 /// value.
 class Error : public std::runtime_error {
   public:
     /// With a text for the user.
     Error(ErrorKind kind, const std::string& message)
-        : std::runtime_error(shown(message)), kind_(kind) {}
+        : std::runtime_error(message_text(message)), kind_(kind) {}
     ErrorKind kind() const { return kind_; }  ///< what was wrong
 
   private:
-    /// Zero bytes are replaced, because one in a name or a text would end the message.
-    static std::string shown(const std::string& message) {
-        if (message.find('\0') == std::string::npos) return message;
-        std::string all;
-        for (const char c : message) c == '\0' ? all += "\\0" : all += c;
-        return all;
-    }
     ErrorKind kind_;
 };
 
