@@ -99,16 +99,16 @@ void Tweaks::State::settle_one(Handle instance) {
 /// Takes the scene of a new instance from the tree, without instances below it that have their own
 /// tweaks.
 void Tweaks::State::note_values(Entry& made, std::vector<std::string>* warnings) {
-    std::unordered_set<std::uint64_t> its_own;
-    if (tree.first_child(made.handle))
-        for (const auto& each : entries)
-            if ((each->row.kind == Kind::moved || each->row.kind == Kind::created) && !each->gone &&
-                each->handle != made.handle)
-                its_own.insert(each->handle.key());
+    const auto has_own = [&](Handle instance) {
+        if (instance == made.handle) return false;
+        for (const auto* const known : {&created, &moved_entries})
+            if (const auto its = known->find(instance.key());
+                its != known->end() && !its->second->gone)
+                return true;
+        return false;
+    };
     made.values.clear();
-    made.scene = scene_text_with_full_paths(
-        tree, made.handle, warnings,
-        [&](Handle instance) { return its_own.contains(instance.key()); }, &made.values);
+    made.scene = scene_text_with_full_paths(tree, made.handle, warnings, has_own, &made.values);
 }
 
 /// Whether the deletion of the instance was undone, so that no new entry is needed.
