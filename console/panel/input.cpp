@@ -186,6 +186,8 @@ bool Console::State::mouse(const InputEvent& event) {
             return over;
         case EventKind::mouse_pressed:
             input.keys_to_selection = false;
+            // Ctrl+Z takes back what is edited with the mouse, and no text that was deleted before.
+            if (prompt.edit().empty()) prompt.edit().forget_steps();
             if (over) {
                 input.buttons.press(event.name, HeldKeys::Owner::console);
                 feed(event);

@@ -37,6 +37,12 @@ class TextEdit {
 
     /// Replaces the whole text and moves the cursor to the end.
     void assign(std::string_view text);
+    /// There is nothing to undo or redo any more.
+    void forget_steps() {
+        undo_.clear();
+        redo_.clear();
+        typing_ = false;
+    }
     /// Bytes that may take the place of the selection.
     std::size_t room() const { return max_bytes - (text_.size() - selected().size()); }
     /// Replaces the selection. Text beyond `max_bytes` is dropped.

@@ -318,6 +318,27 @@ TEST_CASE("a paste that is not possible says why") {
     CHECK(rig.input() == rig.clipboard.text);
 }
 
+TEST_CASE("ctrl Z undoes an edit with the mouse and not a text that was deleted before") {
+    OpenRig rig;
+    rig.type("world");
+    rig.key("escape");
+    CHECK(rig.input().empty());
+    rig.key("ctrl+z");
+    CHECK(rig.input() == "world");
+    rig.key("escape");
+    rig.click(600, 500);
+    rig.key("ctrl+z");
+    CHECK(rig.input().empty());
+    REQUIRE(rig.commands.size() == 1);
+    CHECK(rig.commands[0] == "undo");
+    // A text that is there keeps its steps.
+    rig.type("world");
+    rig.click(600, 500);
+    rig.key("ctrl+z");
+    CHECK(rig.input().empty());
+    CHECK(rig.commands.size() == 1);
+}
+
 TEST_CASE("an error shows its line with a caret and the suggestion") {
     OpenRig rig;
     rig.run("world.bal.mass = 5");

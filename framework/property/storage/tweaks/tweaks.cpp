@@ -329,9 +329,10 @@ bool Tweaks::State::taken_out_of_creation(Handle instance, Handle parent) {
 /// describes it.
 void Tweaks::State::make_void(const std::string& path, const std::string& home, Entry& deletion) {
     const InstanceMoves all = restorations.empty() ? InstanceMoves() : moves();
-    const auto path_now = [&](const JournalRow& row) -> std::string {
+    std::string restored;
+    const auto path_now = [&](const JournalRow& row) -> const std::string& {
         if (row.kind == Kind::moved || row.kind == Kind::deleted) return row.now;
-        return row.kind == Kind::restored ? all.now(row.instance) : row.instance;
+        return row.kind == Kind::restored ? restored = all.now(row.instance) : row.instance;
     };
     for (std::size_t i = 0; i < entries.size(); ++i) {
         Entry& its = *entries[i];
