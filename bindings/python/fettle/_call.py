@@ -179,6 +179,12 @@ def version():
     return ffi.string(lib.fettle_physics_version()).decode()
 
 
+class _Elements(list):
+    """The elements of an array. Those that are structures are views of its memory, which lives as long as this list."""
+
+    __slots__ = ("_array",)
+
+
 def list_of(ctype, call):
     """All elements of a list: `call(out, room, count)`."""
     count = ffi.new("uint32_t*")
@@ -187,7 +193,9 @@ def list_of(ctype, call):
         out = ffi.new(ctype + "[]", room)
         check(call(out, room, count))
         if count[0] <= room:
-            return [out[i] for i in range(count[0])]
+            elements = _Elements(out[i] for i in range(count[0]))
+            elements._array = out
+            return elements
         room = count[0]
 
 

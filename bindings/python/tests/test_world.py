@@ -5,10 +5,12 @@ import gc
 import math
 import pickle
 import unittest
+import weakref
 
 import numpy
 
 import fettle
+from fettle._call import lib, list_of
 
 
 def a_world(**settings):
@@ -192,6 +194,21 @@ class Queries(unittest.TestCase):
         with self.assertRaises(ZeroDivisionError):
             world.query_point((0, 0.4), accept=lambda s: 1 / 0)
         self.assertIsNone(world.fault)
+
+
+class Lists(unittest.TestCase):
+    def test_a_list_keeps_the_memory_of_its_structures(self):
+        arrays = []
+
+        def call(out, room, count):
+            arrays.append(weakref.ref(out))
+            count[0] = 2
+            return lib.FETTLE_DONE
+
+        found = list_of("fettle_contact", call)
+        gc.collect()
+        self.assertIsNotNone(arrays[0](), "the structures are views of freed memory")
+        self.assertEqual([contact.shape_a for contact in found], [0, 0])
 
 
 class Arrays(unittest.TestCase):
