@@ -91,8 +91,9 @@ def points(values, what="points"):
     """An array in C, and its length."""
     try:
         import numpy
-        array = numpy.ascontiguousarray(values, dtype=numpy.float32)
-    except (TypeError, ValueError):
+        with numpy.errstate(over="ignore"):  # the library refuses infinity
+            array = numpy.ascontiguousarray(values, dtype=numpy.float32)
+    except (TypeError, ValueError, OverflowError):
         raise Invalid(f"{what}: expected pairs of numbers, got {values!r}") from None
     if array.size == 0:
         return ffi.NULL, 0

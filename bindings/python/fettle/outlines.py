@@ -49,8 +49,9 @@ def grid_outlines(values, threshold=0.5, origin=Vec2(0, 0), cell=1.0, straight=0
     counter-clockwise around a hole. Sample (column, row) is at origin + cell * (column, row)."""
     import numpy
     try:
-        array = numpy.ascontiguousarray(values, dtype=numpy.float32)
-    except (TypeError, ValueError):
+        with numpy.errstate(over="ignore"):  # the library refuses infinity
+            array = numpy.ascontiguousarray(values, dtype=numpy.float32)
+    except (TypeError, ValueError, OverflowError):
         raise Invalid("values: expected rows of numbers") from None
     if array.ndim != 2:
         raise Invalid(f"values: expected rows of numbers, got an array of shape {array.shape}")

@@ -1,5 +1,6 @@
 """Many copies of one world, for learning."""
 
+import os
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy
@@ -23,13 +24,15 @@ class VectorWorld:
         observation = env.step(numpy.zeros((256, 1, 2)))  # forces, N
 
     An observation has for each copy and each body x, y, angle, angular velocity, velocity x and y, cosine and sine of the angle.
-    It is the same array each time. `threads` share the copies; they change no result. It cannot be copied.
+    It is the same array each time. `threads` share the copies, at most one for each processor; they change no result. It cannot
+    be copied.
     """
 
     def __init__(self, build, count=256, dt=1 / 60, threads=1, **settings):
         count, threads = (to_number("uint32_t", value, name) for value, name in ((count, "count"), (threads, "threads")))
         if count < 1 or threads < 1:
             raise Invalid(f"count = {count}, threads = {threads}: expected at least 1")
+        threads = min(threads, count, os.cpu_count() or 1)
         self._template = World(**settings)
         self._bodies = self._built(build)
         self.dt = to_number("float", dt, "dt")
@@ -106,8 +109,9 @@ class VectorWorld:
 
     def _set_forces(self, forces):
         try:
-            self._forces[...] = forces
-        except (TypeError, ValueError):
+            with numpy.errstate(over="ignore"):  # the library refuses infinity
+                self._forces[...] = forces
+        except (TypeError, ValueError, OverflowError):
             shape = numpy.shape(forces) if isinstance(forces, numpy.ndarray) else forces
             raise Invalid(f"forces: expected an array of numbers of the shape {self._forces.shape}, got {shape!r}") from None
 

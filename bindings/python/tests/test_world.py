@@ -5,6 +5,7 @@ import gc
 import math
 import pickle
 import unittest
+import warnings
 import weakref
 
 import numpy
@@ -331,6 +332,20 @@ class Vectors(unittest.TestCase):
         for env in (one, two):
             env.step(forces, steps=50)
         self.assertTrue((one.observation == two.observation).all())
+
+    def test_there_are_no_more_threads_than_processors(self):
+        env = fettle.VectorWorld(self.build, count=9, threads=4_000_000_000)
+        self.assertEqual(env.step().shape, (9, 1, 8))
+
+    def test_numbers_beyond_the_range_of_a_float_are_refused(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaisesRegex(fettle.Invalid, "forces.*inf"):
+                fettle.VectorWorld(self.build, count=2).step(numpy.full((2, 1, 2), 1e300))
+            with self.assertRaises(fettle.Invalid):
+                fettle.World().body().add(fettle.Polygon([(0, 0), (1e300, 0), (0, 1)]))
+            with self.assertRaises(fettle.Invalid):
+                fettle.grid_outlines([[0, 10**400]])
 
     def test_wrong_shapes_are_refused(self):
         with self.assertRaises(fettle.Invalid):
