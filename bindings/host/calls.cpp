@@ -52,6 +52,7 @@ fettle_code code_of_exception(const char* function) noexcept {
 
 Game& live(const fettle_hosted* hosted) {
     if (hosted == nullptr) throw Failure{FETTLE_INVALID, "game: expected a pointer, got null"};
+    OneThread::require();
     if (hosted->game == nullptr) throw Failure{FETTLE_STALE, "game: it was destroyed"};
     return *hosted->game;
 }

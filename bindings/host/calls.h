@@ -10,7 +10,7 @@ namespace fettle::host {
 /// Keeps the message of the exception that is being handled, and returns its code.
 fettle_code code_of_exception(const char* function) noexcept;
 
-/// The game; throws Failure if it is null or destroyed.
+/// The game; throws Failure if it is null or destroyed, and in another thread.
 Game& live(const fettle_hosted* hosted);
 
 /// Runs `act(game)`; `function`: the name of the function in C, for messages.

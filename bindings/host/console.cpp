@@ -61,12 +61,12 @@ fettle_code fettle_console_draw(fettle_hosted* hosted, float width, float height
         fettle_console_picture& result = needed("picture", picture);
         fettle::console::Console& console = game.needed_console();
         if (!(width >= 1 && width <= 32768 && height >= 1 && height <= 32768))
-            throw Failure{FETTLE_INVALID, "width = " + std::to_string(width) +
-                                              ", height = " + std::to_string(height) +
+            throw Failure{FETTLE_INVALID, "width = " + property::number_text(width) +
+                                              ", height = " + property::number_text(height) +
                                               ": expected 1 to 32768 pixels"};
         if (!(seconds >= 0 && seconds <= 3600))
             throw Failure{FETTLE_INVALID,
-                          "seconds = " + std::to_string(seconds) + ": expected 0 to 3600"};
+                          "seconds = " + property::number_text(seconds) + ": expected 0 to 3600"};
         game.services.view.screen = property::Vec2(width, height);
         game.surface.begin(width, height);
         game.run_scripts([&] { console.draw(game.surface, seconds); });

@@ -11,6 +11,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "one_thread.h"
 #include "player_files.h"
 #include "surface.h"
 #include "values.h"
@@ -58,6 +59,7 @@ class Game {
     ~Game();
     Game(const Game&) = delete;
 
+    OneThread thread;
     bool open = false;                      // false: `note` can use the next member only
     std::vector<std::string> early_notes;   // from before a function could get them
     physics_module::PhysicsModule physics;  // before the tree, which uses its memory

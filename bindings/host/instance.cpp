@@ -56,7 +56,7 @@ fettle_code fettle_hosted_find(fettle_hosted* hosted, const char* path, fettle_i
 }
 
 bool fettle_hosted_is_alive(const fettle_hosted* hosted, fettle_instance instance) {
-    return hosted != nullptr && hosted->game != nullptr && instance != 0 &&
+    return hosted != nullptr && OneThread::is_here() && hosted->game != nullptr && instance != 0 &&
            hosted->game->tree.alive(handle_of(instance));
 }
 

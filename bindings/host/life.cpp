@@ -1,6 +1,6 @@
 #include <cmath>
-#include <deque>
 
+#include "../c/calls/retired.h"
 #include "calls.h"
 
 // Games: their life, their scripts, their frames.
@@ -10,20 +10,6 @@ namespace property = fettle::property;
 namespace script = fettle::script;
 
 namespace {
-
-/// The memory of destroyed games stays for some time, so that a stale pointer is recognized.
-constexpr std::size_t most_retired = 1000;
-std::deque<std::unique_ptr<fettle_hosted>>& retired() {
-    static std::deque<std::unique_ptr<fettle_hosted>> known;
-    return known;
-}
-
-std::unique_ptr<fettle_hosted> place() {
-    if (retired().size() <= most_retired) return std::make_unique<fettle_hosted>();
-    std::unique_ptr<fettle_hosted> oldest = std::move(retired().front());
-    retired().pop_front();
-    return oldest;
-}
 
 const fettle_hosted_def defaults{.size = sizeof(fettle_hosted_def),
                                  .console = true,
@@ -40,7 +26,7 @@ const fettle_hosted_def defaults{.size = sizeof(fettle_hosted_def),
 void check(const fettle_hosted_def& def) {
     check_size(def);
     if (!(def.call_seconds >= 0 && def.call_seconds <= 1e6))
-        throw Failure{FETTLE_INVALID, "call_seconds = " + std::to_string(def.call_seconds) +
+        throw Failure{FETTLE_INVALID, "call_seconds = " + property::number_text(def.call_seconds) +
                                           ": expected 0 to 1e6 seconds"};
     constexpr std::uint64_t least = std::uint64_t{16} << 20, most = std::uint64_t{1} << 46;
     if (def.lua_memory < least || def.lua_memory > most)
@@ -75,7 +61,7 @@ fettle_code fettle_hosted_create(const fettle_hosted_def* def, fettle_hosted** g
         const fettle_hosted_def& wanted = def == nullptr ? defaults : *def;
         check(wanted);
         auto parts = std::make_unique<Game>(wanted);
-        std::unique_ptr<fettle_hosted> hosted = place();
+        std::unique_ptr<fettle_hosted> hosted = fettle::physics_c::Retired<fettle_hosted>::place();
         hosted->game = std::move(parts);
         made = hosted.release();
         return FETTLE_DONE;
@@ -88,8 +74,8 @@ fettle_code fettle_hosted_destroy(fettle_hosted* hosted) {
     if (hosted == nullptr) return FETTLE_DONE;
     return outside(__func__, hosted, "be destroyed", [&](Game& game) {
         if (game.files.store) game.files.store->flush();
-        retired().emplace_back(hosted);
         hosted->game.reset();
+        fettle::physics_c::Retired<fettle_hosted>::keep(hosted);
     });
 }
 
@@ -181,7 +167,7 @@ fettle_code fettle_hosted_frame(fettle_hosted* hosted, double seconds, uint32_t*
     return outside(__func__, hosted, "begin a frame", [&](Game& game) {
         if (!(seconds >= 0 && seconds <= 3600))
             throw Failure{FETTLE_INVALID,
-                          "seconds = " + std::to_string(seconds) + ": expected 0 to 3600"};
+                          "seconds = " + property::number_text(seconds) + ": expected 0 to 3600"};
         const std::uint64_t before = game.loop.lived();
         game.run_scripts([&] {
             game.loop.frame(seconds);

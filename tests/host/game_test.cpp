@@ -1,5 +1,7 @@
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <thread>
 
 #include "catch.h"
 #include "game.h"
@@ -17,6 +19,45 @@ TEST_CASE("a program in C hosts a game and watches it") {
     REQUIRE(code == FETTLE_DONE);
     CHECK(height == Approx(0.55).margin(0.1));
     CHECK(changes == 1);
+}
+
+TEST_CASE("one thread uses all games, until they are destroyed") {
+    Game game = make("world.ball = Body { Circle {} }");
+    fettle_property_id y = 0;
+    fettle_instance ball = 0;
+    require(fettle_property_at(game.get(), "world.ball.position.y", &y));
+    require(fettle_hosted_find(game.get(), "world.ball", &ball));
+    const auto elsewhere = [](auto act) {
+        std::string said;
+        std::thread([&] {
+            if (act() == FETTLE_LOCKED) said = fettle_last_error();
+        }).join();
+        return said;
+    };
+    const std::string refusal = "one thread uses all games of a process";
+    double height = 0;
+    fettle_hosted* other = nullptr;
+    CHECK_THAT(elsewhere([&] { return fettle_hosted_step(game.get()); }), contains(refusal));
+    CHECK_THAT(elsewhere([&] { return fettle_property_get_number(game.get(), y, &height); }),
+               contains(refusal));
+    CHECK_THAT(elsewhere([&] { return fettle_hosted_create(nullptr, &other); }), contains(refusal));
+    CHECK_THAT(elsewhere([&] { return fettle_hosted_destroy(game.get()); }), contains(refusal));
+    bool alive = true;
+    elsewhere([&] {
+        alive = fettle_hosted_is_alive(game.get(), ball);
+        return FETTLE_DONE;
+    });
+    CHECK_FALSE(alive);
+    require(fettle_hosted_step(game.get()));
+
+    game.reset();
+    CHECK(elsewhere([&] {
+              require(fettle_hosted_create(nullptr, &other));
+              require(fettle_hosted_step(other));
+              return fettle_hosted_destroy(other);
+          }) == "");
+    game = make();
+    require(fettle_hosted_step(game.get()));
 }
 
 TEST_CASE("errors of scripts have the message that users of Lua see") {

@@ -194,8 +194,18 @@ static const char* an_owner_alone_creates_and_destroys(void) {
     CHECK_C(acts && strcmp(advice, "ask the level instead") == 0);
     DONE_C(fettle_body_destroy(scene.world, scene.box));
     DONE_C(fettle_owner_end(owner));
-    DONE_C(fettle_world_destroy(scene.world));
+    DONE_C(fettle_world_set_owner(scene.world, NULL));
     DONE_C(fettle_owner_destroy(owner));
+    /* The pointer is stale now. */
+    CHECK_C(fettle_owner_destroy(owner) == FETTLE_STALE);
+    CHECK_C(fettle_owner_begin(owner) == FETTLE_STALE);
+    CHECK_C(fettle_owner_end(owner) == FETTLE_STALE);
+    CHECK_C(fettle_owner_acts(owner, &acts) == FETTLE_STALE);
+    CHECK_C(fettle_owner_advice(owner, &advice) == FETTLE_STALE);
+    CHECK_C(fettle_owner_on_unlocked(owner, NULL, NULL) == FETTLE_STALE);
+    CHECK_C(fettle_world_set_owner(scene.world, owner) == FETTLE_STALE);
+    CHECK_C(strstr(fettle_last_error(), "owner: it was destroyed") != NULL);
+    DONE_C(fettle_world_destroy(scene.world));
     return NULL;
 }
 
@@ -416,6 +426,13 @@ static const char* a_recording_is_repeated(void) {
     DONE_C(fettle_replay_is_cut_off(replay, &is_cut_off));
     CHECK_C(is_cut_off);
     DONE_C(fettle_replay_destroy(replay));
+    /* The pointer is stale now. */
+    CHECK_C(fettle_replay_destroy(replay) == FETTLE_STALE);
+    CHECK_C(fettle_replay_steps(replay, &steps) == FETTLE_STALE);
+    CHECK_C(fettle_replay_is_cut_off(replay, &is_cut_off) == FETTLE_STALE);
+    CHECK_C(fettle_replay_step(replay, &step, &repeated) == FETTLE_STALE);
+    CHECK_C(fettle_replay_world(replay, &copy) == FETTLE_STALE);
+    CHECK_C(strstr(fettle_last_error(), "replay: it was destroyed") != NULL);
     recorded.bytes[recorded.size - 9] ^= 1;
     CHECK_C(fettle_replay_create(recorded.bytes, recorded.size, &replay) == FETTLE_INVALID);
     CHECK_C(strstr(fettle_last_error(), "checksum") != NULL);

@@ -31,16 +31,18 @@ struct GivenEvents {
 }  // namespace fettle::physics_c
 
 struct fettle_owner {
-    explicit fettle_owner(const char* text) : advice(text), owner(advice.c_str()) {}
+    bool is_destroyed() const { return !owner.has_value(); }
 
     std::string advice;
-    fettle::physics::Owner owner;
+    std::optional<fettle::physics::Owner> owner;  ///< none: destroyed
     std::optional<fettle::physics::Owner::Acting> acting;
     int depth = 0;   ///< of begin and end
     int worlds = 0;  ///< that it owns
 };
 
 struct fettle_world {
+    bool is_destroyed() const { return world == nullptr; }
+
     std::unique_ptr<fettle::physics::World> world;              ///< null: destroyed
     std::unique_ptr<fettle::physics::TaskScheduler> scheduler;  ///< of the world
     fettle_owner* owner = nullptr;
@@ -53,8 +55,7 @@ struct fettle_world {
 
 namespace fettle::physics_c {
 
-/// A world of the library in C. The memory of a destroyed one stays for some time, so that a stale
-/// pointer is recognized.
+/// A world of the library in C.
 fettle_world* adopt(std::unique_ptr<physics::World> world);
 void retire(fettle_world* world) noexcept;
 

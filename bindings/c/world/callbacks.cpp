@@ -1,8 +1,10 @@
 #include <fettle/physics_c/callbacks.h>
 
 #include <functional>
+#include <memory>
 
 #include <calls/calls.h>
+#include <calls/retired.h>
 
 namespace fettle::physics_c {
 
@@ -146,7 +148,11 @@ fettle_code fettle_world_locked(const fettle_world* world, bool* locked) {
 fettle_code fettle_owner_create(const char* advice, fettle_owner** owner) {
     return guarded(__func__, [&] {
         fettle_owner*& made = needed("owner", owner);
-        made = std::make_unique<fettle_owner>(&needed("advice", advice)).release();
+        const char* const text = &needed("advice", advice);
+        std::unique_ptr<fettle_owner> place = Retired<fettle_owner>::place();
+        place->advice = text;
+        place->owner.emplace(place->advice.c_str());
+        made = place.release();
     });
 }
 
@@ -155,30 +161,31 @@ fettle_code fettle_owner_on_unlocked(fettle_owner* owner, fettle_unlocked_callba
     return guarded(__func__, [&] {
         std::function<void()> call;
         if (function != nullptr) call = [function, user] { function(user); };
-        needed("owner", owner).owner.on_unlocked(std::move(call));
+        existing("owner", owner).owner->on_unlocked(std::move(call));
     });
 }
 
 fettle_code fettle_owner_destroy(fettle_owner* owner) {
     return guarded(__func__, [&] {
-        fettle_owner& ended = needed("owner", owner);
+        fettle_owner& ended = existing("owner", owner);
         if (ended.worlds > 0 || ended.depth > 0)
             throw Failure{FETTLE_LOCKED, ended.depth > 0 ? "it acts" : "a world has this owner"};
-        delete owner;
+        ended.owner.reset();
+        Retired<fettle_owner>::keep(owner);
     });
 }
 
 fettle_code fettle_owner_begin(fettle_owner* owner) {
     return guarded(__func__, [&] {
-        fettle_owner& acting = needed("owner", owner);
-        if (acting.depth == 0) acting.acting.emplace(acting.owner);
+        fettle_owner& acting = existing("owner", owner);
+        if (acting.depth == 0) acting.acting.emplace(*acting.owner);
         ++acting.depth;
     });
 }
 
 fettle_code fettle_owner_end(fettle_owner* owner) {
     return guarded(__func__, [&] {
-        fettle_owner& acting = needed("owner", owner);
+        fettle_owner& acting = existing("owner", owner);
         if (acting.depth == 0) throw Failure{FETTLE_INVALID, "there was no begin"};
         if (--acting.depth == 0) acting.acting.reset();
     });
@@ -187,20 +194,22 @@ fettle_code fettle_owner_end(fettle_owner* owner) {
 fettle_code fettle_owner_acts(const fettle_owner* owner, bool* acts) {
     return guarded(__func__, [&] {
         bool& result = needed("acts", acts);
-        result = needed("owner", owner).owner.acts();
+        result = existing("owner", owner).owner->acts();
     });
 }
 
 fettle_code fettle_owner_advice(const fettle_owner* owner, const char** advice) {
     return guarded(__func__, [&] {
         const char*& result = needed("advice", advice);
-        result = needed("owner", owner).owner.advice();
+        result = existing("owner", owner).owner->advice();
     });
 }
 
 fettle_code fettle_world_set_owner(fettle_world* world, fettle_owner* owner) {
     return guarded(__func__, [&] {
-        editable(world).set_owner(owner != nullptr ? &owner->owner : nullptr);
+        const fettle::physics::Owner* const given =
+            owner != nullptr ? &*existing("owner", owner).owner : nullptr;
+        editable(world).set_owner(given);
         if (world->owner != nullptr) --world->owner->worlds;
         if (owner != nullptr) ++owner->worlds;
         world->owner = owner;

@@ -2,11 +2,17 @@
 
 #include <fettle/physics/recording.h>
 
+#include <memory>
+#include <optional>
+
 #include <calls/calls.h>
+#include <calls/retired.h>
 
 struct fettle_replay {
-    fettle::physics::Replay replay;
-    std::string calls;  ///< before the last step
+    bool is_destroyed() const { return !replay.has_value(); }
+
+    std::optional<fettle::physics::Replay> replay;  ///< none: destroyed
+    std::string calls;                              ///< before the last step
 };
 
 using namespace fettle::physics_c;
@@ -40,34 +46,41 @@ fettle_code fettle_replay_create(const void* bytes, size_t size, fettle_replay**
         fettle_replay*& made = needed("replay", replay);
         if (size > 0) needed("bytes", static_cast<const char*>(bytes));
         const auto* const begin = static_cast<const std::byte*>(bytes);
-        made = new fettle_replay{Replay(std::span(begin, size)), ""};
+        Replay replayed(std::span(begin, size));
+        std::unique_ptr<fettle_replay> place = Retired<fettle_replay>::place();
+        place->replay.emplace(std::move(replayed));
+        made = place.release();
     });
 }
 
 fettle_code fettle_replay_destroy(fettle_replay* replay) {
-    return guarded(__func__, [&] { delete replay; });
+    return guarded(__func__, [&] {
+        if (replay == nullptr) return;
+        existing("replay", replay) = {};
+        Retired<fettle_replay>::keep(replay);
+    });
 }
 
 fettle_code fettle_replay_steps(const fettle_replay* replay, uint64_t* steps) {
     return guarded(__func__, [&] {
         uint64_t& result = needed("steps", steps);
-        result = needed("replay", replay).replay.steps();
+        result = existing("replay", replay).replay->steps();
     });
 }
 
 fettle_code fettle_replay_is_cut_off(const fettle_replay* replay, bool* is_cut_off) {
     return guarded(__func__, [&] {
         bool& result = needed("is_cut_off", is_cut_off);
-        result = needed("replay", replay).replay.is_cut_off();
+        result = existing("replay", replay).replay->is_cut_off();
     });
 }
 
 fettle_code fettle_replay_step(fettle_replay* replay, fettle_replayed_step* step, bool* repeated) {
     return guarded(__func__, [&] {
-        fettle_replay& stepped = needed("replay", replay);
+        fettle_replay& stepped = existing("replay", replay);
         fettle_replayed_step& result = needed("step", step);
         bool& any = needed("repeated", repeated);
-        const auto next = stepped.replay.step();
+        const auto next = stepped.replay->step();
         any = next.has_value();
         result = {};
         if (!next) return;
@@ -85,7 +98,7 @@ fettle_code fettle_replay_step(fettle_replay* replay, fettle_replayed_step* step
 fettle_code fettle_replay_world(const fettle_replay* replay, fettle_world** world) {
     return guarded(__func__, [&] {
         fettle_world*& made = needed("world", world);
-        const World& of = needed("replay", replay).replay.world();
+        const World& of = existing("replay", replay).replay->world();
         made = adopt(std::make_unique<World>(of.clone()));
     });
 }

@@ -137,8 +137,8 @@ fettle_code fettle_owner_create(const char* advice, fettle_owner** owner);
 fettle_code fettle_owner_on_unlocked(fettle_owner* owner, fettle_unlocked_callback function,
                                      void* user);
 
-/** FETTLE_LOCKED while a world has this owner, or while it acts. An owner must not be used after.
- */
+/** FETTLE_LOCKED while a world has this owner, or while it acts. The pointer is refused afterwards,
+   as that of a world is. */
 fettle_code fettle_owner_destroy(fettle_owner* owner);
 
 /** Between begin and end, calls count as calls by the owner. They may be nested; an end without a

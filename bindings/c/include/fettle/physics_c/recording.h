@@ -45,7 +45,7 @@ typedef struct fettle_replayed_step {
     made by another version of the library, are damaged, or end within the first part. */
 fettle_code fettle_replay_create(const void* bytes, size_t size, fettle_replay** replay);
 
-/** A null pointer is ignored. A replay must not be used after. */
+/** A null pointer is ignored. The pointer is refused afterwards, as that of a world is. */
 fettle_code fettle_replay_destroy(fettle_replay* replay);
 
 /** Number of steps in the recording. */

@@ -18,8 +18,9 @@
  * jump out past the library. An exception of a C++ callback is caught and becomes an error of the
  * script or the handler.
  *
- * Threads. One thread uses all games of a process. While scripts run, the library uses the signal
- * SIGURG and a thread of its own, unless `call_seconds` is 0.
+ * Threads. One thread uses all games of a process: the one that created the first of them, until
+ * all are destroyed. In other threads functions give FETTLE_LOCKED. While scripts run, the library
+ * uses the signal SIGURG and a thread of its own, unless `call_seconds` is 0.
  *
  * Foreign function interfaces. The headers in the order of fettle_host.h, after those of
  * fettle_physics.h, without comments, lines that begin with `#` and the words FETTLE_HOST_BEGIN and

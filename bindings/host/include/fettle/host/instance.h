@@ -10,7 +10,7 @@ FETTLE_HOST_BEGIN
 /** The instance with that path; "game" is the root. */
 fettle_code fettle_hosted_find(fettle_hosted* game, const char* path, fettle_instance* found);
 
-/** False for 0, for a deleted instance, and if the game is null or destroyed. */
+/** False for 0, for a deleted instance, if the game is null or destroyed, and in another thread. */
 bool fettle_hosted_is_alive(const fettle_hosted* game, fettle_instance instance);
 
 /** A new instance below `parent` (0: detached, not simulated). A null name: one is made. `made` may

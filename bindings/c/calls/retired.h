@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <mutex>
+
+#include "failure.h"
+
+// Objects behind pointers of a caller in C, who may use a pointer after the object was destroyed;
+// for the libraries of this one and of a whole game.
+
+namespace fettle::physics_c {
+
+/// The memory of destroyed objects. It is used again when a thousand more are destroyed: until then
+/// a stale pointer is recognized. An `Object` without arguments is in the state of a destroyed one.
+template <class Object>
+class Retired {
+  public:
+    /// Memory for a new object.
+    static std::unique_ptr<Object> place() {
+        Retired& known = all();
+        const std::lock_guard lock(known.mutex_);
+        if (known.objects_.size() <= most) return std::make_unique<Object>();
+        std::unique_ptr<Object> oldest = std::move(known.objects_.front());
+        known.objects_.pop_front();
+        return oldest;
+    }
+
+    /// Keeps the memory of an object in the state of a destroyed one.
+    static void keep(Object* object) noexcept {
+        std::unique_ptr<Object> ended(object);
+        try {
+            Retired& known = all();
+            const std::lock_guard lock(known.mutex_);
+            known.objects_.push_back(std::move(ended));
+        } catch (...) {
+            // Without memory for the list, the memory of the object is given back at once.
+        }
+    }
+
+  private:
+    static constexpr std::size_t most = 1000;
+
+    static Retired& all() {
+        static Retired known;
+        return known;
+    }
+
+    std::mutex mutex_;
+    std::deque<std::unique_ptr<Object>> objects_;
+};
+
+/// What a pointer refers to; throws Failure if it is null or destroyed. `name`: for the message.
+template <class Object>
+Object& existing(const char* name, Object* pointer) {
+    Object& object = needed(name, pointer);
+    if (object.is_destroyed())
+        throw Failure{FETTLE_STALE, std::string(name) + ": it was destroyed"};
+    return object;
+}
+
+}  // namespace fettle::physics_c
