@@ -75,27 +75,37 @@ let block = 0, bottom = 0, top = 0;
 /** What the next call does first: functions. */
 export const passing = [];
 let passingFrom = 0;
+// The stack of the library between two calls. JavaScript ends a call in the middle when its own stack is full; the next one begins here.
+let stack = 0, depth = 0;
+const mostDepth = 32;
 
 export function begin() {
   if (view.u8.length === 0) refresh();
+  c.stackRestore(stack);
   top = bottom;
   while (passing.length > passingFrom) passing.pop()();
 }
 
 /** Calls a function of the program inside a call. What it throws, the outer call throws when it is over; then it gives `otherwise`. */
 export function nested(otherwise, act) {
-  const outer = [bottom, top, passingFrom], before = raised;
+  const outer = [bottom, top, passingFrom, stack], before = raised;
   let result = otherwise, error;
-  [bottom, passingFrom, raised] = [top, passing.length, undefined];
+  [bottom, passingFrom, stack, raised] = [top, passing.length, c.stackSave(), undefined];
+  ++depth;
   try {
+    if (depth > mostDepth) throw new Locked(`functions that worlds call are nested more than ${mostDepth} deep`);
     if (view.u8.length === 0) refresh();
     result = act();
   } catch (caught) {
     error = { error: caught };
   }
-  begin();
-  [bottom, top, passingFrom] = outer;
-  raised = before ?? error;
+  try {
+    begin();
+  } finally {
+    --depth;
+    [bottom, top, passingFrom, stack] = outer;
+    raised = before ?? error;
+  }
   return result;
 }
 /** A member of a value of the program. It may be a getter that calls the library: the memory of that call follows. */
@@ -420,6 +430,7 @@ async function instantiate(source) {
   refresh();
   c._initialize?.();
   block = bottom = top = c.malloc(blockSize);
+  stack = c.stackSave();
   refresh();
 }
 

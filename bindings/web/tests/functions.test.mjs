@@ -298,6 +298,46 @@ test("segments of a chain have surfaces", () => {
   assert.equal(ground.segmentSurfaceOverride(1), null);
 });
 
+test("worlds whose functions step other worlds are nested at most 32 deep", () => {
+  const nest = () => {
+    const { world } = standing(0.9);
+    world.setFilter(nest);
+    try {
+      world.step(1 / 60);
+    } finally {
+      world.destroy();
+    }
+    return true;
+  };
+  assert.throws(nest, (error) => error instanceof Locked && /more than 32 deep/.test(error.message));
+  const { world, ball } = standing();
+  run(world, 180);
+  near(ball.position.y, 1, 0.02);
+});
+
+test("a full stack of JavaScript does not damage the library", () => {
+  const numbers = Array.from({ length: 150 }, (_, i) => i);
+  for (let i = 0; i < 100; ++i) {
+    let left = 100;  // frames near the end of the stack
+    const deep = (...arguments_) => {
+      try {
+        deep(...arguments_);
+      } catch (full) {
+        try {
+          if (left-- > 0) new World().destroy();
+        } catch (error) {
+          assert.ok(error instanceof RangeError, String(error));
+        }
+        throw full;
+      }
+    };
+    assert.throws(() => deep(...numbers.slice(i)), RangeError);
+  }
+  const { world, ball } = standing();
+  run(world, 180);
+  near(ball.position.y, 1, 0.02);
+});
+
 test("the log of the process", () => {
   const lines = [], { world, ball } = standing();
   ball.setVelocityFunction((edit) => { edit.velocity = { x: NaN, y: 0 }; });
