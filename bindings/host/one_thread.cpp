@@ -4,7 +4,9 @@
 
 namespace fettle::host {
 
-std::atomic<std::thread::id> OneThread::holder_;
+__attribute__((tls_model("initial-exec"))) constinit thread_local char thread_mark = 0;
+
+std::atomic<const char*> OneThread::holder_ = nullptr;
 int OneThread::games_ = 0;
 
 namespace {
@@ -18,15 +20,13 @@ namespace {
 }  // namespace
 
 OneThread::OneThread() {
-    std::thread::id nobody;
-    if (!holder_.compare_exchange_strong(nobody, std::this_thread::get_id()) &&
-        nobody != std::this_thread::get_id())
-        refuse();
+    const char* nobody = nullptr;
+    if (!holder_.compare_exchange_strong(nobody, &thread_mark) && nobody != &thread_mark) refuse();
     ++games_;
 }
 
 OneThread::~OneThread() {
-    if (--games_ == 0) holder_ = std::thread::id();
+    if (--games_ == 0) holder_ = nullptr;
 }
 
 void OneThread::require() {
