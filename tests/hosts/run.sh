@@ -7,7 +7,7 @@
 # Exit status 77, with the reason in the last line: the case cannot run here.
 set -euo pipefail
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
-cases=(sdl2 sdl2_host python python_installed python_demo love love_demo love_host love_host_demo web web_demo web_bitecs web_speed guide)
+cases=(sdl2 sdl2_host python python_installed python_demo love love_demo love_speed love_host love_host_demo web web_demo web_bitecs web_speed guide)
 
 if [[ ${1:-} == --list ]]; then
     printf '%s\n' "${cases[@]}"
@@ -153,6 +153,16 @@ case_love_demo() {
     shows "$folder/love/love/demo/demo.png" "#ff6347" gold skyblue
     in_display love "$folder/demo" --speed
     in_display love "$folder/demo" --speed --love
+}
+
+# love.physics beside Fettle: each scene has a row for both.
+case_love_speed() {
+    love_game bench
+    timeout 600 love "$folder/bench" 1 | tee "$folder/love_speed.txt"
+    local of_fettle of_love
+    of_fettle=$(grep -c ' fettle.physics ' "$folder/love_speed.txt")
+    of_love=$(grep -c ' love.physics .*; Fettle then ' "$folder/love_speed.txt")
+    ((of_fettle == 10 && of_love == 10))
 }
 
 # The npm package, made from its own archive in a project that has nothing else. Nothing is downloaded for it.
