@@ -187,7 +187,7 @@ bool Console::State::mouse(const InputEvent& event) {
         case EventKind::mouse_pressed:
             input.keys_to_selection = false;
             // Ctrl+Z takes back what is edited with the mouse, and no text that was deleted before.
-            if (prompt.edit().empty()) prompt.edit().forget_steps();
+            if (prompt.edit().empty()) prompt.edit().clear_steps();
             if (over) {
                 input.buttons.press(event.name, HeldKeys::Owner::console);
                 feed(event);

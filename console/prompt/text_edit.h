@@ -38,7 +38,7 @@ class TextEdit {
     /// Replaces the whole text and moves the cursor to the end.
     void assign(std::string_view text);
     /// There is nothing to undo or redo any more.
-    void forget_steps() {
+    void clear_steps() {
         undo_.clear();
         redo_.clear();
         typing_ = false;
