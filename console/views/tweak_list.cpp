@@ -22,6 +22,10 @@ std::string when(const property::Tweak& tweak) {
     return "step " + std::to_string(tweak.step) + "  " + text;
 }
 
+std::string kept_text(const property::Tweak& tweak) {
+    return "kept in " + tweak.kept_in;
+}
+
 void colored(ImU32 color, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     text_line(text);
@@ -142,8 +146,12 @@ void TweakList::draw_row(int row) {
         colored(tweak.earlier ? palette::accent : palette::faint, when(tweak));
     }
     ImGui::TableNextColumn();
-    if (tweak.kept)
-        return fitted(palette::note, "kept in " + tweak.kept_in, ImGui::GetContentRegionAvail().x);
+    if (tweak.kept) {
+        const float room = ImGui::GetContentRegionAvail().x;
+        drawn_.push_back({row, "kept", {ImGui::GetCursorScreenPos(), ImGui::GetCursorScreenPos()}});
+        drawn_.back().rect.high.x += std::min(room, text_width(kept_text(tweak)));
+        return fitted(palette::note, kept_text(tweak), room);
+    }
     if (small_button(row, "keep", "Write it into the file it came from")) act("keep", tweak.path);
     ImGui::SameLine();
     if (tweak.earlier) {
@@ -164,11 +172,12 @@ void TweakList::draw(float height) {
                           ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_PadOuterX;
     // The times and the buttons are never cut; paths and values may be. In a narrow window the
     // times are in the tooltip of the path.
-    float times = 0;
+    float times = 0, files = 0;
     bool earlier = false;
     for (const Tweak& tweak : rows_) {
         times = std::max(times, text_width(when(tweak)));
         earlier = earlier || tweak.earlier;
+        if (tweak.kept) files = std::max(files, text_width(kept_text(tweak)));
     }
     const ImGuiStyle& style = ImGui::GetStyle();
     const auto wide = [&](const char* label) {
@@ -178,11 +187,15 @@ void TweakList::draw(float height) {
     constexpr float least_values = 30;  // ems of paths and values beside the times
     times_ =
         ImGui::GetContentRegionAvail().x - times - buttons >= least_values * ImGui::GetFontSize();
+    // Names of files are not cut, either, where paths and values leave them room.
+    const float left_over = ImGui::GetContentRegionAvail().x - (times_ ? times : 0) -
+                            least_values * ImGui::GetFontSize();
+    const float last = std::max(buttons, std::min(files, left_over));
     if (!ImGui::BeginTable("tweaks", times_ ? 4 : 3, flags, ImVec2(0, left))) return;
     ImGui::TableSetupColumn("what", 0, 3);
     ImGui::TableSetupColumn("change", 0, 4);
     if (times_) ImGui::TableSetupColumn("when", ImGuiTableColumnFlags_WidthFixed, times);
-    ImGui::TableSetupColumn("do", ImGuiTableColumnFlags_WidthFixed, buttons);
+    ImGui::TableSetupColumn("do", ImGuiTableColumnFlags_WidthFixed, last);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows_.size()));
     while (clipper.Step())

@@ -33,7 +33,8 @@ class TweakList {
     std::size_t open_count();
     void draw(float height);
 
-    /// The rectangle of a button of a row, or of the header (row -1), in pixels. For tests.
+    /// The rectangle of a button of a row, or of the header (row -1), in pixels; "kept": the name
+    /// of the file in its place. For tests.
     Rect button(int row, std::string_view label) const;
     /// Whether the times have a column of their own.
     bool shows_times() const { return times_; }

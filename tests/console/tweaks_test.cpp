@@ -63,6 +63,9 @@ TEST_CASE("a click in the list of tweaks keeps or drops the tweak") {
     CHECK(rig.tweaks->list()[0].kept);
     CHECK(rig.state().views.tweak_list.button(0, "keep").empty());
     CHECK(rig.state().views.tweak_list.open_count() == 0);
+    // The name of the file is wider than the buttons, and not cut.
+    const Rect file_name = rig.state().views.tweak_list.button(0, "kept");
+    CHECK(file_name.high.x - file_name.low.x > 150);
     CHECK(rig.value("world.ball.angle") == Value(0.5));
     std::ifstream file(rig.folder.path / "main.tweaks.json");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
