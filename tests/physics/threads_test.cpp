@@ -19,6 +19,13 @@ using fettle::physics::detail::ThreadPool;
 
 namespace {
 
+/// The thread sanitizer makes a step ten times as long, and finds a race in few of them.
+#ifdef __SANITIZE_THREAD__
+constexpr int fewer = 4;
+#else
+constexpr int fewer = 1;
+#endif
+
 Body floor_of(World& world) {
     Body floor = world.create_body({.type = BodyType::static_body});
     floor.add(Box{.width = 8000, .height = 2, .center = {0, -1}});
@@ -146,15 +153,15 @@ TEST_CASE("pieces cover a range once") {
 }
 
 TEST_CASE("a large island and many small ones end the same on one thread and two and four") {
-    const auto one = history(pyramid_and_stacks, 1, 40);
-    REQUIRE(history(pyramid_and_stacks, 2, 40) == one);
-    REQUIRE(history(pyramid_and_stacks, 4, 40) == one);
+    const auto one = history(pyramid_and_stacks, 1, 40 / fewer);
+    REQUIRE(history(pyramid_and_stacks, 2, 40 / fewer) == one);
+    REQUIRE(history(pyramid_and_stacks, 4, 40 / fewer) == one);
 }
 
 TEST_CASE("joints and platforms and bouncing end the same on one thread and two and four") {
-    const auto one = history(menagerie, 1, 120);
-    REQUIRE(history(menagerie, 2, 120) == one);
-    REQUIRE(history(menagerie, 4, 120) == one);
+    const auto one = history(menagerie, 1, 120 / fewer);
+    REQUIRE(history(menagerie, 2, 120 / fewer) == one);
+    REQUIRE(history(menagerie, 4, 120 / fewer) == one);
 }
 
 TEST_CASE(
@@ -172,6 +179,10 @@ TEST_CASE(
     std::vector<std::byte> saved;
     for (int i = 0; i < 60; ++i) {
         world.set_threads(1 + i % 3);
+        if (i % fewer != 0) {
+            world.step(frame);
+            continue;
+        }
         saved.clear();
         world.save(saved);
         anew.restore(saved);
@@ -219,14 +230,14 @@ TEST_CASE(
         }
         std::vector<Body> bodies;
         std::vector<uint64_t> hashes;
-        for (int step = 0; step < 90; ++step) {
+        for (int step = 0; step < 90 / fewer; ++step) {
             for (int i = 0; i < 30; ++i) {
                 const Vec2 at = {1.0f + 0.6f * float(i) + 7.0f * float(step % 30), 3};
                 const Vec2 velocity = {i % 3 == 0 ? 150.0f : -20.0f, 0.1f * float(i)};
                 bodies.push_back(world.create_body(
                     {.position = at, .velocity = velocity, .bullet = i % 7 == 0}));
                 bodies.back().add(Box{.width = 0.4f, .height = 0.4f});
-                if (step < 20 || i % 2 == 0) continue;
+                if (step < 20 / fewer || i % 2 == 0) continue;
                 const size_t old = size_t(step * 31 + i * 17) % bodies.size();
                 bodies[old].destroy();
                 bodies.erase(bodies.begin() + std::ptrdiff_t(old));
