@@ -5,7 +5,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-struct Motion {
+struct Velocities {
     Vec2 va, vb;
     float wa, wb;
 };
@@ -26,7 +26,7 @@ NormalBias normal_bias(const RowWriter& rows, const ContactConstraint& c, const 
     if (extra != nullptr && extra->corner.distance != 0.0f) {
         // The velocity along the normal may close the gap as fast as the path around the corner
         // opens it.
-        const Motion motion = {a.velocity, b.velocity, a.angular_velocity, b.angular_velocity};
+        const Velocities motion = {a.velocity, b.velocity, a.angular_velocity, b.angular_velocity};
         const float h = float(rows.h());
         const float velocity = dot(c.normal, motion.vb - motion.va) +
                                (p.normal_lever_b * motion.wb - p.normal_lever_a * motion.wa);
