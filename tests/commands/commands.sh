@@ -255,6 +255,26 @@ case_play_hands_its_arguments_to_fettle_run() {
     expect_output $'[run]\n[my game]\n[--seed]\n[3]\n'"$work/elsewhere"
 }
 
+case_what_only_running_needs_is_installed_before_the_game_runs() {
+    printf '%s\n' compiler new-name >"$installed"
+    run "$project/play" game
+    expect_status 7
+    expect_output "[run]"
+    expect_asked "install driver"
+    expect_not_asked compiler
+}
+
+case_a_game_does_not_run_without_what_running_needs() {
+    printf '%s\n' compiler new-name >"$installed"
+    pretend apt-get <<<"#!/bin/sh
+echo 'E: no space left' >&2
+exit 100"
+    run "$project/play" game
+    expect_status 2
+    expect_output "E: no space left"
+    [[ $output != *"[run]"* ]] || wrong "the game should not run"
+}
+
 case_play_build_builds_what_is_installed() {
     run "$project/play" --build
     expect_status 0
