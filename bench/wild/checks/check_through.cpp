@@ -14,6 +14,9 @@ namespace {
 /// has passed through it.
 constexpr double push_time = 0.25;  // s
 
+/// A body that was made inside another one is outside when it has overlapped none for this long.
+constexpr double apart_time = 1;  // s
+
 std::string words(const char* says, const Passage& passage, int entered) {
     return "body " + std::to_string(passage.body) + says + std::to_string(passage.obstacle) +
            ", entered at step " + std::to_string(entered);
@@ -61,7 +64,7 @@ class Through : public Check {
         const auto found = inside_.find(passage.pair());
         if (found == inside_.end()) {
             const bool enters = (passage.sense > 0 || passage.kind == Outline::Kind::line) &&
-                                !overlaps_[std::size_t(passage.body)];
+                                !began_inside(std::size_t(passage.body));
             if (enters && !is_squeezed(passage, moment))
                 inside_.insert({passage.pair(), {passage, moment.step, time_}});
             return {};
@@ -77,13 +80,15 @@ class Through : public Check {
     }
 
     /// A body that is made deep inside another one came from neither side, and a chain does not
-    /// hold what is behind it. Its crossings do not count.
+    /// hold what is behind it. Its crossings count only when it has been apart for some time.
     void note_overlaps(const Moment& moment) {
-        overlaps_.resize(moment.after.size(), false);
-        for (std::size_t i = 0; i < overlaps_.size(); ++i)
-            if (moment.plan.bodies[i].born == moment.step)
-                overlaps_[i] = moment.after[i].deepest > 0.01f;
+        overlapped_.resize(moment.after.size(), -apart_time);
+        for (std::size_t i = 0; i < overlapped_.size(); ++i)
+            if (moment.after[i].deepest > 0.01f &&
+                (began_inside(i) || moment.plan.bodies[i].born == moment.step))
+                overlapped_[i] = time_;
     }
+    bool began_inside(std::size_t body) const { return time_ - overlapped_[body] < apart_time; }
 
     /// True if a body is or was pressed between a kinematic and another obstacle, or between a
     /// bullet and another body: it then has to overlap one of the two. Through a static obstacle,
@@ -97,23 +102,21 @@ class Through : public Check {
         return pulled_[std::size_t(passage.body)];
     }
 
-    /// A kinematic body passes through what it crushes, which another body pushes out first: a
-    /// static one, or the last one of a row before a static one.
+    /// A kinematic body passes through what it crushes, which a static body pushes out first, also
+    /// through the others of a row.
     void note_held(const Moment& moment) {
         held_.resize(moment.after.size(), -1);
+        const std::vector<bool> held = held_by_static(moment);
         for (std::size_t i = 0; i < held_.size(); ++i)
-            for (const int other : moment.after[i].touched)
-                if (other == the_world ||
-                    moment.after[std::size_t(other)].type != BodyType::kinematic_body)
-                    held_[i] = time_;
+            if (held[i]) held_[i] = time_;
     }
 
     const bool bullets_;
     Passages passages_;
     std::map<decltype(Passage().pair()), Entry> inside_;
     std::vector<bool> pulled_;
-    std::vector<bool> overlaps_;  // when the body was made
-    std::vector<double> held_;    // time of its last contact with what is not kinematic, s
+    std::vector<double> overlapped_;  // time at which a body that was made inside another was in it
+    std::vector<double> held_;        // time at which a static body held the body last, s
     double time_ = 0;
 };
 

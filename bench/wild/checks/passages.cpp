@@ -168,8 +168,13 @@ bool is_near_other_fixed(const Moment& moment, int body, int obstacle) {
 
 namespace {
 
-/// The bodies that joints, and contacts if `by_contacts`, connect with a kinematic body.
-std::vector<bool> connected(const Moment& moment, bool by_contacts) {
+struct Links {
+    bool contacts = false, joints = false;
+};
+
+/// The bodies for which `begins` holds, and those that links connect with them.
+std::vector<bool> connected(const Moment& moment, Links links,
+                            const std::function<bool(const BodyNow& body)>& begins) {
     std::vector<bool> reached(moment.after.size(), false);
     std::vector<int> open;
     const auto reach = [&](int index) {
@@ -178,16 +183,16 @@ std::vector<bool> connected(const Moment& moment, bool by_contacts) {
         open.push_back(index);
     };
     for (std::size_t i = 0; i < moment.after.size(); ++i)
-        if (moment.after[i].exists && moment.after[i].type == BodyType::kinematic_body)
-            reach(int(i));
+        if (moment.after[i].exists && begins(moment.after[i])) reach(int(i));
     while (!open.empty()) {
         const int index = open.back();
         open.pop_back();
         for (const std::vector<BodyNow>* bodies : {&moment.before, &moment.after})
             for (const int other : (*bodies)[std::size_t(index)].touched)
-                if (by_contacts && other != the_world &&
+                if (links.contacts && other != the_world &&
                     moment.after[std::size_t(other)].type == BodyType::dynamic_body)
                     reach(other);
+        if (!links.joints) continue;
         for (const JointPlan& joint : moment.plan.joints) {
             if (joint.a == index) reach(joint.b);
             if (joint.b == index) reach(joint.a);
@@ -196,14 +201,25 @@ std::vector<bool> connected(const Moment& moment, bool by_contacts) {
     return reached;
 }
 
+bool is_kinematic(const BodyNow& body) {
+    return body.type == BodyType::kinematic_body;
+}
+
 }  // namespace
 
+std::vector<bool> held_by_static(const Moment& moment) {
+    return connected(moment, {.contacts = true}, [](const BodyNow& body) {
+        return body.type == BodyType::static_body ||
+               std::ranges::count(body.touched, the_world) > 0;
+    });
+}
+
 std::vector<bool> pressed(const Moment& moment) {
-    return connected(moment, true);
+    return connected(moment, {.contacts = true, .joints = true}, is_kinematic);
 }
 
 std::vector<bool> pulled(const Moment& moment) {
-    return connected(moment, false);
+    return connected(moment, {.joints = true}, is_kinematic);
 }
 
 }  // namespace fettle::bench::wild

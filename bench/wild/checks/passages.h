@@ -52,6 +52,9 @@ bool touches_others(const Moment& moment, int body, int obstacle);
 /// within one step, before there was a contact with the other one.
 bool is_near_other_fixed(const Moment& moment, int body, int obstacle);
 
+/// The bodies that touch a static body or the border of the world, directly or through others.
+std::vector<bool> held_by_static(const Moment& moment);
+
 /// The bodies that a kinematic body presses on or pulls at, directly or through others.
 std::vector<bool> pressed(const Moment& moment);
 
