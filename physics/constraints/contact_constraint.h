@@ -49,6 +49,15 @@ struct Corner {
     float lever_a = 0.0f, lever_b = 0.0f;  ///< of the cores along the tangent, m
 };
 
+/// The velocities of the two bodies of a contact.
+struct PairMotion {
+    Vec2 va, vb;
+    float wa, wb;
+
+    PairMotion(const SolverBody& a, const SolverBody& b)
+        : va(a.velocity), vb(b.velocity), wa(a.angular_velocity), wb(b.angular_velocity) {}
+};
+
 /// The difference between the actual gap around a corner and the gap along the normal: now, or
 /// after the time `ahead` (s). `along_normal`: increase of the separation of the cores by then, m.
 /// `motion` contains the velocities va, wa of a and vb, wb of b.

@@ -5,11 +5,6 @@
 namespace fettle::physics::detail {
 namespace {
 
-struct Velocities {
-    Vec2 va, vb;
-    float wa, wb;
-};
-
 /// Speed along the normal at which a point may approach, or must separate, m/s.
 struct NormalBias {
     double whole = 0.0;
@@ -26,7 +21,7 @@ NormalBias normal_bias(const RowWriter& rows, const ContactConstraint& c, const 
     if (extra != nullptr && extra->corner.distance != 0.0f) {
         // The velocity along the normal may close the gap as fast as the path around the corner
         // opens it.
-        const Velocities motion = {a.velocity, b.velocity, a.angular_velocity, b.angular_velocity};
+        const PairMotion motion(a, b);
         const float h = float(rows.h());
         const float velocity = dot(c.normal, motion.vb - motion.va) +
                                (p.normal_lever_b * motion.wb - p.normal_lever_a * motion.wa);

@@ -209,14 +209,7 @@ void Timeline::review_branch(const std::string& branch, std::int64_t from,
     const Other& other = *other_branch(branch);
     auto frame = std::prev(other.keyframes.end());
     while (frame != other.keyframes.begin() && frame->step > from) --frame;
-    look_elsewhere(*frame, [&] {
-        if (frame->step >= from) look(frame->step);
-        for (const auto& each : other.steps) {
-            if (each->number <= frame->step) continue;
-            redo(*each);
-            if (each->number >= from) look(each->number);
-        }
-    });
+    look_elsewhere(*frame, [&] { repeat_steps(*frame, other.steps, from, other.newest(), look); });
 }
 
 }  // namespace fettle::app

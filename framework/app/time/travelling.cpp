@@ -78,7 +78,6 @@ void Timeline::review(std::int64_t from, const std::function<void(std::int64_t s
     settle();
     if (!keeps()) return;
     const Keyframe& frame = start_of(from);
-    from = std::max(from, frame.step);
     replay(frame, place_.here, [&](std::int64_t step) {
         if (step >= from) look(step);
     });
@@ -96,14 +95,7 @@ void Timeline::review(std::int64_t from, std::int64_t to,
     const Keyframe& frame = start_of(from);
     for (const Keyframe& each : keyframes_)
         if (each.step > place_.here && each.jumped_to) to = std::min(to, each.step - 1);
-    look_elsewhere(frame, [&] {
-        if (frame.step >= from) look(frame.step);
-        for (const auto& each : steps_) {
-            if (each->number <= frame.step || each->number > to) continue;
-            redo(*each);
-            if (each->number >= from) look(each->number);
-        }
-    });
+    look_elsewhere(frame, [&] { repeat_steps(frame, steps_, from, to, look); });
 }
 
 void Timeline::repeat_with(std::int64_t from, const std::function<void()>& change,
@@ -148,6 +140,18 @@ void Timeline::look_elsewhere(const Keyframe& frame, const std::function<void()>
     if (problem) std::rethrow_exception(problem);
 }
 
+/// From the state of a keyframe to that after the step `to`. `look`, which may be empty, is called
+/// after each step from `from` on, of which that of the keyframe may be the first.
+void Timeline::repeat_steps(const Keyframe& frame, const Steps& steps, std::int64_t from,
+                            std::int64_t to, const std::function<void(std::int64_t step)>& look) {
+    if (look && frame.step >= from) look(frame.step);
+    for (const auto& each : steps) {
+        if (each->number <= frame.step || each->number > to) continue;
+        redo(*each);
+        if (look && each->number >= from) look(each->number);
+    }
+}
+
 void Timeline::redo(const Piece& piece) {
     log_->play(piece.writes);
     for (const auto& [part, changes] : piece.changes) part->redo(changes);
@@ -190,12 +194,7 @@ void Timeline::replay(const Keyframe& frame, std::int64_t step,
     const Travelling travelling(*jumps_);
     try {
         tree_.restore(from, [&] {
-            if (look) look(frame.step);
-            for (const auto& each : steps_) {
-                if (each->number <= frame.step || each->number > step) continue;
-                redo(*each);
-                if (look) look(each->number);
-            }
+            repeat_steps(frame, steps_, frame.step, step, look);
             if (step != newest()) {
                 for (const Piece& piece : edits_.before) redo(piece);
                 return;

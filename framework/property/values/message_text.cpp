@@ -17,9 +17,7 @@ std::size_t end_of_part(std::string_view text, std::size_t at) {
 }
 
 void append(std::string& out, std::string_view part) {
-    std::size_t end = part.size();
-    if (end > longest)
-        for (end = kept; end > 0 && is_continuation(part[end]);) --end;
+    const std::size_t end = part.size() > longest ? code_point_boundary(part, kept) : part.size();
     for (const char c : part.substr(0, end)) c == '\0' ? out += "\\0" : out += c;
     if (end == part.size()) return;
     out += "…";

@@ -38,11 +38,6 @@ struct Turn {
     }
 };
 
-struct PairMotion {
-    Vec2 va, vb;
-    float wa, wb;
-};
-
 struct Gap {
     float separation;
     float velocity;
@@ -101,7 +96,7 @@ class SequentialPass {
         if (c.extra == 0) return {p.separation + opened, velocity};
         const Corner& corner = extras_[c.extra - 1].corner;
         if (corner.distance == 0.0f) return {p.separation + opened, velocity};
-        const PairMotion motion = {a.velocity, b.velocity, a.angular_velocity, b.angular_velocity};
+        const PairMotion motion(a, b);
         const float gap = corner_gap(corner, c.normal, a, b, motion, opened, 0.0f);
         const float later = corner_gap(corner, c.normal, a, b, motion, opened + h_ * velocity, h_);
         return {p.separation + opened + gap, velocity + (later - gap) / h_};

@@ -225,6 +225,8 @@ class Timeline {
     void travel(std::int64_t step);
     void replay(const Keyframe& frame, std::int64_t step,
                 const std::function<void(std::int64_t)>& look);
+    void repeat_steps(const Keyframe& frame, const Steps& steps, std::int64_t from, std::int64_t to,
+                      const std::function<void(std::int64_t step)>& look);
     void drop(Steps::iterator step);
     // --- branches.cpp
     void keep_branch();
