@@ -171,17 +171,25 @@ ensure_packages_and_later() {
         return
     fi
     ensure_packages "${now[@]}"
+    local lines missing names
+    mapfile -t lines < <(packages_for "$@")
+    mapfile -t missing < <(not_installed "${lines[@]}")
+    mapfile -t names < <(installable "${missing[@]}")
+    ((${#names[@]})) || return 0
+    say "installing meanwhile: ${names[*]}"
     later_log=$(mktemp "${TMPDIR:-/tmp}/fettle-later.XXXXXX")
     ensure_packages "$@" >"$later_log" 2>&1 &
     later_job=$!
     trap later_packages EXIT
 }
 
-# Waits for what ensure_packages_and_later has started. Prints its output and returns its status if it failed.
+# Waits for what ensure_packages_and_later has started, and prints how far it is. Prints its whole output and returns its
+# status if it failed.
 later_packages() {
     local status=0
     trap - EXIT
     [[ -n ${later_job:-} ]] || return 0
+    tail -n 1 -f --pid="$later_job" -- "$later_log"
     wait "$later_job" || status=$?
     ((status == 0)) || cat -- "$later_log" >&2
     rm -f -- "$later_log"
@@ -194,9 +202,9 @@ later_packages() {
 jobs() { nproc 2>/dev/null || echo 2; }
 
 # configure PRESET [CMAKE-ARGUMENT ...]
-# A build folder that was made for another checkout or by another generator is made anew.
+# A build folder that was made for another checkout or by another generator is made anew; one of build_core gets all parts.
 configure() {
-    local preset=$1 folder=$fettle_root/build/$1 fresh=()
+    local preset=$1 folder=$fettle_root/build/$1 fresh=() whole=()
     shift
     if [[ -e $folder/CMakeCache.txt ]] &&
         ! { grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$fettle_root" "$folder/CMakeCache.txt" &&
@@ -205,7 +213,8 @@ configure() {
         fresh=(--fresh)
     fi
     mkdir -p -- "$folder"
-    if ! (cd -- "$fettle_root" && cmake --preset "$preset" "${fresh[@]}" "$@") \
+    if grep -sqx "FETTLE_PARTS:[A-Z]*=$core_part" "$folder/CMakeCache.txt"; then whole=(-U FETTLE_PARTS); fi
+    if ! (cd -- "$fettle_root" && cmake --preset "$preset" "${fresh[@]}" "${whole[@]}" "$@") \
         >"$folder/configure.log" 2>&1 </dev/null; then
         cat -- "$folder/configure.log" >&2
         complain "configuring the preset $preset failed"
@@ -233,4 +242,16 @@ build_preset() {
     (($#)) && targets=(--target "$@")
     "${launcher[@]}" cmake --build "$fettle_root/build/$preset" -j "$(jobs)" "${targets[@]}" \
         2>&1 </dev/null | build_progress
+}
+
+# build_core PRESET [CMAKE-ARGUMENT ...]: while ensure_packages_and_later still installs packages, builds the libraries that
+# need none of them, half of the program. Only for the first build: later there is little to build.
+core_part=physics_module
+build_core() {
+    local preset=$1
+    shift
+    [[ -n ${later_job:-} && ! -e $fettle_root/build/$preset/CMakeCache.txt ]] || return 0
+    say "building the libraries that need none of the packages that are being installed"
+    configure "$preset" "$@" -DFETTLE_PARTS=$core_part -DFETTLE_BUILD_TESTS=OFF -DFETTLE_BUILD_BENCH=OFF &&
+        build_preset "$preset" "fettle_$core_part"
 }

@@ -25,7 +25,7 @@ set_up() {
     cp "$repository/cmake/bootstrap.sh" "$project/cmake/"
     cat >"$project/cmake/packages.txt" <<'LIST'
 # a comment
-build  compiler
+core   compiler
 build  new-name | old-name  # renamed
 play   driver
 display screen
@@ -46,6 +46,9 @@ case \" \$* \" in
 *' update '*) [ ! -e '$work/newer' ] || cp '$work/newer' '$known' ;;
 *' install '*)
     [ ! -e '$work/stale' ] || { rm '$work/stale'; echo 'E: 404 not found' >&2; exit 100; }
+    while [ \$1 != install ]; do shift; done
+    shift
+    printf '%s\n' \"\$@\" >>'$installed'
     echo dlstatus:1:50:half; echo pmstatus:compiler:100:done ;;
 esac"
     pretend id <<<"#!/bin/sh
@@ -67,8 +70,10 @@ project(Small LANGUAGES NONE)
 enable_testing()
 file(WRITE "${CMAKE_BINARY_DIR}/bin/fettle" "#!/bin/sh\nfor a; do echo \"[$a]\"; done\npwd\nexit 7\n")
 file(CHMOD "${CMAKE_BINARY_DIR}/bin/fettle" PERMISSIONS OWNER_READ OWNER_EXECUTE)
+set(FETTLE_PARTS everything CACHE STRING "The parts to build")
 add_custom_target(fettle)
 add_custom_target(fettle-bench)
+add_custom_target(fettle_physics_module COMMAND "${CMAKE_COMMAND}" -E touch "${CMAKE_BINARY_DIR}/core of ${FETTLE_PARTS}")
 add_custom_target(fettle_installed COMMAND "${CMAKE_COMMAND}" -E touch "${CMAKE_BINARY_DIR}/to be installed")
 add_test(NAME "it works" COMMAND true)
 if(EXISTS "${CMAKE_SOURCE_DIR}/tests/harbor")
@@ -198,7 +203,8 @@ case_missing_package_lists_are_read_first() {
     run "$project/play" --build
     expect_status 0
     [[ $(head -n 1 "$asked") == *" update" ]] || wrong "the lists should have been read first"
-    expect_asked "install compiler driver new-name rival"
+    expect_asked "install compiler"
+    expect_asked "install driver new-name rival"
 }
 
 case_outdated_package_lists_are_read_anew() {
@@ -207,7 +213,7 @@ case_outdated_package_lists_are_read_anew() {
     run "$project/play" --build
     expect_status 0
     expect_asked " update"
-    (($(grep -c " install " "$asked") == 2)) || wrong "it should have been tried twice"
+    (($(grep -c " install compiler" "$asked") == 2)) || wrong "it should have been tried twice"
 }
 
 case_what_apt_says_is_shown_when_it_fails() {
@@ -262,6 +268,32 @@ case_what_only_running_needs_is_installed_before_the_game_runs() {
     expect_output "[run]"
     expect_asked "install driver"
     expect_not_asked compiler
+}
+
+case_the_core_is_built_while_other_packages_are_installed() {
+    echo compiler >"$installed"
+    # Waits for the core as long as a slow machine may need for it.
+    pretend apt-get <<<"#!/bin/sh
+for i in \$(seq 600); do [ ! -e '$project/build/release/core of physics_module' ] || break; sleep 0.1; done
+ls '$project/build/release' >>'$asked'
+echo dlstatus:1:50:half"
+    run "$project/play" game
+    expect_status 7
+    expect_output "installing meanwhile: driver new-name"
+    expect_asked "core of physics_module"
+    grep -qx "FETTLE_PARTS:STRING=everything" "$project/build/release/CMakeCache.txt" || wrong "all parts should be configured in the end"
+    rm "$project/build/release/core of physics_module"
+    run "$project/play" game
+    [[ ! -e "$project/build/release/core of physics_module" ]] || wrong "the core should be built before other parts only once"
+}
+
+case_a_build_of_the_core_that_stopped_is_completed() {
+    mkdir -p "$project/build/release"
+    run cmake --preset release -S "$project" -B "$project/build/release" -DFETTLE_PARTS:STRING=physics_module
+    expect_status 0
+    run "$project/play" game
+    expect_status 7
+    grep -qx "FETTLE_PARTS:STRING=everything" "$project/build/release/CMakeCache.txt" || wrong "all parts should be configured"
 }
 
 case_a_game_does_not_run_without_what_running_needs() {
