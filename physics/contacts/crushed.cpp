@@ -51,6 +51,22 @@ class Pressure {
         return false;
     }
 
+    /// True if the presser moves away from the body of the contact, and nothing holds the body
+    /// against it any more.
+    bool lets_go(uint32_t presser, uint32_t contact) const {
+        const ContactRecord& c = objects_.contacts[contact];
+        const uint32_t body = objects_.other_body(contact, presser);
+        if (objects_.bodies[body].mobility != Mobility::dynamic || c.manifold.count == 0 ||
+            !(speed_towards(body, presser, c) < 0.0f))
+            return false;
+        const Vec2 push = normal_towards(body, c);
+        const uint32_t first = objects_.bodies[body].lists.first_contact;
+        return !objects_.any_contact(first, none, [&](uint32_t other) {
+            const ContactRecord& o = objects_.contacts[other];
+            return o.acts() && dot(normal_towards(body, o), push) < opposite;
+        });
+    }
+
     /// A body, and the contact through which it is pressed.
     struct Pressed {
         uint32_t body, from;
@@ -136,7 +152,9 @@ bool skip_crushed(const Touching& touching, const ActiveLists& active) {
     for (const uint32_t body : active.awake_bodies) {
         if (objects.bodies[body].mobility != Mobility::kinematic) continue;
         objects.for_each_contact(body, [&](uint32_t contact) {
-            const ContactRecord& c = objects.contacts[contact];
+            ContactRecord& c = objects.contacts[contact];
+            if (c.skipped == Skipped::crushed && pressure.lets_go(body, contact))
+                c.skipped = Skipped::no;
             if (c.acts() && pressure.crushes(body, contact)) {
                 skip_contact(touching, contact, Skipped::crushed);
                 for (const auto& pressed : pressure.pressed())

@@ -204,6 +204,38 @@ TEST_CASE("a row of bodies before a ram is not pressed through the wall") {
     CHECK(sum.thrown <= std::max(sum.worlds / 30, 1));
 }
 
+TEST_CASE("crates that a lift presses against a ceiling come down with it") {
+    int lost = 0, crates = 0;
+    const unsigned seeds = families::seeds_or(120);
+    for (unsigned seed = 0; seed < seeds; ++seed) {
+        Random random{std::mt19937(seed + 1)};
+        World world;
+        world.create_body({.type = BodyType::static_body}).add(Box{.width = 20, .height = 1});
+        const float thick = random(0.15f, 0.6f), size = random(0.3f, 0.8f);
+        const float speed = random(0.3f, 4), pressed = random(0.3f, 0.8f) * size;
+        Body lift = world.create_body({.type = BodyType::kinematic_body, .position = {0, -4}});
+        lift.add(Box{.width = 6, .height = thick, .center = {0, -0.5f * thick}});
+        std::vector<Body> on_lift;
+        for (int i = -2; i <= 2; ++i) {
+            const float x = 1.1f * float(i) + random(-0.1f, 0.1f);
+            on_lift.push_back(world.create_body({.position = {x, -4 + 0.5f * size}}));
+            if (random(0, 1) < 0.3f)
+                on_lift.back().add(Circle{.radius = 0.5f * size});
+            else
+                on_lift.back().add(Box{.width = size, .height = size});
+        }
+        const int steps = int((3.5f - size + pressed) / speed * 60);
+        for (const float sense : {1.0f, -1.0f, 0.0f}) {
+            lift.set_velocity({0, sense * speed});
+            for (int i = 0; i < steps; ++i) world.step(1 / 60.0f);
+        }
+        crates += int(on_lift.size());
+        for (const Body& crate : on_lift) lost += crate.position().y < lift.position().y - 1;
+    }
+    std::printf("a lift at a ceiling: %d of %d crates lost\n", lost, crates);
+    CHECK(lost <= crates / 10);
+}
+
 TEST_CASE("crates that a press held are not thrown when it disappears") {
     int thrown = 0;
     float fastest = 0;
