@@ -63,6 +63,8 @@ class WatchedRun {
             if (edit.target == Target::joint)
                 now_.joints[std::size_t(edit.object)].set(edit.setting);
             if (edit.setting.setter == "set_gravity") now_.def.gravity = edit.setting.value;
+            if (edit.setting.setter == "set_substeps")
+                now_.def.substeps = int(edit.setting.value.x);
         }
     }
 

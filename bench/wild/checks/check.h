@@ -20,7 +20,7 @@ struct Finding {
 
 /// A step, and the bodies before and after it.
 struct Moment {
-    const WorldPlan& plan;  // with the settings that joints have now
+    const WorldPlan& plan;  // with the gravity, the sub-steps and the settings of joints of now
     int step = 0;
     float dt = 0;
     bool edited = false;  // something was made or edited before this step
