@@ -37,7 +37,7 @@ double kinetic(const BodyNow& body) {
 class Energy : public Check {
   public:
     std::optional<std::string> look(const Moment& moment) override {
-        if (moment.step == 0) driven_ = is_driven(moment.plan);
+        if (moment.step == 0) driven_ = is_driven(moment.plan) || bounces_singly(moment.plan);
         if (driven_) return {};
         if (moment.edited || moment.step == 0) begin(moment);
         const double now = energy(moment.after, moment.plan.def.gravity);

@@ -72,6 +72,16 @@ bool is_driven(const WorldPlan& plan) {
            std::ranges::any_of(plan.edits, [](const Edit& e) { return drives(e.setting); });
 }
 
+bool bounces_singly(const WorldPlan& plan) {
+    if (plan.def.solver == Solver::soft_step) return false;
+    return plan.def.bounds_restitution > 0 ||
+           std::ranges::any_of(plan.bodies, [](const BodyPlan& body) {
+               return std::ranges::any_of(body.shapes, [](const ShapePlan& shape) {
+                   return shape.def.restitution > 0;
+               });
+           });
+}
+
 bool is_isolated(const WorldPlan& plan) {
     if (plan.def.gravity != Vec2{} || plan.def.bounds || !plan.fields.empty()) return false;
     for (const BodyPlan& body : plan.bodies)

@@ -9,6 +9,10 @@ namespace fettle::bench::wild {
 /// belt, a field.
 bool is_driven(const WorldPlan& plan);
 
+/// Shapes bounce in a solver that applies Newton's law of restitution at each contact by itself.
+/// With friction, or if the bodies have joints, such bounces may add energy.
+bool bounces_singly(const WorldPlan& plan);
+
 /// No force from outside: no gravity, no fixed body, no border, no field, no damping, and no joint
 /// with the world.
 bool is_isolated(const WorldPlan& plan);
