@@ -285,6 +285,20 @@ TEST_CASE("a list scrolls and its lines are chosen") {
     CHECK(s.draw().drawn > 0);
 }
 
+TEST_CASE("the button that has the keyboard is lighter than the others, and has a thick ring") {
+    Screen s(R"(game.m = Column { modal = true, Button { text = "a" }, Button { text = "b" } }
+        interface.theme.focus = color("#00ff00"))");
+    s.point({700, 700});
+    s.tap("down");
+    s.turn(60);
+    const std::vector<Paint> drawn = s.draw().polygons;
+    REQUIRE(drawn.size() == 3);  // a button, a ring, and the button in it
+    CHECK(s.focus() == "m.button_2");
+    CHECK(drawn[1].border == Color{0, 1, 0, 1});
+    CHECK(drawn[1].border_width >= 3);
+    CHECK(drawn[2].fill.r > drawn[0].fill.r + 0.05f);
+}
+
 TEST_CASE("a list of which fewer lines are left than the chosen one has none chosen") {
     Screen s(R"(
         game.l = List { items = { "a", "b", "c" }, selected = 3, size = vec(200, 150),
