@@ -50,6 +50,7 @@ function menus.overlay(level, anchor, z, name)
 end
 -- The title stands over the beginning of the first level.
 class("Title", World) {}
+local function help() return (input.gamepad_1.connected and "The stick runs, A" or "Arrows run, " .. input.actions.jump[1]:gsub("[._]", " ")) .. " jumps." end
 function Title:enter()
     view.follow, view.limits, view.height, view.center = nil, {}, 13, vec(12, 6.5)
     self:add(Tilemap { map = "levels/1.tmj", pixels_per_unit = 16 }, "map")
@@ -64,8 +65,8 @@ function Title:enter()
         size = vec(1.5, 1.5), origin = vec(0.5, 0), z = 5 }, "cub")
     fx.tune(sounds.music, 1)
     local reached = store.reached or 1
-    local list = { line(formula(function() return "Bring the cub home!\nArrows run, " .. input.actions.jump[1] .. " jumps." end)), button("new", "New game", function() menus.play(1, true) end) }
-    if reached > 1 then list[3] = button("go_on", "Go on at " .. fx.places[reached].name, function() menus.play(reached, true) end) end
+    local list = { line("Bring the cub home!"), line(formula(help)), button("new", "New game", function() menus.play(1, true) end) }
+    if reached > 1 then list[4] = button("go_on", "Go on at " .. fx.places[reached].name, function() menus.play(reached, true) end) end
     for _, more in ipairs { button("scores", "Best scores", menus.scores), button("settings", "Settings", menus.settings),
         button("leave", "Quit", quit) } do list[#list + 1] = more end
     open("menu", list, nil, { modal = false, color = color("#2b1d2ec0") })
@@ -136,8 +137,7 @@ function menus.hud(level)
     for i = 1, 3 do
         icon(left, "heart", 4 + 38 * i, 1).tint = formula(function() return color(hearts >= i and "#ffffff" or "#2b1d2e90") end)
     end
-    icon(left, "coin", 190, 6)
-    icon(left, "fox", 320, 11)
+    icon(left, "coin", 190, 6) icon(left, "fox", 320, 11)
     text(left, 214, 34, 28, 0, formula(function() return tostring(coins) end))
     text(left, 356, 34, 28, 0, formula(function() return "x " .. lives end))
     text(right, -24, 34, 28, 1, formula(function() return clock(level) .. string.format("      %06d", points) end))

@@ -253,3 +253,13 @@ test("the button that has the keyboard has a color of its own, and no other", fu
     t:steps(10)
     expect(colored()):is { "scores" }
 end)
+
+test("the title says how to play with what the player has", function(t)
+    local function help() return game.menu.column:children("Label")[2].text end
+    t:steps(30)
+    input.actions.jump = { "left_control", "gamepad.a" }
+    expect(help()):contains("Arrows run, left control jumps.")
+    input.gamepad_1.connected = true
+    t:steps(1)
+    expect(help()):contains("The stick runs, A jumps.")
+end)
