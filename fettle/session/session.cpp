@@ -222,8 +222,12 @@ void Session::add_modules() {
                 .report = [this] { visuals_.report(tree_); },
                 .hash = [this] { return visuals_.hash(); }});
     visuals_.on_problem([this](const std::string& problem) { report_file_problem(problem); });
-    services_->on_effect_problem(
-        [this](const std::string& problem) { report_file_problem(problem); });
+    services_->on_effect_problem([this](const std::string& problem) {
+        // It is found when the effect is drawn, so later than the change of the file.
+        const std::string before = std::exchange(run_.renewed, services_->view.effect);
+        report_file_problem(problem);
+        run_.renewed = before;
+    });
     loop_->add({.name = std::string(interface_.name()),
                 .step = [this](double dt) { interface_.step(dt); },
                 .report = [this] { interface_.report(tree_); },

@@ -33,6 +33,7 @@ function menu.opened()
         local how = (row.won and "morning" or arenas[row.arena].title) .. ",  " .. row.kills .. " banished"
         lines[i] = i .. ".   " .. row.score .. "      " .. how
     end
+    display.title.arena.visible = (store.unlocked or 1) > 1
     display.title.best.text = store.scores and "Best  " .. store.scores[1].score or ""
     display.over.scores.items, display.over.scores.selected = lines, night.rank <= #lines and night.rank or 0
     night.open = 0

@@ -88,4 +88,3 @@ function Hero:show(way, x, dt)
         fx.puff(self.position - vec(0.3 * self.facing, 0.5), { color("#fff1d690"), color("#fff1d600") }, 2, { speed = 0.8 })
     end
 end
-return Hero

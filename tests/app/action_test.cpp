@@ -49,6 +49,40 @@ TEST_CASE("an action is held while any of its keys and buttons is") {
     CHECK(game.get("input.jump.strength").number() == 1);
 }
 
+TEST_CASE("undo and redo bring back and remove the action with its keys") {
+    Game game(R"(
+        function names()
+            local all = {}
+            for _, action in ipairs(input:children("Action")) do all[#all + 1] = action.name end
+            table.sort(all)
+            print(table.concat(all, ","))
+        end
+        input.actions.old = "o"
+        edit("more", function() input.actions.new = "n" end)
+        edit("less", function() input.actions.old = nil end)
+    )");
+    const auto after = [&](const char* command) {
+        game.runtime.run(command, "test");
+        game.loop.frame(tick);
+        const std::string said = game.heard();
+        CHECK(said.find("any more") == std::string::npos);  // no note about what is missing
+        game.runtime.run("names()", "test");
+        return game.heard();
+    };
+    CHECK(after("") == "new");
+    CHECK(after("undo()") == "new,old");
+    game.press("o");
+    CHECK(game.get("input.old.held").boolean());
+    CHECK(after("redo()") == "new");
+    CHECK(after("undo()") == "new,old");
+    CHECK(after("undo()") == "old");
+    CHECK(after("redo()") == "new,old");
+    game.press("n");
+    CHECK(game.get("input.new.held").boolean());
+    CHECK(after("redo()") == "new");
+    CHECK(game.errors.empty());
+}
+
 TEST_CASE("a press is seen in exactly one step") {
     Game game(jumper);
     game.press("space");

@@ -38,7 +38,12 @@ struct Shown {
     void add(const char* name, const Value& value) {
         tree.set_or_add(tree.child(tree.child(tree.root(), "view"), "uniforms"), name, value);
     }
-    const app::Effect* now() { return services.effects().now(2); }
+    const app::Effect* now() {
+        const app::Effect* const effect = services.effects().now(2);
+        if (effect != nullptr) services.effects().drawn(problem);
+        return effect;
+    }
+    std::string problem;  // of the shader
 };
 
 }  // namespace
@@ -75,6 +80,32 @@ TEST_CASE_METHOD(Shown, "an effect has the values that its code declares") {
     CHECK(problems == std::vector<std::string>{
                           "view.uniforms.on: glow.frag declares a bool, got 1",
                           "view.uniforms.strong: glow.frag declares no uniform of that name"});
+}
+
+TEST_CASE_METHOD(Shown, "while the code of an effect is in error, its uniforms are not reported") {
+    write("glow.frag", "uniform float strength");
+    set("view.effect", Value("glow.frag"));
+    add("strong", Value(1));
+    problem = "glow.frag:1: syntax error";
+    now();
+    CHECK(problems == std::vector<std::string>{"view.effect: glow.frag:1: syntax error"});
+    problem.clear();
+    now();
+    CHECK(problems.size() == 2);
+}
+
+TEST_CASE_METHOD(Shown, "an effect whose file is gone for a moment stays") {
+    write("glow.frag", "one");
+    set("view.effect", Value("glow.frag"));
+    CHECK(now()->code == "one");
+    std::filesystem::remove(folder.path / "glow.frag");
+    services.renew_effect("glow.frag");
+    REQUIRE(now() != nullptr);
+    CHECK(now()->code == "one");
+    CHECK(problems.size() == 1);
+    write("glow.frag", "two");
+    services.renew_effect("glow.frag");
+    CHECK(now()->code == "two");
 }
 
 TEST_CASE_METHOD(Shown, "the file of an effect is read again and a missing one is reported once") {

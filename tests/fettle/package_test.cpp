@@ -146,6 +146,17 @@ TEST_CASE("a package has no sources of pictures and what game json excludes") {
                    "package.exlude: there is no such setting (did you mean \"exclude\"?)"));
 }
 
+TEST_CASE(
+    "packages of the complete games leave out what draws their pictures and makes their music") {
+    const Folder folder;
+    const std::string name = GENERATE(as<std::string>{}, "amber", "lantern", "russet");
+    const Outcome packed =
+        fettle(folder, {"package", "scripts/" + name, "--file", (folder / "a.fettle").string()});
+    INFO(packed.err);
+    CHECK(packed.status == 0);
+    CHECK(contains(packed.out, "left out: draw_art.py, "));
+}
+
 TEST_CASE("comments and files that the game makes do not stop a package") {
     const Folder folder;
     folder.write("game/main.lua",

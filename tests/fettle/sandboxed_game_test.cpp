@@ -53,6 +53,8 @@ TEST_CASE("each limit of a sandbox is reported with its place and value") {
          "a tree has 1000 levels at most"},
         {"for i = 1, 300 do game:add(World { }) end", "at most 255 worlds"},
         {"for i = 1, 1e6 do class('C' .. i, Body) { } end", "10000 classes"},
+        {"local t = {} for i = 1, 1e6 do t['p' .. i] = i end class('C', Body)(t)",
+         "main.lua:1: C: a class declares at most 10000 properties and functions"},
         {"local t = {} for i = 1, 5000 do t[i] = vec(i, i % 7) end "
          "world.b = Body { Concave { vertices = t } }",
          "main.lua:1: Concave: there are 5000 points, and at most 4096 are possible"},

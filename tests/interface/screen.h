@@ -26,8 +26,9 @@ class Paper : public Painter {
   public:
     void circle(const Vec2& center, double, const Paint&) override { note(center); }
     void ellipse(const Vec2& center, const Vec2&, double, const Paint&) override { note(center); }
-    void polygon(std::span<const Vec2> v, double, const Paint&) override {
+    void polygon(std::span<const Vec2> v, double, const Paint& paint) override {
         for (const Vec2& each : v) note(each);
+        polygons.push_back(paint);
     }
     void line(const Vec2& a, const Vec2& b, Color, float) override { note(a), note(b); }
     void point(const Vec2& at, Color, float) override { note(at); }
@@ -46,6 +47,7 @@ class Paper : public Painter {
 
     int drawn = 0, letters = 0;
     bool finite = true;
+    std::vector<Paint> polygons{};  // boxes, and rings around widgets
 
   private:
     void note(const Vec2& at) {

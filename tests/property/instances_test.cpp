@@ -65,7 +65,8 @@ TEST_CASE_METHOD(Fixture, "a number is not used again after the deletion of the 
 }
 
 TEST_CASE_METHOD(Fixture, "the first unnamed child of a constructor has no number") {
-    for (int i = 0; i < 3; ++i) tree.move(tree.create(*module.type), world, "", true);
+    PlainNames names;
+    for (int i = 0; i < 3; ++i) tree.move(tree.create(*module.type), world, "", &names);
     CHECK(child_names(world) == Names{"ball", "ball_2", "ball_3"});
 }
 

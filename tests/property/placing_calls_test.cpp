@@ -264,7 +264,8 @@ TEST_CASE("a child of the root is not called game after a move either") {
     CHECK(tree.name(a) == "game_1");
     CHECK(resolve(tree, tree.path(a)).instance == a);
     const Handle b = tree.create(tree.object_class(), {}, "game");
-    tree.move(b, tree.root(), {}, true);
+    PlainNames names;
+    tree.move(b, tree.root(), {}, &names);
     CHECK(tree.name(b) == "game_2");
     const Handle inner = tree.create(tree.object_class(), a, "game");
     CHECK(tree.path(inner) == "game_1.game");

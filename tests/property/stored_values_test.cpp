@@ -19,6 +19,7 @@ struct Fixture {
     const Class& lamp = tree.define(
         {.name = "Lamp",
          .properties = {{.name = "power", .type = Type::number, .default_value = 2.0},
+                        {.name = "arms", .type = Type::integer, .default_value = 3},
                         {.name = "place", .type = Type::vec2},
                         {.name = "lit", .type = Type::boolean, .default_value = true},
                         {.name = "light", .type = Type::color, .default_value = Color{1, 0, 0, 1}},
@@ -40,6 +41,9 @@ TEST_CASE_METHOD(Fixture, "values of one instance are read without a search for 
         const StoredValues values(tree, self);
         CHECK(values.number(of("power")) == 2);
         CHECK(values.number(of("wear")) == 0.5);
+        CHECK(values.integer(of("arms")) == 3);
+        tree.set(self, "arms", 5);
+        CHECK(values.integer(of("arms")) == 5);
         CHECK(values.vec2(of("place")) == Vec2(1, 2));
         CHECK(values.boolean(of("lit")));
         CHECK(values.color(of("light")) == Color{1, 0, 0, 1});

@@ -132,6 +132,16 @@ TEST_CASE("snapshots held by scripts have a memory limit") {
     CHECK(s.errors.empty());
 }
 
+TEST_CASE("a constructor takes very many children without names") {
+    Stage s;
+    const std::string count = std::to_string(slowly ? 10000 : 200000);
+    s.run("local t = { object_4 = Object {} } for i = 1, " + count + " do t[i] = Object {} end " +
+          "world.many = Object(t)");
+    CHECK(s.console("world.many:children()[4].name") == "\"object_3\"");
+    CHECK(s.console("world.many:children()[5].name") == "\"object_5\"");
+    CHECK(s.console("#world.many:children()") == std::to_string(std::stoi(count) + 1));
+}
+
 TEST_CASE("the depth of a tree is limited to a thousand levels") {
     Stage s;
     const std::string reported = s.fails(R"lua(

@@ -245,7 +245,7 @@ TEST_CASE("an effect changes the picture and follows its uniforms") {
         })";
     write("good.frag", good);
     write("bad.frag", "uniform float strength;\nvoid main() {\n    gl_FragColor = nonsense;\n}\n");
-    write("main.lua", R"(
+    const std::string main = R"(
         view.background = color("white")
         view.effect = "good.frag"
         view.uniforms.tint = color(1, 0.5, 0)
@@ -264,7 +264,8 @@ TEST_CASE("an effect changes the picture and follows its uniforms") {
             if key == "b" then view.effect = "bad.frag" end
             if key == "h" then view.uniforms.strength = 0.5 end
         end
-    )");
+    )";
+    write("main.lua", main);
     GameWindow game(folder.path);
     REQUIRE(game.prints("drawn"));
     const Picture picture = game.settled();
@@ -278,6 +279,25 @@ TEST_CASE("an effect changes the picture and follows its uniforms") {
     CHECK(game.prints("view.uniforms.far: good.frag declares a vec2, got 2"));
     game.key("h");
     CHECK(game.eventually([&] { return has_at(game.picture(), 1, 8.5, 128, 64, 0); }));
+    // New code in error leaves the picture as it was; this is told over the game until it is right.
+    const auto change = [&](const char* name, const std::string& text) {
+        std::ofstream(game.folder() / "game" / "new") << text;
+        fs::rename(game.folder() / "game" / "new", game.folder() / "game" / name);
+    };
+    const auto told = [&] { return !has_at(game.picture(), 12, -9.8, 255, 255, 255); };
+    CHECK_FALSE(told());
+    change("good.frag", "uniform float strength;\nvoid main() { nonsense }");
+    CHECK(game.prints("view.effect: good.frag:2: "));
+    CHECK(game.printed().find("view.uniforms.tint: ") == std::string::npos);
+    CHECK(game.eventually(told));
+    CHECK(has_at(game.picture(), 1, 8.5, 128, 64, 0));
+    change("main.lua", main + "print('again')");
+    CHECK(game.prints("again"));
+    CHECK(told());
+    std::string better = "uniform float no;" + good;
+    better.replace(better.find("vec2 far"), 8, "float far");
+    change("good.frag", better);
+    CHECK(game.eventually([&] { return !told(); }));
     game.key("b");
     CHECK(game.prints("view.effect: bad.frag:3: "));
     CHECK(game.eventually([&] { return has_at(game.picture(), 1, 8.5, 255, 255, 255); }));

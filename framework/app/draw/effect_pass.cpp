@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 namespace fettle::app {
 
@@ -105,15 +106,15 @@ void set_uniform(sf::Shader& shader, const std::string& name, const property::Va
 }  // namespace
 
 std::string EffectPass::compile(const Effect& effect) {
-    if (code_ == effect.code && (shader_ != nullptr || !problem_.empty())) return problem_;
+    if (name_ == effect.name && code_ == effect.code) return problem_;
+    if (name_ != effect.name) shader_.reset();
+    name_ = effect.name;
     code_ = effect.code;
-    problem_.clear();
-    shader_ = std::make_unique<sf::Shader>();
+    auto made = std::make_unique<sf::Shader>();
     const Messages messages;
-    if (!shader_->loadFromMemory(vertex_shader, whole(code_))) {
-        problem_ = first_error(effect.name, messages.text());
-        shader_.reset();
-    }
+    const bool compiled = made->loadFromMemory(vertex_shader, whole(code_));
+    problem_ = compiled ? "" : first_error(name_, messages.text());
+    if (compiled) shader_ = std::move(made);
     return problem_;
 }
 
@@ -121,7 +122,8 @@ std::string EffectPass::draw(sf::RenderTarget& target, const Effect& effect,
                              const std::function<bool(sf::Texture&)>& copy) {
     if (!sf::Shader::isAvailable())
         return effect.name + ": this computer draws without shaders, so the picture stays as it is";
-    if (const std::string problem = compile(effect); !problem.empty()) return problem;
+    const std::string problem = compile(effect);
+    if (shader_ == nullptr) return problem;
     const sf::Vector2u size = target.getSize();
     if (picture_.getSize() != size && !sfml::create(picture_, size.x, size.y))
         return effect.name + ": there is no memory for a copy of the picture";
@@ -146,7 +148,7 @@ std::string EffectPass::draw(sf::RenderTarget& target, const Effect& effect,
     states.blendMode = sf::BlendNone;
     states.shader = shader_.get();
     target.draw(corners.data(), corners.size(), sf::PrimitiveType::TriangleStrip, states);
-    return {};
+    return problem;
 }
 
 }  // namespace fettle::app

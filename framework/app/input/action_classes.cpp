@@ -212,7 +212,9 @@ void Input::State::ActionRules::check(Handle instance, std::string_view name,
 }
 
 void Input::State::ActionRules::changed(Handle, std::string_view name) {
-    state.sync_action(name);
+    // An undo also brings back and deletes the actions that its edit has deleted and made. The rest
+    // follows before the next frame (`sync_actions`).
+    if (state.tree.cause().writer != property::Writer::undo) state.sync_action(name);
 }
 
 void Input::State::sync_action(std::string_view name) {

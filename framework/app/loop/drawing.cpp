@@ -168,8 +168,7 @@ void Loop::draw(Screen& screen, double seconds) {
     if (Foreground* const menus = services_.input.foreground()) menus->draw(painter);
     draw_transition(painter, tree_, drawn.picture());
     if (const Effect* const effect = services_.effects().now(clock.now))
-        if (const std::string problem = screen.apply(*effect); !problem.empty())
-            services_.effects().report("view.effect: " + problem);
+        services_.effects().drawn(screen.apply(*effect));
     if (blame) {
         ClipRectangle room{0, 0, screen.surface().width(), screen.surface().height()};
         for (const Layer* layer : layers_) room = layer->left_free(room);

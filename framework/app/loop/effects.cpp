@@ -98,13 +98,16 @@ void Effects::report(const std::string& problem) {
 }
 
 void Effects::renew(const std::string& name) {
-    if (name == effect_.name) effect_.name.clear();
+    if (name == effect_.name) changed_ = true;
 }
 
 void Effects::read() {
-    effect_ = {.name = view_.effect};
-    readable_ = false;
+    changed_ = false;
     reported_.clear();
+    if (effect_.name != view_.effect) {
+        effect_ = {.name = view_.effect};
+        readable_ = false;
+    }
     if (effect_.name.empty()) return;
     if (assets_ == nullptr) return report("view.effect: this program has no files");
     try {
@@ -118,6 +121,7 @@ void Effects::read() {
 
 void Effects::set_uniforms() {
     effect_.uniforms.clear();
+    wrong_uniforms_.clear();
     const Handle uniforms = tree_.child(tree_.child(tree_.root(), "view"), "uniforms");
     if (!uniforms) return;
     for (const property::Property* each : tree_.ad_hoc(uniforms)) {
@@ -125,18 +129,19 @@ void Effects::set_uniforms() {
         const Value value = tree_.peek(uniforms, *each);
         const auto found = declared_.find(name);
         if (found == declared_.end())
-            report("view.uniforms." + name + ": " + effect_.name +
-                   " declares no uniform of that name");
+            wrong_uniforms_.push_back("view.uniforms." + name + ": " + effect_.name +
+                                      " declares no uniform of that name");
         else if (!fits(value, found->second))
-            report("view.uniforms." + name + ": " + effect_.name + " declares a " + found->second +
-                   ", got " + property::value_text(value));
+            wrong_uniforms_.push_back("view.uniforms." + name + ": " + effect_.name +
+                                      " declares a " + found->second + ", got " +
+                                      property::value_text(value));
         else
             effect_.uniforms.push_back({name, value, found->second});
     }
 }
 
 void Effects::step() {
-    if (effect_.name != view_.effect) read();
+    if (changed_ || effect_.name != view_.effect) read();
 }
 
 const Effect* Effects::now(double time) {
@@ -145,6 +150,11 @@ const Effect* Effects::now(double time) {
     effect_.time = time;
     set_uniforms();
     return &effect_;
+}
+
+void Effects::drawn(const std::string& problem) {
+    if (!problem.empty()) return report("view.effect: " + problem);
+    for (const std::string& wrong : wrong_uniforms_) report(wrong);
 }
 
 }  // namespace fettle::app

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <fettle/app/effect.h>
 #include <fettle/app/view.h>
@@ -25,14 +26,16 @@ class Effects {
     void step();
     /// The effect to draw now; null if there is none. `time`: s.
     const Effect* now(double time);
-    /// Reports a problem, once.
-    void report(const std::string& problem);
+    /// To be called when the effect of `now` was drawn. `problem`: why it was not; "" if it was. If
+    /// its code is in error, its uniforms are not reported: their declarations may be the error.
+    void drawn(const std::string& problem);
     void on_problem(std::function<void(const std::string&)> report) { report_ = std::move(report); }
-    /// Reads the file again before the next frame.
+    /// Reads the file again before the next frame. If it cannot be read, the old code stays.
     void renew(const std::string& name);
 
   private:
     void read();
+    void report(const std::string& problem);  // once
     void set_uniforms();
 
     property::Tree& tree_;
@@ -40,6 +43,8 @@ class Effects {
     property::Assets* assets_;
     Effect effect_{};
     bool readable_ = false;
+    bool changed_ = false;                           // the file, since it was read
+    std::vector<std::string> wrong_uniforms_{};      // problems
     std::map<std::string, std::string> declared_{};  // uniforms of the code with their types
     std::set<std::string> reported_{};
     std::function<void(const std::string&)> report_{};

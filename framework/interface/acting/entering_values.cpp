@@ -10,10 +10,23 @@ namespace fettle::interface {
 using property::Handle;
 using property::Value;
 
+namespace {
+
+/// The value without the last digits, in which sums of steps are not exact: 0.6 and not
+/// 0.6000000000000001.
+double rounded(double value, double step) {
+    constexpr double digits = 1e9;  // of a step that are kept
+    const double scale = digits * std::pow(10, std::ceil(-std::log10(step)));
+    const double scaled = std::round(value * scale);
+    return std::abs(scaled) < 1e15 ? scaled / scale + 0.0 : value;  // no -0
+}
+
+}  // namespace
+
 void Player::choose_value(Widget& slider, double value) {
     const property::Range range = binding_.range(slider);
     if (const double step = binding_.step(slider); step > 0)
-        value = range.min + step * std::round((value - range.min) / step);
+        value = rounded(range.min + step * std::round((value - range.min) / step), step);
     value = std::clamp(value, range.min, range.max);
     if (!std::isfinite(value) || value == slider.content.value) return;
     const double before = slider.content.value;

@@ -12,7 +12,7 @@ inline property::Color mixed(property::Color a, property::Color b, double share)
             a.a + (b.a - a.a) * s};
 }
 
-/// Lighter while the mouse is over it, darker while it is held.
+/// Lighter while it has the mouse or the keyboard, darker while it is held.
 inline property::Color touched(property::Color color, double hover, double press) {
     const property::Color light{1, 1, 1, color.a}, dark{0, 0, 0, color.a};
     return mixed(mixed(color, light, 0.10 * hover), dark, 0.22 * press);

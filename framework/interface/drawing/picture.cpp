@@ -29,10 +29,12 @@ void Picture::advance(double seconds) {
         Widget& widget = widgets_[row];
         if (!is_active(widget.kind)) continue;
         const bool held = widgets_.board.held == widget.self;
-        const bool focused = widgets_.board.focus == widget.self;
-        towards(widget.animation.hover, !widget.disabled && (held || &widget == hovered) ? 1 : 0);
+        const bool ringed = widgets_.board.focus == widget.self && widgets_.board.focus_shown;
+        // A ring alone is hard to see beside a button in the accent color.
+        const bool lit = held || ringed || &widget == hovered;
+        towards(widget.animation.hover, lit && !widget.disabled ? 1 : 0);
         towards(widget.animation.press, held ? 1 : 0);
-        towards(widget.animation.ring, focused && widgets_.board.focus_shown ? 1 : 0);
+        towards(widget.animation.ring, ringed ? 1 : 0);
         if (widget.animation.switched < 0)
             widget.animation.switched = widget.content.on ? 1 : 0;
         else
@@ -162,7 +164,7 @@ void Picture::draw_ring(const Widget& widget) {
     painter_->polygon(corners, r,
                       {.fill = none,
                        .border = color,
-                       .border_width = static_cast<float>(std::max(1.5, 2 * widgets_.scale))});
+                       .border_width = static_cast<float>(std::max(2.0, 3 * widgets_.scale))});
 }
 
 void Picture::draw_background(const Widget& widget) {

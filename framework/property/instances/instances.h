@@ -90,7 +90,7 @@ struct Instances {
     bool is_taken(std::uint32_t parent, const NodeName& name) const;
     bool is_reserved(Symbol name) const;
     /// The first free name of `stem`, `stem_2` ...
-    NodeName plain_name(std::uint32_t parent, std::string_view stem) const;
+    NodeName plain_name(std::uint32_t parent, std::string_view stem, PlainNames& given) const;
 
   private:
     [[noreturn]] void throw_deleted(Handle handle) const;

@@ -62,10 +62,12 @@ bool Instances::is_taken(std::uint32_t parent, const NodeName& name) const {
            classes[nodes[parent].class_id].method(symbol) != nullptr;
 }
 
-NodeName Instances::plain_name(std::uint32_t parent, std::string_view stem) const {
-    NodeName name{Symbol(stem), 0};
-    if (!is_taken(parent, name)) return name;
-    for (name.number = 2; is_taken(parent, name);) ++name.number;
+NodeName Instances::plain_name(std::uint32_t parent, std::string_view stem,
+                               PlainNames& given) const {
+    std::uint32_t& next = given[std::string(stem)];
+    NodeName name{Symbol(stem), next};
+    while (is_taken(parent, name)) name.number = name.number == 0 ? 2 : name.number + 1;
+    next = name.number;
     return name;
 }
 

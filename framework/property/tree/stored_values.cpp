@@ -24,6 +24,11 @@ double StoredValues::number(const Property& property) const {
     return tree_.peek(instance_, property).as_double();
 }
 
+std::int64_t StoredValues::integer(const Property& property) const {
+    if (const std::int64_t* const found = find<std::int64_t>(property)) return *found;
+    return tree_.peek(instance_, property).integer();
+}
+
 Vec2 StoredValues::vec2(const Property& property) const {
     if (const Vec2* const found = find<Vec2>(property)) return *found;
     return tree_.peek(instance_, property).vec2();

@@ -135,7 +135,8 @@ void Tree::replace(Handle old, Handle by) {
     if (problem) std::rethrow_exception(problem);
 }
 
-void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool first_plain) {
+void Tree::move(Handle instance, Handle new_parent, std::string_view name,
+                PlainNames* plain_names) {
     if (!new_parent) new_parent = {};  // a null handle may have an index
     State& s = *state_;
     const Node& node = s.instances.require(instance);
@@ -159,8 +160,9 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
         if (!node.named || s.instances.is_taken(new_parent.index, node.name)) {
             const std::string_view stem =
                 node.named ? node.name.base.text() : class_of(instance).stem();
-            chosen = first_plain ? s.instances.plain_name(new_parent.index, stem)
-                                 : s.structure.free_name(new_parent.index, stem);
+            chosen = plain_names != nullptr
+                         ? s.instances.plain_name(new_parent.index, stem, *plain_names)
+                         : s.structure.free_name(new_parent.index, stem);
         }
     } else if (node.parent == 0) {
         return;

@@ -20,7 +20,8 @@ namespace fettle::script {
 
 namespace {
 
-constexpr std::size_t max_kinds = 8;  // number of kinds that a message lists
+constexpr std::size_t max_kinds = 8;         // number of kinds that a message lists
+constexpr std::size_t max_entries = 10'000;  // number of properties and functions of one class
 
 // The default from `name = value` in a class; the value is at the top of the stack.
 Value default_of(lua_State* L, const std::string& class_name, const std::string& name) {
@@ -102,14 +103,21 @@ void refuse_near_misses(const ScriptClasses& classes, const Class& base,
     for (const property::Method* method : base.methods()) refuse(method->name);
 }
 
-// Refuses entries without a name: a class table has no children, unlike that of a constructor.
-void refuse_elements(lua_State* L, const std::string& class_name) {
-    for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
+// Refuses entries without a name: a class table has no children, unlike that of a constructor. Also
+// refuses too many entries: the memory of what is made of them is counted only afterwards.
+void check_entries(lua_State* L, const std::string& class_name) {
+    std::size_t count = 0;
+    for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
+        if (++count > max_entries)
+            throw Error(ErrorKind::rejected,
+                        class_name + ": a class declares at most " + std::to_string(max_entries) +
+                            " properties and functions; a list of values is one property");
         if (lua_type(L, -2) != LUA_TSTRING)
             throw Error(ErrorKind::bad_name,
                         class_name + ": [" + short_text(L, -2) + "] has no name; a class has " +
                             "properties and functions, and its children are made in " + class_name +
                             ":ready()");
+    }
 }
 
 void check_documented(const ScriptClasses::Definition& definition,
@@ -194,7 +202,7 @@ int define_class(lua_State* L) {
     if (!lua_istable(L, 1))
         throw Error(ErrorKind::wrong_type, "class: needs a table of properties, as in class(\"" +
                                                definition.name + "\", Body) { lives = 3 }");
-    refuse_elements(L, definition.name);
+    check_entries(L, definition.name);
     const auto docs = documentation(L, 1, definition.doc);
     std::vector<std::string> functions;
     const bool states = lua_getfield(L, 1, "states") == LUA_TTABLE && has_texts_as_keys(L, -1);

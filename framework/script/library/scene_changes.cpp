@@ -161,7 +161,7 @@ void change_scene(Machine& machine, const std::string& name, const Arguments& ar
     if (!tree.alive(next)) return;
     const bool placed = protected_run(machine, "go_to_scene", [&](lua_State*) {
         if (const Handle other = tree.child(tree.root(), scene_name)) tree.destroy(other);
-        place(machine, next, tree.root(), scene_name, false);
+        place(machine, next, tree.root(), scene_name);
     });
     if (!placed) return;
     machine.classes.deliver_ready();

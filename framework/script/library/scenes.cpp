@@ -107,7 +107,7 @@ Handle load_scene_file(Machine& machine, const char* what, const std::string& fi
                                   waits ? "" : name, &warnings, &instances);
     machine.declarations.made_with_values(loaded);
     if (waits) {
-        place(machine, loaded, parent, name.empty() ? machine.tree.name(loaded) : name, false);
+        place(machine, loaded, parent, name.empty() ? machine.tree.name(loaded) : name);
         return loaded;
     }
     if (property::Tweaks* tweaks = machine.options.tweaks) {

@@ -75,6 +75,7 @@ class Construction {
 
 void adopt_unnamed(lua_State* L, Machine& machine, Construction& now) {
     const auto length = static_cast<lua_Integer>(lua_rawlen(L, 2));
+    property::PlainNames plain_names;
     for (lua_Integer i = 1; i <= length; ++i) {
         lua_rawgeti(L, 2, i);
         const auto* box = instance_at(L, -1);
@@ -89,7 +90,7 @@ void adopt_unnamed(lua_State* L, Machine& machine, Construction& now) {
                 ErrorKind::bad_structure,
                 now.of.name() + ": " + machine.tree.path(box->handle) + " has its place already");
         now.adopts(box->handle);
-        place(machine, box->handle, now.made, {}, true);
+        place(machine, box->handle, now.made, {}, &plain_names);
         lua_pop(L, 1);
     }
 }

@@ -113,8 +113,7 @@ int add(lua_State* L) {
     if (machine.tree.parent(child) || child == machine.tree.root())
         throw Error(ErrorKind::bad_structure,
                     machine.tree.path(child) + ": has its place already; use :move(parent)");
-    place(machine, child, self, lua_isnoneornil(L, 3) ? std::string() : text_at(L, 3, "add"),
-          false);
+    place(machine, child, self, lua_isnoneornil(L, 3) ? std::string() : text_at(L, 3, "add"));
     lua_settop(L, 2);
     return 1;
 }
@@ -127,8 +126,7 @@ int move_instance(lua_State* L) {
     lua_settop(L, 3);
     if (machine.declarations.again()) {
         if (parent && !machine.declarations.defers(self))
-            place(machine, self, parent, lua_isnil(L, 3) ? std::string() : text_at(L, 3, "move"),
-                  false);
+            place(machine, self, parent, lua_isnil(L, 3) ? std::string() : text_at(L, 3, "move"));
         lua_settop(L, 1);
         return 1;
     }

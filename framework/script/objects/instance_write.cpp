@@ -79,7 +79,7 @@ void write_over(Machine& machine, Handle instance, const Property& property, Han
     const Value value = machine.tree.peek(instance, property);
     clear_property(machine, instance, property);
     try {
-        place(machine, orphan, instance, name, false);
+        place(machine, orphan, instance, name);
     } catch (...) {  // the child could not be placed, so restore the property
         machine.tree.set_or_add(instance, name, value);
         if (computed) machine.tree.set_formula(instance, name, *computed);
@@ -154,7 +154,7 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const Class& 
         return;
     }
     if (const Handle orphan = orphan_at(L, machine.tree)) {
-        place(machine, orphan, instance, name, false);
+        place(machine, orphan, instance, name);
         return;
     }
     const Value value = to_value(L, 3, where);

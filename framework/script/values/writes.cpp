@@ -182,7 +182,7 @@ bool is_named_wrongly(const property::Tree& tree, Handle instance, Handle parent
 }  // namespace
 
 void place(Machine& machine, Handle instance, Handle parent, std::string_view name,
-           bool first_plain) {
+           property::PlainNames* plain_names) {
     // The tree would put a number behind a wrong name of its own; as a given name it is an error.
     std::string own;
     if (name.empty() && machine.tree.alive(instance) && machine.tree.alive(parent)) {
@@ -191,7 +191,7 @@ void place(Machine& machine, Handle instance, Handle parent, std::string_view na
     }
     if (machine.declarations.defers(parent) || machine.declarations.has_place(instance))
         return machine.declarations.place(instance, parent, name);
-    machine.tree.move(instance, parent, name, first_plain);
+    machine.tree.move(instance, parent, name, plain_names);
     note_placed(machine, instance);
 }
 

@@ -24,9 +24,10 @@ void note_added(Machine& machine, property::Handle instance, std::string_view na
 /// Sets the formula of a property; adds the property if it does not exist.
 void write_formula(Machine& machine, property::Handle instance, std::string_view name,
                    property::Formula formula);
-/// Gives a detached instance a parent and a name.
+/// Gives a detached instance a parent and a name. `plain_names` is for children without a name in a
+/// constructor.
 void place(Machine& machine, property::Handle instance, property::Handle parent,
-           std::string_view name, bool first_plain);
+           std::string_view name, property::PlainNames* plain_names = nullptr);
 /// Gives a detached instance the place and name of another instance, which is deleted.
 void replace(Machine& machine, property::Handle old, property::Handle by);
 void destroy(Machine& machine, property::Handle instance);

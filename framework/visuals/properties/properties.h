@@ -12,6 +12,7 @@ class Reader {
   public:
     Reader(const property::Tree& tree, property::Handle self) : stored_(tree, self) {}
     double number(const property::Property* of) const { return stored_.number(*of); }
+    std::int64_t integer(const property::Property* of) const { return stored_.integer(*of); }
     property::Vec2 vec2(const property::Property* of) const { return stored_.vec2(*of); }
     bool flag(const property::Property* of) const { return stored_.boolean(*of); }
     property::Color color(const property::Property* of) const { return stored_.color(*of); }

@@ -172,7 +172,8 @@ std::vector<Property> Sprites::derived_properties() {
                  .doc = "Width of the image file, or of the checkerboard.",
                  .binding = accessor(*this,
                                      [](Sprites& s, property::Row row) {
-                                         const Sheet* sheet = s.sheet(s.rows_[row]);
+                                         Row& r = s.rows_[row];
+                                         const Sheet* sheet = s.sheet(r, Reader(*s.tree_, r.self));
                                          return Value(std::int64_t{
                                              sheet == nullptr ? 0 : sheet->picture.width()});
                                      })},
@@ -183,7 +184,8 @@ std::vector<Property> Sprites::derived_properties() {
                  .doc = "Height of the image file, or of the checkerboard.",
                  .binding = accessor(*this,
                                      [](Sprites& s, property::Row row) {
-                                         const Sheet* sheet = s.sheet(s.rows_[row]);
+                                         Row& r = s.rows_[row];
+                                         const Sheet* sheet = s.sheet(r, Reader(*s.tree_, r.self));
                                          return Value(std::int64_t{
                                              sheet == nullptr ? 0 : sheet->picture.height()});
                                      })},
@@ -194,10 +196,11 @@ std::vector<Property> Sprites::derived_properties() {
                  .binding = accessor(*this,
                                      [](Sprites& s, property::Row row) {
                                          Row& r = s.rows_[row];
-                                         const Sheet* sheet = s.sheet(r);
+                                         const Reader read(*s.tree_, r.self);
+                                         const Sheet* sheet = s.sheet(r, read);
                                          return Value(sheet == nullptr
                                                           ? std::int64_t{0}
-                                                          : s.playing(r, *sheet).count);
+                                                          : s.playing(r, *sheet, read).count);
                                      })},
                 {"image", "columns", "rows", "animation"}),
     };

@@ -39,8 +39,7 @@ std::string known_animations(const std::string& name, const Sheet& sheet) {
 }  // namespace
 
 /// Null if it has no image.
-const Sheet* Sprites::sheet(Row& row) {
-    const Reader read(*tree_, row.self);
+const Sheet* Sprites::sheet(Row& row, const Reader& read) {
     const Value& name = read.in_place(of_.image);
     if (row.sheet == nullptr || !(name == row.name)) {
         row.name = name;
@@ -52,16 +51,14 @@ const Sheet* Sprites::sheet(Row& row) {
 
 // --- Frames
 
-std::int64_t Sprites::frames_in(const Row& row, const Sheet& sheet) const {
+std::int64_t Sprites::frames_in(const Sheet& sheet, const Reader& read) const {
     if (!sheet.frames.empty()) return static_cast<std::int64_t>(sheet.frames.size());
     if (!sheet.found) return 1;
-    const Reader read(*tree_, row.self);
-    return read.value(of_.columns).integer() * read.value(of_.rows).integer();
+    return read.integer(of_.columns) * read.integer(of_.rows);
 }
 
-Sprites::Playing Sprites::playing(const Row& row, const Sheet& sheet) const {
-    Playing all{.count = frames_in(row, sheet)};
-    const Reader read(*tree_, row.self);
+Sprites::Playing Sprites::playing(const Row& row, const Sheet& sheet, const Reader& read) const {
+    Playing all{.count = frames_in(sheet, read)};
     const std::string& name = read.in_place(of_.animation).text();
     if (name.empty() || !sheet.found) return all;
     if (const Animation* const found = sheet.animation(name))
@@ -77,22 +74,22 @@ Sprites::Playing Sprites::playing(const Row& row, const Sheet& sheet) const {
 }
 
 /// The frame that is shown.
-Frame Sprites::frame(Row& row) {
+Frame Sprites::frame(const Row& row, const Reader& read) const {
     const Sheet& sheet = *row.sheet;
     // Most images have only one frame.
-    if (sheet.frames.empty() && frames_in(row, sheet) == 1) return sheet.part(0, 1, 1);
-    const Playing plays = playing(row, sheet);
+    if (sheet.frames.empty() && frames_in(sheet, read) == 1) return sheet.part(0, 1, 1);
+    const Playing plays = playing(row, sheet, read);
     const auto n = static_cast<std::size_t>(row.frame % plays.count);
     const std::size_t index =
         plays.animation ? plays.animation->frames[n] : static_cast<std::size_t>(plays.first) + n;
     if (!sheet.frames.empty()) return sheet.frames[index];
-    const Reader read(*tree_, row.self);
-    return sheet.part(index, read.value(of_.columns).integer(), read.value(of_.rows).integer());
+    return sheet.part(index, read.integer(of_.columns), read.integer(of_.rows));
 }
 
 /// Time of the current frame; 0 if it does not go on.
-double Sprites::seconds_of(const Row& row, const Sheet& sheet, const Playing& plays) const {
-    const double rate = Reader(*tree_, row.self).number(of_.frames_per_second);
+double Sprites::seconds_of(const Row& row, const Sheet& sheet, const Playing& plays,
+                           const Reader& read) const {
+    const double rate = read.number(of_.frames_per_second);
     if (rate > 0) return 1 / rate;
     if (sheet.frames.empty()) return 0;
     const auto n = static_cast<std::size_t>(row.frame % plays.count);
@@ -103,14 +100,14 @@ double Sprites::seconds_of(const Row& row, const Sheet& sheet, const Playing& pl
 }
 
 void Sprites::advance(Row& row, double dt) {
-    const Sheet* const shown = sheet(row);  // reports a missing file also if nothing is drawn
-    if (shown == nullptr) return;
     const Reader read(*tree_, row.self);
+    const Sheet* const shown = sheet(row, read);  // reports a missing file also if nothing is drawn
+    if (shown == nullptr) return;
     // Most sprites have no animation.
     if (shown->frames.empty() && read.number(of_.frames_per_second) <= 0) return;
-    const Playing plays = playing(row, *shown);
+    const Playing plays = playing(row, *shown, read);
     if (plays.count < 2 || !read.flag(of_.playing)) return;
-    double length = seconds_of(row, *shown, plays);
+    double length = seconds_of(row, *shown, plays, read);
     if (length <= 0) return;
     const bool loop = read.flag(of_.loop);
     // At its end, an animation without `loop` stays for the whole time of its last frame.
@@ -125,7 +122,7 @@ void Sprites::advance(Row& row, double dt) {
         }
         row.elapsed = std::max(0.0, row.elapsed - length);
         row.frame = (row.frame + 1) % plays.count;
-        length = seconds_of(row, *shown, plays);
+        length = seconds_of(row, *shown, plays, read);
     }
 }
 
@@ -158,8 +155,7 @@ std::uint64_t Sprites::hash() const {
 
 // --- Drawing
 
-Vec2 Sprites::size_of(const Row& row, const Frame& frame, bool on_screen) const {
-    const Reader read(*tree_, row.self);
+Vec2 Sprites::size_of(const Frame& frame, bool on_screen, const Reader& read) const {
     const Value& given = read.in_place(of_.size);
     if (given.is(property::Type::vec2)) return given.vec2();
     return on_screen ? frame.size : Vec2(frame.size / read.number(of_.pixels_per_unit));
@@ -167,10 +163,10 @@ Vec2 Sprites::size_of(const Row& row, const Frame& frame, bool on_screen) const 
 
 void Sprites::draw(Row& row, property::Painter& painter, double alpha) {
     const Reader read(*tree_, row.self);
-    if (!read.flag(of_.visible) || sheet(row) == nullptr) return;
-    const Frame shown = frame(row);
+    if (!read.flag(of_.visible) || sheet(row, read) == nullptr) return;
+    const Frame shown = frame(row, read);
     const bool on_screen = painter.on_screen();
-    const Vec2 size = size_of(row, shown, on_screen);
+    const Vec2 size = size_of(shown, on_screen, read);
     if (size.x <= 0 || size.y <= 0 || shown.size.x <= 0 || shown.size.y <= 0) return;
     // The box of the uncut frame, and in it that of the part that the file contains.
     const Vec2 origin = read.vec2(of_.origin);

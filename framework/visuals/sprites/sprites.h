@@ -10,6 +10,7 @@
 #include <fettle/property/tree.h>
 
 #include <images/images.h>
+#include <properties/properties.h>
 
 namespace fettle::visuals {
 
@@ -49,15 +50,17 @@ class Sprites {
     std::vector<property::Property> look_properties();
     std::vector<property::Property> derived_properties();
     property::Lifecycle lifecycle();
-    const Sheet* sheet(Row& row);
-    std::int64_t frames_in(const Row& row, const Sheet& sheet) const;
-    Playing playing(const Row& row, const Sheet& sheet) const;
-    Frame frame(Row& row);
-    double seconds_of(const Row& row, const Sheet& sheet, const Playing& playing) const;
+    // `read`: the properties of the sprite of the row.
+    const Sheet* sheet(Row& row, const Reader& read);
+    std::int64_t frames_in(const Sheet& sheet, const Reader& read) const;
+    Playing playing(const Row& row, const Sheet& sheet, const Reader& read) const;
+    Frame frame(const Row& row, const Reader& read) const;
+    double seconds_of(const Row& row, const Sheet& sheet, const Playing& playing,
+                      const Reader& read) const;
     void advance(Row& row, double dt);
     void draw(Row& row, property::Painter& painter, double alpha);
     property::Transform pose(const Row& row, bool on_screen) const;
-    property::Vec2 size_of(const Row& row, const Frame& frame, bool on_screen) const;
+    property::Vec2 size_of(const Frame& frame, bool on_screen, const Reader& read) const;
 
     Images& images_;
     property::Tree* tree_ = nullptr;

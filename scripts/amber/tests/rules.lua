@@ -229,3 +229,11 @@ test("a level that is restored while a menu is open is played, and the menu that
     expect(screens.name):is("title")
     expect(game:has("menu")):truthy()
 end)
+
+test("the level that explains the button of time names the key that the player has chosen", function(t)
+    play(t, 3)
+    expect(world.level.hint_1.text):contains("Hold space\n")
+    input.actions.rewind = { "left_control", "gamepad.x" }
+    t:steps(1)
+    expect(world.level.hint_1.text):contains("Hold left control\n")
+end)

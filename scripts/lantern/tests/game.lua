@@ -252,3 +252,19 @@ test("a rewind brings back what was", function(t)
     expect(#world.swarm:children()):near(crowd, 3)
     t:steps(120)
 end)
+
+test("the title names the key that the player has chosen, and offers arenas when there is a choice", function(t)
+    t:steps(20)
+    expect(display.title.keys.text):contains(" space or A: dash")
+    expect(display.title.arena.visible):is(false)
+    input.actions.dash = { "left_control", "gamepad.a" }
+    store.unlocked = 2
+    t:tap("enter")
+    t:steps(3)
+    night:finish(false)
+    t:wait_until(function() return night.menu == "over" end)
+    night.menu = "title"
+    t:steps(2)
+    expect(display.title.keys.text):contains(" left control or A: dash")
+    expect(display.title.arena.visible):is(true)
+end)

@@ -200,9 +200,11 @@ test("keys work in the title again after the settings", function(t)
     t:tap("enter")
     t:steps(20)
     expect(game:has("settings")):truthy()
+    expect(game.menu.visible):is(false)
     t:tap("escape")
     t:steps(5)
     expect(game:has("settings")):falsy()
+    expect(game.menu.visible):is(true)
     expect(interface.focus and interface.focus.name):is("settings")
     t:tap("up")
     t:tap("up")
@@ -231,4 +233,33 @@ test("who begins a place again has won nothing there", function(t)
     t:tap("enter")
     t:steps(120)
     expect(lives):is(3)
+end)
+
+test("the button that has the keyboard has a color of its own, and no other", function(t)
+    local function colored()
+        local names = {}
+        for _, button in ipairs(game:find("Button", function(each) return each.look == "accent" end)) do names[#names + 1] = button.name end
+        return names
+    end
+    t:steps(60)
+    expect(colored()):is { "new" }
+    t:tap("down")
+    t:steps(2)
+    expect(colored()):is { "scores" }
+    t:tap("enter")
+    t:steps(10)
+    expect(colored()):is { "back" }
+    t:tap("enter")
+    t:steps(10)
+    expect(colored()):is { "scores" }
+end)
+
+test("the title says how to play with what the player has", function(t)
+    local function help() return game.menu.column:children("Label")[2].text end
+    t:steps(30)
+    input.actions.jump = { "left_control", "gamepad.a" }
+    expect(help()):contains("Arrows run, left control jumps.")
+    input.gamepad_1.connected = true
+    t:steps(1)
+    expect(help()):contains("The stick runs, A jumps.")
 end)

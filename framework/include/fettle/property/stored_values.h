@@ -19,6 +19,7 @@ class StoredValues {
     /// Throws Error(deleted).
     StoredValues(const Tree& tree, Handle instance);
     double number(const Property& property) const;
+    std::int64_t integer(const Property& property) const;
     Vec2 vec2(const Property& property) const;
     bool boolean(const Property& property) const;
     Color color(const Property& property) const;

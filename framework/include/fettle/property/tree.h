@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +46,11 @@ struct Remains {
     const Class& of;   ///< its class
     std::string name;  ///< its last name
 };
+
+/// By stem, the number with which `Tree::move` begins to look for a free plain name. So many
+/// children of one parent get their names in linear time. It is valid while no child leaves this
+/// parent.
+using PlainNames = std::map<std::string, std::uint32_t, std::less<>>;
 
 /// All instances of a game, with their classes, values, watchers, formulas and history.
 ///
@@ -139,12 +145,11 @@ class Tree {
     /// Gives the instance another parent (null: detaches it). If `name` is empty, it keeps its own
     /// name, numbered if that is taken; below the root, "game" is taken. An instance that was never
     /// given a name gets one from its class's stem: "circle_1", then "circle_2"; with
-    /// `first_plain`, "circle", then "circle_2". Throws Error(bad_structure) for
-    /// a parent below the instance itself, and if a module is making or placing the instance or one
-    /// below it (`Lifecycle`). After an error nothing has changed; a module may refuse
-    /// (Error(rejected)).
+    /// `plain_names`, "circle", then "circle_2". Throws Error(bad_structure) for a parent below the
+    /// instance itself, and if a module is making or placing the instance or one below it
+    /// (`Lifecycle`). After an error nothing has changed; a module may refuse (Error(rejected)).
     void move(Handle instance, Handle new_parent, std::string_view name = {},
-              bool first_plain = false);
+              PlainNames* plain_names = nullptr);
     /// Deletes `old` and gives its name and its parent to `by`, which must be detached. After an
     /// error nothing has changed; throws as `move` does. If a module throws when it is notified of
     /// the deletion, all is done, and then Error(rejected) is thrown, as by `destroy`.
