@@ -170,7 +170,7 @@ bool ends_early(lua_State* L) {
 Compiled compile(lua_State* L, std::string_view command) {
     constexpr std::string_view expression_begin = "return ";
     const std::string expression = std::string(expression_begin) + std::string(command);
-    if (load_text(L, expression, chunk_name) == LUA_OK) return Compiled::expression;
+    if (try_load_text(L, expression, chunk_name) == LUA_OK) return Compiled::expression;
     lua_pop(L, 1);
     if (load_text(L, command, chunk_name) == LUA_OK) return Compiled::statements;
     if (ends_early(L)) return Compiled::incomplete;
