@@ -135,13 +135,15 @@ void Game::make_console(const fettle_hosted_def& def) {
             return view ? (*view)(world) : services.view.to_screen(world);
         },
         .tweaks = files.tweaks.get(),
-        .review = [this](std::int64_t from,
-                         const auto& look) { loop.timeline().review(from, look); },
-        .review_between = [this](std::int64_t from, std::int64_t to,
-                                 const auto& look) { loop.timeline().review(from, to, look); },
+        .review = [this](std::int64_t from, std::int64_t to,
+                         const auto& look) { loop.timeline().review(from, to, look); },
         .repeat_with = [this](
                            std::int64_t from, const auto& change,
                            const auto& look) { loop.timeline().repeat_with(from, change, look); },
+        .review_branch =
+            [this](const std::string& branch, std::int64_t from, const auto& look) {
+                loop.timeline().review_branch(branch, from, look);
+            },
         .frames = &services.clock.frames};
     if (def.history_file != nullptr) options.history_file = def.history_file;
     console = std::make_unique<console::Console>(tree, lua, std::move(options));

@@ -34,13 +34,22 @@ void ContextMenu::pin_item(const char* pin, const char* unpin, const std::string
     }
 }
 
+void ContextMenu::break_item(const char* label, const char* tip, const std::string& path) {
+    const std::string text = breaks ? breaks(path) : std::string();
+    if (text.empty()) {
+        if (item(label, tip)) run("break_when " + path);
+    } else if (item("No break any more", "Ends the break on this value")) {
+        run("unbreak(" + lua_string(text) + ")");
+    }
+}
+
 void ContextMenu::draw_value(const property::Place& place) {
     const property::Property& property = *place.property;
     const std::string path = path_;  // a command may open another menu
     pin_item("Pin", "Unpin", path);
     if (can_be_plotted(property) && item("Plot", "Shows it over time, with the kept past"))
         run("plot " + path);
-    if (item("Break on change", "Pauses the game when it changes")) run("break_when " + path);
+    break_item("Break on change", "Pauses the game when it changes", path);
     if (place.part.empty() && item("Watch", "Prints each new value; _:stop() ends it"))
         run("watch(" + lua_string(path) + ", print)");
     ImGui::Separator();
@@ -68,8 +77,9 @@ void ContextMenu::draw_instance(property::Handle instance) {
         run("plot " + path + ".position");
     if (item("Help", "What its class has")) run("help(" + path + ")");
     ImGui::Separator();
-    if (moves && item("Break when it moves", "Pauses the game when its position changes"))
-        run("break_when " + path + ".position");
+    if (moves)
+        break_item("Break when it moves", "Pauses the game when its position changes",
+                   path + ".position");
     if (moves && item("Who", "Who moved it last")) run("who " + path + ".position");
     if (tree_.find(instance, "velocity") != nullptr &&
         item("Why", "What changed its velocity in the last step"))

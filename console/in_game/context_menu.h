@@ -29,6 +29,8 @@ class ContextMenu {
 
     /// The text with which the value of that path was pinned; "" if it is not.
     std::function<std::string(const std::string& path)> pinned;
+    /// The text of the break that waits for a change of that value; "" if there is none.
+    std::function<std::string(const std::string& path)> breaks;
 
     /// Begins typing a formula of that property. False if it cannot be typed there.
     std::function<bool(const property::Place&)> begin_formula;
@@ -47,6 +49,8 @@ class ContextMenu {
     bool item(const char* label, const char* tip);
     /// `pin` and `unpin` are the labels; the entry depends on whether the value is pinned.
     void pin_item(const char* pin, const char* unpin, const std::string& path);
+    /// The same for a break.
+    void break_item(const char* label, const char* tip, const std::string& path);
     void draw_value(const property::Place& place);
     void draw_instance(property::Handle instance);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fettle/property/drawing.h>
@@ -58,8 +59,18 @@ void OnionSkins::drop_far_from(std::int64_t step) {
     }
 }
 
+/// Poses of another branch than the present one are no longer true.
+void OnionSkins::follow_branch() {
+    const std::optional<std::int64_t> common = branch_.left_after();
+    if (!common) return;
+    while (!skins_.empty() && skins_.back().step > *common) skins_.pop_back();
+    known_to_ = std::min(known_to_, *common);
+    newest_ = *common;
+}
+
 void OnionSkins::after_step() {
     if (!instance_ || !tree_.alive(instance_)) return;
+    follow_branch();
     const auto step = static_cast<std::int64_t>(tree_.step());
     // The game went back and goes on from here.
     while (!skins_.empty() && skins_.back().step >= step) skins_.pop_back();
@@ -72,6 +83,7 @@ void OnionSkins::after_step() {
 
 void OnionSkins::between_frames(const Review& review) {
     if (!instance_ || !review) return;
+    follow_branch();
     const auto here = static_cast<std::int64_t>(tree_.step());
     newest_ = std::max(newest_, here);
     if (here - drawn_around >= known_from_ && std::min(here + drawn_around, newest_) <= known_to_)

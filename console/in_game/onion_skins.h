@@ -11,18 +11,18 @@
 #include <fettle/property/tree.h>
 
 #include <look/pen.h>
+#include <observed/present_branch.h>
+#include <observed/review.h>
 
 namespace fettle::console {
 
 class OnionSkins {
   public:
-    using Review = std::function<void(std::int64_t from, std::int64_t to,
-                                      const std::function<void(std::int64_t step)>& look)>;
     static constexpr std::size_t most = 3600;  // poses
     static constexpr std::int64_t apart = 15;  // steps between two poses that are drawn
     static constexpr int drawn = 12;           // poses on each side of the present one
 
-    explicit OnionSkins(property::Tree& tree) : tree_(tree) {}
+    explicit OnionSkins(property::Tree& tree) : tree_(tree), branch_(tree) {}
 
     /// The instance whose poses are kept; a null handle: none.
     void follow(property::Handle instance);
@@ -45,8 +45,10 @@ class OnionSkins {
   private:
     void take(std::int64_t step);
     void drop_far_from(std::int64_t step);
+    void follow_branch();
 
     property::Tree& tree_;
+    PresentBranch branch_;
     property::Handle instance_;
     std::deque<Skin> skins_;
     // The poses of all kept steps between these are known; from > to: of none.

@@ -1,5 +1,8 @@
 #include <observed/breaks.h>
 
+#include <algorithm>
+#include <utility>
+
 #include <fettle/property/exception_text.h>
 #include <fettle/property/path.h>
 
@@ -25,25 +28,49 @@ std::vector<std::string> paths_in(const property::Tree& tree, std::string_view e
     return found;
 }
 
-std::string Breaks::add(script::Observed condition) {
+Breaks::Added Breaks::add(script::Observed condition) {
+    remove(condition.text);
     Break added{std::move(condition), {}, false};
-    std::string problem;
+    Added result{.message = "breaks when " + added.condition.text, .problem = {}};
     try {
         added.condition.settle();
         added.last = added.condition.value();
+        result.message +=
+            added.last.is(Type::boolean) ? " becomes true; it is " : " changes; it is ";
+        result.message += text_of(added.last);
+        if (!added.condition.unit.empty()) result.message += " " + added.condition.unit;
     } catch (const std::exception& error) {
         added.failed = true;  // it may have a value later
-        problem = property::exception_text(error);
+        result.message += " becomes true or changes; it has no value yet";
+        result.problem = property::exception_text(error);
     }
     all_.push_back(std::move(added));
-    return problem;
+    return result;
+}
+
+std::size_t Breaks::remove(const std::string& text) {
+    return std::erase_if(
+        all_, [&](const Break& each) { return text.empty() || each.condition.text == text; });
 }
 
 std::vector<std::string> Breaks::texts() const {
     std::vector<std::string> texts;
-    for (const Break& each : all_)
-        if (!each.condition.text.starts_with("function")) texts.push_back(each.condition.text);
+    texts.reserve(all_.size());
+    for (const Break& each : all_) texts.push_back(each.condition.text);
     return texts;
+}
+
+std::vector<std::string> Breaks::texts_to_keep() const {
+    std::vector<std::string> texts;
+    for (const Break& each : all_)
+        if (!each.condition.is_function()) texts.push_back(each.condition.text);
+    return texts;
+}
+
+std::string Breaks::set_on(const std::string& path) const {
+    const auto found = std::ranges::find(
+        all_, path, [](const Break& each) -> const std::string& { return each.condition.path; });
+    return path.empty() || found == all_.end() ? std::string() : found->condition.text;
 }
 
 std::vector<std::string> Breaks::look() {

@@ -13,13 +13,22 @@ class Breaks {
   public:
     explicit Breaks(property::Tree& tree) : tree_(tree) {}
 
-    /// Returns why the condition cannot be computed now; "" if it can.
-    std::string add(script::Observed condition);
-    void clear() { all_.clear(); }
+    /// Adds a condition; the same text again replaces it.
+    struct Added {
+        std::string message;  // what it waits for, and the present value
+        std::string problem;  // why the condition cannot be computed now; "" if it can
+    };
+    Added add(script::Observed condition);
+    /// Returns how many were removed; "" is all of them.
+    std::size_t remove(const std::string& text);
     std::size_t size() const { return all_.size(); }
-    /// The conditions as they were typed, but for functions: the text of a function does not
-    /// contain the variables that it uses.
+    /// The conditions as they were typed.
     std::vector<std::string> texts() const;
+    /// Those that mean the same in another run.
+    std::vector<std::string> texts_to_keep() const;
+    /// The text of the break that waits for a change of the value of that path; "" if there is
+    /// none.
+    std::string set_on(const std::string& path) const;
     /// Computes all conditions. Returns lines for the log about those that have become true (or,
     /// for a value that is not a boolean, have changed) since the last call.
     std::vector<std::string> look();

@@ -141,7 +141,8 @@ void Comparison::compare_change(const Review& review, const RepeatWith& repeat_w
     };
     try {
         repeat_with(first, change, [&](std::int64_t step) { b_.push_back(moment(step)); });
-        review(first, [&](std::int64_t step) { a_.push_back(moment(step)); });
+        review(first, static_cast<std::int64_t>(tree_.step()),
+               [&](std::int64_t step) { a_.push_back(moment(step)); });
     } catch (const std::exception& error) {
         end();
         return log_.error("ab: " + property::exception_text(error));
@@ -182,7 +183,7 @@ void Comparison::compare_branches(const Review& review, const ReviewBranch& othe
     };
     try {
         other(request.name, request.fork, into(b_, of_b));
-        review(request.fork, into(a_, of_a));
+        review(request.fork, last, into(a_, of_a));
     } catch (const std::exception& error) {
         end();
         return log_.error("compare_branch: " + property::exception_text(error));

@@ -11,6 +11,7 @@
 #include <fettle/property/tree.h>
 
 #include <observed/noted_values.h>
+#include <observed/review.h>
 #include <text/log.h>
 
 namespace fettle::console {
@@ -21,7 +22,6 @@ bool has_position(const property::Tree& tree, property::Handle instance);
 class Comparison {
   public:
     using Look = std::function<void(std::int64_t step)>;
-    using Review = std::function<void(std::int64_t from, const Look& look)>;
     using RepeatWith = std::function<void(std::int64_t from, const std::function<void()>& change,
                                           const Look& look)>;
     using ReviewBranch =

@@ -47,8 +47,12 @@ void Trace::look(bool past) {
     }
 }
 
+void Trace::forget_after(std::int64_t step) {
+    while (!samples_.empty() && samples_.back().step > step) samples_.pop_back();
+}
+
 void Trace::take(std::int64_t step, bool past) {
-    while (!samples_.empty() && samples_.back().step >= step) samples_.pop_back();
+    forget_after(step - 1);
     look(past);
     Sample sample{step, 0, 0};
     if (problem_.empty() && sample_of(value_, sample, vector_)) samples_.push_back(sample);

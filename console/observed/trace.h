@@ -26,6 +26,8 @@ class Trace {
     /// game went back and goes on from here.
     /// `past`: the past is shown, so formulas are not computed.
     void take(std::int64_t step, bool past = false);
+    /// Drops the samples of later steps.
+    void forget_after(std::int64_t step);
     /// Computes the value without storing it.
     void look(bool past = false);
 

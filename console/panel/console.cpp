@@ -153,11 +153,9 @@ void Console::State::connect_context_menu() {
         inspector.editor().begin_formula(*place.property);
         return true;
     };
-    context_menu.pinned = [this](const std::string& path) {
-        const auto& pins = observing.pins();
-        const auto found =
-            std::ranges::find_if(pins, [&](const Trace& pin) { return pin.what().path == path; });
-        return found == pins.end() ? std::string() : found->what().text;
+    context_menu.pinned = [this](const std::string& path) { return observing.pinned(path); };
+    context_menu.breaks = [this](const std::string& path) {
+        return observing.breaks().set_on(path);
     };
 }
 
@@ -389,7 +387,7 @@ void Console::between_frames() {
     s.ghosts.watch(s.settings.flag("ghosts"));
     s.comparison.between_frames(s.options.review, s.options.repeat_with, s.options.review_branch);
     s.onion_skins.follow(s.shows("onion_skins") ? s.inspector.selected() : Handle{});
-    s.onion_skins.between_frames(s.options.review_between);
+    s.onion_skins.between_frames(s.options.review);
 }
 float Console::covered_below() const {
     const State& s = *state_;
@@ -441,7 +439,7 @@ std::shared_ptr<const Continuation> Console::continuation() const {
                      .selected_path = state_->status.selected_path,
                      .keys = state_->observing.keys(),
                      .aliases = state_->prompt.aliases(),
-                     .breaks = state_->observing.breaks().texts()});
+                     .breaks = state_->observing.breaks().texts_to_keep()});
 }
 void Console::continue_from(const Continuation& earlier) {
     State& s = *state_;

@@ -19,9 +19,8 @@ constexpr std::array<std::string_view, 7> kept_settings = {
 
 std::vector<std::string> texts_of(const std::vector<Trace>& traces) {
     std::vector<std::string> texts;
-    // The text of a function does not contain the variables that it uses.
     for (const Trace& trace : traces)
-        if (!trace.what().text.starts_with("function")) texts.push_back(trace.what().text);
+        if (!trace.what().is_function()) texts.push_back(trace.what().text);
     return texts;
 }
 

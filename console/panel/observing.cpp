@@ -33,7 +33,9 @@ script::ConsoleFunctions Observing::functions() {
     f.pin = [this](script::Observed what) { pin(std::move(what)); };
     f.unpin = [this](const std::string& text) { return unpin(text); };
     f.plot = [this](std::vector<script::Observed> all) { plot(std::move(all)); };
-    f.break_when = [this](script::Observed condition) { break_when(std::move(condition)); };
+    f.break_when = [this](script::Observed condition) { return break_when(std::move(condition)); };
+    f.unbreak = [this](const std::string& text) { return breaks_.remove(text); };
+    f.breaks = [this] { return breaks_.texts(); };
     f.last_time = [this](script::Observed condition) { searched_ = std::move(condition); };
     f.bind = [this](const std::string& key, const std::string& command) { bind(key, command); };
     f.alias = [this](const std::string& word, const std::string& command) {
@@ -73,6 +75,12 @@ std::size_t Observing::unpin(const std::string& text) {
                          [&](const Trace& pin) { return text.empty() || pin.what().text == text; });
 }
 
+std::string Observing::pinned(const std::string& path) const {
+    const auto pin =
+        std::ranges::find_if(pins_, [&](const Trace& each) { return each.what().path == path; });
+    return pin == pins_.end() ? std::string() : pin->what().text;
+}
+
 void Observing::plot(std::vector<script::Observed> all) {
     if (all.size() > max_plots)
         throw property::Error(property::ErrorKind::rejected,
@@ -94,12 +102,14 @@ void Observing::plot(std::vector<script::Observed> all) {
     for (const Trace& trace : plots_) note_problem("plot", trace.problem());
 }
 
-void Observing::break_when(script::Observed condition) {
+std::string Observing::break_when(script::Observed condition) {
     if (!condition.value) {
-        breaks_.clear();
-        return;
+        breaks_.remove("");
+        return "no break is set any more";
     }
-    note_problem("break_when", breaks_.add(std::move(condition)));
+    const Breaks::Added added = breaks_.add(std::move(condition));
+    note_problem("break_when", added.problem);
+    return added.message;
 }
 
 /// It may be a wrong name, or the name of something that the game has not made yet.
@@ -128,8 +138,21 @@ std::string Observing::command_of_key(const std::string& key) const {
 
 // --- Each step, each frame
 
+/// After a change of the branch, values of steps of the former one are dropped. If there
+/// are others before `next`, the step that is taken next, the past is read.
+void Observing::follow_branch(std::int64_t next) {
+    const std::optional<std::int64_t> common = branch_.left_after();
+    if (!common) return;
+    for (auto* all : {&pins_, &plots_})
+        for (Trace& trace : *all) {
+            trace.forget_after(*common);
+            trace.needs_past = trace.needs_past || next > *common + 1;
+        }
+}
+
 void Observing::after_step() {
     const auto step = static_cast<std::int64_t>(tree_.step());
+    follow_branch(step);
     for (auto* all : {&pins_, &plots_})
         for (Trace& trace : *all) trace.take(step);
     const std::vector<std::string> lines = breaks_.look();
@@ -146,6 +169,7 @@ void Observing::look() {
 
 void Observing::between_frames(const Review& review) {
     run_waiting();
+    follow_branch(static_cast<std::int64_t>(tree_.step()) + 1);
     read_past(review);
     search_past(review);
 }
@@ -210,9 +234,10 @@ void Observing::read_past(const Review& review) {
             }
     if (wanting.empty() || !review) return;
     try {
-        review(first_to_read(plotted), [&](std::int64_t step) {
-            for (Trace* trace : wanting) trace->take(step, true);
-        });
+        review(first_to_read(plotted), static_cast<std::int64_t>(tree_.step()),
+               [&](std::int64_t step) {
+                   for (Trace* trace : wanting) trace->take(step, true);
+               });
     } catch (const std::exception& error) {
         log_.error(property::exception_text(error));
     }
@@ -222,11 +247,12 @@ void Observing::search_past(const Review& review) {
     if (!searched_) return;
     const script::Observed condition = *std::exchange(searched_, std::nullopt);
     if (!review) return log_.error("last_time: this game keeps no past");
+    const auto here = static_cast<std::int64_t>(tree_.step());
     std::int64_t first = -1, last_true = -1, became = -1;
     bool now = false;
     std::string problem;
     try {
-        review(time_step("oldest", 0), [&](std::int64_t step) {
+        review(time_step("oldest", 0), here, [&](std::int64_t step) {
             if (first < 0) first = step;
             bool holds = false;
             try {
@@ -241,7 +267,6 @@ void Observing::search_past(const Review& review) {
     } catch (const std::exception& error) {
         return log_.error(property::exception_text(error));
     }
-    const std::int64_t here = static_cast<std::int64_t>(tree_.step());
     const std::string what = property::message_text("last_time " + condition.text + ": ");
     if (first < 0) return report(what + "no step is kept");
     if (last_true < 0)

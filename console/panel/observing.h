@@ -15,6 +15,8 @@
 #include <fettle/script/observed.h>
 
 #include <observed/breaks.h>
+#include <observed/present_branch.h>
+#include <observed/review.h>
 #include <observed/trace.h>
 #include <prompt/prompt.h>
 #include <text/log.h>
@@ -23,11 +25,8 @@ namespace fettle::console {
 
 class Observing {
   public:
-    using Review =
-        std::function<void(std::int64_t from, const std::function<void(std::int64_t step)>& look)>;
-
     Observing(property::Tree& tree, Log& log, Prompt& prompt)
-        : tree_(tree), log_(log), prompt_(prompt), breaks_(tree) {}
+        : tree_(tree), log_(log), prompt_(prompt), breaks_(tree), branch_(tree) {}
 
     /// Receives the line of a break; optional.
     std::function<void(const std::string& line)> on_break{};
@@ -63,17 +62,20 @@ class Observing {
     std::vector<Trace>& plots() { return plots_; }
     const std::vector<Trace>& pins() const { return pins_; }
     const std::vector<Trace>& plots() const { return plots_; }
+    /// The text with which the value of that path was pinned; "" if it is not.
+    std::string pinned(const std::string& path) const;
     const Breaks& breaks() const { return breaks_; }
 
   private:
     void pin(script::Observed what);
     std::size_t unpin(const std::string& text);
     void plot(std::vector<script::Observed> all);
-    void break_when(script::Observed condition);
+    std::string break_when(script::Observed condition);
     void note_problem(const char* request, const std::string& problem);
     void bind(const std::string& key, const std::string& command);
     void run_waiting();
     void run_commands(const Commands& commands);
+    void follow_branch(std::int64_t next);
     void read_past(const Review& review);
     std::int64_t first_to_read(bool plotted) const;
     void search_past(const Review& review);
@@ -86,6 +88,7 @@ class Observing {
     Log& log_;
     Prompt& prompt_;
     Breaks breaks_;
+    PresentBranch branch_;
     std::vector<Trace> pins_, plots_;
     std::optional<script::Observed> searched_;
     std::deque<Commands> waiting_;

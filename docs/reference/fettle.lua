@@ -3101,9 +3101,13 @@ function bookmark(name, step) end
 ---@return table
 function bookmarks() end
 
----Pauses the game after the step in which the condition becomes true, and prints its old and new value and who wrote it. A value that is not a boolean breaks when it changes. Without a condition all breaks end.
+---Pauses the game after the step in which the condition becomes true, and prints its old and new value and who wrote it. A value that is not a boolean breaks when it changes. `breaks` lists the conditions, `unbreak` ends one; without a condition all end.
 ---@param condition? string|fun(): any
 function break_when(condition) end
+
+---The conditions that `break_when` waits for, as texts. In the console the parentheses may be left out.
+---@return string[]
+function breaks() end
 
 ---Defines a class whose instances are in the tree: Ball = class("Ball", Body) { lives = 3 }. Values are properties with their defaults; `doc` describes the class, or its properties by name.
 ---@param name string
@@ -3314,6 +3318,10 @@ function undo() end
 ---Removes a bookmark; all of them without a name.
 ---@param name? string
 function unbookmark(name) end
+
+---Ends one condition of `break_when`, which is named by its text; all if it is left out.
+---@param condition? string
+function unbreak(condition) end
 
 ---Removes an entry from the watch list; without an argument, all.
 ---@param what? string

@@ -43,7 +43,8 @@ std::optional<Message> AttachedGame::ask(const Request& request) {
     if (text.size() > longest_request) {
         Message refused{.kind = Message::Kind::answer};
         refused.lines.push_back("✗ a command for a game that runs has at most " +
-                                std::to_string(longest_request) + " bytes");
+                                std::to_string(longest_request) +
+                                " bytes; exec(\"FILE\") runs more, from a file of the game");
         return refused;
     }
     send(text);

@@ -13,7 +13,10 @@
 namespace fettle::program {
 
 /// Bytes. A longer line ends the connection.
-constexpr std::size_t longest_greeting = 128, longest_request = 16384;
+constexpr std::size_t longest_greeting = 128;
+/// So short that the frame waits for less than a millisecond while Lua looks for the error in it:
+/// a wrong command is compiled up to five times.
+constexpr std::size_t longest_request = 4096;
 /// Bytes of text in one answer. A longer text is cut, and the number of missing lines is added.
 constexpr std::size_t longest_answer = 65536;
 constexpr std::size_t most_candidates = 100;

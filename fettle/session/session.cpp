@@ -286,10 +286,8 @@ void Session::make_console(app::Clipboard* clipboard) {
         .to_pixels = [&view](property::Vec2 world) { return view.to_window(world); },
         .game_covered = [this] { return loop_->halted() && !looks_back(); },
         .tweaks = tweaks_.get(),
-        .review = [this](std::int64_t from,
-                         const auto& look) { loop_->timeline().review(from, look); },
-        .review_between = [this](std::int64_t from, std::int64_t to,
-                                 const auto& look) { loop_->timeline().review(from, to, look); },
+        .review = [this](std::int64_t from, std::int64_t to,
+                         const auto& look) { loop_->timeline().review(from, to, look); },
         .repeat_with = [this](
                            std::int64_t from, const auto& change,
                            const auto& look) { loop_->timeline().repeat_with(from, change, look); },

@@ -54,5 +54,7 @@ function wheel(notches, position) tools.zoom(notches, position) end
 
 function draw(pen)
     tools.draw(pen)
-    if showcase.show_help then help.draw(pen, tools.hint()) end
+    -- The console and its time bar would cover a part of it.
+    local is_covered = game:has("console") and console.open
+    if showcase.show_help and not is_covered then help.draw(pen, tools.hint()) end
 end

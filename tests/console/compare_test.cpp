@@ -25,7 +25,9 @@ struct CompareRig : Rig {
 
     CompareRig() {
         auto& options = state().options;
-        options.review = [this](std::int64_t from, const auto& look) { run(from, look); };
+        options.review = [this](std::int64_t from, std::int64_t, const auto& look) {
+            run(from, look);
+        };
         options.repeat_with = [this](std::int64_t from, const auto& change, const auto& look) {
             const Value before = value("world.ball.mass");
             change();

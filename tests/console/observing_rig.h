@@ -117,8 +117,8 @@ class ObservingRig : public Rig {
             CHECK(picture.faults() == 0);
             return std::string("/plots/plot-1.png");
         };
-        made.review = [this](std::int64_t from, const auto& look) {
-            for (std::int64_t n = std::max<std::int64_t>(from, 0); n <= now; ++n) {
+        made.review = [this](std::int64_t from, std::int64_t to, const auto& look) {
+            for (std::int64_t n = std::max<std::int64_t>(from, 0); n <= std::min(now, to); ++n) {
                 place(n);
                 look(n);
             }

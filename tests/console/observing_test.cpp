@@ -140,6 +140,38 @@ TEST_CASE("a break on a value waits for a change and all breaks can be ended") {
     CHECK(rig.now == 12);
 }
 
+TEST_CASE("breaks say what they wait for and are listed and removed singly") {
+    ObservingRig rig;
+    const auto says = [&](const std::string& command, const char* expected) {
+        rig.run("clear");
+        rig.show();
+        rig.run(command);
+        INFO(rig.text());
+        CHECK(rig.text().find(expected) != std::string::npos);
+    };
+    says("break_when world.ball.position.x >= 7",
+         "breaks when world.ball.position.x >= 7 becomes true; it is false");
+    says("break_when world.crate.mass", "breaks when world.crate.mass changes; it is 1 kg");
+    says("break_when world.boss.mass > 3",
+         "breaks when world.boss.mass > 3 becomes true or changes; it has no value yet");
+    const auto& breaks = rig.lua.state().observing.breaks();
+    // The same again is no other break.
+    rig.run("break_when world.crate.mass");
+    CHECK(breaks.size() == 3);
+    says("breaks", "\"world.ball.position.x >= 7\"");
+    says("#breaks()", "3");
+    says("unbreak world.crate.mas", "no break waits for that");
+    rig.run("unbreak world.boss.mass > 3");
+    rig.run("unbreak(breaks()[1])");
+    CHECK(breaks.texts() == std::vector<std::string>{"world.crate.mass"});
+    says("unbreak()", "");
+    says("unbreak()", "no break is set");
+    says("break_when()", "no break is set any more");
+    // One that was removed does not pause.
+    rig.step(20);
+    CHECK(rig.now == 20);
+}
+
 TEST_CASE("last_time finds the last step at which a condition was true and goes there") {
     ObservingRig rig;
     rig.step(60);
@@ -381,6 +413,14 @@ TEST_CASE("the menu of a property pins and plots and copies its path") {
     REQUIRE(rig.pins().size() == 1);
     choose("Plot");
     CHECK(rig.plots().size() == 1);
+    choose("Break on change");
+    CHECK(rig.text().find("breaks when world.ball.mass changes; it is 1 kg") != std::string::npos);
+    open();
+    CHECK(state.context_menu.entry("Break on change").empty());
+    rig.press_key("escape");
+    rig.show();
+    choose("No break any more");
+    CHECK(state.observing.breaks().size() == 0);
     choose("Copy path");
     CHECK(rig.clipboard.text == "world.ball.mass");
     choose("Who");

@@ -86,6 +86,10 @@ TEST_CASE("a terminal types into a game that runs") {
     CHECK(contains(attached(running.folder, "x\n", {"drop"}).out, "  3\n"));
     CHECK(contains(attached(running.folder, "x\n", {(running.folder / "drop").string()}).out,
                    "  3\n"));
+    // Longer commands would delay a frame; what is refused says what runs them.
+    const Outcome large = attached(running.folder, std::string(4096, '(') + "\nx\n");
+    CHECK(contains(large.out, "at most 4096 bytes; exec(\"FILE\") runs more"));
+    CHECK(large.out.ends_with("  3\n"));
     const Outcome wrong = attached(running.folder, "x\n", {"drip"});
     CHECK(wrong.status == 3);
     CHECK(contains(wrong.err, "\"drip\" does not listen; there are drop ("));

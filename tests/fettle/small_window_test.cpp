@@ -53,4 +53,21 @@ TEST_CASE("the texts of games fit into small windows and do not cover each other
     CHECK(done.out == "true\n");
 }
 
+TEST_CASE("the texts of the showcase are hidden while the console covers a part of them") {
+    const std::string look = R"(
+        local texts = 0
+        local pen = setmetatable({}, { __index = function() return function() end end })
+        function pen.screen(action) action(pen) end
+        function pen.text_size(text, size) return #text * size / 2, size end
+        function pen.text() texts = texts + 1 end
+        draw(pen)
+        print(texts > 0)
+    )";
+    const Outcome done =
+        fettle(Folder(), {"run", "scripts/showcase", "--headless", "--steps", "4", "--at",
+                          "1:" + look, "--at", "2:console.open = true", "--at", "3:" + look});
+    INFO(done.err);
+    CHECK(done.out == "true\nfalse\n");
+}
+
 }  // namespace small_window_test

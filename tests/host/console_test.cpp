@@ -176,6 +176,23 @@ TEST_CASE("the console uses the clipboard of the program") {
     CHECK(number_at(game.get(), "sum") == 42);
 }
 
+TEST_CASE("two branches of the past are compared side by side") {
+    const Game game = make("world.ball = Body { position = vec(0, 2), Circle {} }");
+    const auto run = [&game](const char* command) {
+        require(fettle_hosted_evaluate(game.get(), command, nullptr, nullptr));
+        return draw(game, 3).vertex_count;
+    };
+    require(fettle_console_open(game.get(), true));
+    draw(game, 60);
+    run("rewind(0.5)");
+    run("world.ball.velocity = vec(5, 5)");
+    draw(game, 20);
+    run("clear");
+    // One view for each branch is drawn. An error would be a line of the log.
+    const uint32_t before = run("time.paused = true"), with = run("compare_branch()");
+    CHECK(with > before + 200);
+}
+
 TEST_CASE("the console goes on while formulas of its settings and of the services fail") {
     const std::pair<std::string, std::string> all[] = {
         {"console.memory_limit", "64"},   {"console.pauses", "true"},    {"console.ghosts", "true"},

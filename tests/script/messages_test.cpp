@@ -360,6 +360,8 @@ local o = Object { x = 3, size = 2, r = 1 }
     s.run("Ball = class('Ball', Body) { speed = 3 } local b = Ball { pos = vec(1, 2) } b.pos = 3");
     REQUIRE(notes.size() == 1);
     CHECK_THAT(notes[0], contains("Body has no property \"pos\""));
+    CHECK_THAT(s.console("world.late = Body { Circle {} } world.late.isKinematic = true"),
+               contains("(did you mean type = \"kinematic\"?)"));
     CHECK_THAT(s.fails("local _ = (Body {}).rotation"), contains("no such name"));
 }
 

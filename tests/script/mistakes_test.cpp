@@ -40,6 +40,53 @@ TEST_CASE("a name without quotes that no property takes keeps its hint") {
     CHECK(s.fails("static()").find("quotes") == std::string::npos);
     CHECK(s.fails("local x = static").find("quotes") == std::string::npos);
     CHECK(s.fails("local x = (static or 0) + 1").find("quotes") == std::string::npos);
+    // In a line that has the word very often, only the first places are looked at.
+    std::string line = "x = static world.ball.type = static";
+    CHECK_THAT(s.fails(line), contains("type = \"static\""));
+    for (int i = 0; i < 100; ++i) line.insert(0, "x = static ");
+    CHECK(s.fails(line).find("quotes") == std::string::npos);
+}
+
+TEST_CASE("names of classes of other engines lead to the classes here") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    const auto [name, here] = GENERATE(table<std::string, std::string>({
+        {"HingeJoint", "RevoluteJoint { ... }"},
+        {"HingeJoint2D", "RevoluteJoint { ... }"},
+        {"PinJoint2D", "RevoluteJoint { ... }"},
+        {"PivotJoint", "RevoluteJoint { ... }"},
+        {"SliderJoint", "PrismaticJoint { ... }"},
+        {"SpringJoint2D", "DistanceJoint { ... }"},
+        {"b2WeldJointDef", "WeldJoint { ... }"},
+        {"Rigidbody", "Body { ... }"},
+        {"RigidBody2D", "Body { ... }"},
+        {"CharacterBody2D", "Mover { ... }"},
+        {"CircleCollider", "Circle { ... }"},
+        {"BoxCollider2D", "Box { ... }"},
+        {"cpPolyShape", "Polygon { ... }"},
+        {"Sprite2D", "Sprite { ... }"},
+        {"Area2D", "Circle { sensor = true } in a body"},
+        {"Timer", "after(seconds, action)"},
+    }));
+    INFO(name);
+    const std::string hint = "(write " + here + ")";
+    CHECK_THAT(s.fails("world.x = " + name + " {}"), contains(": no such name " + hint));
+    CHECK_THAT(s.fails("class(\"A\", \"" + name + "\")"), contains(hint));
+    CHECK_THAT(s.console("help(\"" + name + "\")"), contains(hint));
+    CHECK_THAT(s.console("query " + name), contains(hint));
+}
+
+TEST_CASE("a search that finds nothing knows the classes of other engines") {
+    Stage s;
+    CHECK_THAT(s.console("find(\"PinJoint2D\")"),
+               contains("nothing has \"PinJoint2D\" (write RevoluteJoint { ... })"));
+}
+
+TEST_CASE("a name that looks like that of a class here or of a variable keeps its hint") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    CHECK_THAT(s.fails("x = Boddy {}"), contains("did you mean \"Body\"?"));
+    CHECK(s.fails("x = spring").find("Joint") == std::string::npos);
 }
 
 TEST_CASE("a child with the name of a property is refused with the reason") {

@@ -210,6 +210,28 @@ TEST_CASE("a command that makes tens of thousands of instances with children is 
     CHECK(run.tweaks->list().size() == count);
 }
 
+// With a look at all tweaks for each instance, this takes minutes.
+TEST_CASE("tens of thousands of creations are undone and made again at once") {
+    constexpr std::size_t count = 40'000;
+    const GameFolder folder;
+    Run run(folder);
+    run.tree.set_history_limit(std::size_t{1} << 30);
+    run.tree.begin_edit("many");
+    run.person([&] {
+        for (std::size_t i = 0; i < count; ++i)
+            run.tree.create(run.tree.class_named("Thing"), run.world, "thing_" + std::to_string(i));
+    });
+    run.tree.end_edit();
+    run.barrier();
+    CHECK(run.tweaks->list().size() == count);
+    run.tree.undo();
+    run.barrier();
+    CHECK(run.tweaks->list().empty());
+    run.tree.redo();
+    run.barrier();
+    CHECK(run.tweaks->list().size() == count);
+}
+
 TEST_CASE("an undone deletion gives an instance and thousands of new children their tweaks again") {
     constexpr int children = 10'000;
     const GameFolder folder;

@@ -25,7 +25,7 @@ export class Invalid extends FettleError {}
 export class Stale extends FettleError {}
 export class Locked extends FettleError {}
 export class NoMemory extends FettleError {}
-const errors = [, Invalid, Stale, Locked, NoMemory];
+const errors = [, Invalid, Stale, Locked, NoMemory], lockedCode = errors.indexOf(Locked);
 
 let raised;  // what a function of the program has thrown inside this call
 
@@ -37,8 +37,12 @@ export function done(code) {
     raised = undefined;
     throw error;
   }
+  if (isLeft(code)) throw new FettleError("world: JavaScript has ended an earlier call in its middle, since its stack was full; it can only be destroyed");
   if (code !== 0) throw new (errors[code] ?? FettleError)(text(c.fettle_last_error()));
 }
+
+/** Whether a world is in the middle of a call although there is none: JavaScript has ended that call when its stack was full. */
+const isLeft = (code) => code === lockedCode && depth === 0;
 
 function shown(value) {
   return typeof value === "string" ? JSON.stringify(value) : String(value);
@@ -315,7 +319,8 @@ export class WorldBase {
   /** Destroys the world and all in it; it can be called again. */
   destroy() {
     if (this.address === 0) return;
-    done(c.fettle_world_destroy(this.address));
+    const code = c.fettle_world_destroy(this.address);
+    if (!isLeft(code)) done(code);  // otherwise its memory stays taken
     this.address = 0;
     forgotten.unregister(this);
     this.handles = [, [], [], [], []];

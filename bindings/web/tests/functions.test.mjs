@@ -315,6 +315,46 @@ test("worlds whose functions step other worlds are nested at most 32 deep", () =
   near(ball.position.y, 1, 0.02);
 });
 
+test("a world whose step was ended by a full stack of JavaScript says so and can be destroyed", () => {
+  let found = 0;
+  for (let i = 0; i < 300 && found < 3; ++i) {
+    const { world } = standing(0.9), padding = Array.from({ length: i % 60 }, () => 0);
+    let left = 400, ended = false;  // frames near the end of the stack
+    const deep = (...all) => {
+      try {
+        deep(...all);
+      } catch (error) {
+        if (left-- > 0 && !ended) {
+          try {
+            world.step(1 / 60);
+          } catch (inside) {
+            ended = /wasm/.test(inside.stack);
+          }
+        }
+        throw error;
+      }
+    };
+    assert.throws(() => deep(...padding), RangeError);
+    let said = null;
+    try {
+      world.createBody();
+    } catch (error) {
+      said = error;
+    }
+    if (said !== null) {
+      ++found;
+      assert.match(said.message, /has ended an earlier call in its middle.*it can only be destroyed/);
+      assert.ok(!(said instanceof Locked));
+    }
+    world.destroy();
+    assert.throws(() => world.step(1 / 60), Stale);
+  }
+  assert.ok(found > 0);
+  const { world, ball } = standing(0.5);
+  run(world, 60);
+  near(ball.position.y, 1, 0.6);
+});
+
 test("a full stack of JavaScript does not damage the library", () => {
   const numbers = Array.from({ length: 150 }, (_, i) => i);
   for (let i = 0; i < 100; ++i) {

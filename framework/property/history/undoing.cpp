@@ -121,6 +121,7 @@ History::References::~References() {
 
 UndoResult History::run(Transaction& transaction, bool back) {
     UndoResult result{.done = true, .name = transaction.name, .notes = {}};
+    result.too_large = transaction.too_large;
     if (transaction.too_large)
         result.notes.emplace_back("it took more memory than the history may: nothing was changed");
     const Tree::CauseScope scope(tree_, Writer::undo);

@@ -12,6 +12,7 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <reference/language.h>
+#include <text/foreign_classes.h>
 #include <text/words.h>
 #include <values/short_text.h>
 #include <values/values.h>
@@ -259,7 +260,7 @@ int class_function(lua_State* L) {
         machine.classes.push(L, machine.tree.object_class());
         lua_replace(L, 2);
     } else if (lua_type(L, 2) == LUA_TSTRING) {
-        machine.classes.push(L, machine.tree.class_named(string_at(L, 2)));
+        machine.classes.push(L, class_called(machine.tree, string_at(L, 2)));
         lua_replace(L, 2);
     } else if (!class_object_at(L, 2)) {
         refuse_type(L, 2, "class: the base is a class or its name");

@@ -170,7 +170,7 @@ bool ends_early(lua_State* L) {
 Compiled compile(lua_State* L, std::string_view command) {
     constexpr std::string_view expression_begin = "return ";
     const std::string expression = std::string(expression_begin) + std::string(command);
-    if (load_text(L, expression, chunk_name) == LUA_OK) return Compiled::expression;
+    if (try_load_text(L, expression, chunk_name) == LUA_OK) return Compiled::expression;
     lua_pop(L, 1);
     if (load_text(L, command, chunk_name) == LUA_OK) return Compiled::statements;
     if (ends_early(L)) return Compiled::incomplete;
@@ -227,6 +227,11 @@ bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluati
     return true;
 }
 
+/// Functions whose results are printed, that may be typed without parentheses.
+bool is_bare_question(std::string_view command) {
+    return command == "breaks" || command == "bookmarks";
+}
+
 /// Functions without arguments that may be typed without parentheses.
 bool is_bare_command(std::string_view command) {
     return command == "undo" || command == "redo" || command == "history" || command == "tweaks" ||
@@ -263,10 +268,23 @@ std::vector<std::string_view> arguments_of(std::string_view text) {
 // arguments, as texts. Leaves the results on the stack. Returns false if the command has another
 // form.
 bool call_with_words(lua_State* L, std::string_view command) {
-    constexpr std::string_view functions[] = {
-        "who",         "why",      "pin",        "unpin",         "plot", "break_when",
-        "last_time",   "find",     "query",      "help",          "keep", "reapply_tweaks",
-        "drop_tweaks", "bookmark", "unbookmark", "compare_branch"};
+    constexpr std::string_view functions[] = {"who",
+                                              "why",
+                                              "pin",
+                                              "unpin",
+                                              "plot",
+                                              "break_when",
+                                              "unbreak",
+                                              "last_time",
+                                              "find",
+                                              "query",
+                                              "help",
+                                              "keep",
+                                              "reapply_tweaks",
+                                              "drop_tweaks",
+                                              "bookmark",
+                                              "unbookmark",
+                                              "compare_branch"};
     const std::size_t space = command.find(' ');
     if (space == std::string_view::npos) return false;
     const std::string_view name = command.substr(0, space);
@@ -300,6 +318,8 @@ void take_lines(Machine& machine, Evaluation& evaluation) {
 
 void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
     if (command == "?") command = "help";
+    const std::string called = std::string(command) + "()";
+    if (is_bare_question(command)) command = called;
     if (add_help(L, machine, command, evaluation)) return;
     if (is_bare_command(command)) {
         lua_getglobal(L, std::string(command).c_str());

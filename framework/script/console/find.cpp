@@ -21,6 +21,7 @@
 #include <reference/signature.h>
 #include <sandbox/sandbox.h>
 #include <text/columns.h>
+#include <text/foreign_classes.h>
 #include <text/words.h>
 #include <values/values.h>
 
@@ -102,11 +103,12 @@ std::vector<std::string> find_lines(const property::Tree& tree, std::string_view
     });
     std::vector<std::string> lines = search.lines(folded);
     if (!lines.empty()) return lines;
+    const std::string quoted = property::message_text("nothing has \"" + std::string(word) + "\"");
+    if (const std::string hint = hint_for_class(word); !hint.empty()) return {quoted + hint};
     std::set<std::string>& known = search.known();
     tree.each_below(tree.root(), [&](Handle handle) { known.insert(tree.name(handle)); });
-    return {property::message_text(
-        "nothing has \"" + std::string(word) + "\"" +
-        property::suggestion(word, std::vector<std::string>(known.begin(), known.end())))};
+    return {quoted +
+            property::suggestion(word, std::vector<std::string>(known.begin(), known.end()))};
 }
 
 namespace {

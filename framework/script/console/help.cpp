@@ -17,6 +17,7 @@
 #include <reference/signature.h>
 #include <sandbox/sandbox.h>
 #include <text/columns.h>
+#include <text/foreign_classes.h>
 #include <text/words.h>
 #include <values/members.h>
 #include <values/short_text.h>
@@ -341,9 +342,11 @@ std::vector<std::string> help_lines(lua_State* L, int index) {
         auto lines = help_for(machine, name);
         if (!lines.empty()) return lines;
         if (lines = members_called(machine.tree, name); !lines.empty()) return lines;
-        if (is_path(name))
+        if (is_path(name)) {
+            const std::string hint = hint_for_class(name);
             return {name + ": no such name" +
-                    property::suggestion(name, known_names(machine.tree))};
+                    (hint.empty() ? property::suggestion(name, known_names(machine.tree)) : hint)};
+        }
     }
     return {short_text(L, index) + " · " + describe_type(L, index)};
 }

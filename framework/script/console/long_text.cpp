@@ -13,6 +13,7 @@
 #include <objects/instance_set.h>
 #include <reference/reference_facts.h>
 #include <text/columns.h>
+#include <text/foreign_classes.h>
 #include <text/words.h>
 #include <values/description.h>
 #include <values/short_text.h>
@@ -175,11 +176,12 @@ std::string nothing_found(const property::Tree& tree, const std::string& pattern
     const property::Pattern asked(pattern);
     for (const std::string& each : asked.segments()) {
         if (each.find('*') != std::string::npos || names.contains(each)) continue;
+        const std::string start = property::message_text(text + ": nothing has \"" + each + "\"");
+        if (const std::string hint = hint_for_class(each); !hint.empty()) return start + hint;
         std::vector<std::string> known(names.begin(), names.end());
         if (asked.segments().size() == 1)  // the name of a class alone is a pattern, too
             for (const property::Class* of : tree.classes()) known.push_back(of->name());
-        return property::message_text(text + ": nothing has \"" + each + "\"" +
-                                      property::suggestion(each, known));
+        return start + property::suggestion(each, known);
     }
     return text;
 }

@@ -1,5 +1,6 @@
 // Functions that need a console:
-//   pin(...)  unpin(text)  plot(...)  break_when(condition)  last_time(condition)
+//   pin(...)  unpin(text)  plot(...)  break_when(condition)  unbreak(text)  breaks()
+//   last_time(condition)
 //   selection(instances)  bind(key, command)  alias(word, command)  exec(file)  clear()
 //   export_plot(kind)  ab(path, value)  share(file)  record(on)  restart()
 //   compare_branch(name)  bookmark(name, step)  unbookmark(name)  bookmarks()  play_back(seconds)
@@ -78,8 +79,32 @@ int plot(lua_State* L) {
 int break_when(lua_State* L) {
     Observed condition;
     if (!lua_isnoneornil(L, 1)) condition = observe(L, 1, "break_when");
-    call_console<&ConsoleFunctions::break_when>(L, "break_when", std::move(condition));
+    Machine& machine = machine_of(L);
+    if (const auto* function = served(machine, &ConsoleFunctions::break_when, "break_when"))
+        if (const std::string message = (*function)(std::move(condition)); !message.empty())
+            print_line(machine, message);
     return 0;
+}
+
+int unbreak(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string text = text_or_nothing(L, 1, "unbreak: needs the text of the condition");
+    const auto* function = served(machine, &ConsoleFunctions::unbreak, "unbreak");
+    if (function != nullptr && (*function)(text.empty() ? text : with_selected(machine, text)) == 0)
+        print_line(machine, text.empty() ? "no break is set" : "no break waits for that");
+    return 0;
+}
+
+int breaks(lua_State* L) {
+    const auto* function = served(machine_of(L), &ConsoleFunctions::breaks, "breaks");
+    lua_newtable(L);
+    if (function == nullptr) return 1;
+    lua_Integer count = 0;
+    for (const std::string& text : (*function)()) {
+        push_text(L, text);
+        lua_rawseti(L, -2, ++count);
+    }
+    return 1;
 }
 
 int last_time(lua_State* L) {
@@ -269,6 +294,8 @@ void open_console_functions(lua_State* L) {
     add_function<unpin>(L, "unpin");
     add_function<plot>(L, "plot");
     add_function<break_when>(L, "break_when");
+    add_function<unbreak>(L, "unbreak");
+    add_function<breaks>(L, "breaks");
     add_function<last_time>(L, "last_time");
     add_function<bind>(L, "bind");
     add_function<alias>(L, "alias");

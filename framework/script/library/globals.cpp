@@ -17,6 +17,7 @@
 #include <lua/stack.h>
 #include <reference/language.h>
 #include <text/bare_words.h>
+#include <text/foreign_classes.h>
 #include <text/other_languages.h>
 #include <text/words.h>
 #include <values/recording.h>
@@ -148,6 +149,7 @@ std::string hint_for(lua_State* L, Machine& machine, std::string_view name) {
     if (std::string hint = bare_word_hint(machine.tree, reading_line(L), name); !hint.empty())
         return hint;
     if (std::string hint = hint_for_name(name); !hint.empty()) return hint;
+    if (std::string hint = hint_for_class(name); !hint.empty()) return hint;
     // At the console, where people write what they see on the screen.
     if (machine.recording.active)
         if (const std::string path = path_of_instance(machine.tree, name); !path.empty())

@@ -20,6 +20,17 @@ using property::Place;
 
 namespace {
 
+/// The property that gives the history more memory; "" if this game has none.
+std::string memory_hint(const Machine& machine) {
+    const property::Tree& tree = machine.tree;
+    const Handle time = tree.child(tree.root(), "time");
+    const property::Property* const memory = time ? tree.find(time, "rewind_memory") : nullptr;
+    if (memory == nullptr) return {};
+    return "  with a larger time.rewind_memory (" +
+           tree.text(tree.peek(time, *memory), memory->precision()) + " " + memory->unit +
+           " now), the next edit of this size can be undone";
+}
+
 void report(Machine& machine, const char* what, const property::UndoResult& result) {
     if (!result.done) return print_line(machine, std::string("nothing to ") + what);
     print_line(machine, std::string(what) + ": " + result.name);
@@ -31,6 +42,8 @@ void report(Machine& machine, const char* what, const property::UndoResult& resu
         print_line(machine, "  … " + std::to_string(result.more_changes) +
                                 (result.more_changes == 1 ? " more change" : " more changes"));
     for (const std::string& note : result.notes) print_line(machine, "  " + note);
+    if (std::string hint = result.too_large ? memory_hint(machine) : ""; !hint.empty())
+        print_line(machine, std::move(hint));
 }
 
 int undo(lua_State* L) {

@@ -82,12 +82,16 @@ void name_foreign_letters(lua_State* L, std::string_view code, const char* name)
 
 }  // namespace
 
-int load_text(lua_State* L, std::string_view code, const char* name) {
+int try_load_text(lua_State* L, std::string_view code, const char* name) {
     const auto read = [](lua_State* in, void* left, std::size_t* size) {
         return take_piece(in, *static_cast<std::string_view*>(left), size);
     };
     std::string_view left = code;
-    const int status = lua_load(L, read, &left, name, "t");
+    return lua_load(L, read, &left, name, "t");
+}
+
+int load_text(lua_State* L, std::string_view code, const char* name) {
+    const int status = try_load_text(L, code, name);
     if (status == LUA_OK || lua_type(L, -1) != LUA_TSTRING) return status;
     place_overflow(L, code, name, read_byte);
     name_foreign_letters(L, code, name);

@@ -27,6 +27,8 @@ inline bool is_library(const lua_Debug& frame) {
 /// each name up in all functions around it, so the time of a text may grow with the square of its
 /// length.
 int load_text(lua_State* L, std::string_view code, const char* name);
+/// The same without searching for the place of an error, which compiles the text again.
+int try_load_text(lua_State* L, std::string_view code, const char* name);
 
 /// Lua gives no place for a text that is nested too deeply. If that is the message at the top of
 /// the stack, puts the place there. `reader` reads one byte of a std::string_view.

@@ -13,6 +13,7 @@
 #include <motion/tweens.h>
 #include <objects/generic_methods.h>
 #include <objects/instance_set.h>
+#include <text/foreign_classes.h>
 #include <values/declarations.h>
 #include <values/members.h>
 #include <values/values.h>
@@ -26,7 +27,7 @@ namespace {
 const Class* class_at(lua_State* L, const property::Tree& tree, int index, const char* what) {
     if (lua_isnoneornil(L, index)) return nullptr;
     if (const Class* found = class_object_at(L, index)) return found;
-    if (lua_type(L, index) == LUA_TSTRING) return &tree.class_named(string_at(L, index));
+    if (lua_type(L, index) == LUA_TSTRING) return &class_called(tree, string_at(L, index));
     refuse_type(L, index, std::string(what) + ": needs a class or its name");
 }
 

@@ -32,7 +32,10 @@ const std::vector<GlobalDoc>& global_docs() {
         {"break_when", "break_when(condition?: string|fun(): any)",
          "Pauses the game after the step in which the condition becomes true, and prints its old "
          "and new value and who wrote it. A value that is not a boolean breaks when it changes. "
-         "Without a condition all breaks end."},
+         "`breaks` lists the conditions, `unbreak` ends one; without a condition all end."},
+        {"breaks", "breaks(): string[]",
+         "The conditions that `break_when` waits for, as texts. In the console the parentheses may "
+         "be left out."},
         {"class", "class(name: string, base?: Class|string): fun(members: table): Class",
          "Defines a class whose instances are in the tree: Ball = class(\"Ball\", Body) { lives "
          "= 3 }. Values are properties with their defaults; `doc` describes the class, or its "
@@ -196,6 +199,8 @@ const std::vector<GlobalDoc>& global_docs() {
         {"undo", "undo()", "Reverses the latest edit."},
         {"unbookmark", "unbookmark(name?: string)",
          "Removes a bookmark; all of them without a name."},
+        {"unbreak", "unbreak(condition?: string)",
+         "Ends one condition of `break_when`, which is named by its text; all if it is left out."},
         {"unpin", "unpin(what?: string)",
          "Removes an entry from the watch list; without an argument, all."},
         {"vec",

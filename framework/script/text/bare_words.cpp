@@ -44,8 +44,12 @@ bool is_used_as_value(std::string_view before, std::string_view after) {
 
 std::string bare_word_hint(const property::Tree& tree, std::string_view line,
                            std::string_view word) {
-    for (std::size_t at = find_word(line, word); at != std::string_view::npos;
-         at = find_word(line, word, at + 1)) {
+    // Each place takes a look at all properties, and a program may have written the line.
+    constexpr int most_places = 16;
+    if (word.empty() || !is_word(word.front())) return {};
+    std::size_t at = find_word(line, word);
+    for (int place = 0; place < most_places && at != std::string_view::npos;
+         ++place, at = find_word(line, word, at + 1)) {
         const std::string_view before = trimmed(line.substr(0, at)),
                                after = trimmed(line.substr(at + word.size()));
         const std::string_view name = assigned(before);

@@ -50,16 +50,13 @@ struct Options {
     std::function<bool()> game_covered{};
     /// Tweaks to list, keep and drop; null: nothing of them is shown.
     property::Tweaks* tweaks = nullptr;
-    /// Shows the kept past: calls `look` after each step from `from` on, with the tree as it was
-    /// then (app::Timeline::review). Without it, plots begin when they are made, and `last_time`
-    /// is refused.
-    std::function<void(std::int64_t from, const std::function<void(std::int64_t step)>& look)>
-        review{};
-    /// As `review`, up to the step `to`, which may be later than the present one. Without it, onion
-    /// skins show only poses that the console has seen.
+    /// Shows the kept past: calls `look` after each step from `from` to `to`, which may be later
+    /// than the present one, with the tree as it was then (app::Timeline::review). Without it,
+    /// plots begin when they are made, onion skins show only poses that the console has seen, and
+    /// `last_time` is refused.
     std::function<void(std::int64_t from, std::int64_t to,
                        const std::function<void(std::int64_t step)>& look)>
-        review_between{};
+        review{};
     /// Repeats the kept past with a change at `from` (app::Timeline::repeat_with). Without it, `ab`
     /// is refused.
     std::function<void(std::int64_t from, const std::function<void()>& change,

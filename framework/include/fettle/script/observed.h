@@ -27,6 +27,9 @@ struct Observed {
     /// Computes the formulas of the properties that the text names, which `value` must not do: it
     /// would read their last results. Not to be called while the past is shown.
     std::function<void()> settle = [] {};
+    /// Whether it was given as a function: its text does not contain the variables that it uses, so
+    /// the text alone does not mean the same.
+    bool is_function() const { return text.starts_with("function"); }
 };
 
 /// Called in the middle of a command or of a script; must not throw. Missing functions are refused.
@@ -37,8 +40,12 @@ struct ConsoleFunctions {
     /// Shows the values over time; an empty list ends it.
     std::function<void(std::vector<Observed>)> plot{};
     /// Pauses the game after the step in which the condition becomes true. Without a condition:
-    /// forgets all of them.
-    std::function<void(Observed)> break_when{};
+    /// forgets all of them. Returns a message: what it waits for, and the present value.
+    std::function<std::string(Observed)> break_when{};
+    /// Returns how many were forgotten; "" is all of them.
+    std::function<std::size_t(const std::string& text)> unbreak{};
+    /// The texts of the conditions.
+    std::function<std::vector<std::string>()> breaks{};
     /// Searches the kept past for the last step at which the condition was true, and goes there.
     std::function<void(Observed)> last_time{};
     /// Shows the last seconds twice: as they were, and with that value of the property from their

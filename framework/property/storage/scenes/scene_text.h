@@ -28,6 +28,8 @@ class SceneValues {
     /// Forgets the instance and those that are below it in the tree.
     void forget(const Tree& tree, Handle instance);
     void clear();
+    /// Whether any of the values may have references.
+    bool may_name() const { return !naming_.empty(); }
     /// Replaces paths in all references. Returns whether there was one that `mention` may name.
     bool rename(const Tree& tree, const std::string& mention, const NewPath& path);
 

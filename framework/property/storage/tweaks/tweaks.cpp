@@ -168,6 +168,7 @@ Tweaks::State::Entry& Tweaks::State::add_entry(Kind kind, const std::string& ins
     its.row.number = ++last_number;
     its.row.instance = instance;
     its.handle = handle;
+    index(its);
     return its;
 }
 
@@ -175,6 +176,7 @@ void Tweaks::State::touch(Entry& entry) {
     entry.row.state = RowState::open;
     entry.row.step = static_cast<std::int64_t>(tree.step());
     entry.row.time = seconds_now();
+    index(entry);
     rest = 0;
     if (entry.dirty) return;
     entry.dirty = true;
@@ -215,8 +217,10 @@ void Tweaks::State::edited_again(Handle instance, const Property& property) {
     if (tree.cause().writer != Writer::undo) return;
     for (const auto& each : entries)
         if (each->row.kind == Kind::value && each->handle == instance &&
-            each->property == property.symbol && each->deletion != nullptr)
+            each->property == property.symbol && each->deletion != nullptr) {
             each->now = image_now(tree, instance, property.symbol, false);
+            index(*each);
+        }
 }
 
 /// An edited instance cannot be deleted: the game went back in time or loaded a save. So its
@@ -328,38 +332,44 @@ bool Tweaks::State::taken_out_of_creation(Handle instance, Handle parent) {
 /// Makes the tweaks at `path` and below it void. `home`: home path of the instance; "" if no file
 /// describes it.
 void Tweaks::State::make_void(const std::string& path, const std::string& home, Entry& deletion) {
-    const InstanceMoves all = restorations.empty() ? InstanceMoves() : moves();
-    std::string restored;
-    const auto path_now = [&](const JournalRow& row) -> const std::string& {
-        if (row.kind == Kind::moved || row.kind == Kind::deleted) return row.now;
-        return row.kind == Kind::restored ? restored = all.now(row.instance) : row.instance;
-    };
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        Entry& its = *entries[i];
+    std::vector<Entry*> affected = at_or_below(path);
+    if (!restorations.empty()) {
+        const InstanceMoves all = moves();
+        for (const auto& [of, restoration] : restorations)
+            if (is_at_or_below(all.now(restoration->row.instance), path))
+                affected.push_back(restoration);
+        affected = in_order(std::move(affected));
+    }
+    for (Entry* const each : affected) {
+        Entry& its = *each;
         if (&its == &deletion || its.row.state != RowState::open || its.gone) continue;
-        if (!is_at_or_below(path_now(its.row), path)) continue;
         // Its home is not below the deleted one in the files, so it needs a separate deletion.
         const bool elsewhere = home.empty() || !is_at_or_below(its.row.instance, home);
         const bool in_its_place = its.row.now == path;  // a different instance, deleted before
         if (its.row.kind == Kind::deleted && (elsewhere || in_its_place)) continue;
         its.gone = true;
         its.deletion = &deletion;
+        deletion.voided.push_back(&its);
         touch(its);
-        if (its.row.kind == Kind::moved && elsewhere && tree.alive(its.handle))
-            add_deletion(its.handle, its.row.now, its.row.instance).with = &deletion;
+        if (its.row.kind == Kind::moved && elsewhere && tree.alive(its.handle)) {
+            Entry& other = add_deletion(its.handle, its.row.now, its.row.instance);
+            other.with = &deletion;
+            deletion.voided.push_back(&other);
+        }
     }
     // An instance whose home is below another deleted one needs no separate deletion.
-    for (const auto& each : entries)
+    const std::vector<Entry*> voided = in_order(deletion.voided);
+    for (Entry* each : voided)
         if (each->with == &deletion && !each->gone)
-            each->gone = std::any_of(entries.begin(), entries.end(), [&](const auto& other) {
+            each->gone = std::ranges::any_of(voided, [&](const Entry* other) {
                 return other != each && other->with == &deletion && !other->gone &&
                        is_at_or_below(each->row.instance, other->row.instance);
             });
 }
 
-void Tweaks::State::revive(const Entry& deletion) {
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        Entry& its = *entries[i];
+void Tweaks::State::revive(Entry& deletion) {
+    for (Entry* const each : in_order(deletion.voided)) {
+        Entry& its = *each;
         if (its.gone && its.deletion == &deletion) {
             its.gone = false;
             its.deletion = nullptr;
@@ -371,6 +381,9 @@ void Tweaks::State::revive(const Entry& deletion) {
             (void)undelete(its);
         }
     }
+    std::erase_if(deletion.voided, [&](const Entry* each) {
+        return each->deletion != &deletion && each->with != &deletion;
+    });
 }
 
 // --- Reports

@@ -39,7 +39,10 @@ void Tweaks::State::barrier() {
     }
     settle_fresh();
     settle_reapplied();
-    for (Entry* entry : dirty) refresh(*entry);
+    for (Entry* entry : dirty) {
+        refresh(*entry);
+        index(*entry);
+    }
     commit();
 }
 

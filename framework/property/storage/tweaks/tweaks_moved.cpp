@@ -135,6 +135,7 @@ void Tweaks::State::homes_changed(const NewPath& now_at) {
             row.instance = now;
             if (row.kind == Kind::moved) row.was_text = row.instance;
         }
+        index(*each);
         if (renamed && row.state == RowState::open && !each->gone) touch(*each);
     }
     for (JournalRow& row : earlier.rows) {
@@ -176,7 +177,9 @@ void Tweaks::State::steps_renamed(const std::filesystem::path& file,
 
 void Tweaks::State::file_says(const JournalRow& row) {
     const auto found = by_key.find(key_of(Kind::value, row.instance, row.property));
-    if (found != by_key.end()) found->second->was = read_image(row.now);
+    if (found == by_key.end()) return;
+    found->second->was = read_image(row.now);
+    index(*found->second);
 }
 
 /// Changes the key by which the entry is found.
@@ -228,7 +231,10 @@ void Tweaks::State::repath(Handle instance, const std::string& old_path) {
         if (its.row.kind == Kind::moved || its.row.kind == Kind::deleted) {
             if (const auto now = now_at(its.row.now)) {
                 its.row.now = *now;
-                if (open) touch(its);
+                if (open)
+                    touch(its);
+                else
+                    index(its);
             }
             continue;
         }
@@ -237,7 +243,10 @@ void Tweaks::State::repath(Handle instance, const std::string& old_path) {
         if (const auto now = now_at(its.row.instance); now && about) {
             rekey(its, *now);
             its.row.instance = *now;
-            if (open) touch(its);
+            if (open)
+                touch(its);
+            else
+                index(its);
         }
     }
 }
@@ -246,7 +255,7 @@ void Tweaks::State::rename_mentions(const std::string& from, const std::string& 
     const NewPath now_at = moved_path(from, to);
     const std::string quoted = mention_of(from);
     std::vector<std::pair<Entry*, std::string>> values_named_again;
-    for (const auto& each : entries) {
+    for (Entry* const each : in_order({naming.begin(), naming.end()})) {
         Entry& its = *each;
         const bool open = its.row.state == RowState::open && !its.gone;
         bool renamed = false;
@@ -291,6 +300,7 @@ void Tweaks::State::name_again(Entry& made, const std::string& path) {
         return std::nullopt;
     };
     refresh_created(made);
+    index(made);
     const SceneEdit scene(tree, made.scene, "journal");
     for (const SceneEdit::NamingValue& each : scene.naming_values(none)) {
         Handle instance = made.handle;

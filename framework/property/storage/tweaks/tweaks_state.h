@@ -1,6 +1,7 @@
 #pragma once
 // State of the tweaks while a game runs; shared by the files that implement it.
 
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -45,7 +46,9 @@ struct Tweaks::State : EditObserver {
         bool committed = false;     // the journal contains it
         bool dirty = false;
         std::vector<std::pair<Handle, Symbol>> inside;  // of a creation: edited cells
-        std::string taken_out;  // for a kept deletion: the text removed from the file
+        std::string taken_out;       // for a kept deletion: the text removed from the file
+        std::string found_at;        // the path in `by_path`; "" if it is not in it
+        std::vector<Entry*> voided;  // entries whose `deletion` or `with` is or was this one
     };
 
     /// Rows that earlier runs left in the journal.
@@ -88,7 +91,15 @@ struct Tweaks::State : EditObserver {
     void back_in_time(Handle instance);
     Entry& add_deletion(Handle instance, const std::string& path, const std::string& home);
     void make_void(const std::string& path, const std::string& home, Entry& deletion);
-    void revive(const Entry& deletion);
+    void revive(Entry& deletion);
+
+    // entry_index.cpp: an edit of one instance does not look at all tweaks
+    /// Must be called after the path of an entry or the texts that may name instances have changed.
+    void index(Entry& entry);
+    /// The entries at that path and below it, but for restorations, in order.
+    std::vector<Entry*> at_or_below(const std::string& path) const;
+    std::vector<Entry*> in_order(std::vector<Entry*> entries) const;
+    static bool may_name(const Entry& entry);
 
     // tweaks_moved.cpp
     bool moved_with_creation(Handle instance, Handle old_parent, const std::string& old_path);
@@ -166,6 +177,8 @@ struct Tweaks::State : EditObserver {
 
     std::vector<std::unique_ptr<Entry>> entries;  // entry number n is at index n - 1
     std::unordered_map<std::string, Entry*> by_key;
+    std::multimap<std::string, Entry*> by_path;  // the present paths of what they are about
+    std::unordered_set<Entry*> naming;           // those whose texts may name instances
     std::vector<Entry*> dirty;
     std::vector<Handle> fresh;  // created since the last barrier, in order; some may be deleted
     std::unordered_set<std::uint64_t> is_in_fresh;
