@@ -120,7 +120,7 @@ void PhysicsModule::on_problem(std::function<void(const std::string&)> listener)
 void PhysicsModule::step(double dt) {
     if (!(dt >= 0) || dt > std::numeric_limits<float>::max())
         throw std::invalid_argument("PhysicsModule::step: dt = " + property::number_text(dt) +
-                                    ": expected a time in seconds, at least 0");
+                                    ": expected a time from 0 to 3.4e38 s");
     const Hosting::Doing step(hosting());
     if (dt > 0) hosting().last_dt = dt;
     hosting().follow_listeners();

@@ -197,6 +197,7 @@ TEST_CASE("the length of a step that is refused is reported with few digits") {
     CHECK_THROWS_WITH(game.physics.step(1e300),
                       contains("dt = 1e+300:") || contains("dt = 1e300:"));
     CHECK_THROWS_WITH(game.physics.step(-0.5), contains("dt = -0.5:"));
+    CHECK_THROWS_WITH(game.physics.step(1e300), contains("from 0 to 3.4e38 s"));
 }
 
 TEST_CASE(

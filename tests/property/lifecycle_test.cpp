@@ -303,4 +303,53 @@ TEST_CASE("invalid numbers in a descriptor are refused") {
         });
 }
 
+TEST_CASE(
+    "a lifecycle function that begins to watch everything leaves no value of the dead watched") {
+    Connection watched;
+    Tree tree;
+    ClassDescriptor of{.name = "Watching"};
+    of.lifecycle.context = &watched;
+    of.lifecycle.destroy = [](void* context, Tree& t, Handle, Row) {
+        *static_cast<Connection*>(context) = t.watch_pattern("**", [](const Change&) {});
+    };
+    const Handle parent = tree.create(tree.object_class(), tree.root(), "top");
+    tree.create(tree.define(of), parent);
+    tree.destroy(parent);
+    CHECK(watched.active());
+    tree.barrier();
+    tree.set_or_add(tree.root(), "v", 1);
+    tree.barrier();
+}
+
+TEST_CASE("a lifecycle function that deletes an instance cannot watch it") {
+    struct Tried {
+        std::vector<std::string> refused;
+        int heard = 0;
+    } tried;  // before the tree, whose end deletes instances, too
+    Tree tree;
+    ClassDescriptor of{.name = "Watching"};
+    of.events = {Event{.name = "rang"}};
+    of.lifecycle.context = &tried;
+    of.lifecycle.destroy = [](void* context, Tree& t, Handle self, Row) {
+        Tried& all = *static_cast<Tried*>(context);
+        const auto handler = [&all](const auto&) { ++all.heard; };
+        for (const std::function<void()>& attempt : std::initializer_list<std::function<void()>>{
+                 [&] { t.watch(self, "name", handler); }, [&] { t.watch(self, handler); },
+                 [&] { t.watch_deleted(self, handler); },
+                 [&] { t.on(self, *t.class_of(self).event("rang"), handler); }})
+            all.refused.push_back(message_of(attempt));
+    };
+    const Class& watching = tree.define(of);
+    const Handle first = tree.create(watching, tree.root(), "bell");
+    tree.destroy(first);
+    CHECK(tried.refused == std::vector<std::string>(
+                               4, "bell is being deleted: its module cannot watch it meanwhile"));
+    CHECK(tree.watcher_count() == 0);
+    const Handle next = tree.create(watching, tree.root(), "bell");
+    REQUIRE(next.index == first.index);
+    tree.emit(next, *watching.event("rang"), {});
+    tree.barrier();
+    CHECK(tried.heard == 0);
+}
+
 }  // namespace lifecycle_test

@@ -148,6 +148,30 @@ TEST_CASE("the tree stays consistent if the functions for weight and place throw
     CHECK(tree.find(a, "v") == nullptr);
 }
 
+TEST_CASE("what is called when the weight passes a mark can set another mark and change nothing") {
+    Tree tree;
+    std::vector<std::string> reported;
+    tree.on_handler_error([&](const HandlerError& error) { reported.push_back(error.message); });
+    const Handle parent = tree.create(tree.object_class(), tree.root(), "top");
+    int calls = 0;
+    tree.mark_weight(0, [&] {
+        ++calls;
+        tree.mark_weight(tree.weight() + 1, [&] {
+            ++calls;
+            tree.create(tree.object_class(), parent, "child");
+        });
+        tree.destroy(parent);
+    });
+    for (int i = 0; i < 3; ++i) tree.create(tree.object_class(), parent);
+    CHECK(calls == 2);
+    const std::string rule =
+        "the function given to mark_weight is called in the middle of a change: it cannot ";
+    CHECK(reported ==
+          std::vector<std::string>{rule + "delete an instance", rule + "create an instance"});
+    CHECK(tree.child_count(parent) == 3);
+    tree.check(tree.snapshot());
+}
+
 TEST_CASE(
     "a way back for an instance of another tree does nothing and the end of an unopened block is "
     "refused") {

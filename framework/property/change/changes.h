@@ -25,7 +25,7 @@ struct Changes {
           tree(of.tree),
           lifetime(life),
           errors{life},
-          growth{life, errors},
+          growth{tree, life, errors},
           watchers(*this),
           shadows(writes),
           observers{life} {}

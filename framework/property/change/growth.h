@@ -9,6 +9,7 @@
 namespace fettle::property {
 
 struct Growth {
+    Tree& tree;
     Lifetime& lifetime;
     const HandlerErrors& errors;
     std::int64_t bytes = 0;

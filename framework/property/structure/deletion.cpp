@@ -42,7 +42,6 @@ void Structure::destroy_one(std::uint32_t index, const Cause& cause, bool rememb
     // A deletion that a journey in time repeats has its tombstone already, with the true cause.
     if (remember && !changes.replaying)
         instances.tombstones.add({self, &of, nodes[index].name.text(), tree.path(self), cause});
-    changes.shadows.forget(tree, self);
     if (nodes[index].has_formula)
         for (const Property* property : tree.properties(self))
             formulas.remove({index, property->symbol});
@@ -52,6 +51,8 @@ void Structure::destroy_one(std::uint32_t index, const Cause& cause, bool rememb
     const Lifecycle& lifecycle = of.lifecycle();
     if (lifecycle.destroy)
         of_module([&] { lifecycle.destroy(lifecycle.context, tree, self, nodes[index].row); });
+    // After the lifecycle function, which may begin to watch.
+    changes.shadows.forget(tree, self);
     if (instances.stored[of.id()]) instances.stored[of.id()]->remove(nodes[index].stored_row);
     changes.growth.add(-weight_of_instance);
     if (nodes[index].has_ad_hoc) {

@@ -24,7 +24,11 @@ Watcher watcher_of(WatchKind kind, Handler& handler, WatchOptions& options) {
     return watcher;
 }
 
-void watch_instance(Watcher& watcher, Handle instance) {
+// The watchers of a dying instance were told of its deletion already, and nothing would end a new
+// one: it would hear what happens to the next instance in the slot.
+void watch_instance(const Tree::State& state, Watcher& watcher, Handle instance) {
+    if (state.instances.nodes[instance.index].dying)
+        state.underway.require_staying(state.instances, instance, "watch it");
     watcher.index = instance.index;
     watcher.generation = instance.generation;
 }
@@ -55,7 +59,7 @@ Connection Tree::watch(Handle instance, const Property& property, ChangeHandler 
     State& s = *state_;
     s.instances.require(instance, property);
     Watcher watcher = watcher_of(WatchKind::cell, handler, options);
-    watch_instance(watcher, instance);
+    watch_instance(s, watcher, instance);
     watcher.property = property.symbol;
     Connection connection = s.changes.watchers.add(std::move(watcher));
     if (options.initial) queue_initial(s, instance, property, s.changes.watchers.last_id());
@@ -71,7 +75,7 @@ Connection Tree::watch(Handle instance, ChangeHandler handler, WatchOptions opti
     State& s = *state_;
     s.instances.require(instance);
     Watcher watcher = watcher_of(WatchKind::instance, handler, options);
-    watch_instance(watcher, instance);
+    watch_instance(s, watcher, instance);
     Connection connection = s.changes.watchers.add(std::move(watcher));
     if (options.initial)
         for (const Property* property : properties(instance))
@@ -142,7 +146,7 @@ Connection Tree::watch_deleted(const Class& of, ExistenceHandler handler, WatchO
 Connection Tree::watch_deleted(Handle instance, ExistenceHandler handler, WatchOptions options) {
     state_->instances.require(instance);
     Watcher watcher = watcher_of(WatchKind::deleted, handler, options);
-    watch_instance(watcher, instance);
+    watch_instance(*state_, watcher, instance);
     return state_->changes.watchers.add(std::move(watcher));
 }
 
@@ -150,7 +154,7 @@ Connection Tree::on(Handle instance, const Event& event, EventHandler handler,
                     WatchOptions options) {
     state_->instances.require_event(class_of(instance), event);
     Watcher watcher = watcher_of(WatchKind::event, handler, options);
-    watch_instance(watcher, instance);
+    watch_instance(*state_, watcher, instance);
     watcher.event = &event;
     return state_->changes.watchers.add(std::move(watcher));
 }

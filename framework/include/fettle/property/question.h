@@ -17,9 +17,9 @@ namespace fettle::property {
 
 class Tree;
 
-/// While it lives, functions are called in the middle of a step, a search or a snapshot, when the
-/// memory that these read must not change. The functions may read the tree. Calls that would change
-/// the tree throw Error(rejected), and formulas keep their values.
+/// While it lives, functions are called in the middle of a step, a search, a snapshot or a
+/// change, when what these use must not change. The functions may read the tree. Calls that would
+/// change the tree throw Error(rejected), and formulas keep their values.
 class Inquiry {
   public:
     /// Errors read "`subject` `rule` delete an instance"; both must outlive this object.

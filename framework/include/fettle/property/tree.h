@@ -358,8 +358,9 @@ class Tree {
     std::int64_t weight() const;
     /// Adds memory that was allocated permanently, or subtracts freed memory.
     void add_weight(std::int64_t bytes);
-    /// `passed` is called, once, when the weight exceeds `mark`. It may set another mark, and must
-    /// change nothing else. It is called in the middle of the change that makes the tree grow.
+    /// `passed` is called, once, when the weight exceeds `mark`. It may set another mark. It is
+    /// called in the middle of the change that makes the tree grow: a change of its own throws
+    /// Error.
     void mark_weight(std::int64_t mark, std::function<void()> passed);
 
     // --- Snapshots
