@@ -242,6 +242,23 @@ TEST_CASE("a damaged file is reported and kept beside the new one") {
     CHECK(aside.is_open());
 }
 
+TEST_CASE(
+    "a store without a file says once that its values end with the run, unless that is wanted") {
+    const bool wanted = GENERATE(false, true);
+    std::vector<std::string> told;
+    Store store("", {.writes = !wanted,
+                     .warn = [&](const std::string& warning) { told.push_back(warning); }});
+    CHECK(told.empty());
+    store.set(Store::root, "a", value(1));
+    store.set(Store::root, "b", value(2));
+    store.tick();
+    store.flush();
+    CHECK(told == (wanted ? std::vector<std::string>()
+                          : std::vector<std::string>{"the store of the game ends with the run: "
+                                                     "there is no folder for it"}));
+    CHECK(at(store, "b") == Value(2));
+}
+
 TEST_CASE("a store that cannot be written is reported and written later") {
     const Place place;
     std::ofstream(place.path / "player") << "a file in the place of the folder";

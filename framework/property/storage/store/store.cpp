@@ -109,7 +109,6 @@ Store::Store(fs::path file, Options options)
             options_.warn(options_.name + " is empty: " +
                           (names_file ? "" : file_.string() + ": ") + problem.what());
     }
-    if (file_.empty()) options_.writes = false;
     tables_[root] = {.content = whole.content, .key = {}, .top = {}};
     for (auto& [key, entry] : whole.content->entries) {
         bytes_ += store_size(key, entry);
@@ -266,6 +265,10 @@ void Store::clear() {
 }
 
 void Store::note(const Key& top) {
+    if (file_.empty() && options_.writes && problem_.empty()) {
+        problem_ = "there is no folder for it";
+        if (options_.warn) options_.warn(options_.name + " ends with the run: " + problem_);
+    }
     if (changed_.empty() && !cleared_) since_ = std::chrono::steady_clock::now();
     changed_[top] = true;
 }
@@ -301,7 +304,7 @@ void Store::finish() {
 }
 
 void Store::tick() {
-    if (!options_.writes) return;
+    if (!options_.writes || file_.empty()) return;
     const auto now = std::chrono::steady_clock::now();
     if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
         finish();
@@ -319,7 +322,7 @@ void Store::tick() {
 }
 
 void Store::flush() {
-    if (!options_.writes) return;
+    if (!options_.writes || file_.empty()) return;
     finish();
     if (changed_.empty() && !cleared_) return;
     Changes changes = take_changes();
