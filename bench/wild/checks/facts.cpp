@@ -76,9 +76,8 @@ bool bounces_singly(const WorldPlan& plan) {
     if (plan.def.solver == Solver::soft_step) return false;
     return plan.def.bounds_restitution > 0 ||
            std::ranges::any_of(plan.bodies, [](const BodyPlan& body) {
-               return std::ranges::any_of(body.shapes, [](const ShapePlan& shape) {
-                   return shape.def.restitution > 0;
-               });
+               return std::ranges::any_of(
+                   body.shapes, [](const ShapePlan& shape) { return shape.def.restitution > 0; });
            });
 }
 
