@@ -71,6 +71,14 @@ not_installed() {
     done
 }
 
+# What has to be installed for these purposes.
+missing_packages() {
+    local lines missing
+    mapfile -t lines < <(packages_for "$@")
+    mapfile -t missing < <(not_installed "${lines[@]}")
+    installable "${missing[@]}"
+}
+
 known_to_apt() { apt-cache show -- "$1" >/dev/null 2>&1; }
 
 # What to install for each line: the first alternative that apt knows. Where it knows none, the first one,
@@ -121,14 +129,13 @@ run_apt() {
 # Makes sure that the packages for these purposes are there. Does not touch the network when they are.
 # Exits with 2 when they are not and this user may not install them.
 ensure_packages() {
-    local lines missing names
-    mapfile -t lines < <(packages_for "$@")
+    local names
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-        say "not a Debian; these packages, under the names used here, should be there: ${lines[*]}"
+        mapfile -t names < <(packages_for "$@")
+        say "not a Debian; these packages, under the names used here, should be there: ${names[*]}"
         return 0
     fi
-    mapfile -t missing < <(not_installed "${lines[@]}")
-    mapfile -t names < <(installable "${missing[@]}")
+    mapfile -t names < <(missing_packages "$@")
     ((${#names[@]})) || return 0
 
     if ! may_install; then
@@ -145,7 +152,7 @@ ensure_packages() {
         say "reading the package lists"
         run_apt "$log" update || complain "apt-get update failed; going on with the lists there are"
         updated=1
-        mapfile -t names < <(installable "${missing[@]}")
+        mapfile -t names < <(missing_packages "$@")
     fi
     say "installing ${#names[@]} missing packages: ${names[*]}"
     if ! run_apt "$log" install "${names[@]}"; then
@@ -171,12 +178,10 @@ ensure_packages_and_later() {
         return
     fi
     ensure_packages "${now[@]}"
-    local lines missing names
-    mapfile -t lines < <(packages_for "$@")
-    mapfile -t missing < <(not_installed "${lines[@]}")
-    mapfile -t names < <(installable "${missing[@]}")
+    local names
+    mapfile -t names < <(missing_packages "$@")
     ((${#names[@]})) || return 0
-    say "installing meanwhile: ${names[*]}"
+    say "installing ${#names[@]} missing packages: ${names[*]}"
     later_log=$(mktemp "${TMPDIR:-/tmp}/fettle-later.XXXXXX")
     ensure_packages "$@" >"$later_log" 2>&1 &
     later_job=$!
@@ -189,7 +194,8 @@ later_packages() {
     local status=0
     trap - EXIT
     [[ -n ${later_job:-} ]] || return 0
-    tail -n 1 -f --pid="$later_job" -- "$later_log"
+    # What it has printed until then is no longer true once it has ended.
+    if kill -0 "$later_job" 2>/dev/null; then tail -n 1 -f --pid="$later_job" -- "$later_log"; fi
     wait "$later_job" || status=$?
     ((status == 0)) || cat -- "$later_log" >&2
     rm -f -- "$later_log"

@@ -115,14 +115,12 @@ bool Session::is_scene(const fs::path& file, const std::string& name) {
     if (file.extension() != ".json" || !fs::exists(file, error) || name == "game.json" ||
         problems_.contains(name))
         return false;
-    run_.renewed = name;
     bool scene = false;
     try {
         scene = property::check_scene_text(tree_, files_.read(file), name);
     } catch (const std::exception& failure) {
-        report_file_problem(property::exception_text(failure));
+        report_file_problem(property::exception_text(failure), name);
     }
-    run_.renewed.clear();
     return scene;
 }
 
@@ -155,19 +153,20 @@ void Session::renew(const std::string& name) {
         services_->renew_effect(name);
         if (name == "game.json") renew_settings();
     } catch (const std::exception& error) {
-        report_file_problem(property::exception_text(error));
+        report_file_problem(property::exception_text(error), name);
     }
     run_.renewed.clear();
 }
 
 /// The run continues without the file: with a checkerboard for an image, or without an effect.
-void Session::report_file_problem(const std::string& problem) {
+/// `file`: "" if no change of a file has caused it.
+void Session::report_file_problem(const std::string& problem, const std::string& file) {
     script::ScriptError report;
     report.message = problem;
     report.context = "files";
     report_error(report);
     if (!run_.followed) return;
-    problems_.try_emplace(run_.renewed, report);
+    problems_.try_emplace(file, report);
     show_problems();
 }
 

@@ -221,12 +221,11 @@ void Session::add_modules() {
                 .step = [this](double dt) { visuals_.step(dt); },
                 .report = [this] { visuals_.report(tree_); },
                 .hash = [this] { return visuals_.hash(); }});
-    visuals_.on_problem([this](const std::string& problem) { report_file_problem(problem); });
+    visuals_.on_problem(
+        [this](const std::string& problem) { report_file_problem(problem, run_.renewed); });
     services_->on_effect_problem([this](const std::string& problem) {
         // It is found when the effect is drawn, so later than the change of the file.
-        const std::string before = std::exchange(run_.renewed, services_->view.effect);
-        report_file_problem(problem);
-        run_.renewed = before;
+        report_file_problem(problem, services_->view.effect);
     });
     loop_->add({.name = std::string(interface_.name()),
                 .step = [this](double dt) { interface_.step(dt); },

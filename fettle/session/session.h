@@ -118,7 +118,7 @@ class Session {
     script::Reloaded reload_code(const std::vector<std::string>& names);
     script::Reloaded reload_media(const std::vector<std::string>& names);
     void renew(const std::string& name);
-    void report_file_problem(const std::string& problem);
+    void report_file_problem(const std::string& problem, const std::string& file);
     void show_problems();
     void renew_settings();
     std::string share(const std::string& name);

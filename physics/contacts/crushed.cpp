@@ -62,8 +62,7 @@ class Pressure {
         const Vec2 push = normal_towards(body, c);
         const uint32_t first = objects_.bodies[body].lists.first_contact;
         return !objects_.any_contact(first, none, [&](uint32_t other) {
-            const ContactRecord& o = objects_.contacts[other];
-            return o.acts() && dot(normal_towards(body, o), push) < opposite;
+            return opposes(body, objects_.contacts[other], push);
         });
     }
 
@@ -85,6 +84,10 @@ class Pressure {
     /// The normal of the contact, towards `body`.
     static Vec2 normal_towards(uint32_t body, const ContactRecord& c) {
         return body == c.body_b ? c.manifold.normal : -c.manifold.normal;
+    }
+    /// True if the contact pushes the body against `push`.
+    static bool opposes(uint32_t body, const ContactRecord& c, Vec2 push) {
+        return c.acts() && dot(normal_towards(body, c), push) < opposite;
     }
     float speed_towards(uint32_t body, uint32_t presser, const ContactRecord& c) const {
         const BodyState& state = columns_.states[presser];
@@ -110,8 +113,7 @@ class Pressure {
         const uint32_t first = objects_.bodies[body].lists.first_contact;
         return objects_.any_contact(first, none, [&](uint32_t contact) {
             const ContactRecord& c = objects_.contacts[contact];
-            if (contact == from || !c.acts()) return false;
-            if (!(dot(normal_towards(body, c), push) < opposite)) return false;
+            if (contact == from || !opposes(body, c, push)) return false;
             const float opposing = depth_of(c.manifold);
             const uint32_t other = objects_.other_body(contact, body);
             if (is_fixed(other)) {

@@ -279,7 +279,7 @@ ls '$project/build/release' >>'$asked'
 echo dlstatus:1:50:half"
     run "$project/play" game
     expect_status 7
-    expect_output "installing meanwhile: driver new-name"
+    expect_output "installing 2 missing packages: driver new-name"
     expect_asked "core of physics_module"
     grep -qx "FETTLE_PARTS:STRING=everything" "$project/build/release/CMakeCache.txt" || wrong "all parts should be configured in the end"
     rm "$project/build/release/core of physics_module"

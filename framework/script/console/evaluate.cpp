@@ -318,8 +318,8 @@ void take_lines(Machine& machine, Evaluation& evaluation) {
 
 void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
     if (command == "?") command = "help";
-    const std::string called = std::string(command) + "()";
-    if (is_bare_question(command)) command = called;
+    std::string call;
+    if (is_bare_question(command)) command = call = std::string(command) + "()";
     if (add_help(L, machine, command, evaluation)) return;
     if (is_bare_command(command)) {
         lua_getglobal(L, std::string(command).c_str());
