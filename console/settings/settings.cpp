@@ -75,7 +75,7 @@ property::ClassDescriptor console_class() {
     list.push_back(number_property("inspector_width", 380, {200, 2000}, "px",
                                    "Width of the inspector at a scale of 1."));
     list.push_back(number_property(
-        "memory_limit", 128, {1, 1e6}, "MB",
+        "memory_limit", 256, {1, 1e6}, "MB",
         "How much memory one command may add, by Lua's values and by what it makes in the tree; a "
         "command that needs more is stopped."));
     list.push_back(number_property("opacity", 1, {0.3, 1}, "",

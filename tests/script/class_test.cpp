@@ -35,6 +35,10 @@ assert(Body {}.friction > 0.5)
     CHECK_THAT(s.fails("class('B3', Body) { mass = -1 }"), contains("mass"));
     CHECK_THAT(s.fails("class('Body') {}"), contains("class of the framework"));
     CHECK_THAT(s.fails("class('no way', Body) {}"), contains("is not a name for a class"));
+    for (const char* too_long :
+         {"class(('x'):rep(1e6), Body) {}", "class('Ok', Body) { [('p'):rep(1e6)] = 1 }",
+          "edit(('x'):rep(1e7), function() world.gravity = vec(0, 1) end)"})
+        CHECK_THAT(s.fails(too_long), contains("and a name has at most 1000"));
     CHECK_THAT(s.fails("class('B4', World) {}"), contains("no class can derive from World"));
     CHECK_THAT(s.fails("Ball.lives = 3"), contains("a class takes functions"));
     CHECK_THAT(s.fails("function Ball:mass() end"), contains("is a property already"));

@@ -71,7 +71,8 @@ property::ClassDescriptor Widgets::base_descriptor() {
             "larger on large screens.",
         .creatable = false,
         .properties = common_properties(*this),
-        .methods = {focus_method(*this)}};
+        .methods = {focus_method(*this)},
+        .weight = 3200};
     described.lifecycle.context = this;
     described.lifecycle.create = [](void* context, property::Tree& tree, Handle self) {
         auto& w = *static_cast<Widgets*>(context);

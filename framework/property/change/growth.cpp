@@ -7,6 +7,19 @@
 
 namespace fettle::property {
 
+void Growth::add_content(std::uint32_t instance, std::int64_t more) {
+    if (more == 0) return;
+    content[instance] += more;
+    add(more);
+}
+
+void Growth::remove_content(std::uint32_t instance) {
+    const auto written = content.find(instance);
+    if (written == content.end()) return;
+    bytes -= written->second;
+    content.erase(written);
+}
+
 void Growth::pass_mark() {
     mark = INT64_MAX;
     // The callback may set another one.

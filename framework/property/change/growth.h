@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <unordered_map>
 
 #include "errors.h"
 
@@ -15,12 +16,17 @@ struct Growth {
     std::int64_t bytes = 0;
     std::int64_t mark = INT64_MAX;
     std::function<void()> mark_passed{};  // called once
+    /// Of the texts and lists that were written to an instance, by the index of its node: ends with
+    /// the instance.
+    std::unordered_map<std::uint32_t, std::int64_t> content{};
 
     void add(std::int64_t more) {
         bytes += more;
         if (bytes > mark) [[unlikely]]
             pass_mark();
     }
+    void add_content(std::uint32_t instance, std::int64_t more);
+    void remove_content(std::uint32_t instance);
 
   private:
     void pass_mark();

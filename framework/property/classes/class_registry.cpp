@@ -110,6 +110,7 @@ void ClassRegistry::require_living(const Class& of) const {
 }
 
 Class& ClassRegistry::define(ClassDescriptor descriptor) {
+    check_name_length(descriptor.name);
     if (!is_identifier(descriptor.name))
         throw Error(ErrorKind::bad_name,
                     "\"" + descriptor.name + "\" cannot be the name of a class");
@@ -193,6 +194,7 @@ void ClassRegistry::inherit(Class& made) {
     const Class& base = *made.base_;
     const Lifecycle& own = made.descriptor_.lifecycle;
     if (!own.any()) made.lifecycle_ = base.lifecycle_;
+    if (made.descriptor_.weight == 0) made.descriptor_.weight = base.weight();
     made.properties_ = base.properties_;
     made.methods_ = base.methods_;
     made.events_ = base.events_;

@@ -83,6 +83,7 @@ class DescriptorCheck {
 
     /// `kind`: "property", for example. All members of a class and its bases need different names.
     void take_name(const char* kind, const std::string& name, bool word) {
+        check_name_length(name);
         const std::string member = std::string(kind) + " " + in_quotes(name);
         if (name.empty()) refuse(ErrorKind::bad_name, member, "it has no name");
         if (word ? !is_word(name) : !is_identifier(name))

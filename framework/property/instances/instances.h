@@ -82,9 +82,6 @@ struct Instances {
 
     // names.cpp
     void check_child_name(Handle parent, std::string_view name) const;
-    /// Throws Error(bad_name) for a name that is too long. For names of instances and ad-hoc
-    /// properties.
-    static void check_length(std::string_view name);
     /// Whether `parent` has a child, a property or a method of that name. Below the root, "game" is
     /// taken too, because every path may begin with it.
     bool is_taken(std::uint32_t parent, const NodeName& name) const;

@@ -3,27 +3,19 @@
 #include <algorithm>
 
 #include <fettle/property/error.h>
+#include <fettle/property/path.h>
 
 #include "instances.h"
 
 namespace fettle::property {
 namespace {
 
-constexpr std::size_t longest_name = 1000;  // bytes
 constexpr std::string_view name_of_root = "game";
 
 }  // namespace
 
-void Instances::check_length(std::string_view name) {
-    if (name.size() <= longest_name) return;
-    throw Error(ErrorKind::bad_name, "the name \"" + std::string(name.substr(0, 40)) +
-                                         "...\" has " + std::to_string(name.size()) +
-                                         " bytes, and a name has at most " +
-                                         std::to_string(longest_name));
-}
-
 void Instances::check_child_name(Handle parent, std::string_view name) const {
-    check_length(name);
+    check_name_length(name);
     const std::string quoted = "\"" + std::string(name) + "\"";
     if (name.empty()) throw Error(ErrorKind::bad_name, "the name of an instance cannot be empty");
     if (name.find('\0') != std::string_view::npos)

@@ -65,7 +65,7 @@ std::uint32_t Structure::make(const Class& of, std::uint32_t parent, NodeName na
     if (again) nodes.revive(again);
     const std::uint32_t index = again ? again.index : nodes.allocate();
     const std::int64_t bytes =
-        named && name.number == 0 ? weight_of_instance + weight_of_name : weight_of_instance;
+        weight_of_instance + of.weight() + (named && name.number == 0 ? weight_of_name : 0);
     const Pin pin(changes.lifetime, "a lifecycle function");
     changes.growth.add(bytes);
     nodes[index].class_id = static_cast<std::uint16_t>(of.id());

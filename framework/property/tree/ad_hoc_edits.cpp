@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <fettle/property/added_rules.h>
+#include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
 #include <values/weight.h>
@@ -38,7 +39,7 @@ const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
     };
     const std::string quoted = "\"" + std::string(name) + "\"";
     if (name.empty()) refuse(ErrorKind::bad_name, "the name of a property cannot be empty");
-    Instances::check_length(name);
+    check_name_length(name);
     if (name.find('\0') != std::string_view::npos)
         refuse(ErrorKind::bad_name, "the name " + quoted + " holds a zero byte");
     if (of.method(name) != nullptr)

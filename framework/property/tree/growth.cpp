@@ -5,6 +5,8 @@
 
 #include <fettle/property/exception_text.h>
 
+#include <values/weight.h>
+
 #include "state.h"
 
 namespace fettle::property {
@@ -12,6 +14,19 @@ namespace fettle::property {
 std::uint64_t Tree::State::next_number() {
     static std::atomic<std::uint64_t> last = 0;
     return ++last;
+}
+
+void Tree::State::note_content(Handle instance, const Node& node, const Property& property,
+                               const Value& old) {
+    const bool has_content = property.any_type || property.type == Type::list ||
+                             (property.type == Type::text && property.enumerators.empty());
+    if (!has_content) return;
+    const Value now = instances.read(instance.index, node, property);
+    const std::int64_t grown = weight_beside(now, property) - weight_beside(old, property);
+    if (property.binding.kind == BindingKind::ad_hoc)
+        changes.growth.add(grown);
+    else
+        changes.growth.add_content(instance.index, grown);
 }
 
 std::int64_t Tree::weight() const {

@@ -53,6 +53,12 @@ struct Tree::State {
     /// Rules for properties added to the instance, or nullptr.
     AddedRules* rules_of(Handle instance) const;
 
+    // growth.cpp
+    /// Notes how much memory the text or list has that was just written in place of `old`. It is
+    /// read again, since the module may keep less: of a polygon, only the hull.
+    void note_content(Handle instance, const Node& node, const Property& property,
+                      const Value& old);
+
     static std::uint64_t next_number();
     /// Throws if the tree must not be changed, because a formula or an inquiry runs. `what`:
     /// "delete an instance".

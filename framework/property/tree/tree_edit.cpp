@@ -13,7 +13,6 @@
 #include <fettle/property/spelling.h>
 
 #include <classes/coerce.h>
-#include <values/weight.h>
 
 #include "state.h"
 
@@ -138,12 +137,12 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
     } catch (...) {
         s.instances.refused(instance, property);
     }
-    s.changes.growth.add(weight_beside(next) - weight_beside(old));
     // An accepted value replaces the formula; after a refused one the formula stays.
     if (had_formula) s.formulas.remove({instance.index, property.symbol});
     // The setter may have moved the node table (by a rename or a new parent), so the node is looked
     // up again.
     if (const Node* after = s.instances.nodes.find(instance)) {
+        s.note_content(instance, *after, property, old);
         s.formulas.written(instance, *after, property, old);
         s.changes.notify([&](Observer& o) { o.wrote(instance, property, next); });
     }

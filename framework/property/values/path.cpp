@@ -127,6 +127,14 @@ bool is_identifier(std::string_view name) {
            std::find(std::begin(reserved), std::end(reserved), name) == std::end(reserved);
 }
 
+void check_name_length(std::string_view name) {
+    if (name.size() <= longest_name) return;
+    throw Error(ErrorKind::bad_name, "the name \"" + std::string(name.substr(0, 40)) +
+                                         "...\" has " + std::to_string(name.size()) +
+                                         " bytes, and a name has at most " +
+                                         std::to_string(longest_name));
+}
+
 std::string path_suffix(std::string_view name) {
     if (is_identifier(name)) return "." + std::string(name);
     std::string out = "[\"";

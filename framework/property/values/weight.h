@@ -5,12 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <fettle/property/class.h>
 #include <fettle/property/value.h>
 
 namespace fettle::property {
 
-// Bytes, measured in a game with bodies: an instance with its entries in the tables of names, the
-// row of its module, and the objects that the module makes for it.
+// Bytes: an instance with its entries in the tables of names. What its module needs for it is in
+// the description of its class.
 constexpr std::int64_t weight_of_instance = 400;
 constexpr std::int64_t weight_of_name = 160;          // for a name of its own, which is never freed
 constexpr std::int64_t weight_of_own_property = 140;  // ad hoc, without its value
@@ -27,6 +28,14 @@ std::size_t size_of(const Value& value);
 inline std::int64_t weight_beside(const Value& value) {
     if (!value.is(Type::text) && !value.is(Type::list)) return 0;
     return static_cast<std::int64_t>(size_of(value));
+}
+/// The content, with what the module of a property needs for it.
+inline std::int64_t weight_beside(const Value& value, const Property& property) {
+    if (property.element_weight == 0) return weight_beside(value);
+    const std::size_t elements = value.is(Type::text)   ? value.text().size()
+                                 : value.is(Type::list) ? value.list().size()
+                                                        : 0;
+    return weight_beside(value) + static_cast<std::int64_t>(elements * property.element_weight);
 }
 
 }  // namespace fettle::property

@@ -254,6 +254,7 @@ int class_function(lua_State* L) {
     lua_settop(L, 2);
     const std::string name =
         check_text(L, 1, "class: needs a name, as in class(\"Ball\", Body) { }");
+    property::check_name_length(name);
     if (!property::is_identifier(name))
         throw Error(ErrorKind::bad_name, "class: \"" + name + "\" is not a name for a class");
     if (lua_isnil(L, 2)) {

@@ -73,7 +73,9 @@ int edit(lua_State* L) {
     if (lua_type(L, 1) != LUA_TSTRING || lua_type(L, 2) != LUA_TFUNCTION)
         throw Error(ErrorKind::wrong_type, "edit: needs a name and a function");
     Machine& machine = machine_of(L);
-    machine.tree.begin_edit(string_at(L, 1));
+    std::string name = string_at(L, 1);
+    property::check_name_length(name);
+    machine.tree.begin_edit(std::move(name));
     struct End {
         property::Tree& tree;
         ~End() { tree.end_edit(); }

@@ -281,6 +281,11 @@ int load_chunk(lua_State* L) {
     if (!text && lua_type(L, 1) != LUA_TFUNCTION)
         refuse_type(L, 1, "load: needs a text or a function");
     const std::string name = lua_type(L, 2) == LUA_TSTRING ? string_at(L, 2) : "=(load)";
+    if (lua_type(L, 3) == LUA_TSTRING && view_at(L, 3).find('t') == std::string_view::npos) {
+        lua_pushnil(L);
+        push_text(L, "attempt to load a text chunk (mode is '" + string_at(L, 3) + "')");
+        return 2;
+    }
     lua_settop(L, 4);
     lua_pushnil(L);  // index 5, for the pieces
     int status;

@@ -218,7 +218,8 @@ void Emitters::define(property::Tree& tree) {
         .doc =
             "Sparks, smoke, rain: many small pictures that begin here, fly, change and end. What "
             "it hangs below moves it: a body, a sprite, or any instance with a `position`.",
-        .snapshots = property::Snapshots::natively};
+        .snapshots = property::Snapshots::natively,
+        .weight = 900};
     for (const auto& group : {flow_properties(), motion_properties(), look_properties()})
         described.properties.insert(described.properties.end(), group.begin(), group.end());
     described.methods = methods();

@@ -36,7 +36,8 @@ std::vector<Property> Texts::properties() {
          .type = Type::text,
          .doc = "What is written; it may have several lines. What follows the first 100 000 "
                 "letters is "
-                "not shown."},
+                "not shown.",
+         .element_weight = 150},  // six corners of a letter
         {.name = "font",
          .type = Type::text,
          .default_value = "sans",
@@ -132,7 +133,8 @@ void Texts::define(property::Tree& tree) {
         .doc =
             "Written text in the world or, in a layer, on the screen. What it hangs below moves "
             "it, as a Sprite.",
-        .properties = properties()};
+        .properties = properties(),
+        .weight = 1500};
     described.lifecycle = lifecycle();
     const property::Class& made = tree.define(std::move(described));
     const auto of = [&](const char* name) { return made.property(name); };

@@ -287,6 +287,7 @@ void define_mover(Hosting& hosting) {
     mover.snapshots = property::Snapshots::natively;
     mover.name = "Mover";
     mover.base = "Body";
+    mover.weight = 3500;
     mover.doc =
         "A character: a body with the form of an upright capsule, which walks up slopes and steps, "
         "rides on platforms, passes through ledges from below and pushes crates. Its position is "

@@ -36,10 +36,10 @@ Value list_of(const auto& points) {
     return list;
 }
 
-/// A list of points that the shape is made of.
+/// A list of points that the shape is made of. `weight`: bytes that physics needs for each.
 template <std::size_t most>
 Property points(Hosting& hosting, std::string name, const std::vector<physics::Vec2>& given,
-                std::string doc) {
+                std::uint32_t weight, std::string doc) {
     const auto get = [](Hosting& h, Row row) { return list_of(h.shape(row).vertices()); };
     const auto set = [](Hosting& h, Row row, const Value& value) {
         if (value.list().size() > most)
@@ -58,6 +58,7 @@ Property points(Hosting& hosting, std::string name, const std::vector<physics::V
             .range = shape_coordinates,
             .doc = std::move(doc),
             .binding = accessor(hosting, get, set),
+            .element_weight = weight,
             .element = Type::vec2,
             .single_precision = true};
 }
@@ -130,11 +131,12 @@ void define_outlines(Hosting& hosting) {
         "A polygon that may be concave. It collides in convex pieces, but is one shape.",
         {points<most_corners>(
             hosting, "vertices", std::get<physics::Concave>(hosting.kinds[6].geometry).vertices,
+            1200,
             "Its corners in the coordinates of the body, clockwise or counter-clockwise. An "
             "outline that crosses or touches itself is refused, and so is a hole; at most 4096.")});
     std::vector<Property> chain = {
         points<most_points>(hosting, "points",
-                            std::get<physics::Chain>(hosting.kinds[7].geometry).points,
+                            std::get<physics::Chain>(hosting.kinds[7].geometry).points, 1600,
                             "Its points in the coordinates of the body."),
         flag("closed", false,
              "True if the last point is connected to the first; this needs three points.",
@@ -180,6 +182,7 @@ void define_shapes(Hosting& hosting) {
     define(hosting, 4, "Polygon", "A convex polygon.",
            {points<most_points>(
                 hosting, "vertices", std::get<physics::Polygon>(hosting.kinds[4].geometry).vertices,
+                150,
                 "Its corners in the coordinates of the body, counter-clockwise. The convex hull "
                 "of the written points becomes the shape."),
             rounding(hosting, "Radius that is added on all sides.")},

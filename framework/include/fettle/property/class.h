@@ -143,6 +143,10 @@ struct Property {
     bool sparse = false;     // stored number: only values that differ from the default take memory
     bool bits = false;       // an integer whose bits have a meaning each
 
+    /// Of a text or a list: bytes that its module needs for each letter or element, beside the
+    /// value itself. An estimate, for `Tree::weight`.
+    std::uint32_t element_weight = 0;
+
     std::vector<std::string> enumerators{};  // a text property takes only these
     Type element = Type::nil;                // type of a list's elements; nil: any
     std::string reference_class{};  // a reference takes only this class and those derived from it
@@ -293,6 +297,9 @@ struct ClassDescriptor {
     /// Stem of the names of unnamed instances: "body" gives body_1, body_2 ... Default: the class
     /// name in lower case.
     std::string stem{};
+    /// Bytes that its module needs for each instance, beside those of the tree. An estimate, for
+    /// `Tree::weight`. 0: that of the base class.
+    std::uint32_t weight = 0;
 };
 
 /// A registered class. Lives as long as its tree; addresses of properties, methods and events are
@@ -309,6 +316,9 @@ class Class {
     bool is_a(const Class& other) const;  ///< whether it is that class or derives from it
     /// Stem of the names of unnamed instances.
     const std::string& stem() const { return descriptor_.stem; }
+    /// Bytes that its module needs for each instance; its own, or that of the nearest base class
+    /// that has one.
+    std::uint32_t weight() const { return descriptor_.weight; }
     /// Its own, or that of the nearest base class that has one.
     const Lifecycle& lifecycle() const { return *lifecycle_; }
 

@@ -36,6 +36,9 @@ std::vector<Segment> parse_path(std::string_view text);
 std::string path_suffix(std::string_view name);
 /// Letters, digits and underscores, not beginning with a digit, not a reserved word of Lua.
 bool is_identifier(std::string_view name);
+constexpr std::size_t longest_name = 1000;  ///< bytes; of an instance, a property, a class, an edit
+/// Throws Error(bad_name) if a name has more than `longest_name` bytes.
+void check_name_length(std::string_view name);
 
 /// The target of a path: an instance; a property of it; or a part of a property's value.
 struct Place {
