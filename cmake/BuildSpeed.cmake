@@ -33,7 +33,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(--param=ggc-min-heapsize=524288)
 endif()
 
-# A linker faster than the usual one, which may know this machine's programs only.
+# A faster linker, if one is installed. Not for cross builds: it may only link programs for this machine.
 if(CMAKE_CROSSCOMPILING)
   return()
 endif()

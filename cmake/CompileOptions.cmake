@@ -23,8 +23,9 @@ function(fettle_compile_options target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
   endif()
-  # GCC for Windows takes for granted that an inline function leaves the registers alone that its own copy of it leaves alone.
-  # The linker may take the copy of another file, which was compiled with another optimization.
+  # With -fipa-ra, GCC assumes that a call of an inline function changes only the registers that the copy in the same file
+  # changes. On Windows the linker may use the copy of another file, which was compiled with other optimization and changes
+  # other registers.
   if(MINGW AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -fno-ipa-ra)
   endif()

@@ -1,7 +1,7 @@
 # Every library that the parts to be built rest on, found once and given one target name. Debian's names are in
 # cmake/packages.txt; nothing is downloaded.
 
-# Where Fettle is part of another project, what is found here has to be known there too.
+# If Fettle is part of another project, that project needs the imported targets, too.
 set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
 
 # What installed libraries need is looked for by the same files when they are used.

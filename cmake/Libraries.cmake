@@ -1,10 +1,10 @@
-# What all libraries of Fettle have alike: their names, what they show of themselves, and how they are installed.
+# What all libraries of Fettle have in common: names, exported symbols and installation.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-# Programs built against one of these need this one or a later one of the same. Before 1.0 the binary interface may
-# change with every minor version; docs/design/modules.md tells how versions move.
+# The version in the name of the shared libraries: a program needs a library with the same one. Before 1.0 the binary interface may
+# change with every minor version; docs/design/modules.md describes when versions change.
 if(PROJECT_VERSION_MAJOR EQUAL 0)
   set(fettle_soversion "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
 else()
@@ -22,7 +22,7 @@ set(fettle_files \"$<TARGET_GENEX_EVAL:fettle_installed,$<TARGET_PROPERTY:fettle
 endif()
 
 # fettle_install(TARGET ARGUMENT...): install(TARGETS TARGET ARGUMENT...), and `fettle_installed` builds it.
-# Every target is installed by this function, so that none is forgotten there.
+# Every target must be installed by this function, so that `fettle_installed` contains all of them.
 function(fettle_install target)
   if(FETTLE_INSTALL)
     install(TARGETS ${target} ${ARGN})
@@ -149,7 +149,7 @@ Libs: -L\${libdir} -lfettle_${name} ${libs}
   install(FILES "${file}" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
 endfunction()
 
-# To be called when all libraries are known.
+# To be called after all libraries are defined.
 function(fettle_install_package)
   get_property(components GLOBAL PROPERTY fettle_components)
   get_property(fettle_table GLOBAL PROPERTY fettle_component_table)
@@ -159,7 +159,7 @@ function(fettle_install_package)
   set(made "${PROJECT_BINARY_DIR}/cmake")
   configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/FettleConfig.cmake.in" "${made}/FettleConfig.cmake"
     INSTALL_DESTINATION "${fettle_cmake_folder}")
-  # As the soversion: before 1.0 a minor version may change what others are built against.
+  # As for the soversion: before 1.0 a minor version may change the interface.
   if(PROJECT_VERSION_MAJOR EQUAL 0)
     set(compatibility SameMinorVersion)
   else()

@@ -238,7 +238,7 @@ ninja_line() {
     fi
 }
 
-# What builds and tests are started through.
+# The command that starts builds and tests; `env` starts them unchanged.
 launcher=(env)
 
 # build_preset PRESET [TARGET ...]: everything when no target is named.

@@ -51,7 +51,7 @@ int run_console(const ConsoleOptions& options) {
             const std::string name = std::to_string(bodies) + " bodies, " + cost.state;
             table.add({name, figure(ms.after_step), figure(ms.between_frames), figure(ms.widgets),
                        figure(ms.triangles),
-                       verdict.look(name, cost.frame, frame_bound, figure(cost.frame), "ms"),
+                       verdict.mark(name, cost.frame, frame_bound, figure(cost.frame), "ms"),
                        frame_bound.text(), figure(cost.longest), std::to_string(cost.drawn)});
         }
     if (!options.json) std::cout << table.text();

@@ -27,7 +27,7 @@ int run_games(const GamesOptions& options) {
                                     {"unit", cost.unit},
                                     {"at_most", JsonField(cost.bound.value)}})
                       << "\n";
-        table.add({cost.name, verdict.look(cost.name, value, cost.bound, figure(value), cost.unit),
+        table.add({cost.name, verdict.mark(cost.name, value, cost.bound, figure(value), cost.unit),
                    cost.unit, cost.bound.text()});
     }
     if (!options.json) std::cout << table.text();

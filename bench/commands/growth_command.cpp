@@ -139,7 +139,7 @@ void print_times(const Series& series, const std::vector<TimeRow>& rows,
                                     {"at_most", bound ? JsonField(bound.value) : JsonField()}})
                       << "\n";
         table.add({std::to_string(row.bodies), figure(us),
-                   verdict.look(series.name + " of " + std::to_string(row.bodies), growth, bound,
+                   verdict.mark(series.name + " of " + std::to_string(row.bodies), growth, bound,
                                 figure(growth), "of the time a body takes in the first world"),
                    bound.text(), figure(row.narrow), figure(row.solve), figure(row.finish),
                    figure(row.other)});
@@ -164,7 +164,7 @@ void print_memory(const Sleepers& row, const Sleepers& pyramids, const OutputOpt
                                     {"in_pyramid_with_room", bytes[3]}})
                       << "\n";
         table.add({purpose, figure(bytes[0]),
-                   verdict.look("a sleeping body", bytes[1], bound, figure(bytes[1], 4), "bytes"),
+                   verdict.mark("a sleeping body", bytes[1], bound, figure(bytes[1], 4), "bytes"),
                    bound.text(), figure(bytes[2], 4), figure(bytes[3], 4)});
     };
     for (std::size_t i = 0; i < row.memory.size(); ++i) {

@@ -44,8 +44,8 @@ struct Result {
     double ratio = 0;
     std::optional<Interval> interval;
     Bound bound{};
-    /// The figure that is compared with the bound. Times are noisy, so a time misses its bound only
-    /// if its whole interval does.
+    /// The figure that is compared with the bound. Times are noisy, so a time exceeds its bound
+    /// only if its whole interval does.
     double judged() const { return interval ? interval->low : ratio; }
 };
 
@@ -172,7 +172,7 @@ Table event_table(const std::vector<EventCost>& costs, bool json) {
     return table;
 }
 
-/// Times are noisy, so a time misses its bound only if the fastest one does.
+/// Times are noisy, so a time exceeds its bound only if the fastest one does.
 Table handle_table(const std::vector<HandleCost>& costs, Verdict& verdict, bool json) {
     Table table({"a property of a game hosted in C", "ns", "bound"});
     for (const HandleCost& cost : costs) {
@@ -182,7 +182,7 @@ Table handle_table(const std::vector<HandleCost>& costs, Verdict& verdict, bool 
                                     {"ns", cost.ns},
                                     {"at_most", bound ? JsonField(bound.value) : JsonField()}})
                       << "\n";
-        table.add({cost.name, verdict.look(cost.name, cost.ns_best, bound, figure(cost.ns), "ns"),
+        table.add({cost.name, verdict.mark(cost.name, cost.ns_best, bound, figure(cost.ns), "ns"),
                    bound.text()});
     }
     return table;
@@ -206,7 +206,7 @@ void print(const std::vector<Result>& results, const Bytes& bytes,
                       << "\n";
         }
         table.add({result.name,
-                   verdict.look(result.name, result.judged(), result.bound, figure(result.ratio, 5),
+                   verdict.mark(result.name, result.judged(), result.bound, figure(result.ratio, 5),
                                 interval ? "(at least " + figure(interval->low, 5) + ")" : ""),
                    interval ? figure(interval->low, 5) + " to " + figure(interval->high, 5) : "",
                    result.bound.text()});
@@ -221,7 +221,7 @@ void print(const std::vector<Result>& results, const Bytes& bytes,
                                     {"bytes", size},
                                     {"at_most", bytes_bound.value}})
                       << "\n";
-        memory.add({name, verdict.look(name, size, bytes_bound, figure(size), "bytes"),
+        memory.add({name, verdict.mark(name, size, bytes_bound, figure(size), "bytes"),
                     bytes_bound.text()});
     }
     const Table events = event_table(costs, output.json);

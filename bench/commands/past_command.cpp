@@ -113,7 +113,7 @@ int run_past(const PastOptions& options) {
                               {"bound", each.bound ? JsonField(each.bound.value) : JsonField()}})
                       << "\n";
         table.add({each.name,
-                   verdict.look(each.name, each.value, each.bound, figure(each.value), each.unit),
+                   verdict.mark(each.name, each.value, each.bound, figure(each.value), each.unit),
                    each.unit, each.bound.text()});
     }
     if (!options.json) std::cout << table.text();

@@ -208,7 +208,7 @@ class SceneRunner {
                 const double ratio = row.cells[i]->step_ms() / peer->step_ms();
                 const Bound bound = engines_[i]->name == "fettle" ? row.bound : Bound{};
                 line.push_back(
-                    verdict.look(row.scene, ratio, bound, figure(ratio), "of Box2D's time"));
+                    verdict.mark(row.scene, ratio, bound, figure(ratio), "of Box2D's time"));
             }
             if (bounded()) line.push_back(row.bound.text());
             table.add(std::move(line));

@@ -19,7 +19,7 @@ constexpr int pairs = 100;
 
 /// A regular polygon with half a meter from center to corner; with 0 corners, an ellipse of the
 /// same size.
-physics::Geometry rounded(int corners) {
+physics::Geometry regular_polygon(int corners) {
     if (corners == 0) return physics::Ellipse{.radius_x = 0.5f, .radius_y = 0.499f};
     physics::Polygon polygon;
     for (int i = 0; i < corners; ++i) {
@@ -32,7 +32,7 @@ physics::Geometry rounded(int corners) {
 
 /// Nanoseconds per step for one shape that spins on `ground`, so that another part of its rim
 /// touches in every step. `height`: of the top of the ground, m.
-double spinning(const physics::Geometry& form, const physics::Geometry& ground, float height) {
+double spinning_ns(const physics::Geometry& form, const physics::Geometry& ground, float height) {
     physics::World world({.sleeping = false, .continuous = false});
     for (int i = 0; i < pairs; ++i) {
         const float x = 4 * static_cast<float>(i);
@@ -84,10 +84,10 @@ double distance_between(const physics::Geometry& form) {
     return 1e6 * elapsed / (pairs * (pairs - 1) / 2.0);
 }
 
-/// Nanoseconds for a query about one shape of a `Field`. `question` gets the center of the shape
+/// Nanoseconds for a query about one shape of a `Field`. `query` gets the center of the shape
 /// and a unit vector to a point beside it, and returns whether the query found the shape.
-template <class Question>
-double asking(const physics::Geometry& form, Question&& question) {
+template <class Query>
+double query_ns(const physics::Geometry& form, Query&& query) {
     Field field(form);
     constexpr int rounds = 20;
     int found = 0;
@@ -96,27 +96,27 @@ double asking(const physics::Geometry& form, Question&& question) {
         const float angle = static_cast<float>(round);
         const physics::Vec2 beside(std::cos(angle), std::sin(angle));
         for (int i = 0; i < pairs; ++i)
-            found += question(field.world, Field::place(i), beside) ? 1 : 0;
+            found += query(field.world, Field::place(i), beside) ? 1 : 0;
     }
     const double elapsed = clock.elapsed_ms();
-    if (found != rounds * pairs) throw std::runtime_error("a question did not find its shape");
+    if (found != rounds * pairs) throw std::runtime_error("a query did not find its shape");
     return 1e6 * elapsed / (rounds * pairs);
 }
 
 double ray(const physics::Geometry& form) {
-    return asking(
+    return query_ns(
         form, [](physics::World& world, const physics::Vec2& center, const physics::Vec2& beside) {
             return world.cast_ray(center + beside, center).has_value();
         });
 }
 double point(const physics::Geometry& form) {
-    return asking(
+    return query_ns(
         form, [](physics::World& world, const physics::Vec2& center, const physics::Vec2& beside) {
             return !world.query_point(center + 0.3f * beside).empty();
         });
 }
 double closest(const physics::Geometry& form) {
-    return asking(
+    return query_ns(
         form, [](physics::World& world, const physics::Vec2& center, const physics::Vec2& beside) {
             return world.closest(center + beside, 1.0f).has_value();
         });
@@ -126,11 +126,11 @@ double shape_cast(const physics::Geometry& form) {
     physics::World world;
     const physics::Shape box =
         world.create_body({}).add(physics::Box{.width = 0.2f, .height = 0.1f});
-    return asking(
-        form, [&](physics::World& asked, const physics::Vec2& center, const physics::Vec2& beside) {
-            box.body().set_position(center + beside);
-            return asked.cast_shape(box, -beside).has_value();
-        });
+    return query_ns(form, [&](physics::World& searched, const physics::Vec2& center,
+                              const physics::Vec2& beside) {
+        box.body().set_position(center + beside);
+        return searched.cast_shape(box, -beside).has_value();
+    });
 }
 
 /// Grounds on which a shape spins; the top of each is at a height of half a meter.
@@ -145,11 +145,11 @@ struct Column {
     double (*measure)(const physics::Geometry& form);
 };
 const Column columns[] = {
-    {"on a box", [](const auto& form) { return spinning(form, box, 0.5f); }},
-    {"on another", [](const auto& form) { return spinning(form, form, 0.5f); }},
-    {"ellipse", [](const auto& form) { return spinning(form, round_hill, 0.5f); }},
-    {"chain", [](const auto& form) { return spinning(form, bent_chain, 0.5f); }},
-    {"concave", [](const auto& form) { return spinning(form, concave, 0.5f); }},
+    {"on a box", [](const auto& form) { return spinning_ns(form, box, 0.5f); }},
+    {"on another", [](const auto& form) { return spinning_ns(form, form, 0.5f); }},
+    {"ellipse", [](const auto& form) { return spinning_ns(form, round_hill, 0.5f); }},
+    {"chain", [](const auto& form) { return spinning_ns(form, bent_chain, 0.5f); }},
+    {"concave", [](const auto& form) { return spinning_ns(form, concave, 0.5f); }},
     {"distance", distance_between},
     {"ray", ray},
     {"point", point},
@@ -170,7 +170,7 @@ double median_of(int runs, Measure&& measure) {
 }
 
 ShapeRow measure(int corners, int runs) {
-    const physics::Geometry form = rounded(corners);
+    const physics::Geometry form = regular_polygon(corners);
     ShapeRow row{corners, {}};
     for (const Column& column : columns)
         row.values.push_back(median_of(runs, [&] { return column.measure(form); }));
@@ -211,8 +211,9 @@ int run_shapes(const ShapesOptions& options) {
         table.add(cells);
     }
     if (!options.json)
-        std::cout << "Nanoseconds: of a step, by what it spins on; of a question.\n\n"
-                  << table.text();
+        std::cout
+            << "Nanoseconds of a step, by the ground on which the shape spins; and of a query.\n\n"
+            << table.text();
     return 0;
 }
 

@@ -61,12 +61,12 @@ std::string table_of(const std::vector<SolverRow>& rows, Verdict& verdict) {
     Table table(headers);
     for (const SolverRow& row : rows) {
         std::vector<std::string> line = {row.scene, row.figure.name, row.figure.unit,
-                                         words_of(row.figure.bound)};
+                                         text_with_note(row.figure.bound)};
         for (std::size_t k = 0; k < row.values.size(); ++k) {
             const double value = row.values[k];
             // The bounds hold for the default solver; the others are for comparison.
             const bool usual = solver_kinds()[k].solver == physics::Solver::soft_step;
-            line.push_back(usual ? verdict.look(row.scene + ", " + row.figure.name, value,
+            line.push_back(usual ? verdict.mark(row.scene + ", " + row.figure.name, value,
                                                 row.figure.bound, figure(value), row.figure.unit)
                                  : figure(value));
         }

@@ -57,12 +57,12 @@ std::string table_of(const std::vector<FigureRow>& rows,
     Table table(headers);
     for (const FigureRow& row : rows) {
         std::vector<std::string> line = {row.scene, row.figure.name, row.figure.unit,
-                                         words_of(row.figure.bound)};
+                                         text_with_note(row.figure.bound)};
         for (std::size_t e = 0; e < engines.size(); ++e) {
             const std::string shown = row.values[e] ? figure(*row.values[e]) : "";
             // The bounds hold for Fettle only; the other engines are for comparison.
             const bool own = row.values[e] && engines[e]->name == "fettle";
-            line.push_back(own ? verdict.look(row.scene + ", " + row.figure.name, *row.values[e],
+            line.push_back(own ? verdict.mark(row.scene + ", " + row.figure.name, *row.values[e],
                                               row.figure.bound, shown, row.figure.unit)
                                : shown);
         }

@@ -35,10 +35,10 @@ Stages stages_of(const physics::StepStatistics& s) {
             static_cast<double>(other)};
 }
 
-/// A scene on a number of threads.
-class Side {
+/// A run of a scene on a number of threads, with the times of its steps and stages.
+class TimedRun {
   public:
-    Side(const Scene& scene, int threads) : simulation_(scene, "fettle", make_fettle(scene)) {
+    TimedRun(const Scene& scene, int threads) : simulation_(scene, "fettle", make_fettle(scene)) {
         simulation_.engine().set_threads(threads);
         simulation_.advance(1);  // not counted, because the first step finds every pair
     }
@@ -79,7 +79,7 @@ struct ThreadsResult {
 };
 
 ThreadsResult run_once(const Scene& scene, int threads, int run, Progress& progress) {
-    Side one(scene, 1), several(scene, threads);
+    TimedRun one(scene, 1), several(scene, threads);
     const double before = round_trip_ns();
     while (one.steps() < scene.steps) {
         const int steps = std::min(steps_a_turn, scene.steps - one.steps());
@@ -172,7 +172,7 @@ int run_threads(const ThreadsOptions& options) {
             if (options.json) print_json(scene.name, options.threads, scene.steps, result);
             const Bound bound = options.threads == 2 ? min_speedup : Bound{};
             speed.add({scene.name, figure(result.one_ms), figure(result.several_ms),
-                       verdict.look(
+                       verdict.mark(
                            scene.name, result.speedup, bound, figure(result.speedup),
                            "times as fast, " + figure(result.round_trip_ns) + " ns there and back"),
                        bound.text(), figure(result.median_speedup), figure(result.round_trip_ns)});

@@ -38,7 +38,7 @@ int run_tree(const TreeOptions& options) {
                           << "\n";
             }
             const std::string ratio =
-                verdict.look(row.name, beside.ratio, beside.bound,
+                verdict.mark(row.name, beside.ratio, beside.bound,
                              compared ? figure(beside.ratio) : "", "of \"" + beside.against + "\"");
             table.add({first ? row.name : "", first ? figure(row.ns) : "", ratio,
                        beside.bound.text(), beside.against});

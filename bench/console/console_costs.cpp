@@ -17,7 +17,7 @@ using property::Vec2;
 
 constexpr float wide = 1280, high = 800;  // px
 
-/// Passes triangles on, and notes their number and the time that it takes.
+/// Passes triangles on to another surface, counts them, and measures the time that this takes.
 class CountingSurface : public app::Surface {
   public:
     explicit CountingSurface(app::Surface* behind) : behind_(behind) {}

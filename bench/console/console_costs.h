@@ -11,10 +11,10 @@ namespace fettle::bench {
 
 /// Processor time of the parts of a frame, ms.
 struct ConsolePhases {
-    double after_step = 0;      // breaks, plots and skins look at the step
-    double between_frames = 0;  // commands that wait; ghosts
-    double widgets = 0;         // what the windows show is read and laid out
-    double triangles = 0;       // its triangles are given to the screen
+    double after_step = 0;      // updating breaks, plots and onion skins
+    double between_frames = 0;  // waiting commands; ghosts
+    double widgets = 0;         // reading the values that windows show, and layout
+    double triangles = 0;       // passing the triangles to the screen
     double total() const { return after_step + between_frames + widgets + triangles; }
 };
 

@@ -80,7 +80,7 @@ class Box2dEngine : public Engine {
         world_.SetContinuousPhysics(scene.continuous);
         bodies_.reserve(scene.bodies.size());
         for (const SceneBody& body : scene.bodies) bodies_.push_back(make(body));
-        for (const SceneJoint& joint : scene.joints) tie(joint);
+        for (const SceneJoint& joint : scene.joints) add_joint(joint);
     }
 
     void step() override { world_.Step(time_step, 8, 3); }
@@ -109,7 +109,7 @@ class Box2dEngine : public Engine {
     std::size_t bodies() const override { return static_cast<std::size_t>(world_.GetBodyCount()); }
 
   private:
-    void tie(const SceneJoint& joint) {
+    void add_joint(const SceneJoint& joint) {
         b2RevoluteJointDef def;
         def.Initialize(bodies_[joint.body_a], bodies_[joint.body_b], vec(joint.anchor));
         def.enableMotor = joint.motor_torque > 0;

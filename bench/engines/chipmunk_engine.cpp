@@ -93,7 +93,7 @@ class ChipmunkEngine : public Engine {
         if (scene.sleeping) cpSpaceSetSleepTimeThreshold(space_, 0.5);
         bodies_.reserve(scene.bodies.size());
         for (const SceneBody& body : scene.bodies) bodies_.push_back(make(body));
-        for (const SceneJoint& joint : scene.joints) tie(joint);
+        for (const SceneJoint& joint : scene.joints) add_joint(joint);
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             if (scene.sleeping && !scene.bodies[i].awake) cpBodySleep(bodies_[i]);
         }
@@ -136,17 +136,17 @@ class ChipmunkEngine : public Engine {
     std::size_t bodies() const override { return bodies_.size(); }
 
   private:
-    void tie(const SceneJoint& joint) {
+    void add_joint(const SceneJoint& joint) {
         cpBody* a = bodies_[joint.body_a];
         cpBody* b = bodies_[joint.body_b];
-        keep(cpPivotJointNew(a, b, vec(joint.anchor)));
+        add_constraint(cpPivotJointNew(a, b, vec(joint.anchor)));
         if (joint.motor_torque <= 0) return;
         cpConstraint* motor = cpSimpleMotorNew(a, b, -joint.motor_speed);
         cpConstraintSetMaxForce(motor, joint.motor_torque);
-        keep(motor);
+        add_constraint(motor);
     }
 
-    void keep(cpConstraint* joint) {
+    void add_constraint(cpConstraint* joint) {
         cpConstraintSetCollideBodies(joint, cpFalse);
         cpSpaceAddConstraint(space_, joint);
         joints_.push_back(joint);

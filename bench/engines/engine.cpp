@@ -17,7 +17,7 @@ void mix(std::uint64_t& hash, float number) {
 
 }  // namespace
 
-void Engine::arrive(std::size_t, const SceneGroup&) {
+void Engine::replace_group(std::size_t, const SceneGroup&) {
     throw std::logic_error("this engine runs no scene in which bodies come and go");
 }
 

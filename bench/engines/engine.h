@@ -35,7 +35,7 @@ class Engine {
     virtual void set_velocity(std::size_t body, Point velocity) = 0;
     /// Adds the bodies of a group; existing bodies of the group are removed first. Throws if the
     /// engine has no groups.
-    virtual void arrive(std::size_t group, const SceneGroup& description);
+    virtual void replace_group(std::size_t group, const SceneGroup& description);
     virtual void mix_groups(std::uint64_t&) const {}
     /// An edit from outside the simulation: `set_velocity` through the highest-level interface of
     /// the engine.

@@ -68,7 +68,7 @@ class FettleEngine : public Engine {
                   .solver = solver}) {
         bodies_.reserve(scene.bodies.size());
         for (const SceneBody& body : scene.bodies) bodies_.push_back(make(body));
-        for (const SceneJoint& joint : scene.joints) tie(bodies_, scene.bodies, joint);
+        for (const SceneJoint& joint : scene.joints) add_joint(bodies_, scene.bodies, joint);
         groups_.resize(scene.groups.size());
         // Last, because a new contact wakes a sleeping body.
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -93,7 +93,7 @@ class FettleEngine : public Engine {
 
     /// Removes existing bodies from last to first, shapes before their bodies, as the tree does.
     /// The order determines the next free slots, and so the order of the contacts.
-    void arrive(std::size_t group, const SceneGroup& description) override {
+    void replace_group(std::size_t group, const SceneGroup& description) override {
         Group& of = groups_[group];
         for (auto joint = of.joints.rbegin(); joint != of.joints.rend(); ++joint) joint->destroy();
         for (auto body = of.bodies.rbegin(); body != of.bodies.rend(); ++body) {
@@ -104,7 +104,7 @@ class FettleEngine : public Engine {
         of = {};
         for (const SceneBody& body : description.bodies) of.bodies.push_back(make(body));
         for (const SceneJoint& joint : description.joints)
-            of.joints.push_back(tie(of.bodies, description.bodies, joint));
+            of.joints.push_back(add_joint(of.bodies, description.bodies, joint));
     }
 
     std::size_t contacts() const override { return world_.contacts().size(); }
@@ -121,8 +121,8 @@ class FettleEngine : public Engine {
                 body.angular_velocity()};
     }
 
-    physics::Joint tie(const std::vector<physics::Body>& bodies,
-                       const std::vector<SceneBody>& described, const SceneJoint& joint) {
+    physics::Joint add_joint(const std::vector<physics::Body>& bodies,
+                             const std::vector<SceneBody>& described, const SceneJoint& joint) {
         physics::RevoluteJoint made = world_.create_revolute_joint(
             {.body_a = bodies[joint.body_a].id(),
              .body_b = bodies[joint.body_b].id(),

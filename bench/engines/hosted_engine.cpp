@@ -116,7 +116,7 @@ HostedEngine::HostedEngine(const Scene& scene, bool keeps_past)
     angular_velocity_ = body.property("angular_velocity");
     bodies_.reserve(scene.bodies.size());
     for (const SceneBody& description : scene.bodies) bodies_.push_back(make(description));
-    for (const SceneJoint& joint : scene.joints) tie(bodies_, scene.bodies, joint);
+    for (const SceneJoint& joint : scene.joints) add_joint(bodies_, scene.bodies, joint);
     groups_.resize(scene.groups.size());
     tree.barrier();
     // Last, because a new contact wakes a sleeping body.
@@ -151,8 +151,8 @@ Handle HostedEngine::make(const SceneBody& description) {
     return body;
 }
 
-void HostedEngine::tie(const std::vector<Handle>& bodies, const std::vector<SceneBody>& described,
-                       const SceneJoint& joint) {
+void HostedEngine::add_joint(const std::vector<Handle>& bodies,
+                             const std::vector<SceneBody>& described, const SceneJoint& joint) {
     Tree& tree = game_.tree;
     const Handle made = tree.create(tree.class_named("RevoluteJoint"), world_);
     tree.set(made, "body_a", bodies[joint.body_a]);
@@ -174,7 +174,7 @@ void HostedEngine::tie(const std::vector<Handle>& bodies, const std::vector<Scen
 }
 
 /// A group is a node with its bodies and joints below it; it is deleted as a whole.
-void HostedEngine::arrive(std::size_t group, const SceneGroup& description) {
+void HostedEngine::replace_group(std::size_t group, const SceneGroup& description) {
     Tree& tree = game_.tree;
     Group& of = groups_[group];
     if (of.node) tree.destroy(of.node);
@@ -182,7 +182,8 @@ void HostedEngine::arrive(std::size_t group, const SceneGroup& description) {
     world_ = of.node = tree.create(tree.object_class(), world);
     of.bodies.clear();
     for (const SceneBody& body : description.bodies) of.bodies.push_back(make(body));
-    for (const SceneJoint& joint : description.joints) tie(of.bodies, description.bodies, joint);
+    for (const SceneJoint& joint : description.joints)
+        add_joint(of.bodies, description.bodies, joint);
     world_ = world;
     tree.barrier();
 }
@@ -224,7 +225,7 @@ void HostedEngine::edit_velocity(std::size_t body, Point velocity) {
     const std::string path = tree.path(bodies_[body]) + ".velocity";
     property::set(tree, path, value(velocity));
     if (property::get(tree, path) != value(velocity))
-        throw std::runtime_error(path + " did not take the value it was given");
+        throw std::runtime_error(path + " does not have the value that was set");
 }
 
 std::size_t HostedEngine::contacts() const {

@@ -41,7 +41,7 @@ class HostedEngine : public Engine {
     void edit_velocity(std::size_t body, Point velocity) override;
     void set_threads(int threads) override;
     void mix_groups(std::uint64_t& hash) const override;
-    void arrive(std::size_t group, const SceneGroup& description) override;
+    void replace_group(std::size_t group, const SceneGroup& description) override;
     std::size_t contacts() const override;
     std::size_t bodies() const override;
 
@@ -55,8 +55,8 @@ class HostedEngine : public Engine {
   private:
     BodyMotion motion_of(property::Handle body) const;
     property::Handle make(const SceneBody& description);
-    void tie(const std::vector<property::Handle>& bodies, const std::vector<SceneBody>& described,
-             const SceneJoint& joint);
+    void add_joint(const std::vector<property::Handle>& bodies,
+                   const std::vector<SceneBody>& described, const SceneJoint& joint);
 
     mutable HeadlessGame game_;
     property::Handle world_;

@@ -26,18 +26,21 @@ Scene boxes_on_a_floor(int boxes) {
     return scene;
 }
 
-/// Registers a handler for the class of bodies, so that both bodies of each touch get the event.
-class Listened {
+/// A world in the tree with a handler, or without one. The handler is registered for the class of
+/// bodies, so both bodies of each touch get the event.
+class WorldWithHandler {
   public:
-    Listened(const Scene& scene, const std::string& script, bool native) : engine_(scene, false) {
+    WorldWithHandler(const Scene& scene, const std::string& script, bool native)
+        : engine_(scene, false) {
         HeadlessGame& game = engine_.game();
         if (!script.empty() && !game.runtime.run(script, "handler"))
             throw std::runtime_error("the handler of events did not run");
         const property::Class& body = game.tree.class_named("Body");
         if (native)
-            game.tree.on(
-                body, *body.event("contact_persist"),
-                [this](const property::Occurrence& o) { heard_ += o.record.values.size(); });
+            game.tree.on(body, *body.event("contact_persist"),
+                         [this](const property::Occurrence& o) {
+                             values_received_ += o.record.values.size();
+                         });
         measured_steps(engine_, steps_to_rest);
     }
     double ms(int steps) {
@@ -48,7 +51,7 @@ class Listened {
 
   private:
     HostedEngine engine_;
-    std::uint64_t heard_ = 0;
+    std::uint64_t values_received_ = 0;
 };
 
 const char* const handler = R"lua(
@@ -62,12 +65,13 @@ end)
 
 EventCost cost_with(int boxes, const std::function<void(double)>& progress) {
     const Scene scene = boxes_on_a_floor(boxes);
-    Listened nobody(scene, "", false), native(scene, "", true), script(scene, handler, false);
+    WorldWithHandler without(scene, "", false), native(scene, "", true),
+        script(scene, handler, false);
     const int steps = std::max(2, events_a_timing / (2 * boxes));
     std::vector<double> ns_native, ns_script;
     for (int i = 0; i < timings; ++i) {
         const double events = 2.0 * boxes * steps;
-        const double bare = nobody.ms(steps);
+        const double bare = without.ms(steps);
         ns_native.push_back((native.ms(steps) - bare) * 1e6 / events);
         ns_script.push_back((script.ms(steps) - bare) * 1e6 / events);
         progress(1.0 / timings);

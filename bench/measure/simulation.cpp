@@ -21,19 +21,20 @@ Simulation::Simulation(const Scene& scene, std::string name, std::unique_ptr<Eng
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (scene.bodies[i].path) driven_.push_back(i);
     }
-    tied_.resize(scene.bodies.size(), false);
-    for (const SceneJoint& joint : scene.joints) tied_[joint.body_a] = tied_[joint.body_b] = true;
+    has_joint_.resize(scene.bodies.size(), false);
+    for (const SceneJoint& joint : scene.joints)
+        has_joint_[joint.body_a] = has_joint_[joint.body_b] = true;
 }
 
 StepTime Simulation::advance(int steps) {
     StepTime time;
     const int half = scene_.steps / 2;
-    const int before = std::clamp(half - made_, 0, steps);
+    const int before = std::clamp(half - steps_, 0, steps);
     if (before > 0) time += timed_steps(before);
     if (before == steps) return time;
-    const int target = made_ - before + steps;
-    if (made_ == half) time += edited_step();
-    const int rest = target - made_;
+    const int target = steps_ - before + steps;
+    if (steps_ == half) time += edited_step();
+    const int rest = target - steps_;
     if (rest > 0) time += timed_steps(rest);
     return time;
 }
@@ -48,23 +49,23 @@ StepTime Simulation::timed_steps(int steps) {
 void Simulation::make_steps(int steps) {
     if (driven_.empty() && scene_.arrivals.empty()) {
         measured_steps(*engine_, steps);
-        made_ += steps;
+        steps_ += steps;
         return;
     }
     for (int i = 0; i < steps; ++i) {
-        const double end = static_cast<double>(made_ + 1) * static_cast<double>(time_step);
+        const double end = static_cast<double>(steps_ + 1) * static_cast<double>(time_step);
         for (const std::size_t body : driven_) {
             const Point target = scene_.bodies[body].path(end);
             const Point from = engine_->motion(body).position;
             engine_->set_velocity(
                 body, {(target.x - from.x) / time_step, (target.y - from.y) / time_step});
         }
-        while (arrived_ < scene_.arrivals.size() && scene_.arrivals[arrived_].step <= made_) {
+        while (arrived_ < scene_.arrivals.size() && scene_.arrivals[arrived_].step <= steps_) {
             const std::size_t group = scene_.arrivals[arrived_++].group;
-            engine_->arrive(group, scene_.groups[group]);
+            engine_->replace_group(group, scene_.groups[group]);
         }
         measured_steps(*engine_, 1);
-        ++made_;
+        ++steps_;
     }
 }
 
@@ -72,7 +73,7 @@ std::size_t Simulation::topmost(bool free, float below) const {
     std::size_t top = scene_.bodies.size();
     float height = 0;
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
-        if (scene_.bodies[i].motion != Motion::dynamic || (free && tied_[i])) continue;
+        if (scene_.bodies[i].motion != Motion::dynamic || (free && has_joint_[i])) continue;
         const float y = engine_->motion(i).position.y;
         if (y < below && (top == scene_.bodies.size() || y > height)) {
             top = i;

@@ -31,7 +31,7 @@ class Simulation {
     /// than `steps` may be made. Throws std::runtime_error if no body moves. Scenes with groups
     /// have no edit.
     StepTime advance(int steps);
-    int steps() const { return made_; }
+    int steps() const { return steps_; }
     const Engine& engine() const { return *engine_; }
     Engine& engine() { return *engine_; }
     std::uint64_t hash() const { return hash_of(*engine_, scene_.bodies.size()); }
@@ -48,9 +48,9 @@ class Simulation {
     std::string name_;
     std::unique_ptr<Engine> engine_;
     std::vector<std::size_t> driven_;
-    std::size_t arrived_ = 0;  // number of arrivals so far
-    std::vector<bool> tied_;   // whether a joint holds the body
-    int made_ = 0;
+    std::size_t arrived_ = 0;      // number of arrivals so far
+    std::vector<bool> has_joint_;  // whether a joint holds the body
+    int steps_ = 0;
 };
 
 /// Makes the steps and nothing else: profilers measure this function.

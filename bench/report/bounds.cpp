@@ -50,13 +50,13 @@ std::string Bound::text() const {
     return "";
 }
 
-std::string words_of(const Bound& bound) {
+std::string text_with_note(const Bound& bound) {
     const std::string text = bound.text();
     if (text.empty() || bound.note.empty()) return text + bound.note;
     return text + ": " + bound.note;
 }
 
-std::string Verdict::look(const std::string& row, double figure, const Bound& bound,
+std::string Verdict::mark(const std::string& row, double figure, const Bound& bound,
                           const std::string& shown, const std::string& against) {
     if (!bound) return shown;
     ++bounds_;

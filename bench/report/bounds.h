@@ -40,7 +40,7 @@ inline Bound other_than(double value) {
 }
 
 /// The bound and its note, for a column of a table: "< 50: stands".
-std::string words_of(const Bound& bound);
+std::string text_with_note(const Bound& bound);
 
 /// Checks the figures of one table: marks those beyond their bounds and lists them at the end.
 class Verdict {
@@ -51,7 +51,7 @@ class Verdict {
     /// Checks a figure of a row. `shown`: the figure as the table shows it. `against`: its unit, or
     /// what it is compared with. Returns `shown`, followed by " !" if the figure is beyond its
     /// bound.
-    std::string look(const std::string& row, double figure, const Bound& bound,
+    std::string mark(const std::string& row, double figure, const Bound& bound,
                      const std::string& shown, const std::string& against = {});
     /// Prints one line for each figure beyond its bound, which `./check --full` collects, and the
     /// number of checked bounds: `exceeded: tree "get ball.mass" 1.82 of the barest (bound <=

@@ -13,7 +13,7 @@ class Minimizer {
     WorldPlan run() {
         cut_steps();
         // A removal may make another one possible that failed before.
-        for (bool smaller = true; smaller && work_ > 0;) {
+        for (bool smaller = true; smaller && budget_ > 0;) {
             smaller = remove_edits();
             smaller |= remove_bodies();
             smaller |= remove_joints();
@@ -30,8 +30,8 @@ class Minimizer {
 
   private:
     bool accept(WorldPlan candidate) {
-        if (work_ <= 0) return false;
-        work_ -= static_cast<long long>(candidate.steps) * (int(candidate.bodies.size()) + 1);
+        if (budget_ <= 0) return false;
+        budget_ -= static_cast<long long>(candidate.steps) * (int(candidate.bodies.size()) + 1);
         if (!fails_(candidate)) return false;
         plan_ = std::move(candidate);
         return true;
@@ -122,7 +122,7 @@ class Minimizer {
         restore(&WorldDef::bounds_restitution, def);
         if (plan_.lengths != std::vector{1.0f / 60})
             attempt([](WorldPlan& plan) { plan.lengths = {1.0f / 60}; });
-        for (std::size_t i = 0; i < plan_.bodies.size() && work_ > 0; ++i) {
+        for (std::size_t i = 0; i < plan_.bodies.size() && budget_ > 0; ++i) {
             const auto body = [i](WorldPlan& plan) -> BodyDef& { return plan.bodies[i].def; };
             restore(&BodyDef::angle, body);
             restore(&BodyDef::velocity, body);
@@ -148,9 +148,9 @@ class Minimizer {
         }
     }
 
-    /// Rounding goes, and unusual shapes become boxes of their size.
+    /// Removes rounding, and replaces unusual shapes by boxes of their size.
     void simplify_shapes() {
-        for (std::size_t i = 0; i < plan_.bodies.size() && work_ > 0; ++i)
+        for (std::size_t i = 0; i < plan_.bodies.size() && budget_ > 0; ++i)
             for (std::size_t s = 0; s < plan_.bodies[i].shapes.size(); ++s) {
                 const auto replace = [&](const Geometry& by) {
                     return attempt(
@@ -188,7 +188,7 @@ class Minimizer {
             const float wanted = rounded(of(plan_));
             if (of(plan_) != wanted) attempt([&](WorldPlan& plan) { of(plan) = wanted; });
         };
-        for (std::size_t i = 0; i < plan_.bodies.size() && work_ > 0; ++i) {
+        for (std::size_t i = 0; i < plan_.bodies.size() && budget_ > 0; ++i) {
             change([&](WorldPlan& p) -> Vec2& { return p.bodies[i].def.position; });
             change([&](WorldPlan& p) -> Vec2& { return p.bodies[i].def.velocity; });
             change_number([&](WorldPlan& p) -> float& { return p.bodies[i].def.angle; });
@@ -208,8 +208,8 @@ class Minimizer {
 
     WorldPlan plan_;
     const Fails& fails_;
-    /// The steps that are left, each counted once for each body, in all calls of `fails` together.
-    long long work_ = 4'000'000;
+    /// Remaining budget: steps times bodies, for all calls of `fails` together.
+    long long budget_ = 4'000'000;
 };
 
 }  // namespace

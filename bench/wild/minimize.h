@@ -1,5 +1,5 @@
 #pragma once
-// A plan that fails is made smaller while it still fails in the same way.
+// Makes a failing plan smaller while it still fails in the same way.
 
 #include <functional>
 

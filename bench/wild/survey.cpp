@@ -26,7 +26,7 @@ class Surveyor {
         compare_ = names.empty() || std::ranges::count(names, "same") > 0;
     }
 
-    void look_at(std::uint64_t seed, Survey& survey) {
+    void run_seed(std::uint64_t seed, Survey& survey) {
         const WorldPlan plan = draw_world(seed, options_.size);
         const Trial trial = try_in_fettle(plan, watched_, compare_);
         ++survey.worlds;
@@ -35,8 +35,8 @@ class Surveyor {
         const bool peer_ran = options_.box2d && try_in_peer(plan, peer);
         survey.peer_worlds += peer_ran;
         for (const Finding& finding : peer.findings) survey.peer_findings.push_back(finding);
-        // Figures of single worlds differ by chance: twice the time and a second are more than
-        // that.
+        // The times of single worlds differ by chance; twice the time and a second more is no
+        // chance.
         if (peer_ran && can_rest(plan) && trial.awake > 2 * peer.awake + 1)
             add(survey, {seed,
                          {"slower to rest", plan.steps,
@@ -108,7 +108,7 @@ Survey survey(const SurveyOptions& options, const Listener& listener) {
         if (options.seconds > 0 && clock.elapsed_ms() > 1000 * options.seconds) break;
         const std::uint64_t seed = options.seed + std::uint64_t(i);
         if (listener.begins) listener.begins(seed, survey.found.size());
-        surveyor.look_at(seed, survey);
+        surveyor.run_seed(seed, survey);
     }
     survey.seconds = clock.elapsed_ms() / 1000;
     return survey;

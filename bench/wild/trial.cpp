@@ -24,7 +24,7 @@ class WatchedRun {
   public:
     WatchedRun(const WorldPlan& plan, std::span<const Invariant> watched) : now_(plan) {
         for (const Invariant& invariant : watched)
-            watches_.push_back({invariant.name, invariant.watch(plan)});
+            watches_.push_back({invariant.name, invariant.make_check(plan)});
     }
 
     void step(RunningWorld& world, int step, Trial& trial) {
@@ -48,7 +48,7 @@ class WatchedRun {
         const Moment moment{now_,           step,    dt,     edited,
                             edited_bodies_, before_, after_, world.fettle()};
         std::erase_if(watches_, [&](const Watch& watch) {
-            const auto what = watch.check->look(moment);
+            const auto what = watch.check->violation(moment);
             if (what) trial.findings.push_back({watch.name, step, *what});
             return what.has_value();
         });

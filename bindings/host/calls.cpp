@@ -23,7 +23,7 @@ fettle_code code_of(property::ErrorKind kind) {
     }
 }
 
-fettle_code keep(fettle_code code, const char* function, const char* message) noexcept {
+fettle_code store_error(fettle_code code, const char* function, const char* message) noexcept {
     fettle_keep_error(function, message);
     return code;
 }
@@ -34,19 +34,20 @@ fettle_code code_of_exception(const char* function) noexcept {
     try {
         throw;
     } catch (const Failure& failure) {
-        return keep(failure.code, function, failure.message.c_str());
+        return store_error(failure.code, function, failure.message.c_str());
     } catch (const property::Error& error) {
-        return keep(code_of(error.kind()), function, error.what());
+        return store_error(code_of(error.kind()), function, error.what());
     } catch (const std::bad_alloc&) {
-        return keep(FETTLE_NO_MEMORY, function, "there is not enough memory");
+        return store_error(FETTLE_NO_MEMORY, function, "there is not enough memory");
     } catch (const std::length_error&) {
-        return keep(FETTLE_NO_MEMORY, function, "there is not enough memory");
+        return store_error(FETTLE_NO_MEMORY, function, "there is not enough memory");
     } catch (const std::invalid_argument& error) {
-        return keep(FETTLE_INVALID, function, error.what());
+        return store_error(FETTLE_INVALID, function, error.what());
     } catch (const std::exception& error) {
-        return keep(FETTLE_FAILED, function, error.what());
+        return store_error(FETTLE_FAILED, function, error.what());
     } catch (...) {
-        return keep(FETTLE_FAILED, function, "a function that was called threw an exception");
+        return store_error(FETTLE_FAILED, function,
+                           "a function that was called threw an exception");
     }
 }
 

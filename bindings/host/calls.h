@@ -7,7 +7,8 @@
 
 namespace fettle::host {
 
-/// Keeps the message of the exception that is being handled, and returns its code.
+/// Stores the message of the exception that is being handled for `fettle_last_error`, and returns
+/// its code.
 fettle_code code_of_exception(const char* function) noexcept;
 
 /// The game; throws Failure if it is null or destroyed, and in another thread.
@@ -61,31 +62,32 @@ void check_size(const Def& def) {
                                           "; call the init function of the definition"};
 }
 
-/// A list: the first `room` elements, which `element(i)` gives, and how many there are.
+/// Writes a list: the first `room` elements, which `element(i)` returns, and to `count` how many
+/// there are.
 template <class Out, class Element>
-void tell_list(std::size_t size, Element element, Out* out, std::uint32_t room,
-               std::uint32_t* count) {
-    std::uint32_t& told = needed("count", count);
+void write_list(std::size_t size, Element element, Out* out, std::uint32_t room,
+                std::uint32_t* count) {
+    std::uint32_t& result = needed("count", count);
     if (room > 0) needed("out", out);
     for (std::size_t i = 0; i < size && i < room; ++i) out[i] = element(i);
-    told = static_cast<std::uint32_t>(size);
+    result = static_cast<std::uint32_t>(size);
 }
 
-/// Null for 0, and for a released handle.
-inline const HeldProperty* quick(const fettle_hosted* hosted, fettle_property_id id) {
-    const std::vector<HeldProperty>& held = hosted->game->held;
+/// The property with this handle; null for 0, and for a released handle.
+inline const PropertyHandle* property_or_null(const fettle_hosted* hosted, fettle_property_id id) {
+    const std::vector<PropertyHandle>& held = hosted->game->held;
     const auto place = static_cast<std::uint32_t>(id);
     if (place >= held.size()) return nullptr;
-    const HeldProperty& found = held[place];
+    const PropertyHandle& found = held[place];
     return found.generation == id >> 32 && found.property != nullptr ? &found : nullptr;
 }
 /// The instance; throws Error(deleted), or Failure for 0.
 property::Handle living(const Game& game, fettle_instance instance);
 
 [[noreturn]] void refuse_property(fettle_property_id id);
-/// The property that a caller holds; throws Failure if there is none.
-inline const HeldProperty& found(const fettle_hosted* hosted, fettle_property_id id) {
-    const HeldProperty* const known = quick(hosted, id);
+/// The property with this handle; throws Failure if there is none.
+inline const PropertyHandle& found(const fettle_hosted* hosted, fettle_property_id id) {
+    const PropertyHandle* const known = property_or_null(hosted, id);
     if (known == nullptr) refuse_property(id);
     return *known;
 }

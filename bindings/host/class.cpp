@@ -63,7 +63,7 @@ std::vector<property::Field> fields_of(const char* what, const fettle_parameter_
 property::Result call_method(void* context, property::Tree&, property::Handle self, property::Row,
                              std::span<const property::Value> arguments) {
     const BoundMethod method = *static_cast<const BoundMethod*>(context);
-    Given given;
+    ReturnedData given;
     std::vector<fettle_hosted_value> passed;
     for (const property::Value& argument : arguments) passed.push_back(given.value(argument));
     fettle_hosted_value result{};
@@ -75,14 +75,14 @@ property::Result call_method(void* context, property::Tree&, property::Handle se
     return answer_of(code, result);
 }
 
-/// Removes the methods of a class that was refused.
-class Undefined {
+/// Removes the methods that were made for a class, unless the class was defined.
+class MethodRollback {
   public:
-    explicit Undefined(Game& game) : game_(game), before_(game.methods.size()) {}
-    ~Undefined() {
+    explicit MethodRollback(Game& game) : game_(game), before_(game.methods.size()) {}
+    ~MethodRollback() {
         if (!done) game_.methods.resize(before_);
     }
-    Undefined(const Undefined&) = delete;
+    MethodRollback(const MethodRollback&) = delete;
     bool done = false;
 
   private:
@@ -118,7 +118,7 @@ fettle_code fettle_hosted_define(fettle_hosted* hosted, const fettle_class_def* 
     return outside(__func__, hosted, "get a class", [&](Game& game) {
         const fettle_class_def& wanted = needed("def", def);
         check_size(wanted);
-        Undefined undefined(game);
+        MethodRollback rollback(game);
         property::ClassDescriptor made;
         made.name = text_of("name", wanted.name);
         if (wanted.base != nullptr) made.base = wanted.base;
@@ -134,6 +134,6 @@ fettle_code fettle_hosted_define(fettle_hosted* hosted, const fettle_class_def* 
         each("methods", wanted.methods, wanted.method_count,
              [&](const fettle_method_def& each) { made.methods.push_back(method_of(game, each)); });
         game.tree.define(std::move(made));
-        undefined.done = true;
+        rollback.done = true;
     });
 }

@@ -46,12 +46,12 @@ fettle_code fettle_hosted_handle(fettle_hosted* hosted, const fettle_hosted_inpu
                                  bool* used) {
     return outside(__func__, hosted, "get input", [&](Game& game) {
         const app::InputEvent event = input_event(needed("input", input));
-        bool taken = false;
+        bool is_used = false;
         game.run_scripts([&] {
-            taken = game.console && game.console->handle(event);
-            game.loop.feed(event, taken);
+            is_used = game.console && game.console->handle(event);
+            game.loop.feed(event, is_used);
         });
-        if (used != nullptr) *used = taken;
+        if (used != nullptr) *used = is_used;
     });
 }
 

@@ -12,19 +12,19 @@ class HostClipboard : public app::Clipboard {
   public:
     explicit HostClipboard(Game& game) : game_(game) {}
     std::string read() override {
-        const auto asked = game_.callbacks.read_clipboard;
-        if (asked.function == nullptr) return kept_;
+        const auto callback = game_.callbacks.read_clipboard;
+        if (callback.function == nullptr) return kept_;
         std::string text;
         game_.call_out([&] {
-            if (const char* const given = asked.function(asked.user)) text = given;
+            if (const char* const given = callback.function(callback.user)) text = given;
         });
         return text;
     }
     void write(std::string_view text) override {
         kept_ = text;
-        const auto told = game_.callbacks.write_clipboard;
-        if (told.function == nullptr) return;
-        game_.call_out([&] { told.function(told.user, std::string(text).c_str()); });
+        const auto callback = game_.callbacks.write_clipboard;
+        if (callback.function == nullptr) return;
+        game_.call_out([&] { callback.function(callback.user, std::string(text).c_str()); });
     }
 
   private:
@@ -71,7 +71,7 @@ Game::Game(const fettle_hosted_def& def)
                       stepped_ = true;
                   },
               .hash = [this] { return physics.hash(); }});
-    listen();
+    connect_callbacks();
     if (flag(def.console)) make_console(def);
     open = true;
     for (const std::string& text : early_notes)
@@ -83,7 +83,7 @@ Game::~Game() {
     open = false;
 }
 
-void Game::listen() {
+void Game::connect_callbacks() {
     lua.on_error([this](const script::ScriptError& error) { report(error); });
     loop.on_error([this](const script::ScriptError& error) { report(error); });
     tree.on_handler_error([this](const property::HandlerError& error) {
@@ -100,10 +100,10 @@ void Game::listen() {
     });
     lua.on_print([this](std::string_view text) {
         if (console) console->print(text);
-        const auto told = callbacks.print;
-        if (told.function == nullptr) return;
+        const auto callback = callbacks.print;
+        if (callback.function == nullptr) return;
         try {
-            call_out([&] { told.function(told.user, std::string(text).c_str()); });
+            call_out([&] { callback.function(callback.user, std::string(text).c_str()); });
         } catch (...) {
             // An exception here would leave the call in the middle of the script.
             if (!first_problem_)
@@ -149,7 +149,7 @@ void Game::make_console(const fettle_hosted_def& def) {
     console = std::make_unique<console::Console>(tree, lua, std::move(options));
 }
 
-Game::Inside::Inside(Game& game) : game_(game) {
+Game::CallbackScope::CallbackScope(Game& game) : game_(game) {
     if (game_.callbacks_ >= 8)
         throw Failure{FETTLE_LOCKED, "more than eight calls of functions of the host are nested"};
     ++game_.callbacks_;
@@ -164,7 +164,7 @@ void Game::require_outside(const char* what) const {
 void Game::report(const script::ScriptError& error) {
     if (!first_problem_) first_problem_ = error.message;
     if (console) console->report(error);
-    tell_problem(error);
+    report_to_caller(error);
 }
 
 void Game::note(const std::string& text) {
@@ -174,7 +174,7 @@ void Game::note(const std::string& text) {
         if (early_notes.size() < most) early_notes.push_back(text);
         return;
     }
-    tell_note(text);
+    note_to_caller(text);
 }
 
 void Game::note_remarks(const std::string& state) {
@@ -183,20 +183,20 @@ void Game::note_remarks(const std::string& state) {
     for (const std::string& remark : remarks) note(state + ": " + remark);
 }
 
-void Game::tell_note(const std::string& text) {
+void Game::note_to_caller(const std::string& text) {
     script::ScriptError found;
     found.message = text;
     found.context = "files";
-    tell_problem(found);
+    report_to_caller(found);
 }
 
-void Game::tell_early_notes() {
-    for (const std::string& text : std::exchange(early_notes, {})) tell_note(text);
+void Game::deliver_early_notes() {
+    for (const std::string& text : std::exchange(early_notes, {})) note_to_caller(text);
 }
 
-void Game::tell_problem(const script::ScriptError& error) {
-    const auto told = callbacks.problem;
-    if (told.function == nullptr) return;
+void Game::report_to_caller(const script::ScriptError& error) {
+    const auto callback = callbacks.problem;
+    if (callback.function == nullptr) return;
     const fettle_hosted_problem found{.message = error.message.c_str(),
                                       .file = error.file.c_str(),
                                       .source_line = error.source_line.c_str(),
@@ -204,7 +204,7 @@ void Game::tell_problem(const script::ScriptError& error) {
                                       .context = error.context.c_str(),
                                       .line = error.line};
     try {
-        call_out([&] { told.function(told.user, &found); });
+        call_out([&] { callback.function(callback.user, &found); });
     } catch (...) {
         // The call that runs the script reports the error in any case.
         return;

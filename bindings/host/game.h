@@ -18,12 +18,14 @@
 
 namespace fettle::host {
 
-/// A property of an instance, or a component of one, that a caller holds by number.
-struct HeldProperty {
+/// A property of an instance, or a component of one, to which the caller has a handle
+/// (fettle_property_id).
+struct PropertyHandle {
     property::Handle instance;
     const property::Property* property = nullptr;  // null: released
     std::uint32_t generation = 1;
-    /// Of `part`, for fast reads: 0 and 1 are x and y of a vec2; -1: the whole value; -2: another.
+    /// Which component of the value it is, for fast reads: 0 and 1 are x and y of a vec2; -1: the
+    /// whole value; -2: another part.
     std::int8_t component = -1;
     std::vector<property::Segment> part{};
 };
@@ -60,8 +62,9 @@ class Game {
     Game(const Game&) = delete;
 
     OneThread thread;
-    bool open = false;                      // false: `note` can use the next member only
-    std::vector<std::string> early_notes;   // from before a function could get them
+    bool open = false;  // false, while the game is made or destroyed: `note` only stores texts in
+                        // the next member
+    std::vector<std::string> early_notes;   // notes from before the caller set a function for them
     physics_module::PhysicsModule physics;  // before the tree, which uses its memory
     std::deque<BoundMethod> methods;
     property::Tree tree;
@@ -75,12 +78,12 @@ class Game {
     std::optional<property::Transform> view;  // world to pixels; none: the view of the game
 
     Callbacks callbacks;
-    std::vector<HeldProperty> held;
+    std::vector<PropertyHandle> held;
     std::vector<std::uint32_t> released;  // places in `held`
     std::unordered_map<fettle_connection, property::Connection> connections;
     fettle_connection last_connection = 0;
 
-    Given given;
+    ReturnedData given;
     std::vector<std::byte> snapshot;
 
     /// Throws Failure(FETTLE_LOCKED) in a callback.
@@ -89,11 +92,11 @@ class Game {
     /// are nested.
     template <class Call>
     void call_out(Call call) {
-        const Inside inside(*this);
+        const CallbackScope inside(*this);
         call();
     }
-    /// Runs what may run scripts; then throws Failure with the message of the first error that they
-    /// had.
+    /// Calls `act`, which may run scripts. Throws Failure afterwards, with the message of the first
+    /// error of these scripts, if there was one.
     template <class Act>
     void run_scripts(Act act) {
         std::optional<std::string> before = std::move(first_problem_);
@@ -103,30 +106,31 @@ class Game {
         if (found) throw Failure{FETTLE_FAILED, std::move(*found)};
     }
     void report(const script::ScriptError& error);
-    /// A message about files, for the console and the caller; the call that is running goes on.
+    /// Passes a message about files to the console and to the caller; it is not an error of the
+    /// running call.
     void note(const std::string& text);
-    /// Notes which parts of the last restored state did not fit the game.
+    /// Writes notes about the parts of the last restored state that did not fit the game.
     void note_remarks(const std::string& state);
-    /// Gives the caller the notes from before it set a function for them.
-    void tell_early_notes();
+    /// Passes the early notes to the function of the caller.
+    void deliver_early_notes();
     console::Console& needed_console();
 
   private:
-    /// A call of a function of the caller.
-    class Inside {
+    /// Counts a call of a function of the caller while it runs.
+    class CallbackScope {
       public:
-        explicit Inside(Game& game);
-        ~Inside() { --game_.callbacks_; }
-        Inside(const Inside&) = delete;
+        explicit CallbackScope(Game& game);
+        ~CallbackScope() { --game_.callbacks_; }
+        CallbackScope(const CallbackScope&) = delete;
 
       private:
         Game& game_;
     };
 
-    void listen();
+    void connect_callbacks();
     void make_console(const fettle_hosted_def& def);
-    void tell_problem(const script::ScriptError& error);
-    void tell_note(const std::string& text);
+    void report_to_caller(const script::ScriptError& error);
+    void note_to_caller(const std::string& text);
 
     int callbacks_ = 0;  // calls of functions of the caller that have not returned
     bool stepped_ = false;

@@ -101,7 +101,7 @@ fettle_code fettle_hosted_children(fettle_hosted* hosted, fettle_instance instan
                                    fettle_instance* out, uint32_t room, uint32_t* count) {
     return with(__func__, hosted, [&](Game& game) {
         const std::vector<Handle> all = game.tree.children(living(game, instance));
-        tell_list(
+        write_list(
             all.size(), [&](std::size_t i) { return converted(all[i]); }, out, room, count);
     });
 }
@@ -144,7 +144,7 @@ fettle_code fettle_hosted_classes(fettle_hosted* hosted, const char** out, uint3
                                   uint32_t* count) {
     return with(__func__, hosted, [&](Game& game) {
         const std::vector<const property::Class*> all = game.tree.classes();
-        tell_list(
+        write_list(
             all.size(), [&](std::size_t i) { return all[i]->name().c_str(); }, out, room, count);
     });
 }
@@ -154,7 +154,7 @@ fettle_code fettle_hosted_members(fettle_hosted* hosted, const char* class_name,
     return with(__func__, hosted, [&](Game& game) {
         const std::vector<fettle_member> all =
             members_of(game.tree.class_named(text_of("class_name", class_name)));
-        tell_list(
+        write_list(
             all.size(), [&](std::size_t i) { return all[i]; }, out, room, count);
     });
 }

@@ -37,7 +37,7 @@ void check(const fettle_hosted_def& def) {
 /// A function of the caller, called by scripts.
 property::Value call_function(Game& game, const Callback<fettle_function_callback>& called,
                               std::span<const property::Value> arguments) {
-    Given given;
+    ReturnedData given;
     std::vector<fettle_hosted_value> passed;
     for (const property::Value& argument : arguments) passed.push_back(given.value(argument));
     fettle_hosted_value result{};
@@ -61,7 +61,8 @@ fettle_code fettle_hosted_create(const fettle_hosted_def* def, fettle_hosted** g
         const fettle_hosted_def& wanted = def == nullptr ? defaults : *def;
         check(wanted);
         auto parts = std::make_unique<Game>(wanted);
-        std::unique_ptr<fettle_hosted> hosted = fettle::physics_c::Retired<fettle_hosted>::place();
+        std::unique_ptr<fettle_hosted> hosted =
+            fettle::physics_c::Retired<fettle_hosted>::allocate();
         hosted->game = std::move(parts);
         made = hosted.release();
         return FETTLE_DONE;
@@ -87,7 +88,7 @@ fettle_code fettle_hosted_on_problem(fettle_hosted* hosted, fettle_problem_callb
                                      void* user) {
     return with(__func__, hosted, [&](Game& game) {
         game.callbacks.problem = {problem, user};
-        if (problem != nullptr) game.tell_early_notes();
+        if (problem != nullptr) game.deliver_early_notes();
     });
 }
 

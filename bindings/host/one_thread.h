@@ -8,11 +8,11 @@ namespace fettle::host {
 /// thread_local of the usual kind would cost a third of that.
 extern constinit thread_local char thread_mark __attribute__((tls_model("initial-exec")));
 
-/// The games of a process belong to the thread that created the first of them, until all are
-/// destroyed.
+/// Only one thread may use the games of a process: the one that created the first of them, until
+/// all are destroyed.
 class OneThread {
   public:
-    /// A game belongs to this thread. Throws Failure(FETTLE_LOCKED) if there are games of another.
+    /// Registers a game of this thread. Throws Failure(FETTLE_LOCKED) if another thread has games.
     OneThread();
     ~OneThread();
     OneThread(const OneThread&) = delete;

@@ -11,7 +11,8 @@
 
 namespace fettle::host {
 
-/// The files of a player and of a person who edits. Each exists if the definition names its place.
+/// The saved games and the store of the player, and the tweaks. Each is null unless the definition
+/// names its place.
 struct PlayerFiles {
     using Warn = std::function<void(const std::string&)>;
     PlayerFiles(property::Tree& tree, const fettle_hosted_def& def, const Warn& warn);

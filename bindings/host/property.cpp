@@ -9,19 +9,19 @@ using property::Value;
 
 namespace {
 
-std::string path_of(const Game& game, const HeldProperty& held) {
+std::string path_of(const Game& game, const PropertyHandle& held) {
     return game.tree.path(held.instance, *held.property);
 }
 
-Value read(const Game& game, const HeldProperty& held) {
+Value read(const Game& game, const PropertyHandle& held) {
     Value whole = game.tree.get(held.instance, *held.property);
     if (held.part.empty()) return whole;
     return property::part_of(whole, held.part, path_of(game, held));
 }
 
-void write(Game& game, const HeldProperty& held, const Value& value) {
-    // A copy, because a setter may run code that holds more properties.
-    const HeldProperty at = held;
+void write(Game& game, const PropertyHandle& held, const Value& value) {
+    // A copy, because a setter may run code that makes more handles.
+    const PropertyHandle at = held;
     if (at.part.empty()) return game.tree.set(at.instance, *at.property, value);
     const Value whole = game.tree.get(at.instance, *at.property);
     game.tree.set(at.instance, *at.property,
@@ -29,7 +29,7 @@ void write(Game& game, const HeldProperty& held, const Value& value) {
 }
 
 /// Reads a value of that type.
-Value read(const Game& game, const HeldProperty& held, Type type) {
+Value read(const Game& game, const PropertyHandle& held, Type type) {
     Value value = read(game, held);
     const bool fits = type == Type::number ? value.is_numeric() : value.is(type);
     if (!fits)
@@ -49,7 +49,7 @@ std::int8_t component_of(const property::Place& place) {
     return -2;
 }
 
-fettle_property_id hold(Game& game, const property::Place& place) {
+fettle_property_id make_handle(Game& game, const property::Place& place) {
     std::uint32_t at = 0;
     if (game.released.empty()) {
         at = static_cast<std::uint32_t>(game.held.size());
@@ -58,7 +58,7 @@ fettle_property_id hold(Game& game, const property::Place& place) {
         at = game.released.back();
         game.released.pop_back();
     }
-    HeldProperty& made = game.held[at];
+    PropertyHandle& made = game.held[at];
     made.instance = place.instance;
     made.property = place.property;
     made.component = component_of(place);
@@ -74,7 +74,7 @@ property::Place property_at(const Game& game, const char* path) {
 }
 
 /// The number of a property in the usual cases; false: it must be read as a value.
-inline bool read_fast(const Game& game, const HeldProperty& held, double& number) {
+inline bool read_fast(const Game& game, const PropertyHandle& held, double& number) {
     if (held.component == -1) return game.tree.read(held.instance, *held.property, number);
     property::Vec2 vector(0, 0);
     if (held.component < 0 || !game.tree.read(held.instance, *held.property, vector)) return false;
@@ -114,7 +114,7 @@ fettle_code fettle_property_at(fettle_hosted* hosted, const char* path,
                                fettle_property_id* property) {
     return with(__func__, hosted, [&](Game& game) {
         fettle_property_id& result = needed("property", property);
-        result = hold(game, property_at(game, text_of("path", path)));
+        result = make_handle(game, property_at(game, text_of("path", path)));
     });
 }
 
@@ -123,7 +123,7 @@ fettle_code fettle_property_of(fettle_hosted* hosted, fettle_instance instance, 
     return with(__func__, hosted, [&](Game& game) {
         fettle_property_id& result = needed("property", property);
         const property::Handle of = living(game, instance);
-        result = hold(game, {of, &game.tree.property(of, text_of("name", name)), {}});
+        result = make_handle(game, {of, &game.tree.property(of, text_of("name", name)), {}});
     });
 }
 
@@ -132,7 +132,7 @@ fettle_code fettle_property_release(fettle_hosted* hosted, fettle_property_id pr
         (void)found(hosted, property);
         const auto place = static_cast<std::uint32_t>(property);
         game.released.push_back(place);
-        HeldProperty& held = game.held[place];
+        PropertyHandle& held = game.held[place];
         held.property = nullptr;
         held.part.clear();
         ++held.generation;
@@ -159,7 +159,7 @@ fettle_code fettle_property_set(fettle_hosted* hosted, fettle_property_id proper
 fettle_code fettle_property_get_number(fettle_hosted* hosted, fettle_property_id property,
                                        double* number) {
     return with(__func__, hosted, [&](Game& game) {
-        const HeldProperty& held = found(hosted, property);
+        const PropertyHandle& held = found(hosted, property);
         double& result = needed("number", number);
         double value = 0;
         result = read_fast(game, held, value) ? value : read(game, held, Type::number).as_double();
@@ -169,7 +169,7 @@ fettle_code fettle_property_get_number(fettle_hosted* hosted, fettle_property_id
 fettle_code fettle_property_set_number(fettle_hosted* hosted, fettle_property_id property,
                                        double number) {
     return with(__func__, hosted, [&](Game& game) {
-        const HeldProperty& held = found(hosted, property);
+        const PropertyHandle& held = found(hosted, property);
         if (held.component == -1 && game.tree.write(held.instance, *held.property, number)) return;
         write(game, found(hosted, property), number);
     });
@@ -192,7 +192,7 @@ fettle_code fettle_property_set_boolean(fettle_hosted* hosted, fettle_property_i
 fettle_code fettle_property_get_vec2(fettle_hosted* hosted, fettle_property_id property, double* x,
                                      double* y) {
     return with(__func__, hosted, [&](Game& game) {
-        const HeldProperty& held = found(hosted, property);
+        const PropertyHandle& held = found(hosted, property);
         double& left = needed("x", x);
         double& up = needed("y", y);
         property::Vec2 vector(0, 0);
@@ -206,7 +206,7 @@ fettle_code fettle_property_get_vec2(fettle_hosted* hosted, fettle_property_id p
 fettle_code fettle_property_set_vec2(fettle_hosted* hosted, fettle_property_id property, double x,
                                      double y) {
     return with(__func__, hosted, [&](Game& game) {
-        const HeldProperty& held = found(hosted, property);
+        const PropertyHandle& held = found(hosted, property);
         const property::Vec2 vector(x, y);
         if (held.component == -1 && game.tree.write(held.instance, *held.property, vector)) return;
         write(game, found(hosted, property), vector);

@@ -49,13 +49,13 @@ fettle_code fettle_hosted_saves(fettle_hosted* hosted, fettle_hosted_saved* out,
     return outside(__func__, hosted, "list its saved games", [&](Game& game) {
         const std::vector<property::SaveInfo> found = saves_of(game).list();
         game.given.clear();
-        const auto told = [&](std::size_t place) {
+        const auto make_saved = [&](std::size_t place) {
             const property::SaveInfo& save = found[place];
             return fettle_hosted_saved{.slot = game.given.text(save.slot),
                                        .problem = game.given.text(save.problem),
                                        .step = static_cast<int64_t>(save.step),
                                        .time = save.time};
         };
-        tell_list(found.size(), told, out, room, count);
+        write_list(found.size(), make_saved, out, room, count);
     });
 }

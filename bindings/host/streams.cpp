@@ -1,7 +1,7 @@
-// Debian's archive of Lua is compiled for programs, which have the streams of C at a fixed
-// distance. A shared library has not; the linker gives these variables to Lua instead (`--wrap`). A
-// shared library of Lua would not do: in a program that has LuaJIT, its functions of the same names
-// would be called.
+// Debian's static archive of Lua is compiled for programs: it addresses stdin, stdout and stderr
+// relative to its own code, which is not possible in a shared library. So the linker replaces them
+// with the variables below (`--wrap`). A shared library of Lua would not do: in a program that also
+// loads LuaJIT, the functions of LuaJIT with the same names would be called.
 
 #include <cstdio>
 

@@ -48,7 +48,7 @@ void TriangleSurface::triangles(std::span<const app::SurfaceVertex> vertices,
     for (const std::uint16_t index : indices) indices_.push_back(first + index);
 }
 
-/// A console makes a new texture for each size of its font, and does not always destroy the old
+/// The console makes a new texture for each size of its font, and does not always destroy the old
 /// one.
 void TriangleSurface::drop_unused() {
     constexpr std::size_t kept = 8;
@@ -64,17 +64,18 @@ void TriangleSurface::drop_unused() {
 
 fettle_console_picture TriangleSurface::picture() {
     drop_unused();
-    told_.clear();
+    returned_textures_.clear();
     for (const Pixels& each : textures_)
-        told_.push_back({each.id, each.width, each.height, each.version, each.rgba.data()});
+        returned_textures_.push_back(
+            {each.id, each.width, each.height, each.version, each.rgba.data()});
     return {vertices_.data(),
             indices_.data(),
             commands_.data(),
-            told_.data(),
+            returned_textures_.data(),
             static_cast<std::uint32_t>(vertices_.size()),
             static_cast<std::uint32_t>(indices_.size()),
             static_cast<std::uint32_t>(commands_.size()),
-            static_cast<std::uint32_t>(told_.size())};
+            static_cast<std::uint32_t>(returned_textures_.size())};
 }
 
 }  // namespace fettle::host

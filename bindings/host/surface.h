@@ -38,7 +38,7 @@ class TriangleSurface : public app::Surface {
     std::vector<std::uint32_t> indices_;
     std::vector<fettle_console_command> commands_;
     std::vector<Pixels> textures_;
-    std::vector<fettle_console_texture> told_;
+    std::vector<fettle_console_texture> returned_textures_;
     Texture last_ = 0;
     std::uint32_t version_ = 0;
 };

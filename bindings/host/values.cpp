@@ -7,7 +7,7 @@ using property::Result;
 using property::Type;
 using property::Value;
 
-fettle_hosted_value Given::list(const List& list) {
+fettle_hosted_value ReturnedData::list(const List& list) {
     std::vector<fettle_hosted_value> elements;
     elements.reserve(list.size());
     for (const Value& element : list) elements.push_back(value(element));
@@ -19,7 +19,7 @@ fettle_hosted_value Given::list(const List& list) {
     return made;
 }
 
-fettle_hosted_value Given::value(const Value& value) {
+fettle_hosted_value ReturnedData::value(const Value& value) {
     fettle_hosted_value made{};
     made.type = static_cast<std::int32_t>(value.type());
     switch (value.type()) {
@@ -59,7 +59,7 @@ fettle_hosted_value Given::value(const Value& value) {
     return made;
 }
 
-fettle_hosted_value Given::result(const Result& result) {
+fettle_hosted_value ReturnedData::result(const Result& result) {
     if (const auto* const plain = std::get_if<Value>(&result)) return value(*plain);
     if (const auto* const record = std::get_if<property::Record>(&result))
         return list(record->values);

@@ -23,8 +23,9 @@ inline const char* text_of(const char* name, const char* text) {
     return &needed(name, text);
 }
 
-/// Texts and lists that a caller in C reads.
-class Given {
+/// The memory of texts and lists to which a caller in C gets pointers. They are valid until
+/// `clear`, or until the object is destroyed.
+class ReturnedData {
   public:
     const char* text(std::string_view text) { return texts_.emplace_back(text).c_str(); }
     fettle_hosted_value value(const property::Value& value);
@@ -48,8 +49,8 @@ inline property::Handle handle_of(fettle_instance instance) {
     return {static_cast<std::uint32_t>(instance), static_cast<std::uint32_t>(instance >> 32)};
 }
 
-/// Throws Failure for a type that there is not, a null text or list, and a list that is too long or
-/// nested too deep. `name`: for the message.
+/// Converts a value from C. Throws Failure for an unknown type, a null text or list, and a list
+/// that is too long or nested too deep. `name`: for the message.
 property::Value value_of(const char* name, const fettle_hosted_value& value);
 std::vector<property::Value> values_of(const char* name, const fettle_hosted_value* values,
                                        std::uint32_t count);

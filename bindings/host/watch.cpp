@@ -25,14 +25,14 @@ void keep(Game& game, property::Connection connection, fettle_connection* out) {
 
 property::ChangeHandler handler_of(Game& game, Callback<fettle_change_callback> called) {
     return [&game, called](const property::Change& change) {
-        Given given;
-        const fettle_hosted_change told{.instance = converted(change.instance),
-                                        .property = given.text(change.property->name),
-                                        .cause = given.text(change.cause.text()),
-                                        .step = change.cause.step,
-                                        .old_value = given.value(change.old_value),
-                                        .new_value = given.value(change.new_value)};
-        game.call_out([&] { called.function(called.user, &told); });
+        ReturnedData given;
+        const fettle_hosted_change passed{.instance = converted(change.instance),
+                                          .property = given.text(change.property->name),
+                                          .cause = given.text(change.cause.text()),
+                                          .step = change.cause.step,
+                                          .old_value = given.value(change.old_value),
+                                          .new_value = given.value(change.new_value)};
+        game.call_out([&] { called.function(called.user, &passed); });
     };
 }
 
@@ -47,20 +47,20 @@ property::ExistenceHandler handler_of(Game& game, Callback<fettle_existence_call
 
 property::EventHandler handler_of(Game& game, Callback<fettle_event_callback> called) {
     return [&game, called](const property::Occurrence& occurrence) {
-        Given given;
+        ReturnedData given;
         std::vector<const char*> names;
         std::vector<fettle_hosted_value> values;
         for (std::size_t i = 0; i < occurrence.record.values.size(); ++i) {
             names.push_back(given.text((*occurrence.record.fields)[i].name));
             values.push_back(given.value(occurrence.record.values[i]));
         }
-        const fettle_hosted_occurrence told{.instance = converted(occurrence.instance),
-                                            .step = occurrence.step,
-                                            .event = given.text(occurrence.event->name),
-                                            .fields = names.data(),
-                                            .values = values.data(),
-                                            .count = static_cast<std::uint32_t>(values.size())};
-        game.call_out([&] { called.function(called.user, &told); });
+        const fettle_hosted_occurrence passed{.instance = converted(occurrence.instance),
+                                              .step = occurrence.step,
+                                              .event = given.text(occurrence.event->name),
+                                              .fields = names.data(),
+                                              .values = values.data(),
+                                              .count = static_cast<std::uint32_t>(values.size())};
+        game.call_out([&] { called.function(called.user, &passed); });
     };
 }
 
@@ -91,7 +91,7 @@ fettle_code fettle_property_watch(fettle_hosted* hosted, fettle_property_id prop
                                   fettle_connection* connection) {
     return with(__func__, hosted, [&](Game& game) {
         const auto called = callback(changed, user);
-        const HeldProperty& held = found(hosted, property);
+        const PropertyHandle& held = found(hosted, property);
         game.tree.require(held.instance);
         keep(game, game.tree.watch(held.instance, *held.property, handler_of(game, called)),
              connection);

@@ -7,8 +7,8 @@ set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
 library=$1 include=$2 game=$3 host=${4:-}
 
-# declarations HEADER: all that it includes of its own folder. As its basics.h says: without comments, lines that begin with #,
-# and the two words.
+# declarations HEADER NAME: prints the headers of fettle/NAME that HEADER includes, as LuaJIT reads them. basics.h says what must be
+# left out: comments, lines that begin with #, and the words FETTLE_..._BEGIN and FETTLE_..._END.
 declarations() {
     echo 'return [['
     sed -nE "s|^#include <(fettle/${2}/.*)>|\1|p" "$include/$1" | while read -r header; do cat -- "$include/$header"; done |

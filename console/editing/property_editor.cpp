@@ -115,8 +115,8 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     std::string source = formula != nullptr ? formula->source : std::string();
     std::string wrong = formula != nullptr ? tree_.problem(instance, property) : std::string();
     // A value that the simulation writes differs from the default without being set. Some modules
-    // can tell (`overridden`): a mass that was set, but not whether it was a step that made a body
-    // fall asleep.
+    // know it (`overridden`): they know whether a mass was set, but not whether it was a step that
+    // made a body fall asleep.
     const bool computed = property.simulated && (property.binding.overridden == nullptr ||
                                                  written_by_simulation(instance, property));
     const bool set = formula != nullptr || (!computed && tree_.overridden(instance, property));

@@ -52,7 +52,7 @@ void PropertyEditor::fit_labels(const std::vector<const Property*>& properties) 
 
 float PropertyEditor::label_column(float available) const {
     const float usual = available * label_share;
-    // Values give no room away with which the fields of a vector are side by side.
+    // Names get no room that values need to show the two fields of a vector side by side.
     const float beside =
         available - 2 * component_width() - ImGui::GetStyle().ItemInnerSpacing.x - button_width();
     const float largest = beside >= usual ? beside : available * largest_label_share;

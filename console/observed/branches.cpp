@@ -9,8 +9,8 @@ std::vector<OtherBranch> other_branches(property::Tree& tree) {
     const property::Handle time = tree.child(tree.root(), "time");
     if (!time || tree.class_of(time).method("branches") == nullptr) return all;
     try {
-        const property::Result told = tree.call(time, "branches", {});
-        const auto* const records = std::get_if<std::vector<property::Record>>(&told);
+        const property::Result result = tree.call(time, "branches", {});
+        const auto* const records = std::get_if<std::vector<property::Record>>(&result);
         if (records == nullptr) return all;
         for (const property::Record& record : *records)
             all.push_back({record.get("name").text(), record.get("fork").integer(),

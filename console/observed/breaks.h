@@ -13,11 +13,11 @@ class Breaks {
   public:
     explicit Breaks(property::Tree& tree) : tree_(tree) {}
 
-    /// Adds a condition; the same text again replaces it.
     struct Added {
         std::string message;  // what it waits for, and the present value
         std::string problem;  // why the condition cannot be computed now; "" if it can
     };
+    /// Adds a condition; one with the same text is replaced.
     Added add(script::Observed condition);
     /// Returns how many were removed; "" is all of them.
     std::size_t remove(const std::string& text);

@@ -217,8 +217,8 @@ float Console::State::free_above() const {
     return low;
 }
 
-/// Draws the time bar along the lower edge. It leaves the room of the inspector beside it also
-/// while that does not reach down so far: a selection moves nothing.
+/// Draws the time bar along the lower edge. Its width leaves room for the inspector even while that
+/// does not reach down so far, so that a selection moves nothing.
 void Console::State::draw_time_bar(float right) {
     if (!settings.flag("time_bar") || !views.time_bar.available()) return views.time_bar.hide();
     const float low = screen.height - margin;
@@ -240,7 +240,8 @@ void Console::State::draw_in_game() {
 }
 
 /// Draws two runs between the panel and the views at the lower edge. They have all of the width,
-/// because the inspector beside the panel is as low as it: a selection moves nothing.
+/// because the inspector beside the panel then ends where the panel ends, so that a selection moves
+/// nothing.
 void Console::State::draw_comparison(double seconds) {
     if (!comparison.shown() || !options.to_world) return views.compare_view.hide();
     const float top = screen.panel_rect.high.y + margin;

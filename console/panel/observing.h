@@ -47,7 +47,7 @@ class Observing {
     /// Computes the pinned values for a picture.
     void look();
 
-    /// Whether a request for a value that cannot be computed now is told in the log.
+    /// Whether the log gets a note when a requested value cannot be computed now.
     bool tells_problems = true;
 
     /// The command of a key, "" if it has none.

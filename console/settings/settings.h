@@ -18,7 +18,7 @@ class Settings {
     bool flag(std::string_view name);
     float number(std::string_view name);
     std::string text(std::string_view name);
-    /// Writes a setting as an edit by the console.
+    /// Writes a setting. Undo does not revert it, because it is not an edit by a person.
     void set(std::string_view name, const property::Value& value);
 
   private:

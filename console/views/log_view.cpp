@@ -44,8 +44,9 @@ std::vector<Span> spans_of(const LogLine& line) {
     }
 }
 
-/// The begin of the last column of a table that begins between `from` and `end`; else `end`. Little
-/// of it would fit into a row that has it behind its middle.
+/// Where the last column of a table begins, if that is between `from` and `end`; otherwise `end`. A
+/// column that begins behind the middle of a row is moved to the next row, because little of it
+/// would fit.
 std::size_t last_column(std::string_view text, std::size_t from, std::size_t end) {
     const std::size_t gap = text.substr(0, end).rfind("  ");
     if (gap == std::string_view::npos || gap < from) return end;

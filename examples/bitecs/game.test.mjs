@@ -9,7 +9,7 @@ import { Crate, Health, Stone, createGame, stepGame } from "./game.js";
 
 await load();
 
-test("entities that are removed take their bodies with them", () => {
+test("the bodies of removed entities are destroyed", () => {
   const { entities, physics } = createGame();
   const [first, second] = query(entities, [Body, Crate]);
   const bodies = physics.bodies.length, [one, other] = [Body[first], Body[second]];

@@ -11,8 +11,8 @@
 #include <utility>
 
 /// Draws worlds into a picture, as a file of SVG, which every browser shows. The pictures of
-/// docs/guide/physics.md are drawn by it. `World::draw` calls the functions that `DebugDraw` asks
-/// for; a game that draws with something else implements the same four.
+/// docs/guide/physics.md are drawn by it. `World::draw` calls the virtual functions of `DebugDraw`;
+/// a game that draws in another way implements the same four.
 class Picture : public fettle::physics::DebugDraw {
   public:
     using Vec2 = fettle::physics::Vec2;
@@ -77,12 +77,13 @@ class Picture : public fettle::physics::DebugDraw {
         text_ += "<polyline points='";
         for (const Vec2& point : points) text_ += point_of(point);
         if (closed) text_ += point_of(points[0]);
-        text_ += "' " + (closed ? look(color) : "fill='none' stroke='#8a93a5' stroke-width='3'") +
+        text_ += "' " +
+                 (closed ? style_of(color) : "fill='none' stroke='#8a93a5' stroke-width='3'") +
                  "/>\n";
     }
     void circle(const Vec2& center, float radius, float angle, uint32_t color) override {
         text_ += "<circle cx='" + x(center) + "' cy='" + y(center) + "' r='" +
-                 number(scale_ * double(radius)) + "' " + look(color) + "/>\n";
+                 number(scale_ * double(radius)) + "' " + style_of(color) + "/>\n";
         const Vec2 edge = center + radius * Vec2(std::cos(angle), std::sin(angle));
         line(center, edge, "#14171d", 1.5);
     }
@@ -106,7 +107,7 @@ class Picture : public fettle::physics::DebugDraw {
     static constexpr uint32_t sensor = 0xe0c050;
 
     /// Sensors are transparent.
-    static std::string look(uint32_t color) {
+    static std::string style_of(uint32_t color) {
         return "fill='" + hex(color) + (color == sensor ? "' fill-opacity='0.2" : "") +
                "' stroke='" + hex(color == sensor ? color : color >> 1 & 0x7f7f7f) +
                "' stroke-width='1.5'";

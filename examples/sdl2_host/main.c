@@ -154,20 +154,20 @@ static const char* name_of(SDL_Keycode key, char letter[2]) {
     return letter;
 }
 
-static void give(const fettle_hosted_input* input) {
+static void send(const fettle_hosted_input* input) {
     /* A command that fails is reported in the console. */
     if (fettle_hosted_handle(game, input, NULL) != FETTLE_DONE)
         fprintf(stderr, "%s\n", fettle_last_error());
 }
 
-static void give_text(fettle_hosted_input* input, const char* text) {
+static void send_text(fettle_hosted_input* input, const char* text) {
     input->kind = FETTLE_INPUT_TEXT;
     for (const unsigned char* at = (const unsigned char*)text; *at != 0;) {
         const int more = *at < 0xc0 ? 0 : *at < 0xe0 ? 1 : *at < 0xf0 ? 2 : 3;
         input->character = *at++ & (more == 0 ? 0x7f : 0x3f >> more);
         for (int i = 0; i < more && *at != 0; ++i)
             input->character = input->character << 6 | (*at++ & 0x3f);
-        give(input);
+        send(input);
     }
 }
 
@@ -189,26 +189,26 @@ static bool handle(const SDL_Event* event) {
             event->type == SDL_KEYDOWN ? FETTLE_INPUT_KEY_PRESSED : FETTLE_INPUT_KEY_RELEASED;
         input.name = name_of(event->key.keysym.sym, letter);
         input.repeated = event->key.repeat != 0;
-        if (input.name[0] != 0) give(&input);
+        if (input.name[0] != 0) send(&input);
     } else if (event->type == SDL_TEXTINPUT) {
-        give_text(&input, event->text.text);
+        send_text(&input, event->text.text);
     } else if (event->type == SDL_MOUSEMOTION) {
         input.kind = FETTLE_INPUT_MOUSE_MOVED;
-        give(&input);
+        send(&input);
     } else if (event->type == SDL_MOUSEBUTTONDOWN || event->type == SDL_MOUSEBUTTONUP) {
         input.kind = event->type == SDL_MOUSEBUTTONDOWN ? FETTLE_INPUT_MOUSE_PRESSED
                                                         : FETTLE_INPUT_MOUSE_RELEASED;
         input.name = buttons[event->button.button < 6 ? event->button.button : 0];
-        give(&input);
+        send(&input);
     } else if (event->type == SDL_MOUSEWHEEL) {
         input.kind = FETTLE_INPUT_WHEEL;
         input.delta = (float)event->wheel.y;
-        give(&input);
+        send(&input);
     }
     return event->type != SDL_QUIT;
 }
 
-/* The input in the run that makes a picture. */
+/* Simulated input, for the run that makes a picture. */
 static void push_key(SDL_Keycode key) {
     SDL_Event event = {.type = SDL_KEYDOWN};
     event.key.keysym.sym = key;
@@ -216,7 +216,7 @@ static void push_key(SDL_Keycode key) {
     event.type = SDL_KEYUP;
     SDL_PushEvent(&event);
 }
-static void act(int frame) {
+static void simulate_input(int frame) {
     SDL_Event event = {.type = SDL_TEXTINPUT};
     if (frame == 20) push_key(SDLK_BACKQUOTE);
     if (frame == 30) {
@@ -256,7 +256,7 @@ int main(int argc, char** argv) {
 
     bool running = true;
     for (int frame = 0; running && frame != frames; ++frame) {
-        if (frames > 0) act(frame);
+        if (frames > 0) simulate_input(frame);
         for (SDL_Event event; SDL_PollEvent(&event);) running = running && handle(&event);
         if (fettle_hosted_frame(game, 1.0 / 60, NULL) != FETTLE_DONE)
             fprintf(stderr, "%s\n", fettle_last_error());

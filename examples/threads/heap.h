@@ -1,6 +1,6 @@
 #pragma once
 
-// The world of both programs, and how they measure it.
+// The world of both programs, and its measurement.
 
 #include <fettle/physics/world.h>
 
@@ -20,12 +20,12 @@ inline void fill(fettle::physics::World& world) {
 }
 
 /// Steps for two seconds and returns the hash of the world.
-inline unsigned long long run(fettle::physics::World& world, const char* who) {
+inline unsigned long long run(fettle::physics::World& world, const char* name) {
     const auto begin = std::chrono::steady_clock::now();
     for (int i = 0; i < 120; ++i) world.step(1.0f / 60);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
     const unsigned long long hash = world.hash();
-    std::printf("%s: %.2f ms a step, hash %016llx\n", who, time.count() / 120, hash);
+    std::printf("%s: %.2f ms a step, hash %016llx\n", name, time.count() / 120, hash);
     return hash;
 }
 

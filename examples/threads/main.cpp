@@ -20,7 +20,7 @@ class ThreadPool {
     ~ThreadPool() {
         {
             const std::lock_guard lock(mutex_);
-            over_ = true;
+            stopping_ = true;
         }
         changed_.notify_all();
         for (std::thread& thread : threads_) thread.join();
@@ -40,7 +40,7 @@ class ThreadPool {
     void work() {
         std::unique_lock lock(mutex_);
         for (;;) {
-            changed_.wait(lock, [this] { return over_ || !jobs_.empty(); });
+            changed_.wait(lock, [this] { return stopping_ || !jobs_.empty(); });
             if (jobs_.empty()) return;
             const std::function<void()> job = std::move(jobs_.front());
             jobs_.pop_front();
@@ -54,7 +54,7 @@ class ThreadPool {
     std::condition_variable changed_;
     std::deque<std::function<void()>> jobs_;
     std::vector<std::thread> threads_;
-    bool over_ = false;
+    bool stopping_ = false;
 };
 
 /// Lets the pool do the tasks of a step. The stepping thread works too, so a step never waits for a
@@ -75,7 +75,7 @@ class PoolScheduler : public TaskScheduler {
         queued_ += count;
         for (uint32_t number = 0; number < count; ++number)
             pool_.add([this, step = step_, task, context, number] {
-                if (begin(step)) {  // no: the step was over before a thread was free
+                if (begin(step)) {  // false: the step was over before a thread was free
                     task(context, number);
                     end();
                 }

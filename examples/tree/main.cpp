@@ -18,7 +18,7 @@ int main() {
     property::Tree tree;
     physics.attach(tree);
 
-    // Made by class and path...
+    // Instances are created by class; properties are set by path.
     const Handle world = property::resolve(tree, "world").instance;
     const Handle floor = tree.create(tree.class_named("Body"), world, "floor");
     tree.create(tree.class_named("Box"), floor, "box");
@@ -29,7 +29,7 @@ int main() {
     property::set(tree, "world.ball.position", Vec2(0, 8));
     property::set(tree, "world.ball.circle.restitution", 0.7);
 
-    // ...watched and heard of at barriers...
+    // Changes and events are delivered at barriers.
     tree.watch(ball, "awake", [&](const property::Change& change) {
         std::printf("step %llu: the ball %s\n", static_cast<unsigned long long>(change.cause.step),
                     change.new_value.boolean() ? "woke" : "fell asleep");
@@ -37,7 +37,7 @@ int main() {
     int bounces = 0;
     tree.on(ball, *tree.class_of(ball).event("contact_begin"),
             [&](const property::Occurrence&) { ++bounces; });
-    // ...and bound by formulas.
+    // A formula computes a property.
     tree.set_formula(floor, "label", {.function = [ball](const property::Tree& t) {
                          return Value("below a ball of " + t.text(t.get(ball, "mass")) + " kg");
                      }});
@@ -54,9 +54,9 @@ int main() {
     std::printf("%d bounces, at rest at %s\n", bounces,
                 tree.text(property::get(tree, "world.ball.position")).c_str());
 
-    // From an instance to what it stands for, without the tree.
+    // The body of an instance can be used directly, without the tree.
     physics.body(ball).apply_impulse({0, 2});
-    property::set(tree, "world.ball.mass", 5);  // an edit: what depends on it knows
+    property::set(tree, "world.ball.mass", 5);  // an edit: the formula is computed again
     std::printf("%s\n", property::get(tree, "world.floor.label").text().c_str());
     try {
         property::set(tree, "world.ball.positon", 3);

@@ -1,4 +1,4 @@
-// Fettle's console dropped into a game that has a window and a loop of its own, written with SFML.
+// Fettle's console in a game that has a window and a loop of its own, written with SFML.
 // The game draws its balls itself; the console (the grave key) shows and edits them as they fly.
 //
 //   window [FRAMES]     ends after FRAMES frames, with the console open and a picture in
@@ -32,7 +32,7 @@ Vec2 meters(float x, float y) {
     return {(x - width / 2) / scale, (height - 60 - y) / scale};
 }
 
-/// SFML 2 fills an event in, SFML 3 gives one.
+/// The next event. SFML 2 writes it to an argument, SFML 3 returns it.
 template <class Window>
 std::optional<sf::Event> next(Window& window) {
     if constexpr (requires(sf::Event e) { window.pollEvent(e); }) {

@@ -15,7 +15,7 @@
 namespace fettle::program {
 namespace {
 
-constexpr int look_milliseconds = 100;  // between looks at signals
+constexpr int poll_milliseconds = 100;  // between two checks for a signal
 constexpr const char* game_has_ended = "the game has ended, or listens no longer";
 
 }  // namespace
@@ -38,7 +38,7 @@ AttachedGame::~AttachedGame() {
     ::close(socket_);
 }
 
-std::optional<Message> AttachedGame::ask(const Request& request) {
+std::optional<Message> AttachedGame::request(const Request& request) {
     const std::string text = text_of(request);
     if (text.size() > longest_request) {
         Message refused{.kind = Message::Kind::answer};
@@ -51,16 +51,16 @@ std::optional<Message> AttachedGame::ask(const Request& request) {
     while (std::optional<Message> message = next(true)) {
         if (message->kind == Message::Kind::answer || message->kind == Message::Kind::candidates)
             return message;
-        shown(*message);
+        handle(*message);
     }
     return std::nullopt;
 }
 
-void AttachedGame::look() {
-    while (const std::optional<Message> message = next(false)) shown(*message);
+void AttachedGame::print_received() {
+    while (const std::optional<Message> message = next(false)) handle(*message);
 }
 
-void AttachedGame::shown(const Message& message) {
+void AttachedGame::handle(const Message& message) {
     if (message.kind == Message::Kind::print) print_(message.text);
     if (message.kind == Message::Kind::lost)
         print_("… " + std::to_string(message.count) + " more lines of the game");
@@ -87,7 +87,7 @@ std::optional<Message> AttachedGame::next(bool waits) {
 bool AttachedGame::receive(bool waits) {
     for (;;) {
         pollfd ready{.fd = socket_, .events = POLLIN, .revents = 0};
-        const int count = ::poll(&ready, 1, waits ? look_milliseconds : 0);
+        const int count = ::poll(&ready, 1, waits ? poll_milliseconds : 0);
         if (EndRequest::signal() != 0) return false;
         if (count > 0) break;
         if (!waits) return false;

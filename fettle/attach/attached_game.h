@@ -1,5 +1,5 @@
 #pragma once
-// The terminal's end of a connection: requests to a running game through its socket.
+// The client of a running game: a terminal that sends requests through the game's socket.
 
 #include <functional>
 #include <optional>
@@ -26,15 +26,15 @@ class AttachedGame {
 
     /// Sends a request and waits for its answer; none if the connection ends, or a signal asks the
     /// program to end.
-    std::optional<Message> ask(const Request& request);
-    /// Prints what the game has sent. Does not wait.
-    void look();
+    std::optional<Message> request(const Request& request);
+    /// Prints the lines that the game has sent. Does not wait.
+    void print_received();
 
   private:
     std::optional<Message> next(bool waits);
     bool receive(bool waits);
     void send(const std::string& text);
-    void shown(const Message& message);
+    void handle(const Message& message);
 
     std::function<void(const std::string&)> print_;
     int socket_;

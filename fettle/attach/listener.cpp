@@ -49,9 +49,9 @@ int listening_socket(const std::filesystem::path& path) {
 
 }  // namespace
 
-Listener::Listener(const std::filesystem::path& game, Answers answers, ListenLimits limits)
+Listener::Listener(const std::filesystem::path& game, Callbacks answers, ListenLimits limits)
     : place_(named_for(game)),
-      answers_(std::move(answers)),
+      callbacks_(std::move(answers)),
       limits_(limits),
       socket_(listening_socket(place_.socket)) {
     try {
@@ -81,7 +81,7 @@ std::size_t Listener::largest_buffer() const {
 }
 
 double Listener::now() const {
-    if (answers_.now) return answers_.now();
+    if (callbacks_.now) return callbacks_.now();
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
 }
@@ -89,12 +89,12 @@ double Listener::now() const {
 void Listener::frame() {
     printed_lines_ = printed_bytes_ = 0;
     began_ = now();
-    take_connections();
+    accept_connections();
     if (connections_.empty()) return;
     receive_all();
     answer();
     send_all();
-    end_late();
+    drop_ungreeted();
     remove_gone();
 }
 
@@ -135,7 +135,7 @@ void Listener::send_all() {
 
 // --- Connections
 
-void Listener::take_connections() {
+void Listener::accept_connections() {
     for (std::size_t i = 0; i < limits_.accepted && (i == 0 || !is_late()); ++i) {
         const int socket = ::accept4(socket_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (socket < 0) return;
@@ -143,34 +143,34 @@ void Listener::take_connections() {
             ::close(socket);
             continue;
         }
-        make_room();
+        drop_oldest_ungreeted();
         connections_.push_back({.socket = socket, .since = now()});
     }
 }
 
 /// Closes the connection that has been longest without giving the token, so that silent ones cannot
 /// take all places.
-void Listener::make_room() {
+void Listener::drop_oldest_ungreeted() {
     if (connections_.size() - terminals() < limits_.waiting) return;
     const auto oldest = std::ranges::find(connections_, false, &Connection::greeted);
     ::close(oldest->socket);
     connections_.erase(oldest);
 }
 
-void Listener::refuse(Connection& whom, std::string_view why) {
-    whom.out += refusal_text(why);
-    whom.ending = true;
-    whom.in.clear();
+void Listener::refuse(Connection& connection, std::string_view why) {
+    connection.out += refusal_text(why);
+    connection.ending = true;
+    connection.in.clear();
 }
 
-void Listener::end_late() {
+void Listener::drop_ungreeted() {
     const double present = now();
     for (Connection& each : connections_)
         if (!each.greeted && present - each.since > limits_.greeting_seconds) each.gone = true;
 }
 
-/// One at least, and as many as the time of the frame allows: for each, the system frees what it
-/// has sent and nobody has read.
+/// Removes one at least, and as many as the time of the frame allows: closing a socket takes time,
+/// since the system frees the bytes that the terminal has not read.
 void Listener::remove_gone() {
     std::size_t removed = 0, terminals = 0;
     std::erase_if(connections_, [&](const Connection& each) {
@@ -181,13 +181,13 @@ void Listener::remove_gone() {
         if (each.greeted) ++terminals;
         return true;
     });
-    for (; terminals > 0; --terminals) answers_.note("a terminal is no longer attached");
+    for (; terminals > 0; --terminals) callbacks_.note("a terminal is no longer attached");
 }
 
 // --- Requests
 
 void Listener::receive(Connection& from) {
-    // While answers wait to be read, no more requests are taken: the sender has to wait.
+    // While the terminal does not read its answers, no more of its requests are received.
     if (from.gone || from.ending || from.out.size() > limits_.kept ||
         from.in.size() > longest_request)
         return;
@@ -214,21 +214,21 @@ void Listener::receive(Connection& from) {
     }
 }
 
-void Listener::greet(Connection& who, std::string_view line) {
+void Listener::greet(Connection& connection, std::string_view line) {
     if (!is_greeting(line, place_.token)) {
-        who.gone = true;
+        connection.gone = true;
         return;
     }
     if (terminals() == limits_.terminals)
-        return refuse(who, "a game has at most " + std::to_string(limits_.terminals) +
-                               " terminals, and there are as many");
-    who.greeted = true;
-    who.out += welcome_text(place_.game.string());
-    answers_.note("a terminal is attached");
+        return refuse(connection, "a game has at most " + std::to_string(limits_.terminals) +
+                                      " terminals, and there are as many");
+    connection.greeted = true;
+    connection.out += welcome_text(place_.game.string());
+    callbacks_.note("a terminal is attached");
 }
 
-/// Answers requests of this frame. All terminals take turns. In the next frame, another one is the
-/// first.
+/// Callbacks requests of this frame. All terminals take turns. In the next frame, another one is
+/// the first.
 void Listener::answer() {
     Turn turn;
     const std::size_t count = connections_.size();
@@ -248,7 +248,7 @@ void Listener::answer() {
     }
 }
 
-/// Answers the next request, if there is a whole one, and one that may be begun in this frame.
+/// Callbacks the next request, if there is a whole one, and one that may be begun in this frame.
 bool Listener::answer_next(Connection& to, Turn& turn) {
     if (!to.greeted || to.ending || to.gone || to.out.size() > limits_.kept) return false;
     const std::size_t end = to.in.find('\n');
@@ -277,13 +277,14 @@ bool Listener::answer_next(Connection& to, Turn& turn) {
 }
 
 std::string Listener::answer_to(const Request& request, Turn& turn) {
-    if (request.kind == Request::Kind::run) return answer_text(answers_.evaluate(request.text));
-    // Nobody types faster than frames, and candidates take long for their few bytes.
+    if (request.kind == Request::Kind::run) return answer_text(callbacks_.evaluate(request.text));
+    // A completion takes longer than its few bytes suggest, and no person types faster than one
+    // completion a frame.
     turn.ends = true;
-    return candidates_text(answers_.complete(request.text, request.cursor));
+    return candidates_text(callbacks_.complete(request.text, request.cursor));
 }
 
-// --- Answers and prints
+// --- Callbacks and prints
 
 void Listener::print(std::string_view line) {
     if (connections_.empty()) return;

@@ -1,5 +1,5 @@
 #pragma once
-// The game's end of the connections: terminals attach to it and type commands. The work of a frame,
+// The server in a game: terminals attach to it and type commands. The work of a frame,
 // the memory of each connection and the number of connections have limits, so that no connection
 // can delay the game. Sockets never wait.
 
@@ -31,29 +31,30 @@ struct ListenLimits {
     // this number of bytes of requests and answers; and no completion after another request.
     std::size_t requests = 8, answered = 32768;
     std::size_t received = 16384;  // bytes of a frame and connection
-    std::size_t kept = 65536;      // bytes of answers before requests have to wait
+    std::size_t kept = 65536;      // bytes of unsent answers; beyond it, no more requests are read
     // What a frame sends of the game's output: lines, and bytes after which no more lines are sent.
     std::size_t lines_a_frame = 200, printed = 65536;
 };
 
 class Listener {
   public:
-    struct Answers {
+    struct Callbacks {
         std::function<script::Evaluation(std::string_view command)> evaluate;
         std::function<std::vector<script::Completion>(std::string_view input, std::size_t cursor)>
             complete;
         /// A terminal has attached, or is gone.
         std::function<void(const std::string& what)> note;
-        /// Seconds since any moment. Without it, the clock of the system is read.
+        /// The present time in seconds, from any origin. Without it, the clock of the system is
+        /// read.
         std::function<double()> now{};
     };
 
     /// Begins to listen for `game`. Throws FileError.
-    Listener(const std::filesystem::path& game, Answers answers, ListenLimits limits = {});
+    Listener(const std::filesystem::path& game, Callbacks callbacks, ListenLimits limits = {});
     ~Listener();
     Listener(const Listener&) = delete;
 
-    /// Call between two frames: takes connections, answers requests, and sends.
+    /// Call between two frames: accepts connections, answers requests, and sends.
     void frame();
     /// Sends a line that the game printed to all terminals. A terminal that reads too slowly gets
     /// the number of dropped lines instead.
@@ -87,24 +88,24 @@ class Listener {
     /// Calls `handle` with the connections, beginning where the last frame had no more time; each
     /// frame handles one at least. `handle` says whether it had anything to do.
     void in_turns(std::size_t& first, const std::function<bool(std::size_t)>& handle) const;
-    void take_connections();
+    void accept_connections();
     void receive_all();
-    void make_room();
+    void drop_oldest_ungreeted();
     void receive(Connection& from);
-    void greet(Connection& who, std::string_view line);
+    void greet(Connection& connection, std::string_view line);
     void answer();
     bool answer_next(Connection& to, Turn& turn);
     std::string answer_to(const Request& request, Turn& turn);
     void report_lost(Connection& to);
     void send_all();
     void send(Connection& to);
-    void refuse(Connection& whom, std::string_view why);
-    void end_late();
+    void refuse(Connection& connection, std::string_view why);
+    void drop_ungreeted();
     void remove_gone();
     std::size_t terminals() const;
 
     RunningGame place_;
-    Answers answers_;
+    Callbacks callbacks_;
     ListenLimits limits_;
     int socket_ = -1;
     std::deque<Connection> connections_;

@@ -33,26 +33,26 @@ std::filesystem::path history_file() {
 void CommandLines::read(const std::string& greeting) {
     if (::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1) {
         print_line(greeting);
-        talk();
+        read_from_terminal();
         print_line("");
     } else {
-        for (std::string line; !runner_.ended() && std::getline(std::cin, line);) take(line);
+        for (std::string line; !runner_.ended() && std::getline(std::cin, line);) add_line(line);
         if (!pending_.empty() && !runner_.ended()) print_line(too_early);
     }
     std::fflush(stdout);
 }
 
-void CommandLines::make_room() {
-    if (editor_) editor_->make_room();
+void CommandLines::erase_typed_line() {
+    if (editor_) editor_->erase_typed_line();
 }
 
-void CommandLines::talk() {
+void CommandLines::read_from_terminal() {
     editor_.emplace(history_file(), [this](std::string_view line, std::size_t cursor) {
         return candidates(line, cursor);
     });
     const EndRequest::Interrupts interrupts;
     const auto idle = [&] {
-        if (EndRequest::Interrupts::take()) return LineEditor::Next::drop_line;
+        if (EndRequest::Interrupts::test_and_clear()) return LineEditor::Next::drop_line;
         runner_.idle();
         std::fflush(stdout);
         return runner_.ended() ? LineEditor::Next::end : LineEditor::Next::read_on;
@@ -64,14 +64,14 @@ void CommandLines::talk() {
         if (line->dropped)
             pending_.clear();
         else
-            take(line->text);
-        EndRequest::Interrupts::take();  // it stopped the command
+            add_line(line->text);
+        EndRequest::Interrupts::test_and_clear();  // a signal that stopped the command
     }
     editor_.reset();
 }
 
 /// An empty line ends a command that is not complete.
-void CommandLines::take(const std::string& line) {
+void CommandLines::add_line(const std::string& line) {
     pending_ += pending_.empty() ? line : "\n" + line;
     const std::string command = pending_;
     if (!runner_.run(command)) {

@@ -37,12 +37,13 @@ class CommandLines {
 
     /// Prints `greeting` first if it reads from a terminal.
     void read(const std::string& greeting);
-    /// Call before something is printed while a line may be typed.
-    void make_room();
+    /// Erases the line that is being typed, if there is one; it is shown again later. Call before
+    /// anything is printed.
+    void erase_typed_line();
 
   private:
-    void talk();
-    void take(const std::string& line);
+    void read_from_terminal();
+    void add_line(const std::string& line);
     std::vector<LineEditor::Candidate> candidates(std::string_view line, std::size_t cursor);
 
     CommandRunner& runner_;

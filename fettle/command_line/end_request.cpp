@@ -18,16 +18,16 @@ namespace {
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
 
 volatile std::sig_atomic_t end_signal = 0;
-std::atomic<script::Runtime*> stopped{nullptr};
+std::atomic<script::Runtime*> interruptible{nullptr};
 static_assert(std::atomic<script::Runtime*>::is_always_lock_free, "a signal handler reads it");
-std::array<struct sigaction, signals.size() + 1> before;
+std::array<struct sigaction, signals.size() + 1> previous_actions;
 
 /// Scripts are interrupted once a second. If the run has not ended after this number of interrupts,
 /// its cause is not a script, and the process is ended.
 constexpr int max_alarms = 10;
 volatile std::sig_atomic_t alarms = 0;
 
-volatile std::sig_atomic_t interrupts_taken = 0;  // while an `Interrupts` exists
+volatile std::sig_atomic_t interrupts_handled = 0;  // while an `Interrupts` exists
 volatile std::sig_atomic_t interrupt_arrived = 0;
 volatile std::sig_atomic_t command_runs = 0;
 
@@ -38,9 +38,9 @@ void write_at_once(std::string_view text) {
 }
 
 void on_signal(int number) {
-    if (number == SIGINT && interrupts_taken != 0 && interrupt_arrived == 0 && end_signal == 0) {
+    if (number == SIGINT && interrupts_handled != 0 && interrupt_arrived == 0 && end_signal == 0) {
         interrupt_arrived = 1;
-        script::Runtime* const runtime = stopped.load();
+        script::Runtime* const runtime = interruptible.load();
         if (command_runs != 0 && runtime != nullptr) runtime->interrupt();
         return;
     }
@@ -61,7 +61,7 @@ void on_alarm(int) {
         write_at_once("fettle: the run did not end in time: it ends at once\n");
         ::_exit(status_of_signal(end_signal));
     }
-    if (script::Runtime* runtime = stopped.load()) runtime->interrupt();
+    if (script::Runtime* runtime = interruptible.load()) runtime->interrupt();
     ::alarm(1);
 }
 
@@ -78,41 +78,43 @@ void install(int number, void (*handler)(int), struct sigaction& was) {
 
 EndRequest::EndRequest() {
     end_signal = 0;
-    for (std::size_t i = 0; i < signals.size(); ++i) install(signals[i], on_signal, before[i]);
-    install(SIGALRM, on_alarm, before.back());
+    for (std::size_t i = 0; i < signals.size(); ++i)
+        install(signals[i], on_signal, previous_actions[i]);
+    install(SIGALRM, on_alarm, previous_actions.back());
 }
 
 EndRequest::~EndRequest() {
     ::alarm(0);
-    stopped = nullptr;
-    for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before[i], nullptr);
-    ::sigaction(SIGALRM, &before.back(), nullptr);
+    interruptible = nullptr;
+    for (std::size_t i = 0; i < signals.size(); ++i)
+        ::sigaction(signals[i], &previous_actions[i], nullptr);
+    ::sigaction(SIGALRM, &previous_actions.back(), nullptr);
 }
 
 int EndRequest::signal() {
     return end_signal;
 }
 
-void EndRequest::allow(unsigned seconds) {
+void EndRequest::limit_scripts(unsigned seconds) {
     alarms = 0;
     ::alarm(seconds);
 }
 
 EndRequest::Scripts::Scripts(script::Runtime& runtime) {
-    stopped = &runtime;
+    interruptible = &runtime;
 }
 
 EndRequest::Scripts::~Scripts() {
-    stopped = nullptr;
+    interruptible = nullptr;
 }
 
 EndRequest::Interrupts::Interrupts() {
     interrupt_arrived = 0;
-    interrupts_taken = 1;
+    interrupts_handled = 1;
 }
 
 EndRequest::Interrupts::~Interrupts() {
-    interrupts_taken = 0;
+    interrupts_handled = 0;
     interrupt_arrived = 0;
 }
 
@@ -120,7 +122,7 @@ bool EndRequest::Interrupts::arrived() {
     return interrupt_arrived != 0;
 }
 
-bool EndRequest::Interrupts::take() {
+bool EndRequest::Interrupts::test_and_clear() {
     const bool arrived = interrupt_arrived != 0;
     interrupt_arrived = 0;
     return arrived;
@@ -129,14 +131,14 @@ bool EndRequest::Interrupts::take() {
 EndRequest::Command::Command() {
     command_runs = 1;
     // The signal may have arrived after the line was complete and before the command began.
-    script::Runtime* const runtime = stopped.load();
+    script::Runtime* const runtime = interruptible.load();
     if (runtime != nullptr && interrupt_arrived != 0) runtime->interrupt();
 }
 
 EndRequest::Command::~Command() {
     command_runs = 0;
     // If the run is to end, its scripts stay interrupted until `closing`.
-    script::Runtime* const runtime = stopped.load();
+    script::Runtime* const runtime = interruptible.load();
     if (runtime != nullptr && interrupt_arrived != 0 && end_signal == 0) runtime->go_on();
 }
 

@@ -20,8 +20,9 @@ class EndRequest {
 
     /// The number of the signal; 0 if none has arrived.
     static int signal();
-    /// Scripts may run for `seconds` from now on before they are interrupted; 0: without a limit.
-    static void allow(unsigned seconds);
+    /// After a signal, scripts may run for `seconds` from now on before they are interrupted; 0:
+    /// without a limit.
+    static void limit_scripts(unsigned seconds);
 
     /// While it exists, the scripts of `runtime` are interrupted if they prevent the end of the
     /// run: one second after the signal, and then every second.
@@ -33,15 +34,16 @@ class EndRequest {
     };
 
     /// While it exists, a first SIGINT does not end the run: it stops the present work, a command
-    /// or the line that is typed. A second one that arrives before `take` ends the run.
+    /// or the line that is typed. A second one that arrives before `test_and_clear` ends the run.
     class Interrupts {
       public:
         Interrupts();
         ~Interrupts();
         Interrupts(const Interrupts&) = delete;
 
-        static bool arrived();  ///< true from the signal to `take`
-        static bool take();     ///< whether the signal had arrived; the next one is a first one
+        static bool arrived();  ///< true from the signal to `test_and_clear`
+        static bool
+        test_and_clear();  ///< whether the signal had arrived; the next one is a first one
     };
 
     /// While it exists, the signal of `Interrupts` interrupts the scripts of `Scripts` at once.

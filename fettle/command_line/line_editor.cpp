@@ -199,7 +199,7 @@ std::optional<LineEditor::Line> LineEditor::read(const std::string& prompt,
     return Line{.text = std::move(line)};
 }
 
-void LineEditor::make_room() {
+void LineEditor::erase_typed_line() {
     State& state = *state_;
     if (!state.reading || std::exchange(state.printed, true)) return;
     std::printf("\r\x1b[J");

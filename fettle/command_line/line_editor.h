@@ -38,8 +38,9 @@ class LineEditor {
     /// Reads a line. None when the input ends, or when `idle` returns `end`. `idle` is called sixty
     /// times a second meanwhile. The text that it prints appears above the line.
     std::optional<Line> read(const std::string& prompt, const std::function<Next()>& idle);
-    /// Call before `idle` prints.
-    void make_room();
+    /// Erases the line that is being typed; `read` shows it again. `idle` must call it before it
+    /// prints.
+    void erase_typed_line();
 
   private:
     struct State;

@@ -30,12 +30,12 @@ class Subcommand {
         app_.allow_extras();  // `left_over_problem` names the nearest option
     }
 
-    /// An option whose value is given to `take(options, text)`. A value may contain commas and
+    /// An option whose value is passed to `set(options, text)`. A value may contain commas and
     /// brackets, so it is never split.
-    template <class Take>
-    CLI::Option* option(const char* name, const char* help, Take take) {
+    template <class Set>
+    CLI::Option* option(const char* name, const char* help, Set set) {
         return app_.add_option_function<std::string>(
-            name, [to = options_, take](const std::string& text) { take(*to, text); }, help);
+            name, [to = options_, set](const std::string& text) { set(*to, text); }, help);
     }
 
     /// A text or a file; repeatable if the member is a list. `expected` describes a valid value.
@@ -66,11 +66,11 @@ class Subcommand {
     void flag(const char* name, bool Options::*member, const char* help) {
         app_.add_flag(name, (*options_).*member, help);
     }
-    /// A flag that calls `take(options)`.
-    template <class Take>
-    void flag(const char* name, const char* help, Take take) {
+    /// A flag that calls `set(options)`.
+    template <class Set>
+    void flag(const char* name, const char* help, Set set) {
         app_.add_flag_callback(
-            name, [to = options_, take] { take(*to); }, help);
+            name, [to = options_, set] { set(*to); }, help);
     }
 
     Command runs(int (*command)(const Options&)) const {
@@ -78,7 +78,7 @@ class Subcommand {
     }
 
   private:
-    /// The type of a number that a member holds, also if it may be missing.
+    /// The type of the number in a member, which may be optional.
     template <class Member>
     struct Number : std::type_identity<Member> {};
     template <class Member>

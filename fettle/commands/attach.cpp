@@ -16,7 +16,7 @@ class Attached : private CommandRunner {
   public:
     explicit Attached(const RunningGame& running)
         : game_(running, [this](const std::string& line) {
-              lines_.make_room();
+              lines_.erase_typed_line();
               print_line(line);
           }) {}
 
@@ -31,12 +31,12 @@ class Attached : private CommandRunner {
 
   private:
     bool ended() override { return EndRequest::signal() != 0 || !game_.connected(); }
-    void idle() override { game_.look(); }
+    void idle() override { game_.print_received(); }
 
     /// Sends the command and waits for the answer.
     bool run(const std::string& command) override {
         const std::optional<Message> answer =
-            game_.ask({.kind = Request::Kind::run, .text = command});
+            game_.request({.kind = Request::Kind::run, .text = command});
         if (!answer) return true;
         if (answer->incomplete) return false;
         print_answer(answer->lines);
@@ -46,7 +46,7 @@ class Attached : private CommandRunner {
     std::vector<script::Completion> complete(const std::string& command,
                                              std::size_t cursor) override {
         std::optional<Message> answer =
-            game_.ask({.kind = Request::Kind::complete, .text = command, .cursor = cursor});
+            game_.request({.kind = Request::Kind::complete, .text = command, .cursor = cursor});
         return answer ? std::move(answer->found) : std::vector<script::Completion>();
     }
 

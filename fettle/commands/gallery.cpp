@@ -22,7 +22,7 @@ namespace {
 constexpr unsigned picture_width = 1280, picture_height = 800;  // px, as it is drawn
 constexpr std::uint32_t widest_picture = 480;                   // px, as it is kept
 constexpr int picture_step = 180;   // the step after which a game is drawn
-constexpr double longest_call = 2;  // s, into the scripts of a game that is drawn
+constexpr double longest_call = 2;  // s, one call into the scripts of a game that is drawn
 
 /// The first sentence of the comment at the top of a script.
 std::string first_sentence(const fs::path& script) {

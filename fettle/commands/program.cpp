@@ -26,7 +26,7 @@ std::string message_of(const CLI::ParseError& error) {
     return text.substr(0, text.find('\n'));
 }
 
-/// `command`: to which the wrong arguments were given; null: to none.
+/// `command`: the subcommand with the wrong arguments; null: none.
 int refuse(const std::string& reason, const CLI::App* command = nullptr) {
     const std::string name = command != nullptr ? command->get_name() + " " : "";
     print_error(reason + " (fettle " + name + "--help tells more)");

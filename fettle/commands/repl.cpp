@@ -39,7 +39,7 @@ class Repl : private CommandRunner {
         if (session_.settings().console == property::ConsoleUse::off)
             throw FileError("repl: this game has no console, as its game.json says");
         session_.on_output([this](std::string_view text) {
-            lines_.make_room();
+            lines_.erase_typed_line();
             print_line(text);
         });
         session_.runtime().add_function(
@@ -58,7 +58,7 @@ class Repl : private CommandRunner {
     using Clock = std::chrono::steady_clock;
 
     void report(const script::ScriptError& error) {
-        lines_.make_room();
+        lines_.erase_typed_line();
         print_error_lines(app::error_text(error));
     }
 

@@ -172,11 +172,11 @@ class WindowRun {
         const double seconds = std::chrono::duration<double>(now - last_frame_).count();
         last_frame_ = now;
         for (app::InputEvent event; window().poll(event);) {
-            note_escape(event, now);
+            track_escape(event, now);
             if (!game_window_.handle(event, *session_)) loop.handle(event);
         }
-        note_back_button(now);
-        if (gone_back_for(escape_since_, now) || gone_back_for(back_since_, now))
+        track_back_button(now);
+        if (is_held_long(escape_since_, now) || is_held_long(back_since_, now))
             open(gallery_->game());
         if (EndRequest::signal() != 0 && !loop.closing()) close(*session_);
         follow_files();
@@ -184,7 +184,7 @@ class WindowRun {
         loop.frame(seconds, options_.steps.value_or(INT64_MAX));
         if (session_->wants_restart()) reload_ = true;
         error_screen_.came_back();
-        be_heard(loudspeaker_, *session_);
+        play_sounds(loudspeaker_, *session_);
         if (clock.paused) idle_steps_ += seconds / clock.dt;
         game_window_.follow(*session_);
         // A run with a given number of steps is not interactive: it also ends if the game is
@@ -221,12 +221,11 @@ class WindowRun {
         escape_since_.reset();
         back_since_.reset();
     }
-    static bool gone_back_for(const std::optional<Clock::time_point>& since,
-                              Clock::time_point now) {
+    static bool is_held_long(const std::optional<Clock::time_point>& since, Clock::time_point now) {
         return since && now - *since > escape_time;
     }
-    /// Notes since when the back button of a gamepad is held.
-    void note_back_button(Clock::time_point now) {
+    /// Stores the time since which the back button of a gamepad is held.
+    void track_back_button(Clock::time_point now) {
         const property::Tree& tree = session_->tree();
         bool held = false;
         for (int n = 1; n <= 4 && may_go_back(); ++n) {
@@ -239,9 +238,9 @@ class WindowRun {
         else if (!back_since_)
             back_since_ = now;
     }
-    /// Notes since when Escape is held. The game gets the key too, since its menus use it; the
-    /// console and the error screen have it for themselves.
-    void note_escape(const app::InputEvent& event, Clock::time_point now) {
+    /// Stores the time since which Escape is held. The game gets the key too, since its menus use
+    /// it; it does not count while the console or the error screen uses it.
+    void track_escape(const app::InputEvent& event, Clock::time_point now) {
         if (event.name != "escape") return;
         if (event.kind == app::EventKind::key_released) escape_since_.reset();
         if (event.kind == app::EventKind::key_pressed && !escape_since_ && may_go_back() &&
@@ -266,7 +265,7 @@ class WindowRun {
     }
 
     RunOptions options_;
-    std::filesystem::path game_;          // that the session plays
+    std::filesystem::path game_;          // the game of the session
     const std::filesystem::path record_;  // of the first run; each further run has its own file
     Gallery* gallery_;                    // null: without one
     TurnLimit limit_;
@@ -278,7 +277,7 @@ class WindowRun {
     Clock::time_point last_frame_{};
     double idle_steps_ = 0;
     bool reload_ = false;
-    /// Escape, or the back button of a gamepad, leads back to the gallery after so long.
+    /// Escape, or the back button of a gamepad, held for this time leads back to the gallery.
     static constexpr std::chrono::milliseconds escape_time{800};
     std::optional<Clock::time_point> escape_since_{}, back_since_{};
 };
@@ -293,7 +292,7 @@ std::string join_first(const std::vector<std::string>& all) {
     return text;
 }
 
-/// Number of the last steps of a test that a replay in a window shows; it skips the others.
+/// A replay of a test in a window shows this number of steps, the last ones, and skips the others.
 constexpr std::uint64_t last_steps = 180;
 
 /// Plays a recording, with or without a window, and checks that the run is the same.
@@ -339,7 +338,7 @@ int run_replay(RunOptions options) {
     const auto show = [&] {
         for (app::InputEvent event; window->poll(event);)
             closed = closed || event.kind == app::EventKind::closing;
-        be_heard(loudspeaker, session);
+        play_sounds(loudspeaker, session);
         session.loop().draw(*window, 0);
         window->present();
     };
@@ -349,8 +348,8 @@ int run_replay(RunOptions options) {
         const bool skipped = test && replay.steps() + last_steps < recording.steps();
         if (window != nullptr && !skipped) show();
     }
-    // The game's drawing functions run for the last picture, too: most errors are not theirs, and
-    // an error of theirs halts the loop again.
+    // The game's drawing functions run for the last picture, too: most errors do not come from
+    // them, and if one does, it halts the loop again.
     if (failure) {
         error_screen.show_over(*failure, start.test.empty() ? "The run ended with this error"
                                                             : "The test failed here");

@@ -18,8 +18,8 @@ namespace {
 /// Time limit of the game's `closing()` after a signal, s.
 constexpr unsigned closing_time = 5;
 
-/// The longest call into the scripts, ms.
-constexpr std::uint64_t in_sandbox = 2000;
+/// The longest call into the scripts of a game in a sandbox, ms.
+constexpr std::uint64_t longest_call_in_sandbox = 2000;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ int complain(ExitStatus status, const std::string& message) {
 }
 
 void close(Session& session) {
-    EndRequest::allow(closing_time);
+    EndRequest::limit_scripts(closing_time);
     session.runtime().go_on();
     app::InputEvent event;
     event.kind = app::EventKind::closing;
@@ -37,7 +37,7 @@ void close(Session& session) {
 }
 
 int finish(Session& session, const RunOptions& options, app::Screen* screen) {
-    EndRequest::allow(0);
+    EndRequest::limit_scripts(0);
     int status = session.exit_status();
     if (EndRequest::signal() != 0) status = status_of_signal(EndRequest::signal());
     if (const std::string problem = session.recording_problem(); !problem.empty())
@@ -66,7 +66,7 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen) {
 
 bool limit_calls(script::Runtime& runtime, const RunOptions& options) {
     const auto limit = options.budget    ? options.budget
-                       : options.sandbox ? std::optional(in_sandbox)
+                       : options.sandbox ? std::optional(longest_call_in_sandbox)
                                          : std::nullopt;
     if (limit) runtime.limit_calls(static_cast<double>(*limit) / 1000, {});
     return limit.has_value();
@@ -76,11 +76,12 @@ double longest_turn(const RunOptions& options) {
     if (!options.sandbox) return 0;
     // A turn has many calls, and a sandbox with a small budget may have large images.
     constexpr double calls = 15, shortest = 5;
-    return std::max(shortest,
-                    calls * static_cast<double>(options.budget.value_or(in_sandbox)) / 1000);
+    return std::max(
+        shortest,
+        calls * static_cast<double>(options.budget.value_or(longest_call_in_sandbox)) / 1000);
 }
 
-void be_heard(app::Loudspeaker& loudspeaker, Session& session) {
+void play_sounds(app::Loudspeaker& loudspeaker, Session& session) {
     loudspeaker.follow(session.services(), session.loop().halted());
     if (const std::string problem = loudspeaker.take_problem(); !problem.empty())
         session.note("note: " + problem);

@@ -31,6 +31,6 @@ bool limit_calls(script::Runtime& runtime, const RunOptions& options);
 double longest_turn(const RunOptions& options);
 
 /// Plays the voices of the game. Reports once why they cannot be heard.
-void be_heard(app::Loudspeaker& loudspeaker, Session& session);
+void play_sounds(app::Loudspeaker& loudspeaker, Session& session);
 
 }  // namespace fettle::program

@@ -30,7 +30,7 @@ ArchiveFiles read_archive(const std::filesystem::path& file, const std::string& 
 /// Writes the whole archive or nothing. Equal files give an equal archive. Throws FileError.
 void write_archive(const std::filesystem::path& file, const ArchiveFiles& files);
 
-/// If the game is in an archive, `files` finds its files there, and writes none to the disk.
+/// If the game is in an archive, puts its files into `files`, which then writes none to the disk.
 void mount_archive(const std::filesystem::path& game, property::GameFiles& files);
 
 }  // namespace fettle::program

@@ -35,7 +35,7 @@ std::vector<std::filesystem::path> FileWatch::changed(
     return result;
 }
 
-void FileWatch::take(const std::filesystem::path& file) {
+void FileWatch::mark_seen(const std::filesystem::path& file) {
     if (const auto found = known_.find(file); found != known_.end())
         found->second = Known{state_of(file)};
 }

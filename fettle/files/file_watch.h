@@ -20,12 +20,12 @@ class FileWatch {
     /// still being written is returned later: it must have stayed the same between two looks. Call
     /// it when it is `due`.
     std::vector<std::filesystem::path> changed(const std::vector<std::filesystem::path>& files);
-    /// Takes the file as it is now: earlier changes of it are not returned.
-    void take(const std::filesystem::path& file);
+    /// Records the file as it is now: earlier changes of it are not returned.
+    void mark_seen(const std::filesystem::path& file);
 
   private:
     static constexpr std::chrono::milliseconds interval{100};
-    /// Of a file that does not exist: 0.
+    /// All zeros for a file that does not exist.
     struct State {
         std::int64_t time = 0;  // of the last change, ns
         std::uint64_t size = 0, number = 0;

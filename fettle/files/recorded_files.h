@@ -20,8 +20,8 @@ app::RunFile recorded(const property::GameFiles::Finding& finding,
 enum class KeptFile : std::uint8_t { store, preferences };
 std::string name_of(KeptFile which);
 
-/// The entry of a recording with the text of that file at the start of the run, and that text in a
-/// recording.
+/// Makes the entry of a recording with the text of that file at the start of the run; and reads the
+/// text from a recording.
 app::RunFile recorded_text(KeptFile which, const std::string& text);
 std::string recorded_text(KeptFile which, const app::Recording& recording);
 

@@ -21,13 +21,13 @@ namespace {
 
 constexpr const char* manifest_name = "modules.json";
 
-void each_in_manifest(const fs::path& game, const std::function<void(const std::string&)>& take) {
+void each_in_manifest(const fs::path& game, const std::function<void(const std::string&)>& visit) {
     property::GameFiles files;
     files.stay_below(folder_of(game));
     if (const auto archive = archive_of(game); !archive.empty())
         for (auto& [name, content] : read_archive(archive, manifest_name))
             files.put(archive / name, std::move(content));
-    property::read_module_list(files, folder_of(game), take);
+    property::read_module_list(files, folder_of(game), visit);
 }
 
 bool is_path(const std::string& name) {

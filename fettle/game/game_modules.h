@@ -34,7 +34,8 @@ class GameModules {
     std::vector<module::Module*> all() const;
     /// Sets the receiver of the modules' output and of the messages about reloads.
     void on_print(std::function<void(std::string_view)> sink);
-    /// Gets what the physics of the program notes about the game. Called after `attach`.
+    /// Sets the receiver of notes that the built-in physics module makes about the game. To be
+    /// called after `attach`.
     void on_note(const std::function<void(const std::string&)>& sink);
     /// Reloads the modules for which a reload was requested, or that follow their file if it has
     /// changed. To be called between frames.

@@ -25,8 +25,8 @@ struct Moment {
 std::filesystem::path moment_file(const std::filesystem::path& player_folder,
                                   const std::string& name);
 
-/// Writes the game `game` with the moment into `file`. `recording`: that of the run so far; "":
-/// there is none. Throws FileError.
+/// Writes the game `game` with the moment into `file`. `recording`: the recording of the run so
+/// far; "": there is none. Throws FileError.
 void write_moment(const std::filesystem::path& file, const std::filesystem::path& game,
                   const Moment& moment, const std::string& recording);
 

@@ -1,13 +1,14 @@
 #pragma once
-// Settings of the player that outlive a run. The interface reports changes, and a file keeps them.
+// Preferences of the player: values of properties that outlive a run. The interface reports
+// changes, and a file keeps them.
 
 #include <fettle/interface/interface.h>
 #include <fettle/property/storage/store.h>
 
 namespace fettle::program {
 
-/// Gives the interface the settings in `kept`, and notes its later ones there. `kept` must live as
-/// long as the interface is used.
+/// Applies the preferences in `kept` to the interface, and stores later changes in `kept`, which
+/// must live as long as the interface is used.
 void follow_preferences(property::Store& kept, interface::Interface& interface);
 
 }  // namespace fettle::program

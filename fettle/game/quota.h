@@ -13,7 +13,7 @@ struct RunOptions;
 
 /// Bytes. 0: no limit.
 struct GameQuota {
-    std::size_t lua = 0;    // memory of the scripts themselves; always limited
+    std::size_t lua = 0;    // memory of the Lua machine; always limited
     std::size_t files = 0;  // written to the game's folder
     std::uintmax_t saves = 0;
     script::GameLimits scripts{};

@@ -12,7 +12,7 @@ bool is_digit(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// "main.lua:12" of "main.lua:12: no such name"; the whole message if it has no place.
+/// "main.lua:12" of "main.lua:12: no such name"; the whole message if it names no place.
 std::string place_or_message(std::string_view message) {
     const std::size_t number = message.find(':') + 1;
     if (number == 0) return std::string(message);

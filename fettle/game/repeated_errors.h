@@ -12,10 +12,10 @@ namespace fettle::program {
 
 class RepeatedErrors {
   public:
-    /// Notes the error. False if one of the same place was noted since the last `take`. Chunks are
-    /// what a person typed, so each is the first.
+    /// Counts the error. Returns false if one of the same place was counted since the last `take`;
+    /// an error in a chunk that a person typed is never a repetition.
     bool first(const script::ScriptError& error);
-    /// A sentence for each place that failed again, and forgets all places.
+    /// Returns a sentence for each place that failed again, and forgets all places.
     std::vector<std::string> take();
 
   private:

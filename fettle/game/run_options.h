@@ -23,9 +23,9 @@ struct RunOptions {
     bool sandbox = false;                   // the game is not trusted
     std::optional<std::uint64_t> memory{};  // MB; limit of what the scripts may use
     std::optional<std::uint64_t> seed{};    // of random(); none: that of game.json, else 0
-    bool listen = false;                    // for terminals that attach, from the beginning
-    bool developer = false;                 // has the console of a game for developers only
-    std::vector<std::string> modules{};     // files or names, in addition to the game's manifest
+    bool listen = false;                    // terminals may attach from the beginning
+    bool developer = false;  // has the console also if the game has it for developers only
+    std::vector<std::string> modules{};  // files or names, in addition to the game's manifest
     std::filesystem::path screenshot{};
     bool hash = false;
     std::filesystem::path record{};    // recording to write; empty: none

@@ -62,22 +62,22 @@ void TestDriver::turn() {
 
 /// Carries out the requests of the functions of tests.
 property::Value TestDriver::request(std::span<const property::Value> arguments) {
-    const std::string what = arguments.empty() ? "" : arguments[0].text();
-    if (what == "test" && arguments.size() == 2)
+    const std::string kind = arguments.empty() ? "" : arguments[0].text();
+    if (kind == "test" && arguments.size() == 2)
         names_.push_back(arguments[1].text());
-    else if (what == "type" && arguments.size() == 2)
+    else if (kind == "type" && arguments.size() == 2)
         type(arguments[1].text());
-    else if (what == "picture" && arguments.size() == 3)
+    else if (kind == "picture" && arguments.size() == 3)
         picture_ = {.name = arguments[1].text(), .tolerance = arguments[2].as_double()};
-    else if (what == "done" && arguments.size() == 1)
+    else if (kind == "done" && arguments.size() == 1)
         done_ = true;
     else
         throw std::invalid_argument("fettle_test is called by the functions of tests only");
     return {};
 }
 
-/// The game gets the text as if it were typed. It is not an event of the loop, which a recording
-/// would hold as well: a replay makes the test again.
+/// The game gets the text as if it were typed. The text does not pass through the loop, because a
+/// recording would then contain it, and a replay, which runs the test again, would type it twice.
 void TestDriver::type(const std::string& text) {
     for (const char32_t character : characters(text)) {
         app::InputEvent event;

@@ -33,9 +33,9 @@ class Reader {
                 skip_comment();
             } else if (c == '"' || c == '\'') {
                 const int line = line_;
-                found(quoted(), line);
+                add(quoted(), line);
             } else if (const auto long_text = bracketed()) {
-                found(*long_text, line_);
+                add(*long_text, line_);
             } else if (std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_') {
                 read_word();
             } else {
@@ -100,7 +100,7 @@ class Reader {
         while (at_ < std::min(close + end.size(), text_.size())) advance();
         return content;
     }
-    void found(const std::string& text, int line) {
+    void add(const std::string& text, int line) {
         const bool module = before_ == "require";
         if (module || is_file_name(text))
             names_.push_back(

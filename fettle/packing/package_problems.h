@@ -1,5 +1,5 @@
 #pragma once
-// Files that a package of a game would lack.
+// Reasons why a package of a game would not run elsewhere.
 
 #include <string>
 #include <vector>

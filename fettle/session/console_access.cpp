@@ -1,5 +1,5 @@
-// What the window needs from the console of a session: whether it is open, where it lies, and what
-// the session after a restart takes over.
+// The functions through which the window uses the console of a session: whether it is open, the
+// part of the window that it covers, and its state for the session after a restart.
 
 #include <session/console_layer.h>
 #include <session/session.h>

@@ -86,7 +86,7 @@ std::string autoexec(std::string& problem) {
 }
 
 /// A run without a window, a recorded run and a replay do not use the player's files.
-void Session::take_players_console(console::Options& options) {
+void Session::load_players_console(console::Options& options) {
     if (options_.headless || replayed_ != nullptr || isolated() || !options_.record.empty()) return;
     const fs::path folder = property::player_folder(options_.game, settings_.id);
     options.layout = read_layout(folder);

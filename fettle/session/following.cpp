@@ -53,10 +53,10 @@ std::vector<fs::path> Session::watched_files() const {
 Session::Followed Session::follow_files() {
     if (!follows_files() || !watch_.due() || runtime_->running()) return Followed::nothing;
     const std::vector<fs::path> changed = watch_.changed(watched_files());
-    return changed.empty() ? Followed::nothing : take_changes(changed);
+    return changed.empty() ? Followed::nothing : apply_changes(changed);
 }
 
-Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
+Session::Followed Session::apply_changes(const std::vector<fs::path>& changed) {
     // A game whose main.lua has failed has no state to keep.
     if (!run_.loaded) return Followed::restart;
     const auto begin = std::chrono::steady_clock::now();
@@ -136,14 +136,14 @@ script::Reloaded Session::reload_code(const std::vector<std::string>& names) {
     }
 }
 
-/// The code is not run again; its callback `reloaded` gets the names of the files.
+/// Calls the callback `reloaded` with the names of the files; the code is not run again.
 script::Reloaded Session::reload_media(const std::vector<std::string>& names) {
     property::List list(names.begin(), names.end());
     runtime_->call("reloaded", {property::Value(std::move(list))});
     return {.done = true};
 }
 
-/// A file that cannot be read again leaves everything as it was; the reason is in `problems_`.
+/// Reads a file again. If that fails, everything stays as it was, and the reason is in `problems_`.
 void Session::renew(const std::string& name) {
     problems_.erase(name);
     run_.renewed = name;
@@ -177,7 +177,7 @@ void Session::show_problems() {
         receivers_.error_over(&problems_.begin()->second);
 }
 
-/// Applies the settings of the window that differ from those before; the others need a restart.
+/// Applies the changed settings of the window in game.json; other settings need a restart.
 void Session::renew_settings() {
     const app::WindowState before = window_state(settings_);
     settings_ = property::read_game_settings(files_, options_.game, FETTLE_VERSION);

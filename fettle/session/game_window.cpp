@@ -54,7 +54,8 @@ void GameWindow::show_icon(Session& session) {
     }
 }
 
-/// The recording of a run holds these as writes, so that a replay does not depend on the player.
+/// Sets them through the tree, so that a recording contains them as writes, and a replay does not
+/// depend on the settings of the player.
 void GameWindow::started(Session& session) {
     const app::View& view = session.services().view;
     if (player_.fullscreen) {

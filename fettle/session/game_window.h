@@ -24,7 +24,7 @@ class GameWindow {
     app::Window& screen() { return *window_; }
     /// Connects a session that was made and not started yet.
     void before_start(Session& session);
-    /// Sets what the player has set in earlier runs.
+    /// Applies the settings that the player made in earlier runs.
     void started(Session& session);
     /// Whether the event is a key of the window: F11 and Alt+Enter change `fullscreen`.
     bool handle(const app::InputEvent& event, Session& session);

@@ -34,7 +34,7 @@ void Session::begin_to_listen() {
         try {
             listener_ = std::make_unique<Listener>(
                 options_.game,
-                Listener::Answers{
+                Listener::Callbacks{
                     .evaluate = [this](std::string_view command) { return evaluate(command); },
                     .complete =
                         [this](std::string_view input, std::size_t cursor) {

@@ -13,7 +13,7 @@
 
 namespace fettle::program {
 
-/// Only where a person can ask for the recording, or has asked for it.
+/// Whether a recording is kept: it was requested, or the console may still request it.
 bool Session::keeps_recording() const {
     if (!options_.record.empty()) return true;
     return !options_.headless && !options_.sandbox && replayed_ == nullptr && !isolated() &&
@@ -49,7 +49,7 @@ void Session::make_recorder() {
     });
 }
 
-/// The command `record`, and the button of the time bar.
+/// Called for the command `record` and for the button of the time bar.
 std::string Session::record(bool on) {
     if (replayed_ != nullptr) return "record: a replay writes no files";
     const auto refuse = [](const std::string& why) {
@@ -94,7 +94,7 @@ std::string Session::record(bool on) {
     return {};
 }
 
-/// A replay reads the files as they were at first.
+/// Ends the recording, because a replay reads the files as they were at the start of the run.
 void Session::end_recording(const std::string& changed) {
     if (!recorder_ || !recorder_->complete()) return;
     const std::filesystem::path file = recorder_->writes_to();

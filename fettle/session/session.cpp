@@ -224,7 +224,7 @@ void Session::add_modules() {
     visuals_.on_problem(
         [this](const std::string& problem) { report_file_problem(problem, run_.renewed); });
     services_->on_effect_problem([this](const std::string& problem) {
-        // It is found when the effect is drawn, so later than the change of the file.
+        // The problem is found when the effect is drawn, so later than the change of the file.
         report_file_problem(problem, services_->view.effect);
     });
     loop_->add({.name = std::string(interface_.name()),
@@ -243,7 +243,7 @@ void Session::add_modules() {
         modules_.renew();
         store_->tick();
         preferences_->tick();
-        type_what_is_due();
+        run_due_commands();
         listen();
         check_recording();
 #ifdef FETTLE_WITH_CONSOLE
@@ -321,7 +321,7 @@ void Session::make_console(app::Clipboard* clipboard) {
             },
         .replay = replayed_ != nullptr};
     if (!options_.headless) options.history_file = console::default_history_file();
-    take_players_console(options);
+    load_players_console(options);
     console_ = std::make_unique<ConsoleLayer>(tree_, *runtime_, std::move(options));
     for (const std::string& text : run_.early_notes) console_->note(text);
     if (options_.listen) console_->listen(true);
@@ -375,9 +375,10 @@ void Session::start() {
     if (run_.loaded) open_moment();
     if (follows_files()) {
         watch_.changed(watched_files());
-        // What the run writes itself, such as tweaks that are kept, is in the game already.
+        // Files that the run writes itself, such as kept tweaks, need no reload: the game has these
+        // values.
         files_.on_write([this](const std::filesystem::path& file) {
-            watch_.take(std::filesystem::absolute(file).lexically_normal());
+            watch_.mark_seen(std::filesystem::absolute(file).lexically_normal());
         });
     }
     tweaks_->game_loaded();
@@ -395,17 +396,17 @@ void Session::start() {
 }
 
 void Session::print(std::string_view text) {
-    print_outside(text);
+    print_outside_console(text);
     if (console_) console_->print(text);
 }
 
 /// Prints the output of a command of --console.
 void Session::print_from_option(const std::string& text) {
-    print_outside(text);
+    print_outside_console(text);
     if (console_) console_->output(text);
 }
 
-void Session::print_outside(std::string_view text) {
+void Session::print_outside_console(std::string_view text) {
     if (receivers_.output)
         receivers_.output(text);
     else
@@ -424,7 +425,7 @@ void Session::run_at(std::uint64_t step) {
 
 /// Runs the commands of --console that are due, between frames as if they were typed. So a
 /// recording contains them like typed commands.
-void Session::type_what_is_due() {
+void Session::run_due_commands() {
     const std::uint64_t next = loop_->lived() + 1;
     if (next == run_.typed) return;
     // A frame in a window may have made several steps.

@@ -71,10 +71,10 @@ class Session {
     script::Evaluation evaluate(std::string_view command);
     /// Selects instances in the console; the last one becomes `it`.
     void select(const std::vector<property::Handle>& instances);
-    /// The test that the run is; null if it is none.
+    /// The test, if the run is one; null otherwise.
     TestDriver* test() { return test_.get(); }
-    /// Receives what the game prints, and notes, in place of the terminal. Errors are then given to
-    /// `errors` only.
+    /// Sets the receiver of the lines that the game prints, and of notes, in place of the terminal.
+    /// Errors are then passed to `errors` only.
     void on_output(std::function<void(std::string_view)> sink) {
         receivers_.output = std::move(sink);
     }
@@ -92,7 +92,7 @@ class Session {
     void add_layer(app::Layer& layer);
     /// The exit status; it depends on errors and quit().
     int exit_status() const;
-    /// The last step before which chunks of --at, or commands of --console, were run.
+    /// The last step before which chunks of --at were run; the same for commands of --console.
     std::uint64_t chunks_until() const { return run_.chunks_until; }
     std::uint64_t typed_until() const { return run_.typed; }
     bool failed() const { return run_.failed; }
@@ -103,7 +103,7 @@ class Session {
     /// Reads files again that have changed. Call between frames. Does nothing unless the options
     /// ask for it, and not in a recorded run: a recording is of one version of the files.
     Followed follow_files();
-    /// Receives the error of changed files, and null when they have none.
+    /// Sets the receiver of the error of changed files; it gets null when they have none.
     void on_error_over(std::function<void(const script::ScriptError*)> sink) {
         receivers_.error_over = std::move(sink);
     }
@@ -114,7 +114,7 @@ class Session {
     bool follows_files() const;
     std::vector<std::filesystem::path> watched_files() const;
     bool is_scene(const std::filesystem::path& file, const std::string& name);
-    Followed take_changes(const std::vector<std::filesystem::path>& changed);
+    Followed apply_changes(const std::vector<std::filesystem::path>& changed);
     script::Reloaded reload_code(const std::vector<std::string>& names);
     script::Reloaded reload_media(const std::vector<std::string>& names);
     void renew(const std::string& name);
@@ -132,11 +132,11 @@ class Session {
     void make_console(app::Clipboard* clipboard);
     void print(std::string_view text);
     void print_from_option(const std::string& text);
-    void print_outside(std::string_view text);
+    void print_outside_console(std::string_view text);
     void run_at(std::uint64_t step);
-    void type_what_is_due();
+    void run_due_commands();
     void listen();
-    void take_players_console(console::Options& options);
+    void load_players_console(console::Options& options);
     void begin_to_listen();
     std::filesystem::path new_export(const std::string& kind) const;
     std::string reason_not_to_listen() const;
@@ -197,7 +197,8 @@ class Session {
     std::unique_ptr<TestDriver> test_;
     std::unique_ptr<app::Recorder> recorder_;
     FileWatch watch_;
-    std::map<std::string, script::ScriptError> problems_;  // by changed file; "": seen later
+    std::map<std::string, script::ScriptError>
+        problems_;  // by changed file; "": found later, in no file that changed
     RepeatedErrors repeated_;
     Run run_;
 };

@@ -29,7 +29,8 @@ std::string without_library(const std::string& traceback) {
         const std::size_t end = std::min(traceback.find('\n', start), traceback.size() - 1) + 1;
         const std::string_view line = std::string_view(traceback).substr(start, end - start);
         start = end;
-        // Behind this line are only frames that go on with the coroutine of the test.
+        // After this line there are only frames of the library, which resumes the coroutine of the
+        // test.
         if (line.starts_with("  (coroutine started from)") &&
             traceback.find("  testing.lua:", start) != std::string::npos)
             break;
@@ -45,7 +46,8 @@ std::string lines_of(const script::ScriptError& error) {
     return text + without_library(error.traceback);
 }
 
-/// A name of a file for a test: letters and digits of both, the rest as dashes.
+/// The name of a recording of a test: letters and digits of the names of the file and of the test,
+/// other characters as dashes.
 std::string file_name_of(const TestChoice& choice) {
     std::string name;
     for (const char c : fs::path(choice.file).stem().string() + "-" + choice.name) {
@@ -95,8 +97,8 @@ class TestRun {
         run_.test = std::move(choice);
     }
 
-    /// Loads the game and the file, and makes the test if it has a name.
-    TestOutcome make() {
+    /// Loads the game and the file, and runs the test if it has a name.
+    TestOutcome run() {
         const Clock::time_point begun = Clock::now();
         {
             Session session(run_, nullptr,
@@ -206,12 +208,12 @@ class TestRun {
 
 TestList list_tests(const TestOptions& options, const std::string& file) {
     TestRun run(options, {.file = file, .name = {}});
-    TestOutcome outcome = run.make();
+    TestOutcome outcome = run.run();
     return {.names = run.names(), .outcome = std::move(outcome)};
 }
 
 TestOutcome run_test(const TestOptions& options, const TestChoice& choice) {
-    return TestRun(options, choice).make();
+    return TestRun(options, choice).run();
 }
 
 }  // namespace fettle::program

@@ -45,7 +45,7 @@ local function finish(screen, noise, shake)
     view:shake(shake, 0.4)
 end
 
--- The ball flies into its home. A rewind that ends in this moment takes it back, so it is called again then.
+-- The ball flies into its home. A rewind that ends at this moment undoes that, so `rewind.restored` calls it again.
 local function fly_home()
     world.level.ball.type = "static"
     world.level.ball:tween("position", vec(world.level.goal.position), 0.25, "out_back")

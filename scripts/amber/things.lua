@@ -11,7 +11,7 @@ local stone = color("#483b70")
 local function faded(c, opacity) return color(c.r, c.g, c.b, opacity) end
 things.faded = faded
 
-Level = class("Level", Object) { title = "", tip = "", par = 10.0, number = 0, doc = { tip = "Told to who has lost a few times.", par = "Seconds below which there is a bonus." } }
+Level = class("Level", Object) { title = "", tip = "", par = 10.0, number = 0, doc = { tip = "Shown to a player who has lost a few times.", par = "Seconds below which there is a bonus." } }
 Ball = class("Ball", Body) { can_sleep = false }
 Rock = class("Rock", Body) { type = "static", color = stone }
 Belt = class("Belt", Body) { type = "static", color = stone, z = 1 }

@@ -32,7 +32,7 @@ function enemies.spawn(name, at)
     enemy.look.frame = random(4)
 end
 
-function enemies.come(dt)                        -- those who are due in this step
+function enemies.spawn_due(dt)                   -- those whose waves say that they come in this step
     for _, wave in ipairs(arenas[night.arena]:children()) do
         local part = (night.clock - wave.from) / (wave.to - wave.from)
         local due = (wave.first + (wave.last - wave.first) * part) * dt

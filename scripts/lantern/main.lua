@@ -84,7 +84,7 @@ function Night:step(dt)
     if not self.running then return end
     if self.rest == 0 then
         self.clock = self.clock + dt
-        enemies.come(dt)
+        enemies.spawn_due(dt)
         if self.clock >= arenas[self.arena].length and not self.boss then enemies.boss() end
     elseif self.rest > dt then
         self.rest = self.rest - dt

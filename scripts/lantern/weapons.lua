@@ -9,7 +9,7 @@ end
 local function hurt_all(at, radius, damage, push)
     for _, enemy in ipairs(bodies.around(at, radius, bodies.ENEMY)) do hurt(enemy, damage, at, push) end
 end
-local function some(radius, count)               -- up to so many enemies nearby, by chance
+local function random_enemies(radius, count)     -- up to so many enemies nearby, chosen by chance
     local near, chosen = bodies.around(bodies.hero_at, radius, bodies.ENEMY), {}
     for i = 1, math.min(count, #near) do chosen[i] = table.remove(near, random(#near)) end
     return chosen
@@ -56,7 +56,7 @@ local function nova(level)
 end
 
 local function storm(level)
-    local from, struck = bodies.hero_at, some(8.5, 1 + 2 * level)
+    local from, struck = bodies.hero_at, random_enemies(8.5, 1 + 2 * level)
     for _, enemy in ipairs(struck) do
         local at = vec(enemy.position)
         effects.lightning(from, at)
@@ -68,7 +68,7 @@ local function storm(level)
 end
 
 local function comet(level)
-    for _, enemy in ipairs(some(10, 1 + level // 2)) do
+    for _, enemy in ipairs(random_enemies(10, 1 + level // 2)) do
         local at, radius = vec(enemy.position), 1.7 + 0.25 * level
         effects.comet(at)
         after(0.55, function()

@@ -1,7 +1,7 @@
 -- The cub: how it runs and jumps. Numbers are meters and seconds.
 local fx = require("fx")
 local run_speed, jump_speed, fall_limit = 7.2, 14.2, 17
-local coyote_time, buffer_time = 0.1, 0.13       -- a jump counts so long after a ledge, and so long before the ground
+local coyote_time, buffer_time = 0.1, 0.13       -- s: how late after a ledge, and how early before landing, a press still jumps
 local probe = Circle { radius = 0.3 }            -- what is moved downwards to find the ground
 Hero = class("Hero", Body) {
     locked_rotation = true, can_sleep = false, z = 5, bullet = true,

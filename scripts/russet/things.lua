@@ -1,4 +1,4 @@
--- What a map has in its object layer. A class with `touch` is told when the cub overlaps it; `reach` is half of its size.
+-- What a map has in its object layer. A method `touch` is called while the cub overlaps the thing; `reach` is half of its size.
 local fx = require("fx")
 class("Start", Object) { position = vec(0, 0) }
 class("Thing", Sprite) { smooth = false, pixels_per_unit = 16, reach = vec(0.45, 0.45) }

@@ -86,27 +86,27 @@ class Game {
         ::setenv("XDG_RUNTIME_DIR", (folder_.path / "run").c_str(), 1);
         listener_ = std::make_unique<Listener>(
             folder_.path / "drop",
-            Listener::Answers{.evaluate =
-                                  [this](std::string_view command) {
-                                      commands.emplace_back(command);
-                                      return script::Evaluation{
-                                          .ok = true,
-                                          .lines = std::vector<std::string>(
-                                              lines_of_answer, "said " + std::string(command)),
-                                          .error = {},
-                                          .result = {}};
-                                  },
-                              .complete =
-                                  [this](std::string_view input, std::size_t) {
-                                      ++completions;
-                                      return std::vector<script::Completion>(
-                                          1, {.text = std::string(input) + "d",
-                                              .label = {},
-                                              .detail = {},
-                                              .doc = {}});
-                                  },
-                              .note = [this](const std::string& what) { notes.push_back(what); },
-                              .now = [this] { return clock += tick; }},
+            Listener::Callbacks{.evaluate =
+                                    [this](std::string_view command) {
+                                        commands.emplace_back(command);
+                                        return script::Evaluation{
+                                            .ok = true,
+                                            .lines = std::vector<std::string>(
+                                                lines_of_answer, "said " + std::string(command)),
+                                            .error = {},
+                                            .result = {}};
+                                    },
+                                .complete =
+                                    [this](std::string_view input, std::size_t) {
+                                        ++completions;
+                                        return std::vector<script::Completion>(
+                                            1, {.text = std::string(input) + "d",
+                                                .label = {},
+                                                .detail = {},
+                                                .doc = {}});
+                                    },
+                                .note = [this](const std::string& what) { notes.push_back(what); },
+                                .now = [this] { return clock += tick; }},
             limits);
     }
     Listener& listener() { return *listener_; }

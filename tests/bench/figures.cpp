@@ -79,11 +79,11 @@ TEST_CASE("a bound applies to its figures and never holds for NaN") {
 
 TEST_CASE("a table marks the figures beyond their bounds and lists them at the end") {
     Verdict verdict("tree");
-    CHECK(verdict.look("get ball.mass", 1.5, at_most(1.75), "1.50", "of the barest") == "1.50");
-    CHECK(verdict.look("get ball.mass", 2, at_most(1.75), "2.00", "of the barest") == "2.00 !");
-    CHECK(verdict.look("a row without a bound", 2, {}, "2.00") == "2.00");
-    CHECK(verdict.look("stack, jitter", 1, below(1, "stands"), "1.00", "mm/s") == "1.00 !");
-    CHECK(words_of(below(1, "stands")) == "< 1: stands");
+    CHECK(verdict.mark("get ball.mass", 1.5, at_most(1.75), "1.50", "of the barest") == "1.50");
+    CHECK(verdict.mark("get ball.mass", 2, at_most(1.75), "2.00", "of the barest") == "2.00 !");
+    CHECK(verdict.mark("a row without a bound", 2, {}, "2.00") == "2.00");
+    CHECK(verdict.mark("stack, jitter", 1, below(1, "stands"), "1.00", "mm/s") == "1.00 !");
+    CHECK(text_with_note(below(1, "stands")) == "< 1: stands");
     std::ostringstream out;
     verdict.print(out);
     CHECK(out.str() ==

@@ -18,7 +18,7 @@ namespace {
 /// An invariant that real worlds violate: fewer than three discs touch the floor, which is body 0.
 class FewDiscsOnFloor : public Check {
   public:
-    std::optional<std::string> look(const Moment& moment) override {
+    std::optional<std::string> violation(const Moment& moment) override {
         int discs = 0;
         for (std::size_t i = 1; i < moment.after.size(); ++i)
             if (std::ranges::count(moment.after[i].touched, 0) > 0 &&
@@ -169,8 +169,8 @@ TEST_CASE(
         bodies[2].velocity = {500, 0};
         const std::vector<bool> edited(3, false);
         const auto judged = [&](const char* name) {
-            const auto check = invariants_named({name})[0].watch(plan);
-            return check->look({plan, 0, 1.0f / 60, false, edited, bodies, bodies});
+            const auto check = invariants_named({name})[0].make_check(plan);
+            return check->violation({plan, 0, 1.0f / 60, false, edited, bodies, bodies});
         };
         CHECK(judged("speed").has_value() == (restitution == 0));
         bodies[2].position = {5, 0};  // with nothing beside it

@@ -18,9 +18,9 @@ struct Finding {
     std::string what;  // one line with the bodies and the figures
 };
 
-/// A step, and the bodies before and after it.
+/// One step, with the bodies before and after it.
 struct Moment {
-    const WorldPlan& plan;  // with the gravity, the sub-steps and the settings of joints of now
+    const WorldPlan& plan;  // its gravity, sub-steps and settings of joints are the present ones
     int step = 0;
     float dt = 0;
     bool edited = false;  // something was made or edited before this step
@@ -41,13 +41,13 @@ class Check {
     Check& operator=(const Check&) = delete;
     virtual ~Check() = default;
     /// Describes the violation; nullopt if the invariant holds.
-    virtual std::optional<std::string> look(const Moment& moment) = 0;
+    virtual std::optional<std::string> violation(const Moment& moment) = 0;
 };
 
 struct Invariant {
     std::string name;
-    std::string says;
-    std::function<std::unique_ptr<Check>(const WorldPlan& plan)> watch;
+    std::string statement;
+    std::function<std::unique_ptr<Check>(const WorldPlan& plan)> make_check;
 };
 
 /// All invariants except the comparison of runs (same_runs.h).

@@ -1,4 +1,4 @@
-// Energy does not come from nowhere; bodies that only meet each other keep their momentum.
+// The energy does not increase without a cause; collisions keep the total momentum.
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ double kinetic(const BodyNow& body) {
 ///   on it or is joined to it.
 class Energy : public Check {
   public:
-    std::optional<std::string> look(const Moment& moment) override {
+    std::optional<std::string> violation(const Moment& moment) override {
         if (moment.step == 0) driven_ = is_driven(moment.plan) || bounces_singly(moment.plan);
         if (driven_) return {};
         if (moment.edited || moment.step == 0) begin(moment);
@@ -63,8 +63,8 @@ class Energy : public Check {
         most_moving_ = std::max(most_moving_, moving);
         allowed += 0.05 * most_moving_ + stored_ + 1e-6;
         if (now - first_ <= allowed) return {};
-        return "energy grows by " + figure(now - first_) + " J; " + figure(allowed) +
-               " would have a cause, and the bodies move with " + figure(moving) + " J";
+        return "energy grows by " + figure(now - first_) + " J, of which " + figure(allowed) +
+               " J are explained; the kinetic energy is " + figure(moving) + " J";
     }
 
   private:
@@ -116,7 +116,7 @@ class Energy : public Check {
 /// in 10⁷ for each of some hundred impulses a step, which add up like a random walk.
 class Momentum : public Check {
   public:
-    std::optional<std::string> look(const Moment& moment) override {
+    std::optional<std::string> violation(const Moment& moment) override {
         if (moment.step == 0) isolated_ = is_isolated(moment.plan);
         if (!isolated_) return {};
         // A body that falls asleep loses the little energy that it has.

@@ -1,4 +1,4 @@
-// Every begin has its end, and the lists of the world agree.
+// Every begin event has its end event, and the lists of the world are consistent.
 
 #include <set>
 #include <utility>
@@ -34,15 +34,15 @@ class Open {
 
 class BeginsAndEnds : public Check {
   public:
-    std::optional<std::string> look(const Moment& moment) override {
+    std::optional<std::string> violation(const Moment& moment) override {
         if (moment.world == nullptr) return {};
         const Events& events = moment.world->events();
         std::string wrong;
         const auto note = [&](const char* what, const char* problem) {
             if (*problem != 0 && wrong.empty()) wrong = std::string(what) + problem;
         };
-        // A touch of one step begins and ends in it. One that ends and begins again has both in
-        // this order. So ends of what was open come first.
+        // A touch that lasts one step begins and ends in it; a touch that ends and begins again has
+        // both events in this order. So the ends of open pairs are processed first.
         const auto follow = [&](Open& open, const char* what, const auto& begins, const auto& ends,
                                 const auto& pair_of) {
             std::vector<ShapePair> late;
@@ -83,8 +83,8 @@ class BeginsAndEnds : public Check {
 
 class Consistent : public Check {
   public:
-    std::optional<std::string> look(const Moment& moment) override {
-        // It looks at everything that there is, which takes as long as many steps.
+    std::optional<std::string> violation(const Moment& moment) override {
+        // `validate` reads the whole world, which takes as long as many steps.
         if (moment.world == nullptr || (moment.step % 16 != 0 && !moment.is_last())) return {};
         return moment.world->validate();
     }

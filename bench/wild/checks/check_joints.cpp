@@ -37,7 +37,7 @@ float yielding_of(const Moment& moment) {
 
 class Joints : public Check {
   public:
-    std::optional<std::string> look(const Moment& moment) override {
+    std::optional<std::string> violation(const Moment& moment) override {
         const WorldPlan& plan = moment.plan;
         if (moment.step == 0) reset(plan);
         if (is_windy_) return {};

@@ -14,7 +14,7 @@ namespace {
 
 class Finite : public Check {
   public:
-    std::optional<std::string> look(const Moment& moment) override {
+    std::optional<std::string> violation(const Moment& moment) override {
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
             const BodyNow& body = moment.after[i];
             if (body.exists && !(body.position.is_finite() && body.velocity.is_finite() &&
@@ -28,7 +28,7 @@ class Finite : public Check {
 /// No awake body with a speed of over 1 m/s keeps its place for three steps without a contact.
 class Frozen : public Check {
   public:
-    std::optional<std::string> look(const Moment& moment) override {
+    std::optional<std::string> violation(const Moment& moment) override {
         still_.resize(moment.after.size(), 0);
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
             still_[i] = stands_still(moment, i) ? still_[i] + 1 : 0;
@@ -63,7 +63,7 @@ class Frozen : public Check {
 /// faster as the gap closes. Such a body, and what it may hit afterwards, is not judged.
 class Speed : public Check {
   public:
-    std::optional<std::string> look(const Moment& moment) override {
+    std::optional<std::string> violation(const Moment& moment) override {
         if (moment.step == 0) bounces_ = bounces_between_walls(moment.plan);
         if (!judged_) return {};
         time_ += moment.dt;
@@ -74,7 +74,7 @@ class Speed : public Check {
             if (bounces_ && is_between_fixed(moment, int(i))) judged_ = false;
             if (!judged_ || body.velocity.length() <= bound) continue;
             return "body " + std::to_string(i) + " has " + figure(body.velocity.length()) +
-                   " m/s; more than " + figure(bound) + " has no cause";
+                   " m/s; nothing in this world explains more than " + figure(bound) + " m/s";
         }
         return {};
     }

@@ -29,7 +29,7 @@ double rolling_time(const WorldPlan& plan) {
 
 class Rest : public Check {
   public:
-    std::optional<std::string> look(const Moment& moment) override {
+    std::optional<std::string> violation(const Moment& moment) override {
         if (moment.step == 0) {
             judged_ = can_rest(moment.plan);
             allowed_ = allowed + rolling_time(moment.plan);

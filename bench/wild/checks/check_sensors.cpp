@@ -22,18 +22,18 @@ class Sensors : public Check {
                      (a.mask & b.category) != 0 && (b.mask & a.category) != 0 && !is_fixed(body);
           }) {}
 
-    std::optional<std::string> look(const Moment& moment) override {
+    std::optional<std::string> violation(const Moment& moment) override {
         if (moment.world == nullptr) return {};
         const Events& events = moment.world->events();
-        std::set<Pair> told;
+        std::set<Pair> reported;
         for (const SensorEvent& begin : events.sensor_begin) ++shapes_inside_[pair_of(begin)];
-        for (const auto& [pair, shapes] : shapes_inside_) told.insert(pair);
+        for (const auto& [pair, shapes] : shapes_inside_) reported.insert(pair);
         for (const SensorEvent& end : events.sensor_end) {
             const auto pair = shapes_inside_.find(pair_of(end));
             if (pair != shapes_inside_.end() && --pair->second == 0) shapes_inside_.erase(pair);
         }
         for (const auto& [pair, words] : entered_)
-            if (!told.contains(pair)) return words;
+            if (!reported.contains(pair)) return words;
         entered_.clear();
         for (const Passage& passage : passages_.of(moment)) {
             if (passage.sense < 0) continue;
@@ -42,12 +42,12 @@ class Sensors : public Check {
             if (moment.before[body].touching() || moment.after[body].touching()) continue;
             const std::uint32_t sensor = moment.after[std::size_t(passage.obstacle)].slot;
             const Pair pair = {sensor, moment.after[body].slot};
-            if (told.contains(pair)) continue;
+            if (reported.contains(pair)) continue;
             entered_.emplace_back(
                 pair, "body " + std::to_string(passage.body) + " enters the sensor on body " +
                           std::to_string(passage.obstacle) + " at " +
                           std::to_string(int(moment.after[body].velocity.length())) +
-                          " m/s, and no begin is told");
+                          " m/s, and no begin is reported");
         }
         return {};
     }

@@ -17,8 +17,8 @@ constexpr double push_time = 0.25;  // s
 /// A body that was made inside another one is outside when it has overlapped none for this long.
 constexpr double apart_time = 1;  // s
 
-std::string words(const char* says, const Passage& passage, int entered) {
-    return "body " + std::to_string(passage.body) + says + std::to_string(passage.obstacle) +
+std::string words(const char* verb, const Passage& passage, int entered) {
+    return "body " + std::to_string(passage.body) + verb + std::to_string(passage.obstacle) +
            ", entered at step " + std::to_string(entered);
 }
 
@@ -33,9 +33,9 @@ class Through : public Check {
               return is_fixed(obstacle);
           }) {}
 
-    std::optional<std::string> look(const Moment& moment) override {
-        note_overlaps(moment);
-        note_held(moment);
+    std::optional<std::string> violation(const Moment& moment) override {
+        record_overlaps(moment);
+        record_held(moment);
         const auto crossed = passages_.of(moment);
         if (!crossed.empty() && !bullets_) pulled_ = pulled(moment);
         for (const Passage& passage : crossed)
@@ -81,7 +81,7 @@ class Through : public Check {
 
     /// A body that is made deep inside another one came from neither side, and a chain does not
     /// hold what is behind it. Its crossings count only when it has been apart for some time.
-    void note_overlaps(const Moment& moment) {
+    void record_overlaps(const Moment& moment) {
         overlapped_.resize(moment.after.size(), -apart_time);
         for (std::size_t i = 0; i < overlapped_.size(); ++i)
             if (moment.after[i].deepest > 0.01f &&
@@ -104,7 +104,7 @@ class Through : public Check {
 
     /// A kinematic body passes through what it crushes, which a static body pushes out first, also
     /// through the others of a row.
-    void note_held(const Moment& moment) {
+    void record_held(const Moment& moment) {
         held_.resize(moment.after.size(), -1);
         const std::vector<bool> held = held_by_static(moment);
         for (std::size_t i = 0; i < held_.size(); ++i)
@@ -126,7 +126,7 @@ constexpr double push_back_time = 1;  // s
 
 class Border : public Check {
   public:
-    std::optional<std::string> look(const Moment& moment) override {
+    std::optional<std::string> violation(const Moment& moment) override {
         const auto& bounds = moment.plan.def.bounds;
         if (!bounds) return {};
         outside_.resize(moment.after.size(), 0);
@@ -165,9 +165,9 @@ class Border : public Check {
 class Both : public Check {
   public:
     explicit Both(const WorldPlan& plan) : through_(plan, false) {}
-    std::optional<std::string> look(const Moment& moment) override {
-        auto what = through_.look(moment);
-        return what ? what : border_.look(moment);
+    std::optional<std::string> violation(const Moment& moment) override {
+        auto what = through_.violation(moment);
+        return what ? what : border_.violation(moment);
     }
 
   private:

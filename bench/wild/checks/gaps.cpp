@@ -15,7 +15,7 @@ float beyond(float value, float lower, float upper) {
     return std::max({lower - value, value - upper, 0.0f});
 }
 
-/// Between two ends: in units along `along`.
+/// The vector between two anchors: across a line, and along it, m.
 struct Line {
     float aside, travel;
 };

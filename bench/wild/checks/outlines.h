@@ -36,8 +36,7 @@ std::vector<Core> cores_of(const Geometry& geometry);
 
 float distance_to(const Edge& edge, const Vec2& point);
 
-/// How the straight way from p to q crosses an edge: 1 from its front, -1 from behind, 0 not at
-/// all.
+/// How the line from p to q crosses an edge: 1 from its front, -1 from behind, 0: not at all.
 int crossing(const Edge& edge, const Vec2& p, const Vec2& q);
 
 }  // namespace fettle::bench::wild

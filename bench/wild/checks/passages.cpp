@@ -66,12 +66,13 @@ std::vector<Passage> Passages::of(const Moment& moment) {
         if (left_out_[body] || left_out_[obstacle]) continue;
         if (!moment.before[body].exists || !moment.before[obstacle].exists) continue;
         if (!moment.after[body].awake && !moment.before[body].awake) continue;
-        look(pair, moment, found);
+        add_passages(pair, moment, found);
     }
     return found;
 }
 
-void Passages::look(const Pair& pair, const Moment& moment, std::vector<Passage>& found) const {
+void Passages::add_passages(const Pair& pair, const Moment& moment,
+                            std::vector<Passage>& found) const {
     const BodyNow& b0 = moment.before[std::size_t(pair.body)];
     const BodyNow& b1 = moment.after[std::size_t(pair.body)];
     const BodyNow& o0 = moment.before[std::size_t(pair.obstacle)];

@@ -38,7 +38,7 @@ class Passages {
         int body, core, obstacle, shape;
         Core deep;
     };
-    void look(const Pair& pair, const Moment& moment, std::vector<Passage>& found) const;
+    void add_passages(const Pair& pair, const Moment& moment, std::vector<Passage>& found) const;
 
     std::vector<Pair> pairs_;
     std::vector<std::vector<Outline>> outlines_;  // by body and shape

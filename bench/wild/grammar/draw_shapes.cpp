@@ -1,4 +1,4 @@
-// Shapes of bodies: everything that a game draws, thin and thick.
+// Shapes of bodies as games use them, thin and thick.
 
 #include <algorithm>
 #include <cmath>

@@ -145,7 +145,7 @@ class Box2dWorld : public RunningWorld {
         ground_ = world_.CreateBody(&ground_def_);
         if (plan.def.bounds) enclose(*plan.def.bounds);
         for (const BodyPlan& body : plan.bodies) bodies_.push_back(make(body));
-        for (const JointPlan& joint : plan.joints) tie(joint);
+        for (const JointPlan& joint : plan.joints) add_joint(joint);
     }
 
     void prepare(int step) override {
@@ -244,7 +244,7 @@ class Box2dWorld : public RunningWorld {
         def.motorSpeed = plan.number("set_motor_speed", 0);
     }
 
-    void tie(const JointPlan& plan) {
+    void add_joint(const JointPlan& plan) {
         if (plan.type == JointType::revolute) {
             auto def = between<b2RevoluteJointDef>(plan);
             def.referenceAngle = plan.number("set_reference_angle", 0);

@@ -7,7 +7,7 @@
 
 namespace fettle::bench::wild {
 
-/// Statements for a function that knows `using namespace fettle::physics`. Equal plans have equal
+/// Statements for a function with `using namespace fettle::physics`. Equal plans have equal
 /// texts, and different plans different ones.
 std::string cpp_text(const WorldPlan& plan);
 

@@ -90,13 +90,13 @@ struct WorldPlan {
 
 /// Where a point in body coordinates is, for a body with this origin and angle.
 Vec2 placed(const Vec2& point, const Vec2& origin, float angle);
-/// The reverse of `placed`.
+/// The inverse of `placed`.
 Vec2 local(const Vec2& point, const Vec2& origin, float angle);
 
 /// Whether the filters of two shapes let them collide, and neither is a sensor.
 bool may_collide(const ShapeDef& a, const ShapeDef& b);
 
-/// A moving body that no force moves, or a body that does not move.
+/// Whether no force moves the body: it is static or kinematic.
 inline bool is_fixed(const BodyPlan& body) {
     return body.def.type != BodyType::dynamic_body;
 }

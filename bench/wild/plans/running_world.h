@@ -41,7 +41,7 @@ class RunningWorld {
     RunningWorld& operator=(const RunningWorld&) = delete;
     virtual ~RunningWorld() = default;
 
-    /// Makes what the plan has before this step.
+    /// Makes the objects and edits that the plan has before this step.
     virtual void prepare(int step) = 0;
     virtual void advance(float dt) = 0;
     /// Reads all bodies, in the order of the plan.

@@ -10,7 +10,7 @@ namespace {
 
 thread_local char last_error[1024] = "";
 
-fettle_code keep(fettle_code code, const char* function, const char* message) noexcept {
+fettle_code store_error(fettle_code code, const char* function, const char* message) noexcept {
     std::snprintf(last_error, sizeof last_error, "%s: %s", function, message);
     return code;
 }
@@ -21,21 +21,22 @@ fettle_code code_of_exception(const char* function) noexcept {
     try {
         throw;
     } catch (const Failure& failure) {
-        return keep(failure.code, function, failure.message.c_str());
+        return store_error(failure.code, function, failure.message.c_str());
     } catch (const physics::Locked& error) {
-        return keep(FETTLE_LOCKED, function, error.what());
+        return store_error(FETTLE_LOCKED, function, error.what());
     } catch (const std::invalid_argument& error) {
-        return keep(FETTLE_INVALID, function, error.what());
+        return store_error(FETTLE_INVALID, function, error.what());
     } catch (const physics::Damaged& error) {
-        return keep(FETTLE_NO_MEMORY, function, error.what());
+        return store_error(FETTLE_NO_MEMORY, function, error.what());
     } catch (const std::bad_alloc&) {
-        return keep(FETTLE_NO_MEMORY, function, "there is not enough memory");
+        return store_error(FETTLE_NO_MEMORY, function, "there is not enough memory");
     } catch (const std::length_error&) {
-        return keep(FETTLE_NO_MEMORY, function, "there is not enough memory");
+        return store_error(FETTLE_NO_MEMORY, function, "there is not enough memory");
     } catch (const std::exception& error) {
-        return keep(FETTLE_FAILED, function, error.what());
+        return store_error(FETTLE_FAILED, function, error.what());
     } catch (...) {
-        return keep(FETTLE_FAILED, function, "a function that was called threw an exception");
+        return store_error(FETTLE_FAILED, function,
+                           "a function that was called threw an exception");
     }
 }
 
@@ -71,7 +72,8 @@ const char* fettle_last_error(void) {
 }
 
 void fettle_keep_error(const char* function, const char* message) {
-    keep(FETTLE_FAILED, function == nullptr ? "" : function, message == nullptr ? "" : message);
+    store_error(FETTLE_FAILED, function == nullptr ? "" : function,
+                message == nullptr ? "" : message);
 }
 
 const char* fettle_physics_version(void) {

@@ -15,7 +15,8 @@
 
 namespace fettle::physics_c {
 
-/// Keeps the message of the exception that is being handled, and returns its code.
+/// Stores the message of the exception that is being handled for `fettle_last_error`, and returns
+/// its code.
 fettle_code code_of_exception(const char* function) noexcept;
 
 /// Runs `act`; `function`: the name of the function in C, for messages.
@@ -94,7 +95,7 @@ fettle_code read(const char* function, const fettle_world* world, fettle_id id, 
     });
 }
 
-/// Writes a value that may be missing.
+/// Writes an optional value: whether there is one, and the value or zeros.
 template <class Value, class Out>
 void write_optional(const std::optional<Value>& value, bool* is_set, Out* out) {
     bool& set = needed("is_set", is_set);
@@ -126,7 +127,8 @@ fettle_code edit(const char* function, fettle_world* world, const Arguments&... 
     });
 }
 
-/// Calls `act(object)`. A world that is not const is about to be edited.
+/// Calls `act(object)`. The overload for a world that is not const also checks that the world may
+/// be edited.
 template <class Object, class Act>
 fettle_code on(const char* function, const fettle_world* world, fettle_id id, const Act& act) {
     return guarded(function, [&] { act(handle<Object>(world, id)); });
@@ -171,9 +173,9 @@ fettle_code init(const char* function, Def* def, size_t size, const Def& default
     });
 }
 
-/// Stores the id of a new object at `out`, unless the caller passed null.
+/// Writes the id of a new object to `out`, unless the caller passed null.
 template <class Id>
-void give(fettle_id* out, Id id) {
+void store_id(fettle_id* out, Id id) {
     if (out != nullptr) *out = converted(id);
 }
 

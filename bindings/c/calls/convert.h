@@ -29,7 +29,8 @@ inline constexpr uint32_t slot_bits = 28;
 fettle_id packed(uint32_t index, uint32_t generation, uint32_t kind);
 /// The slot of an id; throws Failure if it is 0 or of another kind.
 uint32_t unpacked(fettle_id id, uint32_t kind);
-/// Throws `Damaged` if the world is: then ids are not valid in it, although nobody destroyed them.
+/// Throws `Damaged` if the world is damaged: its ids are not valid then, although the objects were
+/// not destroyed.
 void refuse_if_damaged(physics::World& world);
 [[noreturn]] void refuse_stale(fettle_id id, uint32_t kind);
 [[noreturn]] void refuse_joint(physics::JointType wanted, physics::JointType is);
@@ -78,7 +79,8 @@ Object handle(const fettle_world* world, fettle_id id) {
     return object;
 }
 
-/// The body of an argument, a member or an element. Errors begin with the text that `name` makes.
+/// The body with an id. `name()` returns the text at the start of error messages: the name of the
+/// argument, member or element.
 template <class Name>
 physics::Body body_named(const Name& name, const fettle_world* world, fettle_id id) {
     try {

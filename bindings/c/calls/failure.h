@@ -4,7 +4,8 @@
 
 #include <string>
 
-// Refusing arguments of a caller in C; for the libraries of this one and of a whole game.
+// Refuses arguments of a caller in C. Used by this library and by that of a whole game
+// (bindings/host).
 
 namespace fettle::physics_c {
 

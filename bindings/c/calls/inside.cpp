@@ -13,7 +13,7 @@ std::string stated(const char* name, float value) {
 }
 
 fettle_world* adopt(std::unique_ptr<physics::World> world) {
-    std::unique_ptr<fettle_world> made = Retired<fettle_world>::place();
+    std::unique_ptr<fettle_world> made = Retired<fettle_world>::allocate();
     made->world = std::move(world);
     return made.release();
 }

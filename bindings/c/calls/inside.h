@@ -18,8 +18,8 @@ namespace fettle::physics_c {
 /// A value with its name: "dt = nan".
 std::string stated(const char* name, float value);
 
-/// The arrays that `fettle_world_events` gave.
-struct GivenEvents {
+/// The arrays to which `fettle_world_events` returned pointers.
+struct ReturnedEvents {
     std::vector<fettle_contact_event> contact_begin, contact_persist, contact_hit;
     std::vector<fettle_contact_end_event> contact_end;
     std::vector<fettle_sensor_event> sensor_begin, sensor_end;
@@ -36,8 +36,8 @@ struct fettle_owner {
     std::string advice;
     std::optional<fettle::physics::Owner> owner;  ///< none: destroyed
     std::optional<fettle::physics::Owner::Acting> acting;
-    int depth = 0;   ///< of begin and end
-    int worlds = 0;  ///< that it owns
+    int depth = 0;   ///< nested calls of begin
+    int worlds = 0;  ///< number of worlds with this owner
 };
 
 struct fettle_world {
@@ -47,16 +47,17 @@ struct fettle_world {
     std::unique_ptr<fettle::physics::TaskScheduler> scheduler;  ///< of the world
     fettle_owner* owner = nullptr;
     int visiting = 0;  ///< calls of visitors that have not returned
-    fettle::physics_c::GivenEvents events;
+    fettle::physics_c::ReturnedEvents events;
     std::vector<std::byte> saved;
     std::string fault;
-    std::string name;  ///< the last one that was read
+    std::string name;  ///< of the body whose name was read last
 };
 
 namespace fettle::physics_c {
 
-/// A world of the library in C.
+/// Makes a world in C of a world of the library.
 fettle_world* adopt(std::unique_ptr<physics::World> world);
+/// Destroys the world, and keeps the memory for stale pointers.
 void retire(fettle_world* world) noexcept;
 
 /// The world; throws Failure if it is null or destroyed.

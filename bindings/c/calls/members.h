@@ -4,8 +4,9 @@
 
 #include <optional>
 
-// Definitions in C and those of the library. The members have the same names in both, and a value
-// that may be missing has a `has_...` in C. A definition has one list of its members,
+// Conversion between definitions in C and those of the library. The members have the same names in
+// both, and a value that may be missing has a `has_...` in C. A definition has one list of its
+// members,
 //
 //     template <class InC, class Each>
 //     void each_member(InC& c, physics::ShapeDef& def, const Each& each);

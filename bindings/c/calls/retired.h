@@ -7,18 +7,19 @@
 
 #include "failure.h"
 
-// Objects behind pointers of a caller in C, who may use a pointer after the object was destroyed;
-// for the libraries of this one and of a whole game.
+// The memory of objects to which a caller in C has pointers. The caller may use a pointer after the
+// object was destroyed. Used by this library and by that of a whole game (bindings/host).
 
 namespace fettle::physics_c {
 
-/// The memory of destroyed objects. It is used again when a thousand more are destroyed: until then
-/// a stale pointer is recognized. An `Object` without arguments is in the state of a destroyed one.
+/// The memory of destroyed objects. It is used again when a thousand more have been destroyed;
+/// until then a stale pointer is recognized. A default-constructed `Object` is in the state of a
+/// destroyed one.
 template <class Object>
 class Retired {
   public:
-    /// Memory for a new object.
-    static std::unique_ptr<Object> place() {
+    /// Allocates an object, in the state of a destroyed one.
+    static std::unique_ptr<Object> allocate() {
         Retired& known = all();
         const std::lock_guard lock(known.mutex_);
         if (known.objects_.size() <= most) return std::make_unique<Object>();
@@ -35,7 +36,7 @@ class Retired {
             const std::lock_guard lock(known.mutex_);
             known.objects_.push_back(std::move(ended));
         } catch (...) {
-            // Without memory for the list, the memory of the object is given back at once.
+            // There is no memory for the list, so the object is freed at once.
         }
     }
 

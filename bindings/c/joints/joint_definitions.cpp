@@ -74,7 +74,7 @@ fettle_code create_joint(const char* function, fettle_world* world, const InC* d
         Def result = from_c<Def>(needed("def", def));
         result.body_a = body_or_world("body_a", world, def->body_a).id();
         result.body_b = body_or_world("body_b", world, def->body_b).id();
-        give(joint, (in.*create)(result).id());
+        store_id(joint, (in.*create)(result).id());
     });
 }
 

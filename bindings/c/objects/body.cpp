@@ -182,7 +182,7 @@ FETTLE_READING(body, Body, kinetic_energy, float)
 fettle_code fettle_body_add(fettle_world* world, fettle_id body, const fettle_geometry* geometry,
                             const fettle_shape_def* def, fettle_id* shape) {
     return on<Body>(__func__, world, body, [&](Body it) {
-        give(shape, it.add(geometry_of(geometry), definition_of(def)).id());
+        store_id(shape, it.add(geometry_of(geometry), definition_of(def)).id());
     });
 }
 

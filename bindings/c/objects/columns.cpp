@@ -10,7 +10,7 @@ using namespace physics;
 
 namespace {
 
-// The columns of the library are those that a caller in C reads.
+// A caller in C reads the columns of the library themselves, so the layouts must be equal.
 static_assert(sizeof(fettle_body_state) == sizeof(BodyState));
 static_assert(offsetof(fettle_body_state, angle) == offsetof(BodyState, angle));
 static_assert(offsetof(fettle_body_state, angular_velocity) ==

@@ -36,7 +36,7 @@ void each_member(InC& c, AttractorField& attractor, const Each& each) {
     each(c.core, attractor.core);
 }
 
-/// The type, which is set before, determines the force of `def`.
+/// `def.force` must already have the type of the field; its members are copied.
 template <class InC, class Each>
 void each_member(InC& c, FieldDef& def, const Each& each) {
     std::visit([&](auto& force) { each_member(c, force, each); }, def.force);

@@ -26,7 +26,7 @@ void each_member(InC& c, MoverDef& def, const Each& each) {
     each(c.ledges, def.ledges);
 }
 
-/// All members but the shapes, of which those that were destroyed count as none.
+/// All members but the shapes, whose ids need the world.
 template <class InC, class Each>
 void each_member(InC& c, MoverState& state, const Each& each) {
     each(c.position, state.position);
@@ -42,6 +42,7 @@ fettle_id id_or_none(const Id& id) {
     return id ? converted(id) : 0;
 }
 
+/// The shape; none if it was destroyed.
 ShapeId shape_or_none(const fettle_world* world, fettle_id id) {
     return lives<ShapeId>(world, id) ? handle<Shape>(world, id).id() : ShapeId{};
 }

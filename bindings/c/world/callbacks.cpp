@@ -12,7 +12,7 @@ using namespace physics;
 
 namespace {
 
-/// `function` in C as one that gets the contacts of the library.
+/// Wraps a function in C as a callback of the library.
 ContactCallback contact_callback(const fettle_world* world, fettle_contact_callback function,
                                  void* user) {
     if (function == nullptr) return {};
@@ -149,10 +149,10 @@ fettle_code fettle_owner_create(const char* advice, fettle_owner** owner) {
     return guarded(__func__, [&] {
         fettle_owner*& made = needed("owner", owner);
         const char* const text = &needed("advice", advice);
-        std::unique_ptr<fettle_owner> place = Retired<fettle_owner>::place();
-        place->advice = text;
-        place->owner.emplace(place->advice.c_str());
-        made = place.release();
+        std::unique_ptr<fettle_owner> created = Retired<fettle_owner>::allocate();
+        created->advice = text;
+        created->owner.emplace(created->advice.c_str());
+        made = created.release();
     });
 }
 

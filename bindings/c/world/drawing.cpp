@@ -21,9 +21,10 @@ void each_member(InC& c, DebugDrawOptions& options, const Each& each) {
 namespace {
 
 /// Draws with the functions of a caller. Null functions draw nothing.
-class Pen : public DebugDraw {
+class HostDraw : public DebugDraw {
   public:
-    Pen(const fettle_world* world, const fettle_debug_draw& draw) : world_(world), draw_(draw) {}
+    HostDraw(const fettle_world* world, const fettle_debug_draw& draw)
+        : world_(world), draw_(draw) {}
 
     void polygon(std::span<const Position> points, bool closed, uint32_t color) override {
         if (draw_.polygon == nullptr) return;
@@ -69,7 +70,7 @@ fettle_code fettle_world_draw(fettle_world* world, const fettle_debug_draw* draw
         const fettle_debug_draw& how = needed("draw", draw);
         const auto options = from_c<fettle::physics::DebugDrawOptions>(how);
         const Visiting visiting(*world);
-        Pen pen(world, how);
+        HostDraw pen(world, how);
         drawn.draw(pen, options);
     });
 }

@@ -71,7 +71,7 @@ fettle_code fettle_world_events(fettle_world* world, fettle_events* events) {
     return guarded(__func__, [&] {
         fettle_events& target = needed("events", events);
         const fettle::physics::Events& of = live(world).events();
-        GivenEvents& kept = world->events;
+        ReturnedEvents& kept = world->events;
         fettle_events result{};
         const auto all = [&](const auto& list, auto& copies, auto& begin, uint32_t& count) {
             copy_events(list, copies, begin, count);

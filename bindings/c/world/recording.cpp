@@ -47,9 +47,9 @@ fettle_code fettle_replay_create(const void* bytes, size_t size, fettle_replay**
         if (size > 0) needed("bytes", static_cast<const char*>(bytes));
         const auto* const begin = static_cast<const std::byte*>(bytes);
         Replay replayed(std::span(begin, size));
-        std::unique_ptr<fettle_replay> place = Retired<fettle_replay>::place();
-        place->replay.emplace(std::move(replayed));
-        made = place.release();
+        std::unique_ptr<fettle_replay> created = Retired<fettle_replay>::allocate();
+        created->replay.emplace(std::move(replayed));
+        made = created.release();
     });
 }
 

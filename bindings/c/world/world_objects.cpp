@@ -10,41 +10,44 @@ using namespace fettle::physics_c;
 fettle_code fettle_world_create_body(fettle_world* world, const fettle_body_def* def,
                                      fettle_id* body) {
     return guarded(__func__,
-                   [&] { give(body, editable(world).create_body(definition_of(def)).id()); });
+                   [&] { store_id(body, editable(world).create_body(definition_of(def)).id()); });
 }
 
 fettle_code fettle_world_create_shape(fettle_world* world, const fettle_geometry* geometry,
                                       const fettle_shape_def* def, fettle_id* shape) {
     return guarded(__func__, [&] {
-        give(shape, editable(world).create_shape(geometry_of(geometry), definition_of(def)).id());
+        store_id(shape,
+                 editable(world).create_shape(geometry_of(geometry), definition_of(def)).id());
     });
 }
 
 fettle_code fettle_world_create_field(fettle_world* world, const fettle_field_def* def,
                                       fettle_id* field) {
     return guarded(__func__,
-                   [&] { give(field, editable(world).create_field(definition_of(def)).id()); });
+                   [&] { store_id(field, editable(world).create_field(definition_of(def)).id()); });
 }
 
 fettle_code fettle_world_create_joint(fettle_world* world, int32_t type, uint64_t user_data,
                                       fettle_id* joint) {
     return guarded(__func__, [&] {
         World& in = editable(world);
-        give(joint,
-             in.create_joint(enumerator("type", type, JointType::rotary_limit), user_data).id());
+        store_id(
+            joint,
+            in.create_joint(enumerator("type", type, JointType::rotary_limit), user_data).id());
     });
 }
 
 fettle_code fettle_world_create_joint_like(fettle_world* world, const fettle_world* of,
                                            fettle_id like, fettle_id* joint) {
-    return guarded(
-        __func__, [&] { give(joint, editable(world).create_joint(handle<Joint>(of, like)).id()); });
+    return guarded(__func__, [&] {
+        store_id(joint, editable(world).create_joint(handle<Joint>(of, like)).id());
+    });
 }
 
 fettle_code fettle_world_create_mouse_joint(fettle_world* world, const fettle_mouse_joint_def* def,
                                             fettle_id* joint) {
     return guarded(__func__, [&] {
-        give(joint, editable(world).create_mouse_joint(definition_of(world, def)).id());
+        store_id(joint, editable(world).create_mouse_joint(definition_of(world, def)).id());
     });
 }
 

@@ -7,7 +7,7 @@
 namespace fettle::physics_c {
 namespace {
 
-/// The threads of a caller in C.
+/// A task scheduler that calls the functions of a caller in C.
 class HostTasks : public physics::TaskScheduler {
   public:
     HostTasks(fettle_start_tasks starts, fettle_finish_tasks finishes, void* user)
@@ -30,7 +30,7 @@ class HostTasks : public physics::TaskScheduler {
 using namespace fettle::physics;
 using namespace fettle::physics_c;
 
-// As in calls/properties.h, of the world itself. `Type`: the setting's type in C.
+// As the macros in calls/properties.h, for settings of the world. `Type`: the setting's type in C.
 #define FETTLE_WORLD_READING(setting, Type)                                        \
     fettle_code fettle_world_##setting(const fettle_world* world, Type* setting) { \
         return read<&World::setting>(__func__, world, setting);                    \

@@ -2,8 +2,8 @@
 --
 --     love GAME [SECONDS] [SCENE ...]    SECONDS: the limit for a scene in an engine; 10 by default
 --
--- An engine makes the steps that fit in its time. The time of love.physics, and what became of the scene in it, are compared with those of
--- Fettle after as many steps. Both have the same calls, by the compatibility module.
+-- Each engine makes as many steps as fit into the limit. The time of love.physics, and what became of the scene in it, are compared with
+-- those of Fettle after the same number of steps. The compatibility module gives Fettle the calls of love.physics.
 
 local scenes = require "scenes"
 
@@ -69,7 +69,7 @@ local function make(physics, scene)
     return made
 end
 
---- Steps a scene so often, but not longer than so many seconds: steps, their ms of the processor, and the motions.
+--- Makes `most` steps of a scene, or as many as fit into `seconds`. Returns their number, their processor time in ms, and the motions.
 local function run(physics, scene, most, seconds)
     local made = make(physics, scene)
     collectgarbage()

@@ -52,7 +52,7 @@ function Body:setUserData(data) self.data = data end
 local vec2 = ffi.new("fettle_vec2[1]")
 local pose = ffi.new("fettle_body_state[1]")
 
--- The state by slot is the fastest read; it fails as all do when the body does not exist.
+-- Reading the state by slot is the fastest way. As with every call, a destroyed body is an error.
 local function state(self)
     if not lib.fettle_body_is_valid(self.world.pointer, self.id) then error("the body was destroyed", 3) end
     check(lib.fettle_world_state(self.world.pointer, lib.fettle_slot(self.id), pose), 3)
@@ -118,16 +118,16 @@ function Body:resetMassData()
 end
 
 -- The inertia of LÖVE is about the origin of the body, that of Fettle about its center of mass.
-local function center_part(self)
+local function inertia_of_offset(self)
     local center = fettle.get("fettle_vec2", lib.fettle_body_center, self.world.pointer, self.id)
     return (center.x ^ 2 + center.y ^ 2) * self:getMass()
 end
 function Body:getInertia()
     local about_center = fettle.get("float", lib.fettle_body_inertia, self.world.pointer, self.id)
-    return (about_center + center_part(self)) * units.meter ^ 2
+    return (about_center + inertia_of_offset(self)) * units.meter ^ 2
 end
 function Body:setInertia(inertia)
-    local about_center = inertia / units.meter ^ 2 - center_part(self)
+    local about_center = inertia / units.meter ^ 2 - inertia_of_offset(self)
     check(lib.fettle_body_set_inertia(self.world.pointer, self.id, ffi.new("float[1]", about_center)), 2)
 end
 --- Center x, center y, mass and inertia.

@@ -20,8 +20,8 @@ local buttons = { "left", "right", "middle", "extra_1", "extra_2" }
 
 -- --- Input ----------------------------------------------------------------------------------------
 
---- Gives an event to the game; true: the console has used it.
-function Console:give(kind, fields)
+--- Passes an event to the game. Returns true if the console has used it.
+function Console:pass_event(kind, fields)
     local input, used = self.input, self.used
     check(lib.fettle_hosted_input_init(input, ffi.sizeof(input)))
     input.kind = kind
@@ -40,25 +40,25 @@ function Console:give(kind, fields)
 end
 
 function Console:keypressed(key, _, repeated)
-    return self:give(lib.FETTLE_INPUT_KEY_PRESSED, { name = names[key] or key, repeated = repeated })
+    return self:pass_event(lib.FETTLE_INPUT_KEY_PRESSED, { name = names[key] or key, repeated = repeated })
 end
-function Console:keyreleased(key) return self:give(lib.FETTLE_INPUT_KEY_RELEASED, { name = names[key] or key }) end
+function Console:keyreleased(key) return self:pass_event(lib.FETTLE_INPUT_KEY_RELEASED, { name = names[key] or key }) end
 function Console:textinput(text)
     local used = false
     for _, character in require("utf8").codes(text) do
-        used = self:give(lib.FETTLE_INPUT_TEXT, { character = character }) or used
+        used = self:pass_event(lib.FETTLE_INPUT_TEXT, { character = character }) or used
     end
     return used
 end
-function Console:mousemoved(x, y) return self:give(lib.FETTLE_INPUT_MOUSE_MOVED, { x = x, y = y }) end
+function Console:mousemoved(x, y) return self:pass_event(lib.FETTLE_INPUT_MOUSE_MOVED, { x = x, y = y }) end
 function Console:mousepressed(x, y, button)
-    return self:give(lib.FETTLE_INPUT_MOUSE_PRESSED, { x = x, y = y, name = buttons[button] })
+    return self:pass_event(lib.FETTLE_INPUT_MOUSE_PRESSED, { x = x, y = y, name = buttons[button] })
 end
 function Console:mousereleased(x, y, button)
-    return self:give(lib.FETTLE_INPUT_MOUSE_RELEASED, { x = x, y = y, name = buttons[button] })
+    return self:pass_event(lib.FETTLE_INPUT_MOUSE_RELEASED, { x = x, y = y, name = buttons[button] })
 end
-function Console:wheelmoved(_, y) return self:give(lib.FETTLE_INPUT_WHEEL, { delta = y }) end
-function Console:focus(focused) return self:give(lib.FETTLE_INPUT_FOCUS, { focused = focused }) and false end
+function Console:wheelmoved(_, y) return self:pass_event(lib.FETTLE_INPUT_WHEEL, { delta = y }) end
+function Console:focus(focused) return self:pass_event(lib.FETTLE_INPUT_FOCUS, { focused = focused }) and false end
 
 -- --- Drawing --------------------------------------------------------------------------------------
 
@@ -72,17 +72,18 @@ local function bytes_of(pointer, size)
     return data
 end
 
---- Images for the textures of the picture; those that it has no longer are forgotten.
+--- Makes images for the textures of the picture, and drops those of textures that it no longer has.
 function Console:renew_textures(picture)
     local images = {}
     for i = 0, picture.texture_count - 1 do
-        local of = picture.textures[i]
-        local known = self.images[of.id]
-        if not known or known.version ~= of.version then
-            local pixels = love.image.newImageData(of.width, of.height, "rgba8", ffi.string(of.rgba, of.width * of.height * 4))
-            known = { version = of.version, image = love.graphics.newImage(pixels) }
+        local texture = picture.textures[i]
+        local known = self.images[texture.id]
+        if not known or known.version ~= texture.version then
+            local width, height = texture.width, texture.height
+            local pixels = love.image.newImageData(width, height, "rgba8", ffi.string(texture.rgba, width * height * 4))
+            known = { version = texture.version, image = love.graphics.newImage(pixels) }
         end
-        images[of.id] = known
+        images[texture.id] = known
     end
     self.images = images
 end

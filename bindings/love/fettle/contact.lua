@@ -76,7 +76,7 @@ function Contact:setRestitution(restitution)
     editable(self).restitution = restitution
     self.restitution = restitution
 end
---- As the surfaces of both fixtures say.
+--- Computes the value again from the surfaces of both fixtures.
 function Contact:resetFriction()
     self:setFriction(math.sqrt(self.a:getFriction() * self.b:getFriction()))
 end
@@ -92,6 +92,6 @@ arguments.of_class(Contact, {
     setEnabled = "enabled boolean", setFriction = "friction number", setRestitution = "restitution number",
     setTangentSpeed = "speed number",
 })
-Contact.new, Contact.of = new, of  -- which are called without a contact
+Contact.new, Contact.of = new, of  -- no methods: without the check of `self`
 
 return Contact

@@ -95,7 +95,7 @@ local function getDistance(a, b)
 end
 
 -- LÖVE's mask is what is not collided with, in 16 categories.
-local function filter(self)
+local function apply_filter(self)
     local world = self.body.world.pointer
     for _, id in ipairs(self.ids) do
         check(lib.fettle_shape_set_category(world, id, self.category), 3)
@@ -104,7 +104,7 @@ local function filter(self)
     end
 end
 
-local function bits(...)
+local function bits_of(...)
     local sum = 0
     for _, category in ipairs(type(...) == "table" and (...) or { ... }) do
         if type(category) ~= "number" or not (category >= 1 and category <= 16) then
@@ -115,7 +115,7 @@ local function bits(...)
     return sum
 end
 
-local function numbers(sum)
+local function categories_of(sum)
     local found = {}
     for i = 1, 16 do
         if bit.band(sum, bit.lshift(1, i - 1)) ~= 0 then found[#found + 1] = i end
@@ -125,13 +125,13 @@ end
 
 function Fixture:setFilterData(categories, mask, group)
     self.category, self.mask, self.group = categories, mask, group
-    filter(self)
+    apply_filter(self)
 end
 function Fixture:getFilterData() return self.category, self.mask, self.group end
-function Fixture:setCategory(...) self:setFilterData(bits(...), self.mask, self.group) end
-function Fixture:getCategory() return numbers(self.category) end
-function Fixture:setMask(...) self:setFilterData(self.category, 65535 - bits(...), self.group) end
-function Fixture:getMask() return numbers(65535 - self.mask) end
+function Fixture:setCategory(...) self:setFilterData(bits_of(...), self.mask, self.group) end
+function Fixture:getCategory() return categories_of(self.category) end
+function Fixture:setMask(...) self:setFilterData(self.category, 65535 - bits_of(...), self.group) end
+function Fixture:getMask() return categories_of(65535 - self.mask) end
 function Fixture:setGroupIndex(group) self:setFilterData(self.category, self.mask, group) end
 function Fixture:getGroupIndex() return self.group end
 

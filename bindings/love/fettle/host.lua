@@ -85,6 +85,9 @@ local function arguments_of(...)
     return all, count, kept
 end
 
+-- To be called after the call in C that uses what `kept` refers to: until then the garbage collector must not free it.
+local function keep_until_here(_kept) return nil end
+
 local function one(value)
     local kept = {}
     return to_c(value, ffi.new("fettle_hosted_value"), kept), kept
@@ -94,15 +97,15 @@ end
 
 -- One function of C for all: LuaJIT has room for some hundred, and never frees what they refer to.
 local functions, last_function = {}, 0  -- those of all games, by number
-local kept = {}  -- what the last result refers to
+local kept = {}  -- what the last result refers to: C reads it after the function has returned
 local call_function = ffi.cast("fettle_function_callback", function(user, arguments, count, result)
     kept = {}
     local all = {}
     for i = 1, count do all[i] = from_c(arguments[i - 1]) end
     -- An error must not pass through C.
     local ok, value = pcall(functions[tonumber(ffi.cast("intptr_t", user))], unpack(all, 1, count))
-    local given = pcall(to_c, ok and value or nil, result, kept)
-    if ok and given then return lib.FETTLE_DONE end
+    local converted = pcall(to_c, ok and value or nil, result, kept)
+    if ok and converted then return lib.FETTLE_DONE end
     to_c(ok and "the function gives a value that a game cannot have" or tostring(value), result, kept)
     return lib.FETTLE_FAILED
 end)
@@ -137,7 +140,7 @@ function Game:reload() check(lib.fettle_hosted_reload(self.pointer), 2) end
 function Game:call(name, ...)
     local all, count, kept = arguments_of(...)
     check(lib.fettle_hosted_call(self.pointer, name, all, count), 2)
-    return #kept and nil
+    return keep_until_here(kept)
 end
 
 --- A command as in the console. Returns its value and what it prints.
@@ -174,9 +177,9 @@ function Game:get(path)
 end
 
 function Game:set(path, value)
-    local given, kept = one(value)
-    check(lib.fettle_hosted_set(self.pointer, path, given), 2)
-    return #kept and nil
+    local c_value, kept = one(value)
+    check(lib.fettle_hosted_set(self.pointer, path, c_value), 2)
+    return keep_until_here(kept)
 end
 
 --- Paths of the children of an instance, in order.
@@ -217,9 +220,9 @@ function Property:get()
     return from_c(value)
 end
 function Property:set(value)
-    local given, kept = one(value)
-    check(lib.fettle_property_set(self.game, self.id, given), 2)
-    return #kept and nil
+    local c_value, kept = one(value)
+    check(lib.fettle_property_set(self.game, self.id, c_value), 2)
+    return keep_until_here(kept)
 end
 --- False when the instance was deleted.
 function Property:exists()

@@ -25,11 +25,12 @@ function Joint:getAnchors()
     return ax, ay, b.x * m, b.y * m
 end
 
---- What a joint knows of the world moves with the origin of the world.
+--- For World:translateOrigin: moves what the joint has in world coordinates. Most joints have nothing.
 function Joint:translate() end
 
 local joint = { Joint = Joint }
 
+-- Scales of values: how many units of LÖVE one SI unit is, with `m` pixels a meter.
 function joint.one() return 1 end
 function joint.length(m) return m end
 function joint.squared(m) return m * m end
@@ -132,13 +133,13 @@ function joint.limits(to, prefix, coordinate, scale)
     to.hasLimitsEnabled = to.areLimitsEnabled
 end
 
-local function known(world, id, made)
+local function registered(world, id, made)
     made.world, made.id = world, id
     world.joints[lib.fettle_slot(id)] = made
     return made
 end
 
---- Points that a function for a joint needs. `kind`: of the joint, as LÖVE has it; `level`: of the call.
+--- Checks that the points of a new joint are numbers. `kind`: of the joint, as LÖVE names it; `level`: of the call in the game.
 local function require_points(kind, level, ...)
     for i, name in ipairs { "x1", "y1", "x2", "y2" } do
         arguments.required((select(i, ...)), ("new%s: %s"):format(kind, name), "number", level + 1)
@@ -156,7 +157,7 @@ function joint.make(class, kind, a, b, ax, ay, bx, by, collide)
     def.anchor_b.x, def.anchor_b.y = x / units.meter, y / units.meter
     local id = ffi.new("fettle_id[1]")
     check(lib["fettle_world_create_" .. kind .. "_joint"](a.world.pointer, def, id), 3)
-    return known(a.world, id[0], setmetatable({ a = a, b = b }, class))
+    return registered(a.world, id[0], setmetatable({ a = a, b = b }, class))
 end
 
 function joint.make_mouse(class, body, x, y)
@@ -165,7 +166,7 @@ function joint.make_mouse(class, body, x, y)
     def.max_force = 1000 * body:getMass()
     local id = ffi.new("fettle_id[1]")
     check(lib.fettle_world_create_mouse_joint(body.world.pointer, def, id), 3)
-    return known(body.world, id[0], setmetatable({ a = body }, class))
+    return registered(body.world, id[0], setmetatable({ a = body }, class))
 end
 
 arguments.of_class(Joint, { getReactionForce = "rate number?", getReactionTorque = "rate number?", translate = "..." })

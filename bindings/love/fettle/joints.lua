@@ -9,9 +9,10 @@ local property, getter, make, length, squared = joint.property, joint.getter, jo
 
 local joints = {}
 
---- Where a joint may have one point of the world or two: both points, and what follows them. `after`: how many arguments make it two.
-local function points(after, x, y, ...)
-    if select("#", ...) + 2 >= after then return x, y, ... end
+--- Both points of a joint for which the caller may give one point or two, and the arguments after them. `count_for_two`: with so many
+--- arguments or more there are two.
+local function points(count_for_two, x, y, ...)
+    if select("#", ...) + 2 >= count_for_two then return x, y, ... end
     return x, y, x, y, ...
 end
 
@@ -32,8 +33,8 @@ function joints.newRopeJoint(a, b, ax, ay, bx, by, longest, collide)
     return rope
 end
 
---- The angle of b relative to a at which the angle of the joint is 0: now, unless it is given.
-local function refer(made, kind, angle)
+--- Sets the angle of b relative to a at which the angle of the joint is 0. Without `angle` it is that at the creation of the joint.
+local function set_reference_angle(made, kind, angle)
     if angle then check(lib["fettle_" .. kind .. "_joint_set_reference_angle"](made.world.pointer, made.id, angle), 3) end
     return made
 end
@@ -47,7 +48,7 @@ getter(Revolute, "ReferenceAngle", "revolute_joint_reference_angle")
 function Revolute:getJointSpeed() return self.b:getAngularVelocity() - self.a:getAngularVelocity() end
 function joints.newRevoluteJoint(a, b, ...)
     local ax, ay, bx, by, collide, reference = points(4, ...)
-    return refer(make(Revolute, "revolute", a, b, ax, ay, bx, by, collide), "revolute", reference)
+    return set_reference_angle(make(Revolute, "revolute", a, b, ax, ay, bx, by, collide), "revolute", reference)
 end
 
 -- Joints with an axis, which turns with body a.
@@ -82,7 +83,7 @@ end
 --- LÖVE's limits are enabled at first, and both are 0.
 function joints.newPrismaticJoint(a, b, ...)
     local ax, ay, bx, by, axis_x, axis_y, collide, reference = points(6, ...)
-    local made = refer(make(Prismatic, "prismatic", a, b, ax, ay, bx, by, collide), "prismatic", reference)
+    local made = set_reference_angle(make(Prismatic, "prismatic", a, b, ax, ay, bx, by, collide), "prismatic", reference)
     made:setLimitsEnabled(true)
     return set_axis(made, "prismatic", axis_x, axis_y)
 end
@@ -107,7 +108,7 @@ property(Weld, "DampingRatio", "weld_joint_angular_damping_ratio")
 getter(Weld, "ReferenceAngle", "weld_joint_reference_angle")
 function joints.newWeldJoint(a, b, ...)
     local ax, ay, bx, by, collide, reference = points(4, ...)
-    return refer(make(Weld, "weld", a, b, ax, ay, bx, by, collide), "weld", reference)
+    return set_reference_angle(make(Weld, "weld", a, b, ax, ay, bx, by, collide), "weld", reference)
 end
 
 local Mouse = joint.class "mouse"

@@ -137,7 +137,7 @@ local function uncompiled(f)
     return f
 end
 
-local function raise(world)
+local function raise_kept_error(world)
     local failed = world.failed
     world.failed = nil
     if failed then error(failed[1], 0) end
@@ -172,7 +172,7 @@ World.setContactFilter = uncompiled(function(self, f)
     local code = lib.fettle_world_set_filter(self.pointer, f and filter or nil, nil)
     if code ~= lib.FETTLE_DONE then self.filter = before end
     check(code, 2)
-    raise(self)
+    raise_kept_error(self)
 end)
 function World:getContactFilter() return self.filter end
 function World:getCallbacks()
@@ -181,7 +181,7 @@ function World:getCallbacks()
 end
 
 -- Calls `f` for each event of an array in which both fixtures are known. `impulse_of(event)`: what postSolve gets, too.
-local function each(world, array, count, f, contact_of, impulse_of)
+local function call_for_each(world, array, count, f, contact_of, impulse_of)
     if not f then return end
     local calls, n = {}, 0  -- all first: a callback may change the world
     for i = 0, count - 1 do
@@ -201,29 +201,29 @@ local function each(world, array, count, f, contact_of, impulse_of)
     end
 end
 
-local flat = { normal = { x = 0, y = 0 }, point = { x = 0, y = 0 }, friction = 0, restitution = 0 }
-local function plain(a, b, e) return Contact.new(a, b, e) end
-local function without_values(a, b) return Contact.new(a, b, flat) end
+local no_values = { normal = { x = 0, y = 0 }, point = { x = 0, y = 0 }, friction = 0, restitution = 0 }
+local function with_values(a, b, e) return Contact.new(a, b, e) end
+local function without_values(a, b) return Contact.new(a, b, no_values) end
 local function impulse_of(e) return e.impulse * units.meter end
 
 -- LÖVE reports what a sensor overlaps as contacts.
-local function each_sensor(world, array, count, f)
+local function call_for_each_sensor(world, array, count, f)
     local pairs_of = {}
     for i = 0, count - 1 do pairs_of[i] = { shape_a = array[i].sensor, shape_b = array[i].visitor } end
-    each(world, pairs_of, count, f, without_values)
+    call_for_each(world, pairs_of, count, f, without_values)
 end
 
 local function report(world)
     local c = world.callbacks
     if not (c.begin or c.ended or c.post) then return end
-    local told = ffi.new("fettle_events")
-    check(lib.fettle_world_events(world.pointer, told), 3)
-    each(world, told.contact_begin, told.contact_begin_count, c.begin, plain)
-    each_sensor(world, told.sensor_begin, told.sensor_begin_count, c.begin)
-    each(world, told.contact_end, told.contact_end_count, c.ended, without_values)
-    each_sensor(world, told.sensor_end, told.sensor_end_count, c.ended)
-    each(world, told.contact_begin, told.contact_begin_count, c.post, plain, impulse_of)
-    each(world, told.contact_persist, told.contact_persist_count, c.post, plain, impulse_of)
+    local events = ffi.new("fettle_events")
+    check(lib.fettle_world_events(world.pointer, events), 3)
+    call_for_each(world, events.contact_begin, events.contact_begin_count, c.begin, with_values)
+    call_for_each_sensor(world, events.sensor_begin, events.sensor_begin_count, c.begin)
+    call_for_each(world, events.contact_end, events.contact_end_count, c.ended, without_values)
+    call_for_each_sensor(world, events.sensor_end, events.sensor_end_count, c.ended)
+    call_for_each(world, events.contact_begin, events.contact_begin_count, c.post, with_values, impulse_of)
+    call_for_each(world, events.contact_persist, events.contact_persist_count, c.post, with_values, impulse_of)
 end
 
 World.update = uncompiled(function(self, dt)
@@ -231,7 +231,7 @@ World.update = uncompiled(function(self, dt)
     self.dt = dt > 0 and dt or self.dt
     local code = lib.fettle_world_step(self.pointer, dt)
     self.calling = false
-    raise(self)
+    raise_kept_error(self)
     check(code, 2)
     report(self)
 end)

@@ -133,6 +133,7 @@ function Shape:rayCast(x1, y1, x2, y2, most, x, y, angle, index)
     local found, hit = ffi.new("bool[1]"), ffi.new("fettle_surface_hit[1]")
     x2, y2 = x1 + most * (x2 - x1), y1 + most * (y2 - y1)
     check(lib.fettle_geometry_cast_ray(geometry, pose(x, y, angle), x1 / m, y1 / m, x2 / m, y2 / m, found, hit), 2)
+    -- `all` is read so that the points live until here.
     if found[0] and all then return hit[0].normal.x, hit[0].normal.y, hit[0].fraction * most end
 end
 
@@ -140,7 +141,7 @@ function Shape:computeAABB(x, y, angle, index)
     local m, geometry, all = units.meter, child(self, index)
     local box = ffi.new("fettle_aabb[1]")
     check(lib.fettle_geometry_bounding_box(geometry, pose(x, y, angle), box), 2)
-    local b = all and box[0]
+    local b = all and box[0]  -- the points live until here
     return b.min.x * m, b.min.y * m, b.max.x * m, b.max.y * m
 end
 
@@ -154,7 +155,7 @@ function Shape:computeMass(density)
     end
     local out, geometry, all = ffi.new("fettle_mass_properties[1]"), child(self, 1)
     check(lib.fettle_geometry_mass_properties(geometry, density, out), 2)
-    local p = all and out[0]
+    local p = all and out[0]  -- the points live until here
     local about_origin = p.inertia + p.mass * (p.centroid.x ^ 2 + p.centroid.y ^ 2)
     return p.centroid.x * m, p.centroid.y * m, p.mass, about_origin * m * m
 end

@@ -63,7 +63,7 @@ function tests.impulses_and_forces_are_in_pixels()
     near(body:getAngularVelocity(), 2, 1e-2)
 end
 
-function tests.callbacks_tell_fixtures_and_contacts()
+function tests.callbacks_get_fixtures_and_contacts()
     local world = love.physics.newWorld(0, 300)
     local _, ground = box(world, 0, 100, "static", 300, 20)
     local body, fixture = box(world, 0, 50, "dynamic")

@@ -58,16 +58,16 @@ class VelocityAccount(NamedTuple):
     joints: list
 
 
-def _values(cls, told):
-    return [getattr(told, name) for name in cls._fields if hasattr(told, name)]
+def _values(cls, struct):
+    return [getattr(struct, name) for name in cls._fields if hasattr(struct, name)]
 
 
 def account_of(world, body):
-    id, is_set, told = id_of(body, Body), ffi.new("bool*"), ffi.new("fettle_velocity_account*")
-    check(lib.fettle_world_account(world._pointer, id, is_set, told))
+    id, is_set, account = id_of(body, Body), ffi.new("bool*"), ffi.new("fettle_velocity_account*")
+    check(lib.fettle_world_account(world._pointer, id, is_set, account))
     if not is_set[0]:
         return None
-    *vectors, turn = _values(VelocityAccount, told)
+    *vectors, turn = _values(VelocityAccount, account)
     contacts = list_of("fettle_contact_share", lambda *a: lib.fettle_world_account_contacts(world._pointer, id, *a))
     joints = list_of("fettle_joint_share", lambda *a: lib.fettle_world_account_joints(world._pointer, id, *a))
     return VelocityAccount(

@@ -55,7 +55,7 @@ def close_world(pointer):
 
 @contextlib.contextmanager
 def called_by(world):
-    """What a world calls may use it, on a thread of its own too."""
+    """For a `with` around a function that a world calls: the function may use the world, on whichever thread it is called."""
     outer = getattr(_inside, "pointers", ())
     _inside.pointers = (*outer, world._pointer)
     try:
@@ -64,8 +64,8 @@ def called_by(world):
         _inside.pointers = outer
 
 
-def _held(name, pointer):
-    """The lock of a world, held for a call; None where the world itself has called this thread."""
+def _lock_for_call(name, pointer):
+    """Acquires the lock of a world for a call. None where the world itself has called this thread, which needs no lock."""
     lock = _locks.get(pointer)
     if lock is None:
         raise Stale(f"{name}: world: it was destroyed")
@@ -76,17 +76,18 @@ def _held(name, pointer):
     raise Locked(f"{name}: another thread is in a call with this world, which belongs to one thread at a time")
 
 
-def _alone(function, name, places):
-    """`function`, which raises `Locked` while another thread is in a call with one of the worlds at these places of the arguments."""
+def _with_locks(function, name, places):
+    """`function` with a check: it raises `Locked` while another thread is in a call with one of the worlds that it gets. `places`: their
+    indices among the arguments."""
     def call(*arguments):
         with contextlib.ExitStack() as held:
             for place in places:
-                if (lock := _held(name, arguments[place])) is not None:
+                if (lock := _lock_for_call(name, arguments[place])) is not None:
                     held.callback(lock.release)
             return function(*arguments)
 
     def call_with_one(*arguments):
-        lock = _held(name, arguments[places[0]])
+        lock = _lock_for_call(name, arguments[places[0]])
         try:
             return function(*arguments)
         finally:
@@ -100,11 +101,11 @@ held_together = set()  # pointers of worlds that are in the list of a running ca
 
 
 def hold(worlds, name):
-    """Several worlds, for a `with`: no other thread may use them, and no callback of one of them may close another."""
+    """Holds several worlds for a `with`: no other thread may use them, and no callback of one of them may close another."""
     with contextlib.ExitStack() as held:
         for world in worlds:
             pointer = world._pointer
-            if (lock := _held(name, pointer)) is not None:
+            if (lock := _lock_for_call(name, pointer)) is not None:
                 held.callback(lock.release)
             if pointer not in held_together:
                 held_together.add(pointer)
@@ -126,7 +127,7 @@ class _Library:
             if name.endswith("_is_valid"):
                 found = _if_open(found)
             elif places:
-                found = _alone(found, name, places)
+                found = _with_locks(found, name, places)
         setattr(self, name, found)
         return found
 
@@ -148,7 +149,7 @@ _errors = {lib.FETTLE_INVALID: Invalid, lib.FETTLE_STALE: Stale, lib.FETTLE_LOCK
 
 
 def unknown(what, names):
-    """The error for `what`, which ends with a name that does not exist. It tells the nearest one, and all."""
+    """The error for a name that does not exist. `what` is its text, which ends with that name; the nearest name and all names are added."""
     names = sorted(names)
     near = difflib.get_close_matches(what.split()[-1], names, 1)
     meant = f' (did you mean "{near[0]}"?)' if near else ""

@@ -10,7 +10,7 @@ from .shape import Shape
 
 
 class Edit:
-    """What a function of the program gets, some members of which it may set. It is valid during the call."""
+    """A structure that the library passes to a function of the program, which may set some members. It is valid during the call."""
 
     __slots__ = ("world", "_c")
     settable = ()
@@ -113,10 +113,10 @@ def ray_visitor(function, hit_of):
 
 
 class RecordingSink:
-    """Gives the parts of a recording to a function. If that raises, the recording ends: what follows would not fit to what it has."""
+    """Gives the parts of a recording to a function. If that raises, the recording ends, because a part would be missing."""
 
     def __init__(self, world, function):
-        self.ended = False  # it gets nothing more
+        self.ended = False  # the function gets no more parts
         self.in_step = False  # the call that has started the recording is over
 
         def call(user, pointer, begin, size):

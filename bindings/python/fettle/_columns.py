@@ -47,7 +47,7 @@ class Columns:
                               "from the world each time, or make room for bodies with World(room=...)")
 
     def may_grow(self):
-        """The same for a new body, which moves nothing if there is a free slot."""
+        """Refuses a new body if it would move memory that an array shows: a body in a free slot moves nothing."""
         if not len(self._memory):
             return
         world = self._world()

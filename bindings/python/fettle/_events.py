@@ -72,12 +72,12 @@ class Events(NamedTuple):
 
 
 def events_of(world):
-    told = ffi.new("fettle_events*")
-    check(lib.fettle_world_events(world._pointer, told))
+    events = ffi.new("fettle_events*")
+    check(lib.fettle_world_events(world._pointer, events))
 
     def all(name, make):
-        array = getattr(told, name)
-        return [make(array[i]) for i in range(getattr(told, name + "_count"))]
+        array = getattr(events, name)
+        return [make(array[i]) for i in range(getattr(events, name + "_count"))]
 
     def shapes_and_bodies(e):
         return Shape(world, e.shape_a), Shape(world, e.shape_b), Body(world, e.body_a), Body(world, e.body_b)

@@ -13,7 +13,7 @@ _convert = {
     "struct fettle_aabb": aabb,
     "struct fettle_pose": lambda pose: Pose(vec2(pose.position), pose.angle),
 }
-_of_c = {"size", "body", "body_a", "body_b"}  # members of definitions that are no numbers of the caller
+_not_settings = {"size", "body", "body_a", "body_b"}  # members of definitions that `set_members` does not set
 _whole = {"int32_t": (-(1 << 31), (1 << 31) - 1), "uint32_t": (0, (1 << 32) - 1), "uint64_t": (0, (1 << 64) - 1)}
 
 
@@ -35,9 +35,9 @@ def to_number(ctype, value, name):
 
 
 def set_members(made, values):
-    """Takes out of `values` what a definition in C has members for. None is for what is to be measured."""
+    """Moves values into the members of a definition in C that have their names. None: the library measures the value."""
     members = dict(ffi.typeof(made).item.fields)
-    for name in [name for name in values if name in members and name not in _of_c and not name.startswith("has_")]:
+    for name in [name for name in values if name in members and name not in _not_settings and not name.startswith("has_")]:
         value, has, ctype = values.pop(name), "has_" + name, members[name].type.cname
         if has in members:
             setattr(made, has, value is not None)

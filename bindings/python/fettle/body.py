@@ -133,11 +133,11 @@ class Body(Handle):
 
     def set_velocity_function(self, function):
         """`function(edit)` may set `velocity` and `angular_velocity` in every step, before contacts and joints act. None: none."""
-        self.world._keep_function(lib.fettle_body_set_velocity_function, "velocity", self, function)
+        self.world._set_body_function(lib.fettle_body_set_velocity_function, "velocity", self, function)
 
     def set_position_function(self, function):
         """`function(edit)` may set `pose` at the end of every step. None: none."""
-        self.world._keep_function(lib.fettle_body_set_position_function, "position", self, function)
+        self.world._set_body_function(lib.fettle_body_set_position_function, "position", self, function)
 
     def _apply(self, name, vector, at):
         x, y = pair(vector, name)

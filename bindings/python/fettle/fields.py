@@ -85,14 +85,14 @@ class Field(Handle):
     @property
     def force(self):
         """A `Wind`, `Drag`, `Buoyancy` or `Attractor`: a copy. Setting it may change its type."""
-        told = definition("fettle_field_def", 0)
-        check(lib.fettle_field_definition(self._pointer, self.id, told))
-        cls = _classes[told.type]
+        made = definition("fettle_field_def", 0)
+        check(lib.fettle_field_definition(self._pointer, self.id, made))
+        cls = _classes[made.type]
         values = {}
         for name in cls.__dataclass_fields__:
-            value = getattr(told, name)
+            value = getattr(made, name)
             if name == "region":
-                value = aabb(value) if told.has_region else None
+                value = aabb(value) if made.has_region else None
             values[name] = vec2(value) if name in _vectors else value
         return cls(**values)
 

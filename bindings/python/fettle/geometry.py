@@ -58,7 +58,7 @@ def _to_movement(movement):
 
 
 class Geometry:
-    """What can be asked of every geometry, without a world. A pose is (position, angle); None is the origin."""
+    """Measurements that every geometry offers, without a world. A pose is (position, angle); None is the origin."""
 
     def mass_properties(self, density=1.0):
         """Area, mass and inertia with a density in kg/m2. A chain has none."""
@@ -184,12 +184,12 @@ def to_c(geometry):
     return made, kept
 
 
-def from_c(told, vertices):
-    """The geometry that C tells; `vertices`: its points."""
-    cls = classes[told.type]
+def from_c(struct, vertices):
+    """The geometry of a structure in C. `vertices`: its points."""
+    cls = classes[struct.type]
     values = {}
     for name in cls.__dataclass_fields__:
-        value = vertices if name == "points" else getattr(told, _in_c.get(name, name))
+        value = vertices if name == "points" else getattr(struct, _in_c.get(name, name))
         values[name] = vec2(value) if name in ("center", "begin", "end") else value
     return cls(**values)
 

@@ -8,8 +8,8 @@ _kept = {}  # as long as C may call them
 
 
 def set_log(function):
-    """`function(level, text)` gets what the library notices and no exception tells; `level`: "note", "warning" or "error".
-    None: none, as at first."""
+    """`function(level, text)` gets messages about what the library notices and does not raise as an exception;
+    `level`: "note", "warning" or "error". None: none, as at first."""
     callback = ffi.NULL if to_function(function, "set_log") is None else ffi.callback(
         "fettle_log_function", lambda user, level, text: function(log_levels[level], ffi.string(text).decode()) and None,
         onerror=keep_exception)

@@ -51,7 +51,7 @@ def _shape_or_none(world, id):
     return Shape(world, id) if id else None
 
 
-def _setting(name):
+def _setting_property(name):
     def read(self):
         value = getattr(self._definition, name)
         if name == "body":
@@ -59,12 +59,12 @@ def _setting(name):
         return vec2(value) if name == "up" else value
 
     def write(self, value):
-        self._try({name: value}, self._state)
+        self._check_and_set({name: value}, self._state)
 
     return property(read, write)
 
 
-def _found(name, convert=lambda world, value: value):
+def _state_property(name, convert=lambda world, value: value):
     return property(lambda self: convert(self.world, getattr(self._state, name)))
 
 
@@ -83,10 +83,10 @@ class Mover:
         self._definition = definition("fettle_mover_def")
         state = definition("fettle_mover_state")
         state.position.x, state.position.y = pair(position, "position")
-        self._try(settings, state)
+        self._check_and_set(settings, state)
 
-    def _try(self, settings, state):
-        """Takes settings and a state when the library has looked at them."""
+    def _check_and_set(self, settings, state):
+        """Sets settings and a state after the library has checked them; if it refuses them, nothing changes."""
         made = ffi.new("fettle_mover_def*", self._definition[0])
         for name, value in settings.items():
             if name not in _settings:
@@ -101,10 +101,10 @@ class Mover:
         self._definition, self._state = made, state
 
     height = property(lambda self: self._definition.height, None, None, "m; `set_height` changes it where there is room")
-    on_ground = _found("on_ground")
-    ground = _found("ground", _shape_or_none)
-    ground_normal = _found("ground_normal", lambda world, value: vec2(value))
-    dropped = _found("dropped", _shape_or_none)
+    on_ground = _state_property("on_ground")
+    ground = _state_property("ground", _shape_or_none)
+    ground_normal = _state_property("ground_normal", lambda world, value: vec2(value))
+    dropped = _state_property("dropped", _shape_or_none)
 
     @property
     def position(self):
@@ -126,7 +126,7 @@ class Mover:
 
     @property
     def state(self):
-        """To be kept, and to be set again."""
+        """For saving the mover; it can be set again."""
         state = self._state
         return MoverState(vec2(state.position), vec2(state.ground_normal), self.ground, self.dropped, state.on_ground,
                           state.climbing)
@@ -142,7 +142,7 @@ class Mover:
         made.ground, made.dropped = id_of(state.ground, Shape), id_of(state.dropped, Shape)
         for name in ("on_ground", "climbing"):
             setattr(made, name, to_number("_Bool", getattr(state, name), name))
-        self._try({}, made)
+        self._check_and_set({}, made)
 
     def move(self, velocity, dt):
         """Moves it by velocity (m/s, relative to the ground) times dt (s), and with the ground. To be called before
@@ -191,7 +191,7 @@ class Mover:
 
 for _name in _settings:
     if _name != "height":  # it grows only where there is room
-        setattr(Mover, _name, _setting(_name))
+        setattr(Mover, _name, _setting_property(_name))
 
 
 def _restored(world, settings, state):
@@ -203,11 +203,11 @@ def _restored(world, settings, state):
 def _planes_to_c(planes):
     planes = to_list(planes, "planes")
     made = ffi.new("fettle_mover_plane[]", len(planes))
-    for told, plane in zip(made, planes):
+    for out, plane in zip(made, planes):
         if not isinstance(plane, MoverPlane):
             raise Invalid(f"planes: expected a MoverPlane, got {plane!r}")
-        told.normal.x, told.normal.y = pair(plane.normal, "normal")
-        told.separation = to_number("float", plane.separation, "separation")
+        out.normal.x, out.normal.y = pair(plane.normal, "normal")
+        out.separation = to_number("float", plane.separation, "separation")
     return made, len(made)
 
 

@@ -38,7 +38,7 @@ class Replay:
     def __init__(self, recording):
         made, data = ffi.new("fettle_replay**"), to_bytes(recording, "Replay")
         check(lib.fettle_replay_create(data, len(data), made))
-        with self._alone():
+        with self._locked():
             self._end()  # of an earlier recording
             self._pointer = made[0]
 
@@ -53,7 +53,7 @@ class Replay:
         raise TypeError("a Replay cannot be copied or pickled: make another one of the recording")
 
     @contextlib.contextmanager
-    def _alone(self):
+    def _locked(self):
         """The pointer for a `with`, in which no other thread may use it."""
         if not self._lock.acquire(blocking=False):
             raise Locked("another thread is in a call with this Replay, which belongs to one thread at a time")
@@ -66,7 +66,7 @@ class Replay:
     def steps(self):
         """Number of steps in the recording."""
         out = ffi.new("uint64_t*")
-        with self._alone() as pointer:
+        with self._locked() as pointer:
             check(lib.fettle_replay_steps(pointer, out))
         return out[0]
 
@@ -74,19 +74,19 @@ class Replay:
     def is_cut_off(self):
         """Whether the recording ends within a part that was written; the parts before are replayed."""
         out = ffi.new("bool*")
-        with self._alone() as pointer:
+        with self._locked() as pointer:
             check(lib.fettle_replay_is_cut_off(pointer, out))
         return out[0]
 
     def step(self):
         """Repeats the next step; None at the end, and after a step that was not the same."""
-        told, repeated = ffi.new("fettle_replayed_step*"), ffi.new("bool*")
-        with self._alone() as pointer:
-            check(lib.fettle_replay_step(pointer, told, repeated))
+        out, repeated = ffi.new("fettle_replayed_step*"), ffi.new("bool*")
+        with self._locked() as pointer:
+            check(lib.fettle_replay_step(pointer, out, repeated))
             if not repeated[0]:
                 return None
-            return ReplayedStep(told.number, told.dt, told.same, told.recorded_hash if told.has_recorded_hash else None,
-                                told.hash, ffi.string(told.calls).decode(errors="replace"))
+            return ReplayedStep(out.number, out.dt, out.same, out.recorded_hash if out.has_recorded_hash else None,
+                                out.hash, ffi.string(out.calls).decode(errors="replace"))
 
     def __iter__(self):
         return iter(self.step, None)
@@ -95,6 +95,6 @@ class Replay:
     def world(self):
         """A copy of the world after the last repeated step."""
         made = ffi.new("fettle_world**")
-        with self._alone() as pointer:
+        with self._locked() as pointer:
             check(lib.fettle_replay_world(pointer, made))
         return World._of(made[0])

@@ -117,9 +117,9 @@ class Shape(Handle):
     @property
     def geometry(self):
         """A `Circle`, `Box`, ...: a copy. Setting it may change the type of the shape."""
-        told = definition("fettle_geometry", 0)
-        check(lib.fettle_shape_geometry(self._pointer, self.id, told))
-        return geometries.from_c(told, self.vertices)
+        struct = definition("fettle_geometry", 0)
+        check(lib.fettle_shape_geometry(self._pointer, self.id, struct))
+        return geometries.from_c(struct, self.vertices)
 
     @geometry.setter
     def geometry(self, geometry):

@@ -16,7 +16,7 @@ from .body import Body
 from .shape import Shape, contact_of
 
 
-def _named(name, names):
+def _choice(name, names):
     get, put = getattr(lib, f"fettle_world_{name}"), getattr(lib, f"fettle_world_set_{name}")
 
     def read(self):
@@ -94,9 +94,9 @@ class World(Queries):
         self._pointer = closed
         close_world(pointer)
 
-    friction_mix = _named("friction_mix", mix_rules)
-    restitution_mix = _named("restitution_mix", mix_rules)
-    solver = _named("solver", solvers)
+    friction_mix = _choice("friction_mix", mix_rules)
+    restitution_mix = _choice("restitution_mix", mix_rules)
+    solver = _choice("solver", solvers)
 
     @property
     def bounds(self):
@@ -253,18 +253,18 @@ class World(Queries):
         """Bodies that the last step has moved."""
         return [Body(self, i) for i in list_of("fettle_id", lambda *a: lib.fettle_world_moved_bodies(self._pointer, *a))]
 
-    def _in(self, function, slot, kind):
+    def _object_in(self, function, slot, kind):
         out = ffi.new("fettle_id*")
         check(function(self._pointer, to_number("uint32_t", slot, "slot"), out))
         return kind(self, out[0]) if out[0] else None
 
     def body_in(self, slot):
         """The body of a row of the arrays, or None."""
-        return self._in(lib.fettle_world_body_in, slot, Body)
+        return self._object_in(lib.fettle_world_body_in, slot, Body)
 
     def shape_in(self, slot):
         """The shape in a slot, or None."""
-        return self._in(lib.fettle_world_shape_in, slot, Shape)
+        return self._object_in(lib.fettle_world_shape_in, slot, Shape)
 
     def reserve(self, bodies=0, shapes=0, contacts=0, joints=0):
         """Makes room for so many objects at least."""
@@ -354,15 +354,15 @@ class World(Queries):
 
     # --- Functions that the world calls ------------------------------------------------------------
 
-    def _call_with(self, name, make, function):
+    def _set_world_function(self, name, make, function):
         callback = ffi.NULL if to_function(function, name) is None else make(self, function)
         if self.locked:
             raise Locked(f"{name}: the world is calling a function")
-        self._give(name, getattr(lib, "fettle_world_" + name), callback)
+        self._set_callback(name, getattr(lib, "fettle_world_" + name), callback)
 
-    def _give(self, kind, set_function, callback, *of):
+    def _set_callback(self, kind, set_function, callback, *of):
         """Gives C a function that the world is to call from now on, and keeps it as long as C may call it. `set_function` may
-        call it already: what it raises then does not take it back."""
+        call it at once; if it raises then, it stays set."""
         code = set_function(self._pointer, *of, callback, ffi.NULL)
         if code == lib.FETTLE_DONE:
             self._callbacks[kind] = callback
@@ -370,21 +370,21 @@ class World(Queries):
 
     def set_filter(self, function):
         """`function(shape_a, shape_b)` says whether two shapes may collide. None: all may."""
-        self._call_with("set_filter", _callbacks.pair_filter, function)
+        self._set_world_function("set_filter", _callbacks.pair_filter, function)
 
     def set_mixing(self, function):
         """`function(contact)` may set friction, restitution and surface_speed of a contact."""
-        self._call_with("set_mixing", _callbacks.contact_callback, function)
+        self._set_world_function("set_mixing", _callbacks.contact_callback, function)
 
     def set_before_solve(self, function):
         """`function(contact)` may also set `enabled` to False for a step, and `ignored` to True until the shapes
         have separated."""
-        self._call_with("set_before_solve", _callbacks.contact_callback, function)
+        self._set_world_function("set_before_solve", _callbacks.contact_callback, function)
 
-    def _keep_function(self, set_function, kind, body, function):
+    def _set_body_function(self, set_function, kind, body, function):
         make = {"velocity": _callbacks.velocity_function, "position": _callbacks.position_function}[kind]
         callback = ffi.NULL if to_function(function, kind + " function") is None else make(self, function)
-        self._give((kind, body.slot), set_function, callback, body.id)
+        self._set_callback((kind, body.slot), set_function, callback, body.id)
 
     def after_step(self, function):
         """Calls `function()` once when the running step has ended, or after the next one. It may edit the world."""
@@ -396,9 +396,9 @@ class World(Queries):
 
     def draw(self, target, **options):
         """Calls `target.polygon(points, closed, color)`, `circle(center, radius, angle, color)`, `segment(begin, end, color)` and
-        `point(at, color)` for all that is to be drawn; those that it has not are left out. `target.color_of(body, shape)`, if it has
-        that, gives the color of a shape. `options`: `shapes`, `joints`,
-        `contacts`, `boxes`, `centers`, `region`, `fraction`. Colors are 0xRRGGBB."""
+        `point(at, color)` for all that is to be drawn; methods that it does not have are left out. If it has
+        `target.color_of(body, shape)`, that returns the color of a shape. `options`: `shapes`, `joints`, `contacts`, `boxes`,
+        `centers`, `region`, `fraction`. Colors are 0xRRGGBB."""
         made, kept = drawing_of(self, target, options)
         check(lib.fettle_world_draw(self._pointer, made))
 
@@ -411,7 +411,7 @@ class World(Queries):
             raise Invalid("start_recording: expected a function, got None")
         sink = _callbacks.RecordingSink(self, write)
         try:
-            self._give("recording", lib.fettle_world_start_recording, sink.callback)
+            self._set_callback("recording", lib.fettle_world_start_recording, sink.callback)
         finally:
             sink.in_step = True
             if sink.ended:
@@ -424,9 +424,9 @@ class World(Queries):
     @property
     def statistics(self):
         """Numbers and times (ms) of the last step, by name."""
-        told = ffi.new("fettle_statistics*")
-        check(lib.fettle_world_statistics(self._pointer, told))
-        return {name: getattr(told, name) for name, _ in ffi.typeof("fettle_statistics").fields}
+        out = ffi.new("fettle_statistics*")
+        check(lib.fettle_world_statistics(self._pointer, out))
+        return {name: getattr(out, name) for name, _ in ffi.typeof("fettle_statistics").fields}
 
     @property
     def fault(self):

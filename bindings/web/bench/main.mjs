@@ -2,8 +2,8 @@
 //
 //   node main.mjs [SECONDS] [SCENE ...]    SECONDS: the limit for a scene in an engine; 10 by default
 //
-// An engine makes the steps that fit in its time. Its time, and what became of the scene, are compared with those of Fettle after as many
-// steps. Each engine makes some steps of a scene before it is measured, since a program of JavaScript or WebAssembly is slow until it has run
+// Each engine makes as many steps as fit into the limit. Its time, and what became of the scene, are compared with those of Fettle after the
+// same number of steps. Each engine makes some steps of a scene before it is measured, since a program of JavaScript or WebAssembly is slow until it has run
 // for a while.
 
 import { engines } from "./engines.mjs";
@@ -17,7 +17,7 @@ function processorTime() {
   return (user + system) / 1e3;
 }
 
-/** Steps a scene so often, but not longer than so many seconds. `time`: ms of the processor. */
+/** Makes `most` steps of a scene, or as many as fit into `seconds`. `time`: ms of the processor. */
 function run(make, scene, most, seconds) {
   const world = make(scene), end = performance.now() + seconds * 1e3, began = processorTime();
   let steps = 0;

@@ -1,18 +1,18 @@
 // Functions of the program that the library calls. The library has one function for each kind of call, which is called with a number; here
 // are the functions by number.
 
-import { c, classes, copyOf, done, handle, Invalid, nested, passing, readList, room, Stale, text, view, whole } from "./runtime.js";
+import { allocate, c, check, classes, cleanups, copyOf, handle, Invalid, nested, readList, Stale, text, view, whole } from "./runtime.js";
 
-/** Those of the process, and those of a call that has not ended. A world has those that it keeps. */
+/** Functions of the process, and those of calls that have not ended. Functions that a world keeps are in `world.functions`. */
 const functions = { byNumber: new Map(), byKey: new Map() };
 const worlds = new Map();  // by their pointers, weakly: a function may refer to its world
-let numbers = 0;
+let lastNumber = 0;
 
-export function know(world) {
+export function addWorld(world) {
   worlds.set(world.pointer, new WeakRef(world));
   world.functions = { byNumber: new Map(), byKey: new Map() };
 }
-export function forget(pointer) {
+export function removeWorld(pointer) {
   if (worlds.get(pointer)?.deref() === undefined) worlds.delete(pointer);
 }
 
@@ -25,10 +25,10 @@ function checked(value, name) {
 export const addressOf = (kind) => c.fettle_called(kinds.indexOf(kind));
 
 /** The address and the number of a function, or of a target of drawing, until the call ends. */
-export function lent(value, name, kind) {
-  const number = ++numbers;
+export function lend(value, name, kind) {
+  const number = ++lastNumber;
   functions.byNumber.set(number, kind === undefined ? value : checked(value, name));
-  passing.push(() => functions.byNumber.delete(number));
+  cleanups.push(() => functions.byNumber.delete(number));
   return [kind === undefined ? 0 : addressOf(kind), number];
 }
 
@@ -46,7 +46,7 @@ function recordingSink(world, write) {
         throw error;
       }
     },
-    /** The call that has started the recording is over. */
+    /** To be called when the call that starts the recording has returned. */
     started() {
       inStep = true;
       if (ended) c.fettle_world_stop_recording(world.pointer);
@@ -57,7 +57,7 @@ function recordingSink(world, write) {
 /** Gives the library a function that it keeps, in place of the one with the same key; null: none. */
 export function keep(world, key, value, name, kind, set) {
   const kept = world === null ? functions : world.functions;
-  const number = value === null || value === undefined ? 0 : ++numbers;
+  const number = value === null || value === undefined ? 0 : ++lastNumber;
   const sink = number && kind === "recording_sink" ? recordingSink(world, checked(value, name)) : undefined;
   if (number) kept.byNumber.set(number, sink?.take ?? checked(value, name));
   const code = set(number ? addressOf(kind) : 0, number);
@@ -65,10 +65,10 @@ export function keep(world, key, value, name, kind, set) {
   const before = code === 0 && key ? kept.byKey.get(key) : number;
   if (before !== undefined && (key || code !== 0)) kept.byNumber.delete(before);
   if (code === 0 && key) kept.byKey.set(key, number);
-  done(code);
+  check(code);
 }
 
-/** What a function gets and may change, during its call. */
+/** A structure that the library passes to a function of the program, which may change members of it during the call. */
 export class Edit {
   #at;
   constructor(world, p) {
@@ -85,11 +85,11 @@ export class Edit {
 
 /** The handle of an id that C passes as an argument. */
 function handleOf(world, id) {
-  const p = room(8);
+  const p = allocate(8);
   view.u64[p >> 3] = id;
   return handle(world, p);
 }
-const edits = (name) => (call, world, p) => {
+const editCalls = (name) => (call, world, p) => {
   const edit = new classes[name](world, p);
   try {
     call(edit);
@@ -102,9 +102,9 @@ const point = (p) => classes.readVec2(p);
 // The arguments of the function of the program, by kind. The result is true where the library is to go on.
 const ofWorlds = {
   pair_filter: (call, world, a, b) => call(handleOf(world, a), handleOf(world, b)),
-  contact_callback: edits("ContactEdit"),
-  velocity_function: edits("VelocityEdit"),
-  position_function: edits("PositionEdit"),
+  contact_callback: editCalls("ContactEdit"),
+  velocity_function: editCalls("VelocityEdit"),
+  position_function: editCalls("PositionEdit"),
   accept: (call, world, shape) => call(handleOf(world, shape)),
   shape_visitor: (call, world, shape) => call(handleOf(world, shape)) !== false,
   ray_visitor: (call, world, hit) => call(classes.readRayHit(hit, world)) !== false,

@@ -1,18 +1,18 @@
 // Repeating the recording of a world.
 
-import { begin, bytes, c, classes, done, room, Stale, view } from "./runtime.js";
+import { allocate, begin, bytes, c, check, classes, Stale, view } from "./runtime.js";
 
-const forgotten = new FinalizationRegistry((pointer) => c.fettle_replay_destroy(pointer));
+const collected = new FinalizationRegistry((pointer) => c.fettle_replay_destroy(pointer));
 
 /** Repeats a recording, step by step. */
 export class Replay {
   #pointer = 0;
   constructor(recording) {
     begin();
-    const given = bytes(recording, "recording"), out = room(4);
-    done(c.fettle_replay_create(...given, out));
+    const given = bytes(recording, "recording"), out = allocate(4);
+    check(c.fettle_replay_create(...given, out));
     this.#pointer = view.u32[out >> 2];
-    forgotten.register(this, this.#pointer, this);
+    collected.register(this, this.#pointer, this);
     // A misspelt property is an error, but in a class of the program's own, which adds some.
     if (new.target === Replay) Object.preventExtensions(this);
   }
@@ -21,26 +21,26 @@ export class Replay {
     return this.#pointer;
   }
   destroy() {
-    forgotten.unregister(this);
+    collected.unregister(this);
     c.fettle_replay_destroy(this.#pointer);
     this.#pointer = 0;
   }
   get steps() {
     begin();
-    const out = room(8);
-    done(c.fettle_replay_steps(this.#live, out));
+    const out = allocate(8);
+    check(c.fettle_replay_steps(this.#live, out));
     return view.u64[out >> 3];
   }
   get isCutOff() {
     begin();
-    const out = room(1);
-    done(c.fettle_replay_is_cut_off(this.#live, out));
+    const out = allocate(1);
+    check(c.fettle_replay_is_cut_off(this.#live, out));
     return view.u8[out] !== 0;
   }
   step() {
     begin();
-    const { size, read } = classes.replayedStep, out = room(size), repeated = room(1);
-    done(c.fettle_replay_step(this.#live, out, repeated));
+    const { size, read } = classes.replayedStep, out = allocate(size), repeated = allocate(1);
+    check(c.fettle_replay_step(this.#live, out, repeated));
     return view.u8[repeated] === 0 ? null : read(out, null);
   }
   *[Symbol.iterator]() {
@@ -48,8 +48,8 @@ export class Replay {
   }
   get world() {
     begin();
-    const out = room(4);
-    done(c.fettle_replay_world(this.#live, out));
+    const out = allocate(4);
+    check(c.fettle_replay_world(this.#live, out));
     return classes.World.of(view.u32[out >> 2]);
   }
 }

@@ -1,6 +1,6 @@
 // The library in WebAssembly: loading it, its memory, its errors, and the objects that stand for ids.
 
-import { addressOf, forget, imports as called, know, lent } from "./called.js";
+import { addressOf, addWorld, imports as called, lend, removeWorld } from "./called.js";
 
 /** The functions of the library. */
 export let c;
@@ -30,19 +30,19 @@ const errors = [, Invalid, Stale, Locked, NoMemory], lockedCode = errors.indexOf
 let raised;  // what a function of the program has thrown inside this call
 
 /** Throws what a function of the program has thrown, or the error that a code stands for. */
-export function done(code) {
+export function check(code) {
   if (view.u8.length === 0) refresh();
   if (raised !== undefined) {
     const { error } = raised;
     raised = undefined;
     throw error;
   }
-  if (isLeft(code)) throw new FettleError("world: JavaScript has ended an earlier call in its middle, since its stack was full; it can only be destroyed");
+  if (wasAbandoned(code)) throw new FettleError("world: JavaScript has ended an earlier call in its middle, since its stack was full; it can only be destroyed");
   if (code !== 0) throw new (errors[code] ?? FettleError)(text(c.fettle_last_error()));
 }
 
-/** Whether a world is in the middle of a call although there is none: JavaScript has ended that call when its stack was full. */
-const isLeft = (code) => code === lockedCode && depth === 0;
+/** Whether the code says that a world is in the middle of a call although no call is running: JavaScript has ended that call when its stack was full. */
+const wasAbandoned = (code) => code === lockedCode && depth === 0;
 
 function shown(value) {
   return typeof value === "string" ? JSON.stringify(value) : String(value);
@@ -76,9 +76,9 @@ export const yOf = (value) => member(value, "y");
 // too large for the block is freed by the next call.
 const blockSize = 1 << 16, mostSize = 1 << 30;
 let block = 0, bottom = 0, top = 0;
-/** What the next call does first: functions. */
-export const passing = [];
-let passingFrom = 0;
+/** Functions that the next call runs first, to release what the last call needed. */
+export const cleanups = [];
+let cleanupsFrom = 0;
 // The stack of the library between two calls. JavaScript ends a call in the middle when its own stack is full; the next one begins here.
 let stack = 0, depth = 0;
 const mostDepth = 32;
@@ -87,14 +87,14 @@ export function begin() {
   if (view.u8.length === 0) refresh();
   c.stackRestore(stack);
   top = bottom;
-  while (passing.length > passingFrom) passing.pop()();
+  while (cleanups.length > cleanupsFrom) cleanups.pop()();
 }
 
-/** Calls a function of the program inside a call. What it throws, the outer call throws when it is over; then it gives `otherwise`. */
+/** Calls a function of the program inside a call. If it throws, the result is `otherwise`, and the outer call throws the error when it is over. */
 export function nested(otherwise, act) {
-  const outer = [bottom, top, passingFrom, stack], before = raised;
+  const outer = [bottom, top, cleanupsFrom, stack], before = raised;
   let result = otherwise, error;
-  [bottom, passingFrom, stack, raised] = [top, passing.length, c.stackSave(), undefined];
+  [bottom, cleanupsFrom, stack, raised] = [top, cleanups.length, c.stackSave(), undefined];
   ++depth;
   try {
     if (depth > mostDepth) throw new Locked(`functions that worlds call are nested more than ${mostDepth} deep`);
@@ -107,7 +107,7 @@ export function nested(otherwise, act) {
     begin();
   } finally {
     --depth;
-    [bottom, top, passingFrom, stack] = outer;
+    [bottom, top, cleanupsFrom, stack] = outer;
     raised = before ?? error;
   }
   return result;
@@ -115,19 +115,19 @@ export function nested(otherwise, act) {
 /** A member of a value of the program. It may be a getter that calls the library: the memory of that call follows. */
 function member(value, key) {
   if (value === null || value === undefined) return undefined;
-  const outerBottom = bottom, outerFrom = passingFrom;
+  const outerBottom = bottom, outerFrom = cleanupsFrom;
   bottom = top;
-  passingFrom = passing.length;
+  cleanupsFrom = cleanups.length;
   try {
     return value[key];
   } finally {
-    if (top !== bottom || passing.length !== passingFrom) begin();
+    if (top !== bottom || cleanups.length !== cleanupsFrom) begin();
     bottom = outerBottom;
-    passingFrom = outerFrom;
+    cleanupsFrom = outerFrom;
   }
 }
-/** The address of `size` bytes, aligned to 8, with anything in them. */
-export function room(size) {
+/** The address of `size` bytes, aligned to 8, not initialized. */
+export function allocate(size) {
   if (!(size <= mostSize)) throw new NoMemory(`no memory for ${size} bytes`);
   let p = top;
   const needed = (size + 7) & ~7;
@@ -135,7 +135,7 @@ export function room(size) {
     p = c.malloc(needed) >>> 0;
     if (p === 0) throw new NoMemory(`no memory for ${size} bytes`);
     if (view.u8.length === 0) refresh();
-    passing.push(() => c.free(p));
+    cleanups.push(() => c.free(p));
   } else top += needed;
   return p;
 }
@@ -149,31 +149,31 @@ export function copyOf(p, size) {
 }
 export function bytes(value, name) {
   if (!(value instanceof Uint8Array)) throw new Invalid(`${name}: expected a Uint8Array`);
-  const p = room(value.length);
+  const p = allocate(value.length);
   view.u8.set(value, p);
   return [p, value.length];
 }
 /** The address of a text that ends with a zero. */
 export function chars(value, name) {
   if (typeof value !== "string" || value.includes("\0")) throw new Invalid(`${name} = ${shown(value)}: expected a text without a zero`);
-  const encoded = new TextEncoder().encode(value), p = room(encoded.length + 1);
+  const encoded = new TextEncoder().encode(value), p = allocate(encoded.length + 1);
   view.u8.set(encoded, p);
   view.u8[p + encoded.length] = 0;
   return p;
 }
-/** Writes an element at a time; the address of the first, and their number. */
+/** Writes the elements of an array. Returns the address of the first one and their number. */
 export function list(values, size, name, write) {
   const count = member(values, "length");
   if (typeof values !== "object" || typeof count !== "number") throw new Invalid(`${name} = ${shown(values)}: expected an array`);
   whole(count, `${name}.length`, 0, Math.floor(mostSize / size));
-  const p = room(count * size);
+  const p = allocate(count * size);
   view.u8.fill(0, p, p + count * size);
   for (let i = 0; i < count; ++i) write(p + i * size, member(values, i), `${name}[${i}]`);
   return [p, count];
 }
 export function optional(value, write) {
   if (value === null || value === undefined) return 0;
-  const p = room(8);
+  const p = allocate(8);
   write(p);
   return p;
 }
@@ -181,17 +181,17 @@ export function optional(value, write) {
 export function struct(value, size, name, write, defaults) {
   if (value === null || value === undefined) return 0;
   if (typeof value !== "object") throw new Invalid(`${name} = ${shown(value)}: expected an object`);
-  const p = room(size);
+  const p = allocate(size);
   view.u8.fill(0, p, p + size);
-  if (defaults) done(defaults(p));
+  if (defaults) check(defaults(p));
   write(p, value, name);
   return p;
 }
 export function typeOf(value, name) {
   return whole(member(value, "type"), `${name}.type`, 0, 255);
 }
-/** How many letters must be put in, left out or replaced to make one word of another. */
-function edits(from, to) {
+/** How many letters must be inserted, removed or replaced to make one word of another. */
+function editDistance(from, to) {
   let row = Array.from({ length: to.length + 1 }, (_, i) => i);
   for (let i = 1; i <= from.length; ++i) {
     const next = [i];
@@ -200,17 +200,17 @@ function edits(from, to) {
   }
   return row[to.length];
 }
-/** The nearest name, if it is near. Names in C are with the letters of camel case, too. */
-function meant(wrong, names) {
-  const plain = (name) => name.replaceAll("_", "").toLowerCase(), how = (name) => edits(plain(wrong), plain(name));
+/** Text that suggests the name most similar to a wrong one, if it is similar enough. A name as in C matches the one in camel case. */
+function suggestion(wrong, names) {
+  const plain = (name) => name.replaceAll("_", "").toLowerCase(), how = (name) => editDistance(plain(wrong), plain(name));
   const nearest = names.reduce((a, b) => (how(b) < how(a) ? b : a));
   return how(nearest) <= Math.max(1, wrong.length / 3) ? ` (did you mean "${nearest}"?)` : "";
 }
-/** Writes the members of an object. All of them must be there where there are no defaults. */
+/** Writes the members of an object at `p`. `all`: none may be missing, because there are no defaults. */
 export function members(p, value, name, known, all = false) {
   if (typeof value !== "object" || value === null) throw new Invalid(`${name} = ${shown(value)}: expected an object`);
   for (const key of Object.keys(value)) {
-    if (!Object.hasOwn(known, key)) throw new Invalid(`${name} has no member "${key}"${meant(key, Object.keys(known))}; it has ${Object.keys(known).join(", ")}`);
+    if (!Object.hasOwn(known, key)) throw new Invalid(`${name} has no member "${key}"${suggestion(key, Object.keys(known))}; it has ${Object.keys(known).join(", ")}`);
     const of = member(value, key);
     if (of !== undefined) known[key](p, of, name);
   }
@@ -225,11 +225,11 @@ export function readList(p, count, size, read) {
 }
 /** All elements of a list: asks again with more room where there are more. */
 export function readAll(size, call, read) {
-  const count = room(4);
+  const count = allocate(4);
   let most = 32;
   for (;;) {
-    const out = room(most * size);
-    done(call(out, most, count));
+    const out = allocate(most * size);
+    check(call(out, most, count));
     const have = view.u32[count >> 2];
     if (have <= most) return readList(out, have, size, read);
     most = have;
@@ -268,9 +268,9 @@ export function handle(world, p) {
   if (kind === 3) Class = classes.joints[jointType(world, id)];
   return (world.handles[kind][slot] = new Class(world, id, low, high));
 }
-/** The type of a joint; what a caller has on its way in memory stays. */
+/** The type of a joint. It does not call `begin`, so arguments that a caller has in memory stay. */
 function jointType(world, id) {
-  const p = room(4);
+  const p = allocate(4);
   return c.fettle_joint_type(world.pointer, id, p) === 0 ? view.i32[p >> 2] : 0;
 }
 export function idOf(value, name) {
@@ -283,19 +283,19 @@ export function pointerOf(world, name) {
   return world.pointer;
 }
 
-const forgotten = new FinalizationRegistry((pointer) => {
+const collected = new FinalizationRegistry((pointer) => {
   c.fettle_world_destroy(pointer);
-  forget(pointer);
+  removeWorld(pointer);
 });
 
-/** What a world has besides the functions in C. */
+/** The members of a world that are not made from functions in C. */
 export class WorldBase {
   constructor(definition) {
     if (c === undefined) throw new FettleError("the library is not loaded yet: await load()");
     begin();
     const def = struct(definition, classes.worldDefSize, "definition", classes.writeWorldDef, (p) => c.fettle_world_def_init(p, classes.worldDefSize));
-    const out = room(4);
-    done(c.fettle_world_create(def, out));
+    const out = allocate(4);
+    check(c.fettle_world_create(def, out));
     this.own(view.u32[out >> 2]);
     // A misspelt property is an error, but in a class of the program's own, which adds some.
     if (new.target === classes.World) Object.preventExtensions(this);
@@ -309,8 +309,8 @@ export class WorldBase {
   own(pointer) {
     this.address = pointer;  // 0: destroyed; a later world may get the memory
     this.handles = [, [], [], [], []];
-    know(this);
-    forgotten.register(this, pointer, this);
+    addWorld(this);
+    collected.register(this, pointer, this);
   }
   get pointer() {
     if (this.address === 0) throw new Stale("world: it was destroyed");
@@ -320,9 +320,9 @@ export class WorldBase {
   destroy() {
     if (this.address === 0) return;
     const code = c.fettle_world_destroy(this.address);
-    if (!isLeft(code)) done(code);  // otherwise its memory stays taken
+    if (!wasAbandoned(code)) check(code);  // otherwise its memory stays taken
     this.address = 0;
-    forgotten.unregister(this);
+    collected.unregister(this);
     this.handles = [, [], [], [], []];
   }
   draw(target, options = {}) {
@@ -333,15 +333,15 @@ export class WorldBase {
     const has = (name) => name !== "user" && typeof target?.[camel(name)] === "function";
     if (!Object.keys(functions).some(has))
       throw new Invalid(`target = ${shown(target)}: expected an object with some of the methods ${Object.keys(functions).filter((name) => name !== "user").map(camel).join(", ")}`);
-    const [, number] = lent(target, "target");
+    const [, number] = lend(target, "target");
     for (const [name, offset] of Object.entries(functions))
       view.u32[(def + offset) >> 2] = name === "user" ? number : has(name) ? addressOf(name) : 0;
-    done(c.fettle_world_draw(this.pointer, def));
+    check(c.fettle_world_draw(this.pointer, def));
   }
   column(offset, floats) {
     begin();
-    const p = room(12);
-    done(c.fettle_world_columns(this.pointer, p));
+    const p = allocate(12);
+    check(c.fettle_world_columns(this.pointer, p));
     return new Float32Array(view.u8.buffer, view.u32[(p + offset) >> 2], view.u32[(p + 8) >> 2] * floats);
   }
   /** x, y, angle, angular velocity, velocity x and y, cosine and sine of the body in each slot. */
@@ -350,7 +350,7 @@ export class WorldBase {
   get previousPoses() { return this.column(4, 3); }
 }
 
-/** What a mover has besides the functions in C: the bytes of its definition and of its state. */
+/** The members of a mover that are not made from functions in C. It holds the bytes of its definition and of its state. */
 export class MoverBase {
   #definition;
   #state;
@@ -359,49 +359,49 @@ export class MoverBase {
     pointerOf(world, "world");
     Object.defineProperty(this, "world", { value: world });
     const { def, state } = classes.mover;
-    this.check(this.made(definition, "definition", def, c.fettle_mover_def_init), this.made({ position }, "state", state, c.fettle_mover_state_init));
+    this.checkAndStore(this.structOf(definition, "definition", def, c.fettle_mover_def_init), this.structOf({ position }, "state", state, c.fettle_mover_state_init));
     // A misspelt property is an error, but in a class of the program's own, which adds some.
     if (new.target === classes.Mover) Object.preventExtensions(this);
   }
-  /** The address of a structure with the members of `value`, and the defaults. */
-  made(value, name, { size, write }, init) {
+  /** The address of a structure with the members of `value` and the defaults for the others. */
+  structOf(value, name, { size, write }, init) {
     if (typeof value !== "object" || value === null) throw new Invalid(`${name} = ${shown(value)}: expected an object`);
     return struct(value, size, name, write, (p) => init(p, size));
   }
   /** The addresses of copies of both structures, for the duration of a call. */
-  written() {
+  copyToMemory() {
     return [this.#definition, this.#state].map((bytesOfOne) => {
-      const p = room(bytesOfOne.length);
+      const p = allocate(bytesOfOne.length);
       view.u8.set(bytesOfOne, p);
       return p;
     });
   }
-  /** Takes structures that the library has written. */
-  take(def, state) {
+  /** Stores structures that the library has written. */
+  store(def, state) {
     this.#definition = copyOf(def, classes.mover.def.size);
     this.#state = copyOf(state, classes.mover.state.size);
   }
-  /** The same for structures that a program has given: the library looks at them first. */
-  check(def, state) {
+  /** Stores structures that the program has given, after the library has checked them. */
+  checkAndStore(def, state) {
     const { height } = classes.mover.def.read(def, this.world);
-    done(c.fettle_mover_fits(this.world.pointer, def, state, height, room(1)));
-    this.take(def, state);
+    check(c.fettle_mover_fits(this.world.pointer, def, state, height, allocate(1)));
+    this.store(def, state);
   }
   get definition() {
     begin();
-    return classes.mover.def.read(this.written()[0], this.world);
+    return classes.mover.def.read(this.copyToMemory()[0], this.world);
   }
   set definition(value) {
     begin();
-    this.check(this.made(value, "definition", classes.mover.def, c.fettle_mover_def_init), this.written()[1]);
+    this.checkAndStore(this.structOf(value, "definition", classes.mover.def, c.fettle_mover_def_init), this.copyToMemory()[1]);
   }
   get state() {
     begin();
-    return classes.mover.state.read(this.written()[1], this.world);
+    return classes.mover.state.read(this.copyToMemory()[1], this.world);
   }
   set state(value) {
     begin();
-    this.check(this.written()[0], this.made(value, "state", classes.mover.state, c.fettle_mover_state_init));
+    this.checkAndStore(this.copyToMemory()[0], this.structOf(value, "state", classes.mover.state, c.fettle_mover_state_init));
   }
   get position() { return this.state.position; }
   set position(position) {
@@ -429,7 +429,7 @@ export function load(source) {
 }
 
 async function instantiate(source) {
-  const { instance } = await compiled(await (source ?? standard()));
+  const { instance } = await compiled(await (source ?? defaultSource()));
   c = instance.exports;
   memory = c.memory;
   refresh();
@@ -440,7 +440,7 @@ async function instantiate(source) {
 }
 
 /** fettle.wasm beside this file. */
-async function standard() {
+async function defaultSource() {
   const url = new URL("./fettle.wasm", import.meta.url);
   if (url.protocol !== "file:") return fetch(url);
   const { readFile } = await import("node:fs/promises");

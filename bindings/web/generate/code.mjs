@@ -1,14 +1,14 @@
 // Writes interface.js: the structures, and the methods and properties of each class.
 
-import { camel, classes, edits, handleOf, kindsOfCalls, moverProperties, pascal } from "./shape.mjs";
+import { camel, classes, kindsOfCalls, moverProperties, pascal, settableMembers } from "./shape.mjs";
 import { sizeOf, visibleMembers } from "./layout.mjs";
 
-// What runtime.js gives to the code; arguments with these names get another one.
+// What runtime.js and called.js export to the code that is written. Arguments with these names are renamed.
 const helpers = [
-  "Edit", "Handle", "MoverBase", "WorldBase", "begin", "bits", "bytes", "c", "chars", "copyOf", "done", "flag", "handle", "idOf", "keep", "lent", "list", "members", "number", "optional",
-  "pointerOf", "readAll", "readList", "register", "room", "struct", "text", "typeOf", "view", "whole", "xOf", "yOf",
+  "Edit", "Handle", "MoverBase", "WorldBase", "allocate", "begin", "bits", "bytes", "c", "chars", "check", "copyOf", "flag", "handle", "idOf", "keep", "lend", "list", "members", "number", "optional",
+  "pointerOf", "readAll", "readList", "register", "struct", "text", "typeOf", "view", "whole", "xOf", "yOf",
 ];
-const inCalled = ["Edit", "keep", "lent"];
+const inCalled = ["Edit", "keep", "lend"];
 const variable = (input) => (helpers.includes(input.name) ? input.name + "Given" : input.name);
 
 const short = (type) => type.replace(/^fettle_/, "");
@@ -42,8 +42,8 @@ function write(type, p, v, name) {
   if (type === "bool") return `view.u8[${p}] = ${scalarOf.bool(v, name)};`;
   if (array) return `view.${array}[(${p}) >> ${array === "u64" ? 3 : 2}] = ${scalarOf[type](v, name)};`;
   if (type === "fettle_id") return `view.u64[(${p}) >> 3] = idOf(${v}, ${name});`;
-  // Vectors of any library, which may have more members.
-  // What may run code of the program or take memory comes before `view`, which is made anew when memory grows.
+  // A vector may come from another library and have more members.
+  // Getters of the program may make memory grow, and then `view` is made anew. So they are called before `view` is read.
   if (type === "fettle_vec2") return `{ const x = xOf(${v}, ${name}), y = yOf(${v}); view.f32[(${p}) >> 2] = x; view.f32[((${p}) >> 2) + 1] = y; }`;
   return `write_${short(type)}(${p}, ${v}, ${name});`;
 }
@@ -64,22 +64,22 @@ function structCode(struct, structs) {
     return `    ${camel(member.name)}: ${value},\n`;
   });
   const writers = members.filter((member) => (!member.pointer || member.type === "char" || member.name === "points") && member.count === 1).map((member) => {
-    const p = at(member.offset), says = `name + ".${camel(member.name)}"`;
+    const p = at(member.offset), path = `name + ".${camel(member.name)}"`;
     let code;
     if (member.type === "fettle_accept") {
       const user = struct.members.find((other) => other.name === "user").offset;
-      code = `if (v === null) return; const [call, user] = lent(v, ${says}, "accept"); view.u32[(${p}) >> 2] = call; view.u32[(${at(user)}) >> 2] = user;`;
-    } else if (member.type === "char") code = `const text = chars(v, ${says}); view.u32[(${p}) >> 2] = text;`;
-    else if (member.pointer) code = `const [first, count] = list(v, ${sizeOf({ type: member.type }, structs).size}, ${says}, (p, v, name) => { ${write(member.type, "p", "v", "name")} }); view.u32[(${p}) >> 2] = first; view.u32[(${at(member.counted.offset)}) >> 2] = count;`;
-    else code = write(member.type, p, "v", says);
+      code = `if (v === null) return; const [call, user] = lend(v, ${path}, "accept"); view.u32[(${p}) >> 2] = call; view.u32[(${at(user)}) >> 2] = user;`;
+    } else if (member.type === "char") code = `const text = chars(v, ${path}); view.u32[(${p}) >> 2] = text;`;
+    else if (member.pointer) code = `const [first, count] = list(v, ${sizeOf({ type: member.type }, structs).size}, ${path}, (p, v, name) => { ${write(member.type, "p", "v", "name")} }); view.u32[(${p}) >> 2] = first; view.u32[(${at(member.counted.offset)}) >> 2] = count;`;
+    else code = write(member.type, p, "v", path);
     if (member.has) code = `view.u8[${at(member.has.offset)}] = v === null ? 0 : 1; if (v !== null) { ${code} }`;
     return `  ${camel(member.name)}: (p, v, name) => { ${code} },\n`;
   });
   return `function read_${name}(p, world) {\n  return {\n${fields.join("")}  };\n}\nconst members_${name} = {\n${writers.join("")}};\nfunction write_${name}(p, value, name) {\n  members(p, value, name, members_${name}${struct.members[0].name === "size" ? "" : ", true"});\n}\n\n`;
 }
 
-/** The code that makes the argument in C of one of JavaScript. */
-function given(input, structs) {
+/** Code that converts an argument of JavaScript into one or more arguments in C. */
+function argumentCode(input, structs) {
   const name = JSON.stringify(input.name), v = variable(input);
   switch (input.kind) {
     case "scalar": return scalarOf[input.type](v, name);
@@ -87,7 +87,7 @@ function given(input, structs) {
     case "id": return `idOf(${v}, ${name})`;
     case "world": return `pointerOf(${v}, ${name})`;
     case "text": return `chars(${v}, ${name})`;
-    case "function": return `...lent(${v}, ${name}, "${input.call}")`;
+    case "function": return `...lend(${v}, ${name}, "${input.call}")`;
     case "bytes": return `...bytes(${v}, ${name})`;
     case "array": return `...list(${v}, ${sizeOf({ type: input.type }, structs).size}, ${name}, (p, v, name) => { ${write(input.type, "p", "v", "name")} })`;
     case "optional": return `optional(${v}, (p) => { ${write(input.type, "p", v, name)} })`;
@@ -103,10 +103,10 @@ function given(input, structs) {
 
 function methodBody(plan, structs) {
   const world = plan.owner === "World" ? "this" : plan.owner ? "this.world" : "null";
-  const fixed = plan.given.filter((g) => typeof g === "string"), code = [], after = [];
+  const fixed = plan.arguments.filter((g) => typeof g === "string"), code = [], after = [];
   const results = plan.outputs.map((output, i) => ({ output, p: `out${i}` }));
   if (plan.result?.direct) {
-    const value = `c.${plan.fn.name}(${[...fixed, ...plan.inputs.map((input) => given(input, structs))].join(", ")})`;
+    const value = `c.${plan.fn.name}(${[...fixed, ...plan.inputs.map((input) => argumentCode(input, structs))].join(", ")})`;
     return `begin(); return ${plan.result.direct === "constchar*" ? `text(${value})` : plan.result.direct === "bool" ? `${value} !== 0` : value};`;
   }
   const list = plan.outputs.find((output) => output.kind === "list");
@@ -118,28 +118,28 @@ function methodBody(plan, structs) {
     if (plan.inputs.length !== 1) throw new Error(`${plan.fn.name}: there is no code for more than a function`);
     return `begin(); keep(${world}, ${key}, ${variable(input)}, ${JSON.stringify(input.name)}, "${input.call}", (call, user) => c.${plan.fn.name}(${args}));`;
   }
-  if (plan.owner === "Mover") code.push("const mover = this.written();");
+  if (plan.owner === "Mover") code.push("const mover = this.copyToMemory();");
   // Arguments are written to memory before the places of the results are taken.
   const args = [];
-  for (const [i, g] of plan.given.entries()) {
+  for (const [i, g] of plan.arguments.entries()) {
     if (typeof g === "string") args.push(g);
     else if (g.kind === "flag") {
-      code.push("const flag = room(1);");
+      code.push("const flag = allocate(1);");
       args.push("flag");
     } else if (plan.inputs.includes(g)) {
       if (["struct", "array", "optional", "bytes", "function"].includes(g.kind)) {
-        code.push(`const in${i} = [${given(g, structs)}];`);
+        code.push(`const in${i} = [${argumentCode(g, structs)}];`);
         args.push(`...in${i}`);
-      } else args.push(given(g, structs));
+      } else args.push(argumentCode(g, structs));
     } else {
       const p = results.find((result) => result.output === g).p;
       if (g.kind === "list") args.push("out", "most", "count");
       else if (g.kind === "bytes") {
-        code.push(`const ${p} = room(4), size = room(4);`);
+        code.push(`const ${p} = allocate(4), size = allocate(4);`);
         args.push(p, "size");
       } else {
-        const size = ["text", "world"].includes(g.kind) ? 4 : sizeOf({ type: g.type === "uint64_t" ? "uint64_t" : g.type }, structs).size;
-        code.push(`const ${p} = room(${size});`);
+        const size = ["text", "world"].includes(g.kind) ? 4 : sizeOf({ type: g.type }, structs).size;
+        code.push(`const ${p} = allocate(${size});`);
         if (g.kind === "struct" && structs.get(g.type).members[0].name === "size") code.push(`view.u32[${p} >> 2] = ${size};`);
         args.push(p);
       }
@@ -156,8 +156,8 @@ function methodBody(plan, structs) {
   if (list) {
     const { size } = sizeOf({ type: list.type }, structs);
     code.push(`const found = readAll(${size}, (out, most, count) => ${callOf}, (p) => ${read(list.type, "p", world)});`);
-  } else code.push(`done(${callOf});`);
-  if (plan.owner === "Mover") code.push("this.take(...mover);");
+  } else code.push(`check(${callOf});`);
+  if (plan.owner === "Mover") code.push("this.store(...mover);");
   if (results.length === 1) after.push(`return ${plan.maybe ? "view.u8[flag] === 0 ? null : " : ""}${value(results[0])};`);
   else if (results.length > 1) after.push(`return { ${results.map((r) => `${r.output.name}: ${value(r)}`).join(", ")} };`);
   return [...code, ...after].join(" ");
@@ -168,7 +168,7 @@ function editCode(struct) {
   const lines = visibleMembers(struct).map(({ name, type, offset }) => {
     const p = at(offset);
     const get = `  get ${camel(name)}() { const { world, at: p } = this; return ${read(type, p, "world")}; }\n`;
-    return edits[struct.name].includes(name) ? get + `  set ${camel(name)}(value) { const p = this.at; ${write(type, p, "value", JSON.stringify(camel(name)))} }\n` : get;
+    return settableMembers[struct.name].includes(name) ? get + `  set ${camel(name)}(value) { const p = this.at; ${write(type, p, "value", JSON.stringify(camel(name)))} }\n` : get;
   });
   return `export class ${pascal(short(struct.name))} extends Edit {\n${lines.join("")}}\n\n`;
 }
@@ -176,8 +176,8 @@ function editCode(struct) {
 /** A value is written in a copy of the structure, which the library checks before the mover takes it. */
 function propertyCode({ name, type, offset, from, isSet }) {
   const p = at(offset).replace("p", from);
-  const get = `  get ${camel(name)}() { begin(); const [def, state] = this.written(); return ${read(type, p, "this.world")}; }\n`;
-  const set = `  set ${camel(name)}(value) { begin(); const [def, state] = this.written(); ${write(type, p, "value", JSON.stringify(camel(name)))} this.check(def, state); }\n`;
+  const get = `  get ${camel(name)}() { begin(); const [def, state] = this.copyToMemory(); return ${read(type, p, "this.world")}; }\n`;
+  const set = `  set ${camel(name)}(value) { begin(); const [def, state] = this.copyToMemory(); ${write(type, p, "value", JSON.stringify(camel(name)))} this.checkAndStore(def, state); }\n`;
   return isSet ? get + set : get;
 }
 
@@ -207,14 +207,14 @@ import { ${inCalled.join(", ")} } from "./called.js";
     code += `export const ${name} = Object.freeze({ ${enumeration.values.map((v) => `${v.name.slice(common.length)}: ${v.value}`).join(", ")} });\n`;
   }
   code += "\n";
-  for (const struct of structs.values()) if (struct.name !== "fettle_columns" && !edits[struct.name]) code += structCode(struct, structs);
-  for (const name of Object.keys(edits)) code += editCode(structs.get(name));
+  for (const struct of structs.values()) if (struct.name !== "fettle_columns" && !settableMembers[struct.name]) code += structCode(struct, structs);
+  for (const name of Object.keys(settableMembers)) code += editCode(structs.get(name));
   for (const cls of classes) code += classCode(cls, plans, structs);
   for (const plan of plans.filter((p) => !p.owner))
     code += `export function ${plan.name}(${plan.inputs.map(variable).join(", ")}) { ${methodBody(plan, structs)} }\n`;
   const joints = classes.filter((cls) => cls.base === "Joint").map((cls) => cls.name);
   const moverStructs = ["def", "state"].map((name) => `${name}: { size: ${structs.get("fettle_mover_" + name).size}, read: read_mover_${name}, write: write_mover_${name} }`);
-  code += `\nregister({ World, Mover, mover: { ${moverStructs.join(", ")} }, Body, Shape, Field, joints: [${joints.join(", ")}], writeWorldDef: write_world_def, worldDefSize: ${structs.get("fettle_world_def").size}, shapes: ShapeType, ${Object.keys(edits).map((name) => pascal(short(name))).join(", ")}, readVec2: read_vec2, readRayHit: read_ray_hit, replayedStep: { size: ${structs.get("fettle_replayed_step").size}, read: read_replayed_step }, debugDraw: { size: ${structs.get("fettle_debug_draw").size}, write: write_debug_draw, functions: { ${functionsOf(structs.get("fettle_debug_draw")).map((member) => `${member.name}: ${member.offset}`).join(", ")} } } });\n`;
+  code += `\nregister({ World, Mover, mover: { ${moverStructs.join(", ")} }, Body, Shape, Field, joints: [${joints.join(", ")}], writeWorldDef: write_world_def, worldDefSize: ${structs.get("fettle_world_def").size}, shapes: ShapeType, ${Object.keys(settableMembers).map((name) => pascal(short(name))).join(", ")}, readVec2: read_vec2, readRayHit: read_ray_hit, replayedStep: { size: ${structs.get("fettle_replayed_step").size}, read: read_replayed_step }, debugDraw: { size: ${structs.get("fettle_debug_draw").size}, write: write_debug_draw, functions: { ${functionsOf(structs.get("fettle_debug_draw")).map((member) => `${member.name}: ${member.offset}`).join(", ")} } } });\n`;
   return code;
 }
 
@@ -245,4 +245,3 @@ export function prefixOf(values) {
   return words[0].slice(0, n).join("_") + (n ? "_" : "");
 }
 
-export { handleOf };

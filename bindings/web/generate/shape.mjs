@@ -25,7 +25,7 @@ function checkJointTypes(headers) {
   if (declared.join() !== known.join()) throw new Error(`types of joints are ${declared.join(", ")}; shape.mjs has ${known.join(", ")}`);
 }
 
-/** What an id with this name names. */
+/** The class of the object that an id refers to, by the name of the parameter or member. */
 export function handleOf(name, inFunction = "") {
   const plain = name === "out" ? inFunction : name;
   if (/sensor_body|visitor_body|bod(y|ies)|slept|woke/.test(plain)) return "Body";
@@ -63,8 +63,8 @@ export const kindsOfCalls = {
   failure_function: "(what: string) => void",
 };
 
-/** Structures that such a function gets, with the members that it may set. */
-export const edits = {
+/** Structures that the library passes to such functions, with the members that these may set. */
+export const settableMembers = {
   fettle_contact_edit: ["friction", "restitution", "surface_speed", "enabled", "ignored"],
   fettle_velocity_edit: ["velocity", "angular_velocity"],
   fettle_position_edit: ["pose"],
@@ -90,16 +90,16 @@ function planOf(fn, headers) {
   // The longest prefix: wheel_joint_ and not joint_.
   let owner = classes.filter((c) => bare.startsWith(c.prefix)).sort((a, b) => b.prefix.length - a.prefix.length)[0];
   if (owner && params[0]?.type !== "fettle_world") owner = undefined;
-  const plan = { fn, owner: owner?.name, inputs: [], outputs: [], given: [], returns: fn.result };
+  const plan = { fn, owner: owner?.name, inputs: [], outputs: [], arguments: [], returns: fn.result };
   if (owner) {
-    plan.given.push(owner.name === "World" ? "this.pointer" : "this.world.pointer");
+    plan.arguments.push(owner.name === "World" ? "this.pointer" : "this.world.pointer");
     params.shift();
     if (owner.id) {
-      plan.given.push("this.id");
+      plan.arguments.push("this.id");
       params.shift();
     }
     if (owner.name === "Mover") {
-      plan.given.push("...mover");  // the addresses of its definition and of its state
+      plan.arguments.push("...mover");  // the addresses of its definition and of its state
       params.splice(0, 2);
     }
   }
@@ -107,7 +107,7 @@ function planOf(fn, headers) {
   while (params.length) take(params, plan, headers);
   // A filter is the last argument, since it can be left out.
   plan.inputs.sort((a, b) => (a.kind === "function" ? 0 : /_filter$/.test(a.type)) - (b.kind === "function" ? 0 : /_filter$/.test(b.type)));
-  plan.name = camel(plan.bare.replace(/^set_/, "set_"));
+  plan.name = camel(plan.bare);
   plan.result = resultOf(plan);
   const setter = plan.bare.match(/^set_(\w+)$/);
   if (owner && setter && plan.inputs.length === 1 && !plan.result) {
@@ -119,18 +119,18 @@ function planOf(fn, headers) {
   return plan;
 }
 
-/** Takes the next argument of JavaScript, or result, from the parameters in C. */
+/** Removes the first parameters in C from `params`: those that make one argument or one result in JavaScript. */
 function take(params, plan, headers) {
   const [a, b, c] = params;
   const input = (count, kind, more = {}) => {
     params.splice(0, count);
     plan.inputs.push({ kind, name: camel(a.name), type: a.type, ...more });
-    plan.given.push(plan.inputs.at(-1));
+    plan.arguments.push(plan.inputs.at(-1));
   };
   const output = (count, kind, more = {}) => {
     params.splice(0, count);
     plan.outputs.push({ kind, name: camel(a.name), type: a.type, ...more });
-    plan.given.push(plan.outputs.at(-1));
+    plan.arguments.push(plan.outputs.at(-1));
   };
   const scalar = ["float", "bool", "int32_t", "uint32_t", "uint64_t", "size_t"].includes(a.type);
   if (headers.callbacks.has(a.type)) {
@@ -155,7 +155,7 @@ function take(params, plan, headers) {
   if (a.constant) return input(1, scalar ? "optional" : "struct");
   if (a.type === "bool" && /^(is_set|found)$/.test(a.name)) {
     params.shift();
-    plan.given.push({ kind: "flag" });
+    plan.arguments.push({ kind: "flag" });
     plan.maybe = true;
     return;
   }

@@ -1,6 +1,6 @@
 // Writes index.d.ts: the same classes and structures for TypeScript, with the comments of the headers.
 
-import { camel, classes, edits, handleOf, kindsOfCalls, moverProperties, pascal } from "./shape.mjs";
+import { camel, classes, handleOf, kindsOfCalls, moverProperties, pascal, settableMembers } from "./shape.mjs";
 import { visibleMembers } from "./layout.mjs";
 import { prefixOf } from "./code.mjs";
 
@@ -8,16 +8,16 @@ const scalars = { float: "number", bool: "boolean", int32_t: "number", uint32_t:
 const nameOf = (type) => pascal(type.replace(/^fettle_/, ""));
 const docOf = (doc, indent = "") => (doc ? `${indent}/** ${doc.replaceAll("*/", "*\\/")} */\n` : "");
 
-/** The type of a value that is read; of one that is written when `given`. */
-function typeOf(type, name, fn, given) {
+/** The type of a value that is read; of one that is written when `isWritten`. */
+function typeOf(type, name, fn, isWritten) {
   if (type === "fettle_id") {
     const handle = handleOf(name, fn);
     return /^body_|_body$|^(body|ground|wall|dropped)$/.test(name) ? `${handle} | null` : handle;
   }
-  if (type === "uint64_t" && given) return "bigint | number";
+  if (type === "uint64_t" && isWritten) return "bigint | number";
   if (type === "char") return "string";
   if (type === "fettle_accept") return kindsOfCalls.accept.replace(/^(.*)$/, "($1) | null");
-  return scalars[type] ?? nameOf(type) + (given ? "" : "");
+  return scalars[type] ?? nameOf(type);
 }
 
 function structTypes(struct) {
@@ -32,9 +32,9 @@ function structTypes(struct) {
   return `${docOf(struct.doc)}export interface ${nameOf(struct.name)} {\n${lines.join("")}}\n\n`;
 }
 
-/** What a function gets: valid during its call. */
+/** The class of a structure that a function of the program gets. */
 function editTypes(struct) {
-  const lines = visibleMembers(struct).map(({ name, type, doc }) => `${docOf(doc, "  ")}  ${edits[struct.name].includes(name) ? "" : "readonly "}${camel(name)}: ${typeOf(type, name, struct.name)};\n`);
+  const lines = visibleMembers(struct).map(({ name, type, doc }) => `${docOf(doc, "  ")}  ${settableMembers[struct.name].includes(name) ? "" : "readonly "}${camel(name)}: ${typeOf(type, name, struct.name)};\n`);
   return `${docOf(struct.doc)}export declare class ${nameOf(struct.name)} {\n  protected constructor();\n${lines.join("")}}\n\n`;
 }
 
@@ -102,7 +102,7 @@ export function typesCode(headers, plans, byHand) {
     const common = prefixOf(enumeration.values);
     code += docOf(enumeration.doc) + `export declare const ${pascal(enumeration.name)}: {\n${enumeration.values.map((v) => `  readonly ${v.name.slice(common.length)}: ${v.value};\n`).join("")}};\n\n`;
   }
-  for (const struct of headers.structs.values()) if (struct.name !== "fettle_columns") code += edits[struct.name] ? editTypes(struct) : structTypes(struct);
+  for (const struct of headers.structs.values()) if (struct.name !== "fettle_columns") code += settableMembers[struct.name] ? editTypes(struct) : structTypes(struct);
   for (const cls of classes) {
     const own = plans.filter((plan) => plan.owner === cls.name);
     const base = cls.base ?? (cls.id ? "Handle" : "WorldBase");

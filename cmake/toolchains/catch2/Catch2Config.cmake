@@ -1,4 +1,4 @@
-# Catch2 2 is headers alone, which serve any system; Catch2 3 is a library of the machine that compiles.
+# Catch2 2 consists of headers only, which work for any system; Catch2 3 has a library, which is for the machine that compiles.
 if(NOT EXISTS /usr/include/catch2/catch.hpp)
   set(Catch2_FOUND FALSE)
   set(Catch2_NOT_FOUND_MESSAGE "tests of a cross build need Catch2 2, which is headers alone")

@@ -142,7 +142,7 @@ local function play(t, level)
         local way, jump = think(level)
         local hero = level.hero
         if hero.grounded and bot.held.space then jump = false end   -- a jump begins with a new press
-        -- Who does not get on jumps.
+        -- A cub that gets no farther jumps.
         bot.stuck = math.abs(hero.position.x - bot.last) < 0.02 and bot.stuck + 1 or 0
         bot.last = hero.position.x
         if bot.stuck > 420 then jump, bot.stuck = true, 380 end

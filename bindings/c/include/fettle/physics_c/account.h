@@ -38,9 +38,9 @@ typedef struct fettle_turn_account {
     float applied; /* by fettle_body_apply_torque, and by forces beside the center of mass */
     float fields;  /* by fields of force */
     float damping; /* by damping */
-    float rest;    /* other changes: limits of speed, bounces of curved shapes, the answer of joints
-                      to a blow, rounding */
-    float size;    /* the sum of the sizes of all changes, also of those that cancel */
+    float rest; /* other changes: limits of speed, bounces of curved shapes, the reaction of joints
+                   to an impact, rounding */
+    float size; /* the sum of the sizes of all changes, also of those that cancel */
 } fettle_turn_account;
 
 /** The changes of the velocity of a body in a step. `after` minus `before` is their sum, with the
@@ -54,8 +54,8 @@ typedef struct fettle_velocity_account {
     fettle_vec2 applied; /* by fettle_body_apply_force */
     fettle_vec2 fields;  /* by fields of force */
     fettle_vec2 damping; /* by linear damping */
-    fettle_vec2 rest;    /* other changes: locked axes, limits of speed, the answer of joints to a
-                            blow, rounding */
+    fettle_vec2 rest; /* other changes: locked axes, limits of speed, the reaction of joints to an
+                         impact, rounding */
     fettle_turn_account turn; /* of the angular velocity */
 } fettle_velocity_account;
 

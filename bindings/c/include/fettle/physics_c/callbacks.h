@@ -51,8 +51,8 @@ typedef void (*fettle_contact_callback)(void* user, const fettle_world* world,
 typedef void (*fettle_refresh_callback)(void* user, const fettle_world* world, int32_t of,
                                         uint32_t slot);
 
-/** Called for every pair of shapes that come near to each other, and again after an edit of a
-   filter. Setting it calls it for all pairs. A null function: none. */
+/** Called for every pair of shapes whose boxes begin to overlap, and again after an edit of a
+ * filter. Setting it calls it for all pairs. A null function: none. */
 fettle_code fettle_world_set_filter(fettle_world* world, fettle_pair_filter function, void* user);
 
 /** Mixes the surfaces of every contact in every step, after the mix rules; called for each touching
@@ -79,7 +79,7 @@ typedef struct fettle_velocity_edit {
     float dt;               /* s, length of the step */
     fettle_vec2 before;     /* m/s, before the step */
     float angular_before;   /* rad/s, before the step */
-    fettle_vec2 velocity;   /* m/s, at the end of the step by gravity, forces, fields and damping */
+    fettle_vec2 velocity;   /* m/s, after gravity, forces, fields and damping of this step */
     float angular_velocity; /* rad/s, the same */
 } fettle_velocity_edit;
 
@@ -101,8 +101,8 @@ typedef void (*fettle_position_function)(void* user, const fettle_world* world,
 
 /** Called once in every step in which the body is awake, before contacts and joints: it may set the
     velocity that they act on. The change is spread evenly over the sub-steps, so that the body
-   rests on others as under a force. It stays when the body is destroyed, since restoring a state
-   may bring the body back. A null function: none. */
+   rests on others as under a force. The function stays set when the body is destroyed, since
+   restoring a state may create the body again. A null function: none. */
 fettle_code fettle_body_set_velocity_function(fettle_world* world, fettle_id body,
                                               fettle_velocity_function function, void* user);
 

@@ -42,8 +42,8 @@ fettle_code fettle_world_contacts_of(const fettle_world* world, fettle_id shape_
                                      fettle_id shape_b, fettle_contact* out, uint32_t room,
                                      uint32_t* count);
 
-/** Two shapes that touch have no contact until they have separated; no callback is asked. It has no
-    effect on shapes that are apart. */
+/** Two shapes that touch have no contact until they have separated; no callback is called for them.
+   It has no effect on shapes that are apart. */
 fettle_code fettle_world_ignore_until_separated(fettle_world* world, fettle_id shape_a,
                                                 fettle_id shape_b);
 

@@ -80,7 +80,7 @@ typedef struct fettle_shape_def {
     bool hit_events;          /* false; true: reports impacts above the hit threshold */
     bool contact_events;      /* true; its touches are reported if both shapes agree */
     bool sensor_events;       /* true; the same for a sensor and for a shape in one */
-    bool before_solve;        /* true; the before-solve callback is asked if both shapes agree */
+    bool before_solve;        /* true; false: no before-solve callback for its contacts */
     uint32_t material;        /* 0; a number of the host, without effect; at most 65535 */
     uint64_t category;        /* 1; one bit for each category */
     uint64_t mask;            /* all bits; categories it collides with */

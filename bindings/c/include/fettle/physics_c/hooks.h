@@ -1,7 +1,7 @@
 /* Functions of the host that the library calls for all worlds of the process.
  *
  * Memory has no hook: the library takes it from the C++ library, which takes it from malloc. A
- * program that is linked with another malloc gets all. */
+ * program that is linked with another malloc replaces it for the library, too. */
 
 #pragma once
 
@@ -20,7 +20,7 @@ enum fettle_log_level {
    may call it at once. It must not edit the world and must not jump out. */
 typedef void (*fettle_log_function)(void* user, int32_t level, const char* text);
 
-/** Sets the log of the process: it gets what the library notices and no code tells. A null
+/** Sets the log of the process: the function gets problems that no result code reports. A null
     function: none, as at first. */
 fettle_code fettle_set_log(fettle_log_function function, void* user);
 

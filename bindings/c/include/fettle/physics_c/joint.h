@@ -27,11 +27,11 @@ fettle_code fettle_joint_set_body_a(fettle_world* world, fettle_id joint, fettle
 fettle_code fettle_joint_body_b(const fettle_world* world, fettle_id joint, fettle_id* body_b);
 fettle_code fettle_joint_set_body_b(fettle_world* world, fettle_id joint, fettle_id body);
 
-/** Ties two different bodies at once, of which one may be the world (0). */
+/** Sets both bodies at once; they must differ, and one may be the world (0). */
 fettle_code fettle_joint_connect(fettle_world* world, fettle_id joint, fettle_id body_a,
                                  fettle_id body_b);
 
-/** Takes both bodies off: the joint is dormant, keeps its settings, and does nothing. */
+/** Removes both bodies: the joint is dormant, keeps its settings, and does nothing. */
 fettle_code fettle_joint_disconnect(fettle_world* world, fettle_id joint);
 
 /** Whether it has no bodies; then both are the world. */
@@ -101,7 +101,7 @@ fettle_code fettle_joint_constraint_damping_ratio(const fettle_world* world, fet
 fettle_code fettle_joint_set_constraint_damping_ratio(fettle_world* world, fettle_id joint,
                                                       float constraint_damping_ratio);
 
-/** m: how far the anchors are from where the joint should hold them. Springs hold nothing. */
+/** m: distance of the anchors from where the joint should hold them; soft springs do not count. */
 fettle_code fettle_joint_separation(const fettle_world* world, fettle_id joint, float* separation);
 
 /** Rad, as separation. */

@@ -2,9 +2,9 @@
  * members. Id 0 is the world, whose anchor is in world coordinates; both may not be the world. The
  * setters of sliding_joints.h, holding_joints.h and coupling_joints.h have the ranges, and change
  * each of these values later. A lower limit above the upper one is refused here; a setter
- * accepts it, since the other one may follow. What a definition leaves open is measured when the
- * joint is made. A spring with a higher `hertz` than a fifth of the rate of sub-steps acts with
- * that: 48 Hz, if a step of 1/60 s has four. */
+ * accepts it, since the other one may follow. A value that a definition does not set is measured
+ * when the joint is made. The `hertz` of a spring is limited to a fifth of the rate of sub-steps:
+ * to 48 Hz, if a step of 1/60 s has four. */
 
 #pragma once
 

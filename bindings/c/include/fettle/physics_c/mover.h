@@ -43,7 +43,7 @@ typedef struct fettle_mover_state {
 /** What happened in a move. */
 typedef struct fettle_moved {
     fettle_vec2 motion;          /* m, the ride on the ground included */
-    fettle_vec2 velocity;        /* that is left, m/s, relative to the ground */
+    fettle_vec2 velocity;        /* m/s, after obstacles, relative to the ground */
     fettle_vec2 ground_normal;   /* zero in the air */
     fettle_vec2 ground_velocity; /* of the ground at its feet, m/s */
     fettle_vec2 wall_normal;     /* of the last wall or ceiling that it hit */
@@ -53,7 +53,7 @@ typedef struct fettle_moved {
     bool hit_wall;               /* it was stopped by a wall */
     bool hit_ceiling;            /* it was stopped by a ceiling */
     bool stepped;                /* it climbed a step */
-    bool crushed;                /* it has no place between what presses it */
+    bool crushed;                /* there is no room between the shapes that press it */
 } fettle_moved;
 
 /** A plane that bounds the motion of a mover. */

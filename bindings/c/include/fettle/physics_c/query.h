@@ -52,7 +52,7 @@ typedef struct fettle_separation {
     fettle_vec2 normal;      /* from a to b; zero when they overlap */
 } fettle_separation;
 
-/** Called for each find; false ends the query. */
+/** Called for each result; false ends the query. */
 typedef bool (*fettle_shape_visitor)(void* user, const fettle_world* world, fettle_id shape);
 typedef bool (*fettle_ray_visitor)(void* user, const fettle_world* world,
                                    const fettle_ray_hit* hit);
@@ -149,7 +149,8 @@ typedef struct fettle_explosion_def {
 /** Writes the defaults and `size`. FETTLE_INVALID unless `size` is the size of the structure. */
 fettle_code fettle_explosion_def_init(fettle_explosion_def* def, size_t size);
 
-/** Pushes the dynamic bodies around a point; each shape at its point that is nearest. */
+/** Pushes the dynamic bodies around a point. The impulse acts on each shape at its point nearest to
+ * the explosion. */
 fettle_code fettle_world_explode_surfaces(fettle_world* world, const fettle_explosion_def* def,
                                           const fettle_query_filter* filter);
 

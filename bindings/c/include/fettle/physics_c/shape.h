@@ -174,8 +174,8 @@ fettle_code fettle_shape_set_sensor(fettle_world* world, fettle_id shape, bool s
 fettle_code fettle_shape_hit_events(const fettle_world* world, fettle_id shape, bool* hit_events);
 fettle_code fettle_shape_set_hit_events(fettle_world* world, fettle_id shape, bool hit_events);
 
-/** Whether its touches are reported: if both shapes want it, from the next touch on. A touch whose
-    begin was reported is reported to its end. */
+/** Whether its touches are reported: if this is true for both shapes, from the next touch on. A
+   touch whose begin was reported is reported to its end. */
 fettle_code fettle_shape_contact_events(const fettle_world* world, fettle_id shape,
                                         bool* contact_events);
 fettle_code fettle_shape_set_contact_events(fettle_world* world, fettle_id shape,
@@ -187,7 +187,7 @@ fettle_code fettle_shape_sensor_events(const fettle_world* world, fettle_id shap
 fettle_code fettle_shape_set_sensor_events(fettle_world* world, fettle_id shape,
                                            bool sensor_events);
 
-/** Whether the before-solve callback is asked: if both shapes want it. */
+/** Whether the before-solve callback is called for its contacts: true for both shapes. */
 fettle_code fettle_shape_before_solve(const fettle_world* world, fettle_id shape,
                                       bool* before_solve);
 fettle_code fettle_shape_set_before_solve(fettle_world* world, fettle_id shape, bool before_solve);

@@ -89,8 +89,8 @@ fettle_code fettle_world_set_restitution_mix(fettle_world* world, int32_t restit
 fettle_code fettle_world_persist_events(const fettle_world* world, bool* persist_events);
 fettle_code fettle_world_set_persist_events(fettle_world* world, bool persist_events);
 
-/** Threads that share the work of a step, with the caller's, 1 to 64. Changes no result.
-    FETTLE_FAILED if the system provides fewer; then the number stays. */
+/** Number of threads that share the work of a step, the calling one included, 1 to 64. Changes no
+   result. FETTLE_FAILED if the system provides fewer; then the number stays. */
 fettle_code fettle_world_threads(const fettle_world* world, int32_t* threads);
 fettle_code fettle_world_set_threads(fettle_world* world, int32_t threads);
 

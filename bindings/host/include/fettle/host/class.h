@@ -1,6 +1,6 @@
 /* Classes that a program adds to a game. Their instances are made by fettle_hosted_make and by
- * scripts, and the console, snapshots and the past have them, since the game keeps their values. A
- * class stays as long as the game. */
+ * scripts, and the console, snapshots and the past include them, since the game stores their
+ * values. A class stays as long as the game. */
 
 #pragma once
 
@@ -41,14 +41,14 @@ typedef struct fettle_method_def {
     uint32_t parameter_count;               /* length of parameters */
     uint32_t required;                      /* number of parameters that must be given */
     fettle_method_callback call;            /* not null */
-    void* user;                             /* is given to the callback */
+    void* user;                             /* passed to the callback */
 } fettle_method_def;
 
-/** An event, which a program and scripts can let happen. */
+/** An event, which the program and scripts can emit. */
 typedef struct fettle_event_def {
     const char* name;                   /* not null */
     const char* doc;                    /* what it is; the console and the reference show it */
-    const fettle_parameter_def* fields; /* what it tells */
+    const fettle_parameter_def* fields; /* data of the event */
     uint32_t field_count;               /* length of fields */
 } fettle_event_def;
 
@@ -68,9 +68,9 @@ typedef struct fettle_class_def {
     structure. */
 fettle_code fettle_class_def_init(fettle_class_def* def, size_t size);
 
-/** FETTLE_INVALID, and nothing changes, for a name that is taken, that is not a name, or that is
-   nearly one of the base class, and for a default that the property would refuse. Not in a
-   callback. */
+/** Adds a class to the game. FETTLE_INVALID, and nothing changes, for a name that is taken, that is
+   not a name, or that is nearly one of the base class, and for a default that the property would
+   refuse. Not in a callback. */
 fettle_code fettle_hosted_define(fettle_hosted* game, const fettle_class_def* def);
 
 FETTLE_HOST_END

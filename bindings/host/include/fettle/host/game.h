@@ -9,18 +9,18 @@ FETTLE_HOST_BEGIN
 /** A game. fettle_hosted_def_init writes the defaults. */
 typedef struct fettle_hosted_def {
     uint32_t size;
-    bool console;             /* true: there is a console (console.h) */
-    uint64_t seed;            /* 0; of the random numbers of scripts */
-    uint64_t lua_memory;      /* 512 MiB, in bytes; 16 MiB to 64 TiB: what Lua may use */
-    double call_seconds;      /* 10; a call into scripts that takes longer is stopped; 0: none is */
-    const char* assets;       /* null; folder for files that the folder of the game does not have */
+    bool console;        /* true: there is a console (console.h) */
+    uint64_t seed;       /* 0; of the random numbers of scripts */
+    uint64_t lua_memory; /* 512 MiB, in bytes; 16 MiB to 64 TiB: what Lua may use */
+    double call_seconds; /* 10; a call into scripts that takes longer is stopped; 0: no limit */
+    const char* assets;  /* null; folder for files that the folder of the game does not have */
     const char* history_file; /* null: commands are not kept; file for the commands of all runs */
-    const char* name;         /* null: "game"; in saved games: one of another name is refused */
-    const char* saves;        /* null: it cannot be saved in slots; folder for them (saves.h) */
-    const char* store_file;   /* null: scripts have no `store`; file of what outlives a run */
-    /* Null: edits are not kept. A game, as fettle_hosted_load takes it: the edits in the console
-       are in a journal beside it, `keep("world.ball.*")` writes them into its files, and games that
-       are created later begin with them. */
+    const char* name;  /* null: "game"; stored in saved games; those of another name are refused */
+    const char* saves; /* null: it cannot be saved in slots; folder for them (saves.h) */
+    const char* store_file; /* null: scripts have no `store`; file of what outlives a run */
+    /* Null: edits are not kept. Otherwise the path of a game, as for fettle_hosted_load: edits in
+       the console are written to a journal beside it, `keep("world.ball.*")` writes them into its
+       files, and games that are created later begin with them. */
     const char* tweaks_of;
 } fettle_hosted_def;
 
@@ -49,8 +49,8 @@ typedef struct fettle_hosted_problem {
     int32_t line;            /* from 1; 0 when unknown */
 } fettle_hosted_problem;
 
-/** Gets all errors when they happen, also those of files of a script that saves or of the store,
-    after which the game goes on. Null: no function gets them. */
+/** Gets all errors when they happen, also errors of files when a script saves or when the store is
+ * written; the game goes on after those. Null: no function gets them. */
 typedef void (*fettle_problem_callback)(void* user, const fettle_hosted_problem* problem);
 fettle_code fettle_hosted_on_problem(fettle_hosted* game, fettle_problem_callback problem,
                                      void* user);
@@ -76,7 +76,7 @@ fettle_code fettle_hosted_call(fettle_hosted* game, const char* function,
 fettle_code fettle_hosted_evaluate(fettle_hosted* game, const char* command,
                                    fettle_hosted_value* result, const char** output);
 
-/** A function that scripts can call as the global `name`, in place of anything that has the name.
+/** A function that scripts can call as the global `name`; it replaces any global of that name.
     It gives its result (nil, unless it writes it), or returns another code than FETTLE_DONE with
     the reason in `result`, a text; then the call is an error of the script. */
 typedef fettle_code (*fettle_function_callback)(void* user, const fettle_hosted_value* arguments,

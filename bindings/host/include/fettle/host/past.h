@@ -8,14 +8,13 @@
 
 FETTLE_HOST_BEGIN
 
-/** The whole state of the tree and of physics, as a file would have it: with a version and a
-    checksum. Variables of Lua and timers are not in it. The bytes are valid until the next snapshot
-    of the game. */
+/** The whole state of the tree and of physics as bytes with a version and a checksum. Variables of
+   Lua and timers are not in it. The bytes are valid until the next snapshot of the game. */
 fettle_code fettle_hosted_snapshot(fettle_hosted* game, const void** bytes, size_t* size);
 
 /** FETTLE_INVALID, and nothing changes, if a byte was changed, removed or added, or if it has
-    classes that this game does not have. What fits only in part (a property that has another type
-    now) is told to the function for problems (game.h). */
+    classes that this game does not have. Parts that do not fit (a property that has another type
+   now) are reported to the function for problems (game.h). */
 fettle_code fettle_hosted_restore(fettle_hosted* game, const void* bytes, size_t size);
 
 /** Goes back by this simulation time from now, at most to the oldest step that is kept. A negative

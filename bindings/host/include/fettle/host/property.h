@@ -13,7 +13,8 @@ fettle_code fettle_hosted_get(fettle_hosted* game, const char* path, fettle_host
 fettle_code fettle_hosted_set(fettle_hosted* game, const char* path,
                               const fettle_hosted_value* value);
 
-/** The default, or the value that its owner computes. */
+/** Removes the value that was set: the property has its default again, or the value that the module
+ * computes. */
 fettle_code fettle_hosted_reset(fettle_hosted* game, const char* path);
 
 /** A handle of a property of an instance, or of a component of one; 0 is none. It uses memory until

@@ -28,7 +28,7 @@ fettle_code fettle_hosted_watch(fettle_hosted* game, const char* pattern,
                                 fettle_change_callback changed, void* user,
                                 fettle_connection* connection);
 
-/** Watches one property; of a handle to a component, the whole property. */
+/** Watches one property; for a handle to a component, the whole property. */
 fettle_code fettle_property_watch(fettle_hosted* game, fettle_property_id property,
                                   fettle_change_callback changed, void* user,
                                   fettle_connection* connection);
@@ -37,7 +37,8 @@ fettle_code fettle_property_watch(fettle_hosted* game, fettle_property_id proper
 typedef void (*fettle_existence_callback)(void* user, fettle_instance instance,
                                           const char* class_name, const char* path);
 
-/** Instances of a class and of those that derive from it, when they come or go. */
+/** Watches the creation or deletion of instances of a class and of the classes that derive from it.
+ */
 fettle_code fettle_hosted_watch_made(fettle_hosted* game, const char* class_name,
                                      fettle_existence_callback made, void* user,
                                      fettle_connection* connection);
@@ -47,7 +48,7 @@ fettle_code fettle_hosted_watch_deleted(fettle_hosted* game, const char* class_n
 
 /** An event of an instance. `fields` and `values` have `count` elements. */
 typedef struct fettle_hosted_occurrence {
-    fettle_instance instance;          /* of which it is an event */
+    fettle_instance instance;          /* that the event is about */
     uint64_t step;                     /* in which it happened */
     const char* event;                 /* its name */
     const char* const* fields;         /* names of the fields */
@@ -73,7 +74,7 @@ fettle_code fettle_hosted_on_all(fettle_hosted* game, const char* class_name, co
 fettle_code fettle_hosted_emit(fettle_hosted* game, fettle_instance instance, const char* event,
                                const fettle_hosted_value* values, uint32_t count);
 
-/** Ends what a connection stands for: its callback is called no more. */
+/** Ends a connection: its callback is not called any more. */
 fettle_code fettle_hosted_disconnect(fettle_hosted* game, fettle_connection connection);
 
 FETTLE_HOST_END
