@@ -30,7 +30,7 @@ struct Tree::Before {
 };
 
 void Tree::refit(ThreadPool* threads, std::span<const Box4> before) {
-    built_ = std::min(built_, epoch_ - 1);
+    built_epoch_ = std::min(built_epoch_, epoch_ - 1);
     enlarged_ = 0;
     if (root_ == none || nodes_[size_t(root_)].is_leaf()) return;
     const bool listed = is_listed();
@@ -44,20 +44,21 @@ void Tree::refit(ThreadPool* threads, std::span<const Box4> before) {
     });
     built_perimeters_ = build(threads, before);
     built_since_change_ = true;
-    built_ = epoch_;
+    built_epoch_ = epoch_;
 }
 
 void Tree::rebuild(ThreadPool* threads, std::span<const Box4> before) {
     if (built_since_change_) return;
     built_since_change_ = true;
-    if (root_ == none || nodes_[size_t(root_)].is_leaf() || nodes_[size_t(root_)].moved <= built_)
+    if (root_ == none || nodes_[size_t(root_)].is_leaf() ||
+        nodes_[size_t(root_)].moved <= built_epoch_)
         return;
     if (4 * enlarged_ > leaves_)
-        built_ = 0;  // include all parts, so that all leaves are in buckets again
+        built_epoch_ = 0;  // include all parts, so that all leaves are in buckets again
     list_moved_parts();
     const float perimeters = build(threads, before);
     built_perimeters_ = is_listed() ? perimeters : 0.0f;
-    built_ = epoch_;
+    built_epoch_ = epoch_;
     enlarged_ = 0;
 }
 
@@ -81,7 +82,7 @@ void Tree::list_moved_parts() {
     while (!open.empty()) {
         const int32_t index = open.pop();
         const Node& node = nodes_[size_t(index)];
-        if (node.is_leaf() || node.moved <= built_) {
+        if (node.is_leaf() || node.moved <= built_epoch_) {
             parts_.push_back({node.box.low + node.box.high, index});
             continue;
         }
