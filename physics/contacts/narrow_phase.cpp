@@ -38,7 +38,7 @@ void keep_side(const NarrowPhaseInput& in, ContactRecord& c, float margin, Vec2 
     Manifold kept = {};
     collide_on_side(sheet, solid_of(in.objects, in.columns, other), side, offset, margin, kept);
     if (kept.count == 0) return;
-    if (!first) turn_round(kept);
+    if (!first) swap_shapes(kept);
     m = kept;
 }
 
@@ -102,7 +102,7 @@ class Collision {
         }
         if (batch_.count > 0) flush();
         for (; computed != 0; computed &= computed - 1)
-            note_pose(in_.objects, slots[begin + size_t(std::countr_zero(computed))]);
+            keep_manifold(in_.objects, slots[begin + size_t(std::countr_zero(computed))]);
         for (size_t i = begin; i < end; ++i) {
             const uint32_t slot = slots[i];
             const uint64_t bit = uint64_t{1} << (i - begin);
@@ -171,7 +171,7 @@ class Collision {
 
     const NarrowPhaseInput in_;  ///< a copy: one indirection less in the loops
     const ConvexArrays arrays_;
-    const bool keeps_;    ///< the contacts of the other solvers are rigid
+    const bool keeps_;  ///< manifolds are kept: not for the other solvers, whose contacts are rigid
     const float moment_;  ///< of the geometry of moving points
     CollisionBatch batch_ = {};
     ContactRecord* records_[CollisionBatch::size] = {};
@@ -179,7 +179,7 @@ class Collision {
 };
 
 /// The rare work after a manifold: ends a touch, or wakes a sleeping body that is about to be hit.
-void follow_note(const NarrowPhaseInput& in, uint32_t slot) {
+void process_note(const NarrowPhaseInput& in, uint32_t slot) {
     ContactRecord& c = in.objects.contacts[slot];
     const std::vector<BodyRecord>& bodies = in.objects.bodies;
     const bool active = c.manifold.count > 0;
@@ -280,7 +280,7 @@ void narrow_phase(const NarrowPhaseInput& in) {
         collided_contacts = awake.size();
         if (!slots.empty()) pieces = collide_awake(in, slots, pieces, 0, [](uint32_t) {});
         for (; noted < pieces; ++noted)
-            for (const uint32_t slot : collided[noted].more) follow_note(in, slot);
+            for (const uint32_t slot : collided[noted].more) process_note(in, slot);
         if (collided_contacts == awake.size()) break;
     }
     collided.resize(pieces);

@@ -9,11 +9,11 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// A half-plane and the center of a body, both relative to the same origin.
 struct HalfPlane {
     Vec2 normal;
     float depth = 0.0f;
 };
+/// A half-plane and the center of a body, both relative to the same origin.
 struct BesideHalfPlane {
     HalfPlane plane;
     Vec2 center;
@@ -43,7 +43,7 @@ void collide_ellipse_half_plane(const HalfPlane& plane, const EllipseForm& ellip
 }  // namespace
 
 void collide_unusual(const ObjectState& objects, const Columns& columns, const WorldDef& settings,
-                     const ContactRecord& c, float margin, bool held, Manifold& m) {
+                     const ContactRecord& c, float margin, bool had_contact, Manifold& m) {
     const Solid b = solid_of(objects, columns, c.shape_b);
     if (objects.forms[c.shape_a].kind == FormKind::border) {  // the border is always shape a
         const BorderPlane border = border_plane(*settings.bounds, c.shape_a);
@@ -57,8 +57,8 @@ void collide_unusual(const ObjectState& objects, const Columns& columns, const W
         return;
     }
     const Solid a = solid_of(objects, columns, c.shape_a);
-    collide(a, b, objects.bodies[c.body_b].center - objects.bodies[c.body_a].center, margin, held,
-            m);
+    collide(a, b, objects.bodies[c.body_b].center - objects.bodies[c.body_a].center, margin,
+            had_contact, m);
 }
 
 }  // namespace fettle::physics::detail

@@ -118,7 +118,7 @@ class Sections {
 /// Runs `work(section)` for each section, as often as `run` is called. A section runs after the
 /// sections that it depends on.
 template <typename Work>
-class alignas(line_size) SectionLoop {
+class alignas(cache_line_size) SectionLoop {
   public:
     SectionLoop(const Sections& plan, ThreadPool* threads, Work work)
         : work_(std::move(work)), threads_(threads) {

@@ -20,7 +20,7 @@ constexpr int spins = 20'000, yields = 2000;
 
 // How long a thread waits for almost finished threads before it takes their remaining blocks, whose
 // data are in the cache of the other thread. About a microsecond.
-constexpr int patience = 40;
+constexpr int spins_before_taking = 40;
 
 // How long the caller waits for the last blocks before it yields: the system may have interrupted
 // the thread of such a block.
@@ -32,8 +32,8 @@ void pause() {
 #endif
 }
 
-// A turn or a share in one word: 24 bits for the round, 20 bits for the first remaining block, 20
-// bits for the end.
+// A share in one word: 24 bits for the round, 20 bits for the first remaining block, 20 bits for
+// the end. `turn_` has the same layout, with all blocks of the round.
 constexpr int count_bits = 20;
 constexpr uint64_t count_mask = (uint64_t{1} << count_bits) - 1;
 constexpr uint64_t one_first = uint64_t{1} << count_bits;
@@ -85,7 +85,7 @@ ThreadPool::~ThreadPool() {
     stop();
 }
 
-ThreadPool::Helping::Helping(ThreadPool* pool)
+ThreadPool::HostThreads::HostThreads(ThreadPool* pool)
     : pool_(pool != nullptr && pool->host_ != nullptr && pool->threads_ > 1 && !pool->host_failed_
                 ? pool
                 : nullptr) {
@@ -106,11 +106,11 @@ ThreadPool::Helping::Helping(ThreadPool* pool)
     }
 }
 
-ThreadPool::Helping::~Helping() {
+ThreadPool::HostThreads::~HostThreads() {
     (void)finish();
 }
 
-std::exception_ptr ThreadPool::Helping::finish() noexcept {
+std::exception_ptr ThreadPool::HostThreads::finish() noexcept {
     ThreadPool* const pool = std::exchange(pool_, nullptr);
     if (pool == nullptr) return nullptr;
     pool->end_round();
@@ -154,8 +154,8 @@ uint64_t ThreadPool::share_of(uint64_t turn, size_t thread) const {
 }
 
 /// Takes a block of a thread's share. If the share still belongs to an earlier round, the first
-/// thread that arrives initializes it. The current round cannot be over then, because all blocks of
-/// that share remain.
+/// thread that claims a block initializes it. The current round cannot be over then, because all
+/// blocks of that share remain.
 bool ThreadPool::claim(uint64_t turn, size_t thread, bool own, uint32_t& block) {
     std::atomic<uint64_t>& share = shares_[thread].left;
     uint64_t seen = share.load(std::memory_order_acquire);
@@ -184,7 +184,7 @@ void ThreadPool::work_on(uint64_t turn, size_t thread, bool own) {
 }
 
 bool ThreadPool::wait_for_others(uint32_t goal) const {
-    for (int looks = 0; looks < patience; ++looks) {
+    for (int looks = 0; looks < spins_before_taking; ++looks) {
         if (done_.load(std::memory_order_acquire) == goal) return true;
         pause();
     }
