@@ -155,7 +155,8 @@ struct DistanceConstraint {
     /// fast as other joints do at most.
     template <bool biased>
     void hold(SolverBody& a, SolverBody& b, float error, const JointStep& step) {
-        if (biased) error = dot(line.direction, ends.draw(a, b, error * line.direction, step));
+        if (biased)
+            error = dot(line.direction, ends.close_wide_gap(a, b, error * line.direction, step));
         line.push(ends, a, b,
                   push_rigid<biased>(impulses.along, line.mass, line.velocity(a, b), error,
                                      step.softness(0.125f * error)));

@@ -150,7 +150,7 @@ void Joint::set_body(uint32_t side, const Body& body, const char* function) {
     ends[side] = end_at(side, body);
     if (ends[0] == ends[1])
         throw std::invalid_argument(std::string(side == 0 ? "body_a" : "body_b") +
-                                    ": expected another body than the other's");
+                                    ": expected a body other than the one at the other end");
     data.change<set_joint_bodies>(id_.index, ends[0], ends[1]);
 }
 

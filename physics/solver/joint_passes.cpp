@@ -24,7 +24,7 @@ static_assert(2 * most_strips <= node_bits + 1 && JointScratch::loads < 4);
 /// More stiffness is stable only if more sweeps over the joints converge better.
 ///
 /// An impact moves the bodies of a joint far apart, because contacts stop one of them and the joint
-/// the other only some passes later. The relax pass does not take away all of the speed that closes
+/// the other only some passes later. The relax pass does not remove all of the speed that closes
 /// the gap, so the bodies spring back: the faster the gap is closed, the higher.
 
 struct LoadSettings {
@@ -38,11 +38,11 @@ constexpr LoadSettings settings_of_load[JointScratch::loads] = {{0.0f, 60.0f, 0.
                                                                 {10.0f, 120.0f, 0.5f, 4, 16.0f},
                                                                 {100.0f, 240.0f, 1.0f, 16, 64.0f}};
 
-/// Wider gaps, m, come from edits. What is wider is taken away at this rate, 1/s.
+/// Wider gaps, m, come from edits. Their excess is removed at this rate, 1/s.
 constexpr float least_wide_gap = 0.5f, wide_rate = 60.0f;
 
-/// Sets how the joints under a load are solved.
-void follow_load(size_t load, JointStep& step) {
+/// Sets how the joints under a load are solved: see `LoadSettings`.
+void use_load_settings(size_t load, JointStep& step) {
     const LoadSettings& settings = settings_of_load[load];
     step.rigid = make_softness(min(settings.hertz, settings.share / step.h), 2.0f, step.h);
     step.greatest_gap = settings.speed / step.rigid.bias_rate;
@@ -107,9 +107,8 @@ struct JointLists {
         const JointRole role = role_of(objects, joint);
         if (role == JointRole::idle) clear_impulses(objects, slot);
         if (role != JointRole::acting) return 0;  // it keeps its impulses until a body wakes
-        // Unlike a contact, a joint also writes to a body that moves on its own. The nodes of all
-        // joints of such a body are on one path from the root, so no two of them are solved at the
-        // same time.
+        // Unlike a contact, a joint also writes to a kinematic body. The nodes of all joints of
+        // such a body are on one path from the root, so no two of them are solved at the same time.
         const SolverEnd a = bodies.solver_ends[joint.bodies[0]],
                         b = bodies.solver_ends[joint.bodies[1]];
         const StripNode node =
@@ -221,7 +220,7 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     step.h = h;
     step.inverse_h = 1.0f / h;
     step.impulse_ratio = impulse_ratio;
-    follow_load(0, step);
+    use_load_settings(0, step);
     JointLists lists = {objects, active, bodies, joints, threads};
     if (lists.make_notes()) lists.spread_loads();
     lists.fill();
@@ -280,7 +279,7 @@ void sweep_joints(JointPass pass, size_t load, JointScratch& joints, std::span<S
     if (load == 0) return sweep(pass, load, joints, bodies, step, nodes);
     if (load == JointScratch::tuned) return sweep_tuned(pass, joints, bodies, step, nodes);
     JointStep of_load = step;
-    follow_load(load, of_load);
+    use_load_settings(load, of_load);
     sweep(pass, load, joints, bodies, of_load, nodes);
 }
 
@@ -307,7 +306,7 @@ void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips
     joints.joint_share.unite();
 }
 
-void strain_joints(JointScratch& joints) {
+void add_strains(JointScratch& joints) {
     for (Strain& strain : joints.strains) {
         const JointLoad load = joint_kind(JointScratch::type_of(strain.array))
                                    .load(joints.joint_arrays[strain.array], strain.index);

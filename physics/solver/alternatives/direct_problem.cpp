@@ -425,10 +425,10 @@ bool DirectProblem::solve(std::span<DirectRow> all, std::span<const MassScale> s
     read(scales, solver_bodies, applied);
     bool solved = find_velocities();
     if (const double first = excess(scales, push_speed); first > 1.0) {
-        begin_again(1.0 / first);
+        restart(1.0 / first);
         solved = find_velocities();
         if (excess(scales, push_speed) > much_excess) {
-            begin_again(0.0);
+            restart(0.0);
             solved = find_velocities();
         }
     }
