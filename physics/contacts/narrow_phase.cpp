@@ -76,7 +76,7 @@ class Collision {
           keeps_(input.settings.solver == Solver::soft_step),
           moment_(moment_of_geometry(input.settings.substeps)) {}
 
-    /// Computes the manifolds of some awake contacts, and notes which contacts need more work.
+    /// Computes the manifolds of some awake contacts, and lists which contacts need more work.
     void run(std::span<const uint32_t> slots, size_t begin, size_t end, CollidedPiece& piece) {
         uint64_t over = 0, computed = 0, known = 0;
         uint32_t features[run_length];
@@ -179,7 +179,7 @@ class Collision {
 };
 
 /// The rare work after a manifold: ends a touch, or wakes a sleeping body that is about to be hit.
-void process_note(const NarrowPhaseInput& in, uint32_t slot) {
+void process_pair(const NarrowPhaseInput& in, uint32_t slot) {
     ContactRecord& c = in.objects.contacts[slot];
     const std::vector<BodyRecord>& bodies = in.objects.bodies;
     const bool active = c.manifold.count > 0;
@@ -205,9 +205,9 @@ void mark_paired(const NarrowPhaseInput& in, std::span<const uint32_t> moved) {
     }
 }
 
-/// Computes the manifolds of the contacts `slots`. Their notes go into the pieces from `first` on;
-/// returns the end of these pieces. At the same time, `beside(i)` is called for each i below
-/// `others`.
+/// Computes the manifolds of the contacts `slots`. Those that need more work are listed in the
+/// pieces from `first` on; returns the end of these pieces. At the same time, `beside(i)` is called
+/// for each i below `others`.
 size_t collide_awake(const NarrowPhaseInput& in, std::span<const uint32_t> slots, size_t first,
                      uint32_t others, auto&& beside) {
     std::vector<CollidedPiece>& collided = in.scratch.collided;
@@ -271,16 +271,17 @@ void wake_for_sensors(const NarrowPhaseInput& in) {
 void narrow_phase(const NarrowPhaseInput& in) {
     std::vector<uint32_t>& awake = in.active.awake_contacts;
     std::vector<CollidedPiece>& collided = in.scratch.collided;
-    size_t collided_contacts = awake.size(), noted = 0;
+    size_t collided_contacts = awake.size(), processed = 0;
     size_t pieces = collide_and_create(in);
     wake_for_sensors(in);
-    // New contacts are collided in another round. So are contacts that wake because of the notes.
+    // New contacts are collided in another round. So are contacts that wake when the listed pairs
+    // are processed.
     for (;;) {
         const std::span slots = std::span(awake).subspan(collided_contacts);
         collided_contacts = awake.size();
         if (!slots.empty()) pieces = collide_awake(in, slots, pieces, 0, [](uint32_t) {});
-        for (; noted < pieces; ++noted)
-            for (const uint32_t slot : collided[noted].more) process_note(in, slot);
+        for (; processed < pieces; ++processed)
+            for (const uint32_t slot : collided[processed].more) process_pair(in, slot);
         if (collided_contacts == awake.size()) break;
     }
     collided.resize(pieces);

@@ -86,17 +86,17 @@ using namespace detail;
 FETTLE_JOINT_NUMBER(Ratchet, tooth, tooth)
 
 float RatchetJoint::reference_angle() const {
-    return own<RatchetSettings>().reference_angle;
+    return settings_as<RatchetSettings>().reference_angle;
 }
 void RatchetJoint::set_reference_angle(float angle) {
-    own<RatchetSettings>();
+    settings_as<RatchetSettings>();
     const float checked = check_finite("reference_angle", angle);
     edit<RatchetSettings>("RatchetJoint", __func__).reference_angle = checked;
     // The teeth have moved, so the pawl must find its tooth again.
     live().joints[id().index].impulses = {};
 }
 bool RatchetJoint::backwards() const {
-    return own<RatchetSettings>().direction < 0.0f;
+    return settings_as<RatchetSettings>().direction < 0.0f;
 }
 void RatchetJoint::set_backwards(bool backwards) {
     edit<RatchetSettings>("RatchetJoint", __func__).direction = backwards ? -1.0f : 1.0f;
@@ -106,7 +106,7 @@ float RatchetJoint::angle() const {
     return angle_between(*this) - reference_angle();
 }
 float RatchetJoint::caught_angle() const {
-    const float direction = own<RatchetSettings>().direction;
+    const float direction = settings_as<RatchetSettings>().direction;
     const auto& pawl = live().joints[id().index].impulses.as<RatchetImpulses>();
     return pawl.engaged == 0.0f ? angle() : direction * pawl.caught;
 }

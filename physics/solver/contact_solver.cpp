@@ -301,14 +301,14 @@ struct Bounce {
 };
 
 /// False in the pass in which a contact with this restitution e no longer passes impacts on. A body
-/// hands (1 + e) / 2 of its speed on to an equal one at rest, so an impact is down to a hundredth
+/// passes (1 + e) / 2 of its speed on to an equal one at rest, so an impact is down to a hundredth
 /// after ln 100 / ln (2 / (1 + e)) bodies. Bodies that still approach then are pressed together, by
 /// a motor or between walls; the sub-steps stop them.
 bool passes_on(float restitution, uint8_t pass) {
     constexpr float spent = 0.01f;
-    const float handed_on = 0.5f * (1.0f + restitution);
+    const float passed_on = 0.5f * (1.0f + restitution);
     float left = 1.0f;
-    for (uint8_t i = 1; i < pass && left > spent; ++i) left *= handed_on;
+    for (uint8_t i = 1; i < pass && left > spent; ++i) left *= passed_on;
     return left > spent;
 }
 

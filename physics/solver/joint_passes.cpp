@@ -13,9 +13,9 @@ namespace {
 /// Number of joints in a task of a thread.
 constexpr size_t joints_at_a_time = 128;
 
-/// Notes about an awake joint before it is prepared: its node, and these bits; 0 if it does not
+/// The code of an awake joint before it is prepared: its node, and these bits; 0 if it does not
 /// act.
-enum JointNote : uint8_t { node_bits = 0x0f, load_bits = 0x30, one_load = 0x10, can_break = 0x80 };
+enum JointCode : uint8_t { node_bits = 0x0f, load_bits = 0x30, one_load = 0x10, can_break = 0x80 };
 constexpr uint8_t is_tuned = JointScratch::tuned * one_load;
 static_assert(2 * most_strips <= node_bits + 1 && JointScratch::loads < 4);
 
@@ -91,18 +91,18 @@ struct JointLists {
     JointScratch& joints;
     ThreadPool* threads;
 
-    /// Calls `visit(type, awake joint, its note)`.
+    /// Calls `visit(type, awake joint, its code)`.
     void for_each(auto&& visit) {
-        uint8_t* note = joints.joint_notes.data();
+        uint8_t* code = joints.joint_codes.data();
         for (size_t type = 0; type < joint_type_count; ++type)
-            for (const uint32_t joint : active.awake_joints[type]) visit(type, joint, *note++);
+            for (const uint32_t joint : active.awake_joints[type]) visit(type, joint, *code++);
     }
     std::pair<uint32_t, uint32_t> indices_of(uint32_t joint) const {
         const auto [a, b] = objects.joints[joint].bodies;
         return {bodies.solver_ends[a].index(), bodies.solver_ends[b].index()};
     }
 
-    uint8_t note_of(uint32_t slot) {
+    uint8_t code_of(uint32_t slot) {
         const JointRecord& joint = objects.joints[slot];
         const JointRole role = role_of(objects, joint);
         if (role == JointRole::idle) clear_impulses(objects, slot);
@@ -120,22 +120,22 @@ struct JointLists {
                        (joint.is_measured() ? can_break : 0));
     }
     /// Returns true if a joint bears a heavy load.
-    bool make_notes() {
+    bool make_codes() {
         size_t count = 0;
         for (const auto& awake : active.awake_joints) count += awake.size();
-        joints.joint_notes.resize(count);
+        joints.joint_codes.resize(count);
         std::atomic<bool> heavy = false;
-        uint8_t* notes = joints.joint_notes.data();
+        uint8_t* codes = joints.joint_codes.data();
         for (const auto& awake : active.awake_joints) {
             share_out_range(threads, awake.size(), joints_at_a_time, [&](size_t begin, size_t end) {
                 uint8_t all = 0;
                 for (size_t i = begin; i < end; ++i) {
-                    notes[i] = note_of(awake[i]);
-                    if ((notes[i] & load_bits) != is_tuned) all |= notes[i];
+                    codes[i] = code_of(awake[i]);
+                    if ((codes[i] & load_bits) != is_tuned) all |= codes[i];
                 }
                 if ((all & load_bits) != 0) heavy.store(true, std::memory_order_relaxed);
             });
-            notes += awake.size();
+            codes += awake.size();
         }
         return heavy;
     }
@@ -145,36 +145,36 @@ struct JointLists {
     void spread_loads() {
         UnionFind components;
         components.reset(bodies.solver_bodies.size());
-        for_each([&](size_t, uint32_t joint, uint8_t note) {
+        for_each([&](size_t, uint32_t joint, uint8_t code) {
             const auto [a, b] = indices_of(joint);
-            if (note != 0 && moves(bodies.solver_bodies[a]) && moves(bodies.solver_bodies[b]))
+            if (code != 0 && moves(bodies.solver_bodies[a]) && moves(bodies.solver_bodies[b]))
                 components.unite(a, b);
         });
         std::vector<Loaded> all(bodies.solver_bodies.size());
-        for_each([&](size_t, uint32_t joint, uint8_t note) {
+        for_each([&](size_t, uint32_t joint, uint8_t code) {
             const auto [a, b] = indices_of(joint);
-            if (note == 0 || (note & load_bits) == is_tuned) return;
+            if (code == 0 || (code & load_bits) == is_tuned) return;
             Loaded& loaded = all[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
-            loaded.load = std::max(loaded.load, uint8_t((note & load_bits) / one_load));
+            loaded.load = std::max(loaded.load, uint8_t((code & load_bits) / one_load));
             loaded.add(bodies.solver_bodies[a]);
             loaded.add(bodies.solver_bodies[b]);
         });
-        for_each([&](size_t, uint32_t joint, uint8_t& note) {
+        for_each([&](size_t, uint32_t joint, uint8_t& code) {
             const auto [a, b] = indices_of(joint);
-            if (note == 0 || (note & load_bits) == is_tuned) return;
+            if (code == 0 || (code & load_bits) == is_tuned) return;
             const Loaded& loaded = all[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
-            note = uint8_t((note & ~load_bits) | loaded.greatest_load() * one_load);
+            code = uint8_t((code & ~load_bits) | loaded.greatest_load() * one_load);
         });
     }
 
     /// Lists the joints that act, in the order of their nodes.
     void fill() {
         for (JointArray& array : joints.joint_arrays) array.nodes.clear();
-        const auto array_of = [&](size_t type, uint8_t note) {
-            return type + size_t((note & load_bits) / one_load) * joint_type_count;
+        const auto array_of = [&](size_t type, uint8_t code) {
+            return type + size_t((code & load_bits) / one_load) * joint_type_count;
         };
-        for_each([&](size_t type, uint32_t, uint8_t note) {
-            if (note != 0) joints.joint_arrays[array_of(type, note)].nodes.count(note & node_bits);
+        for_each([&](size_t type, uint32_t, uint8_t code) {
+            if (code != 0) joints.joint_arrays[array_of(type, code)].nodes.count(code & node_bits);
         });
         std::array<NodeRanges::Places, (JointScratch::loads + 1) * joint_type_count> next;
         for (size_t i = 0; i < next.size(); ++i) {
@@ -185,12 +185,12 @@ struct JointLists {
             array.drives.resize(array.nodes.size());
         }
         joints.strains.clear();
-        for_each([&](size_t type, uint32_t joint, uint8_t note) {
-            if (note == 0) return;
-            const size_t array = array_of(type, note);
-            const uint32_t place = next[array][note & node_bits]++;
+        for_each([&](size_t type, uint32_t joint, uint8_t code) {
+            if (code == 0) return;
+            const size_t array = array_of(type, code);
+            const uint32_t place = next[array][code & node_bits]++;
             joints.joint_arrays[array].joints[place] = joint;
-            if ((note & can_break) != 0)
+            if ((code & can_break) != 0)
                 joints.strains.push_back({joint, uint32_t(array), place, {}, 0.0f});
         });
     }
@@ -222,7 +222,7 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     step.impulse_ratio = impulse_ratio;
     use_load_settings(0, step);
     JointLists lists = {objects, active, bodies, joints, threads};
-    if (lists.make_notes()) lists.spread_loads();
+    if (lists.make_codes()) lists.spread_loads();
     lists.fill();
     soften_tuned(objects, joints, h);
     for (size_t i = 0; i < joints.joint_arrays.size(); ++i) {

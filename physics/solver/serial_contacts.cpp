@@ -11,9 +11,9 @@ namespace {
 /// Number of contacts in a task of a thread.
 constexpr size_t contacts_at_a_time = 64;
 
-/// Notes about a prepared contact and a stored one.
-enum PreparedNote : uint8_t { needs_extra = 1, passes = 2, rolls = 4 };
-enum StoredNote : uint8_t { touches = 1, is_changed = 2, may_hit = 4 };
+/// Flags of a prepared contact and of a stored one.
+enum PreparedFlag : uint8_t { needs_extra = 1, passes = 2, rolls = 4 };
+enum StoredFlag : uint8_t { touches = 1, is_changed = 2, may_hit = 4 };
 
 /// d·(M_a⁻¹ + M_b⁻¹)·d; along a locked axis a body is infinitely heavy.
 float inverse_along(const ContactConstraint& c, Vec2 d, const SolverBody& a, const SolverBody& b) {
@@ -93,12 +93,12 @@ Vec2 inverse_masses(const BodyRecord& record, const SolverBody& body) {
 void assign_extras(SingleContacts& contacts) {
     contacts.extras.clear();
     uint32_t rolling = 0;
-    for (size_t i = 0; i < contacts.notes.size(); ++i) {
-        const uint8_t note = contacts.notes[i];
+    for (size_t i = 0; i < contacts.flags.size(); ++i) {
+        const uint8_t flag_bits = contacts.flags[i];
         contacts.constraints[i].extra = 0;
-        if (note == 0) continue;
+        if (flag_bits == 0) continue;
         ContactExtra& extra = contacts.extras.emplace_back();
-        if ((note & rolls) != 0) extra.rolling = ++rolling;
+        if ((flag_bits & rolls) != 0) extra.rolling = ++rolling;
         contacts.constraints[i].extra = uint32_t(contacts.extras.size());
     }
     contacts.rolling_contacts.resize(rolling);
@@ -112,7 +112,7 @@ void prepare_extra_of(size_t single, const ObjectState& objects, const Columns& 
     ContactExtra& extra = contacts.extras[c.extra - 1];
     prepare_extra(record, c, bodies[c.a], bodies[c.b], ratio, extra);
     extra.in_impact = in_impact;
-    if ((contacts.notes[single] & passes) != 0) extra.corner = corner_of(objects, record);
+    if ((contacts.flags[single] & passes) != 0) extra.corner = corner_of(objects, record);
     if (extra.rolling == 0) return;
     const auto radius = [&](uint32_t shape, Vec2 normal) {
         return radius_of_curvature(solid_of(objects, columns, shape), normal);
@@ -121,7 +121,7 @@ void prepare_extra_of(size_t single, const ObjectState& objects, const Columns& 
                                                     radius(record.shape_b, -c.normal)};
 }
 
-/// Stores the impulses of a constraint in its contact; returns the note of the contact.
+/// Stores the impulses of a constraint in its contact; returns its flags, `StoredFlag`.
 uint8_t store_constraint(const ContactConstraint& c, std::span<const ContactExtra> extras,
                          ContactRecord& record) {
     // A bounce takes less than one step, and the shapes are apart before and after it. An impulse
@@ -153,7 +153,7 @@ void prepare(const ObjectState& objects, const Columns& columns, const BodyScrat
              const ContactStiffness& stiffness, float dt, float ratio, ThreadPool* threads) {
     const size_t count = contacts.acting.size();
     contacts.constraints.resize(count);
-    contacts.notes.resize(count);
+    contacts.flags.resize(count);
     share_out_range(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const uint32_t slot = acting[contacts.acting[i]].slot;
@@ -176,7 +176,7 @@ void prepare(const ObjectState& objects, const Columns& columns, const BodyScrat
                                   max(a.inverse_mass, b.inverse_mass),
                                   min(gyration_of(a), gyration_of(b)));
             const bool corner = !record.curved && passes_corner(objects, bodies, record, dt);
-            contacts.notes[i] = uint8_t(
+            contacts.flags[i] = uint8_t(
                 (record.special || acting[contacts.acting[i]].takes_impacts() ? needs_extra : 0) |
                 (corner ? needs_extra | passes : 0) | (record.curved ? needs_extra | rolls : 0));
         }
@@ -193,18 +193,18 @@ void prepare(const ObjectState& objects, const Columns& columns, const BodyScrat
 void store_serial(SingleContacts& contacts, const Touching& touching, float hit_threshold,
                   ThreadPool* threads) {
     const std::vector<ContactConstraint>& constraints = contacts.constraints;
-    std::vector<uint8_t>& notes = contacts.notes;
+    std::vector<uint8_t>& flags = contacts.flags;
     ObjectState& objects = touching.objects;
     share_out_range(threads, constraints.size(), contacts_at_a_time, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
-            notes[i] = store_constraint(constraints[i], contacts.extras,
+            flags[i] = store_constraint(constraints[i], contacts.extras,
                                         objects.contacts[constraints[i].contact]);
     });
     for (size_t i = 0; i < constraints.size(); ++i) {
         const ContactConstraint& c = constraints[i];
-        if ((notes[i] & is_changed) != 0)
-            set_touching(touching, c.contact, (notes[i] & touches) != 0);
-        if ((notes[i] & may_hit) == 0) continue;
+        if ((flags[i] & is_changed) != 0)
+            set_touching(touching, c.contact, (flags[i] & touches) != 0);
+        if ((flags[i] & may_hit) == 0) continue;
         const ContactExtra* const extra = c.extra != 0 ? &contacts.extras[c.extra - 1] : nullptr;
         const auto hit = hit_of(touching, hit_threshold, c.contact, extra);
         if (hit) touching.events.contact_hit.push_back(*hit);

@@ -32,7 +32,7 @@ constexpr float slow_turn = 10.0f;
 /// A presser that is slower than this, m/s, counts as being at rest.
 constexpr float standing_speed = 0.001f;
 
-/// A contact with a body that does not yield, as the squeezed body sees it.
+/// A contact with a body that does not yield, relative to the squeezed body.
 struct Press {
     Vec2 normal;  ///< towards the body
     float depth = 0.0f, speed = 0.0f;

@@ -211,7 +211,7 @@ struct ShapeRecord {
     bool geometry_dirty = false;
     bool moved = false;     ///< in the list of shapes for which pairs are searched
     bool listed = false;    ///< in the list of shapes to refresh
-    bool crowded = false;   ///< it looks for its pairs by itself: see contacts/crowds.h
+    bool crowded = false;   ///< its pairs are searched separately: see contacts/crowds.h
     uint32_t capacity = 0;  ///< vertices reserved in the pool
 
     // A chain or a concave polygon collides as its parts, which are shapes that only the library

@@ -11,7 +11,7 @@
 #include <partition/joint_share.h>
 #include <partition/strips.h>
 #include <state/member_list.h>
-#include <state/step_notes.h>
+#include <state/stage_results.h>
 
 #include <array>
 #include <cstdint>
@@ -92,7 +92,7 @@ struct JointScratch {
     /// Behind them: the joints with a stiffness of their own.
     static constexpr size_t tuned = loads;
     std::array<JointArray, (loads + 1) * joint_type_count> joint_arrays;  ///< by load, then by type
-    std::vector<uint8_t> joint_notes;  ///< of the awake joints, type by type
+    std::vector<uint8_t> joint_codes;  ///< of the awake joints, type by type
     std::vector<Strain> strains;
 
     static JointType type_of(size_t array) { return JointType(array % joint_type_count); }
@@ -102,7 +102,7 @@ struct JointScratch {
         return count;
     }
 
-    FETTLE_SCRATCH(JointScratch, s.joint_share, s.joint_arrays, s.joint_notes, s.strains)
+    FETTLE_SCRATCH(JointScratch, s.joint_share, s.joint_arrays, s.joint_codes, s.strains)
 };
 
 /// Acting contacts that are computed one at a time.
@@ -113,10 +113,10 @@ struct SingleContacts {
     std::vector<ContactExtra> extras;
     std::vector<RollingContact> rolling_contacts;
     NodeRanges nodes;
-    std::vector<uint8_t> notes;
+    std::vector<uint8_t> flags;  ///< of the same contacts: solver/serial_contacts.cpp
 
     FETTLE_SCRATCH(SingleContacts, s.acting, s.constraints, s.extras, s.rolling_contacts, s.nodes,
-                   s.notes)
+                   s.flags)
 };
 
 /// The serial contacts of bodies whose joints bear a heavy load.

@@ -36,7 +36,7 @@ struct BodyFunctions {
     bool moves = false;  ///< it was awake at the beginning of the step
 };
 
-/// Is told of the changes of a world. If `step_begins` or `step_ends` throws, it is removed.
+/// Receives the changes of a world. If `step_begins` or `step_ends` throws, it is removed.
 class WorldObserver {
   public:
     WorldObserver() = default;

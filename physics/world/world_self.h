@@ -103,7 +103,7 @@ struct WorldSelf {
     }
     [[noreturn]] static void throw_damaged();
 
-    /// Sets the observer, which is told of all changes of the world; null: none.
+    /// Sets the observer, which receives all changes of the world; null: none.
     void set_observer(std::unique_ptr<WorldObserver> observer);
     WorldObserver* observer() const { return observer_.get(); }
     /// Passes the answer of a user function in a step to a recording.

@@ -85,7 +85,7 @@ class Joint {
   protected:
     detail::WorldData& live() const;
     template <class Data>
-    Data& own() const;
+    Data& settings_as() const;
     /// Settings for an edit; wakes the bodies. `of` and `function`: type and method that the user
     /// called, for messages.
     template <class Data>

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-// Notes of one stage of a step for later stages.
+// Results of one stage of a step for later stages.
 
 namespace fettle::physics::detail {
 
