@@ -36,7 +36,7 @@ void Tree::refit(ThreadPool* threads, std::span<const Box4> before) {
     const bool listed = is_listed();
     if (!listed) list();
     if (fit(threads, {before, listed}) <= max_growth * built_perimeters_) return;
-    share_out_range(threads, parts_.size(), 1024, [&](size_t begin, size_t end) {
+    parallel_for_ranges(threads, parts_.size(), 1024, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const Box4& box = nodes_[size_t(parts_[i].node)].box;
             parts_[i].middle = box.low + box.high;
@@ -156,8 +156,8 @@ float Tree::build(ThreadPool* threads, std::span<const Box4> before) {
     root_ = parts_.size() == 1 ? parts_.front().node : inner_.front();
     nodes_[size_t(root_)].parent = none;
     divide(threads);
-    share_out(threads, uint32_t(subtrees_.size()),
-              [&](uint32_t i) { build_below(subtrees_[i].range, subtrees_[i], false); });
+    parallel_for(threads, uint32_t(subtrees_.size()),
+                 [&](uint32_t i) { build_below(subtrees_[i].range, subtrees_[i], false); });
     uint32_t count = 0;
     for (Subtree& subtree : subtrees_) {
         subtree.first_bucket = count;
@@ -174,7 +174,7 @@ void Tree::divide(ThreadPool* threads) {
     upper_nodes_.clear();
     part_ranges_.assign(1, {0, uint32_t(parts_.size()), 0});
     for (size_t begin = 0, end = 1; begin < end; begin = end, end = part_ranges_.size()) {
-        share_out(threads, uint32_t(end - begin), [&](uint32_t i) {
+        parallel_for(threads, uint32_t(end - begin), [&](uint32_t i) {
             PartRange& range = part_ranges_[begin + i];
             if (range.count > greatest) split_range(range);
         });
@@ -260,8 +260,8 @@ Tree::Part* Tree::split(Part* begin, Part* end) {
 /// Computes all listed boxes, and fills the buckets. Returns the sum of the perimeters of the
 /// buckets.
 float Tree::fit(ThreadPool* threads, const Before& before) {
-    share_out(threads, uint32_t(subtrees_.size()),
-              [&](uint32_t i) { subtrees_[i].perimeters = fit_subtree(subtrees_[i], before); });
+    parallel_for(threads, uint32_t(subtrees_.size()),
+                 [&](uint32_t i) { subtrees_[i].perimeters = fit_subtree(subtrees_[i], before); });
     for (size_t i = upper_nodes_.size(); i-- > 0;) fit_node(inner_[upper_nodes_[i]]);
     float perimeters = 0.0f;
     for (const Subtree& subtree : subtrees_) perimeters += subtree.perimeters;

@@ -91,6 +91,6 @@ void check_outline(std::span<const Vec2> points);
 void check_chain(std::span<const Vec2> points, bool closed);
 void check(const Geometry& geometry);  ///< polygons: also that they have a hull
 
-[[noreturn]] void wrong_type(const char* property, ShapeType type);
+[[noreturn]] void refuse_wrong_type(const char* property, ShapeType type);
 
 }  // namespace fettle::physics::detail

@@ -25,7 +25,7 @@ uint32_t decider_of(const ObjectState& objects, uint32_t shape_a, uint32_t shape
 /// found to the new pairs in the order of the pieces.
 void search_in_pieces(PairScratch& scratch, size_t count, ThreadPool* threads, auto&& search) {
     if (scratch.found_pairs.size() < count) scratch.found_pairs.resize(count);
-    share_out(threads, uint32_t(count), [&](uint32_t piece) {
+    parallel_for(threads, uint32_t(count), [&](uint32_t piece) {
         scratch.found_pairs[piece].clear();
         search(piece, scratch.found_pairs[piece]);
     });

@@ -32,7 +32,7 @@ inline bool may_keep(const ObjectState& objects, const ContactRecord& c) {
 
 /// True if the body is kinematic and turns. The lever arm on it would lag behind, by meters for
 /// a large platform: a body on it would be moved along a tangent, and so outwards.
-inline bool turns_on_its_own(const ObjectState& objects, uint32_t shape, uint32_t body) {
+inline bool is_turning_kinematic(const ObjectState& objects, uint32_t shape, uint32_t body) {
     return objects.forms[shape].turn != 0.0f &&
            objects.bodies[body].mobility == Mobility::kinematic;
 }
@@ -49,8 +49,8 @@ inline void keep_manifold(ObjectState& objects, uint32_t slot) {
     ContactRecord& c = objects.contacts[slot];
     c.kept = c.manifold.count == 2 && !c.sensor && has_both_anchors(objects, c);
     if (c.kept && objects.kinematic_bodies > 0)
-        c.kept = !turns_on_its_own(objects, c.shape_a, c.body_a) &&
-                 !turns_on_its_own(objects, c.shape_b, c.body_b);
+        c.kept = !is_turning_kinematic(objects, c.shape_a, c.body_a) &&
+                 !is_turning_kinematic(objects, c.shape_b, c.body_b);
     if (!c.kept) return;
 
     objects.manifold_poses[slot] = {

@@ -213,7 +213,7 @@ size_t collide_awake(const NarrowPhaseInput& in, std::span<const uint32_t> slots
     std::vector<CollidedPiece>& collided = in.scratch.collided;
     const size_t pieces = (slots.size() + contacts_of_piece - 1) / contacts_of_piece;
     if (collided.size() < first + pieces) collided.resize(first + pieces);
-    share_out(in.threads, others + uint32_t(pieces), [&](uint32_t block) {
+    parallel_for(in.threads, others + uint32_t(pieces), [&](uint32_t block) {
         if (block < others) {
             beside(block);
             return;

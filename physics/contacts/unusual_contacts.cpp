@@ -21,7 +21,7 @@ struct BesideHalfPlane {
 
 /// The half-plane relative to the origin of the world; in double precision, relative to the center
 /// of the body.
-BesideHalfPlane seen_from(const BorderPlane& border, const Position& center) {
+BesideHalfPlane relative_to(const BorderPlane& border, const Position& center) {
     if (double_positions)
         return {{border.normal, float(border.depth - dot(border.normal, center))}, {}};
     return {{border.normal, float(border.depth)}, Vec2(center)};
@@ -47,7 +47,7 @@ void collide_unusual(const ObjectState& objects, const Columns& columns, const W
     const Solid b = solid_of(objects, columns, c.shape_b);
     if (objects.forms[c.shape_a].kind == FormKind::border) {  // the border is always shape a
         const BorderPlane border = border_plane(*settings.bounds, c.shape_a);
-        const auto [plane, center_b] = seen_from(border, objects.bodies[c.body_b].center);
+        const auto [plane, center_b] = relative_to(border, objects.bodies[c.body_b].center);
         if (b.kind == FormKind::ellipse)
             collide_ellipse_half_plane(plane, ellipse_of(b.form), center_b, margin, m);
         else if (b.kind == FormKind::large)

@@ -141,7 +141,7 @@ Vec2 direction_between(const Sweep& a, const Sweep& b, float t) {
 float time_of_impact(const Sweep& sweep, Vec2 normal, WorldCoordinate depth, float gap,
                      float start) {
     Turning turning(sweep);
-    const Sweep plane = {{}, standing({}), 0.0f};
+    const Sweep plane = {{}, at_rest({}), 0.0f};
     return advance(sweep, plane, gap, start, [&](float t) {
         const float reached = reach(turning.at(t), -normal);
         return Gap{float(dot(normal, sweep.motion.center(t)) - reached - depth), -normal};

@@ -78,7 +78,7 @@ bool Field::is_valid() const {
 }
 
 WorldData& Field::live() const {
-    if (!is_valid()) dangling("field", link_, id_.index, id_.generation);
+    if (!is_valid()) refuse_dangling("field", link_, id_.index, id_.generation);
     return *link_->data;
 }
 

@@ -83,7 +83,7 @@ void Shape::attach(const Body& body) {
     data.self.may_populate("Shape", __func__);
     if (record.type == ShapeType::border)
         throw std::invalid_argument("the border of the world belongs to no body");
-    if (!body.is_valid()) dangling("body", body.link_, body.index(), body.id().generation);
+    if (!body.is_valid()) refuse_dangling("body", body.link_, body.index(), body.id().generation);
     if (body.link_ != link_) throw std::invalid_argument("body: expected a body of the same world");
     if (body.index() == 0)
         throw std::invalid_argument("body: the bounds of the world take no other shapes");

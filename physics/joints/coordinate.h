@@ -16,8 +16,8 @@ struct Line {
     float lever_a = 0.0f, lever_b = 0.0f, mass = 0.0f;
 
     /// `arm_a`: from the center of mass of a to the point where the row pushes.
-    void aim(const JointEnds& ends, Vec2 towards, Vec2 arm_a, const SolverBody& a,
-             const SolverBody& b) {
+    void set_direction(const JointEnds& ends, Vec2 towards, Vec2 arm_a, const SolverBody& a,
+                       const SolverBody& b) {
         direction = towards;
         lever_a = cross(arm_a, towards);
         lever_b = cross(ends.lever_b, towards);

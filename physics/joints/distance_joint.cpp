@@ -96,7 +96,7 @@ struct DistanceConstraint {
         // If the anchors coincide, the axis keeps its direction, or is arbitrary at first.
         if (distance > 1e-9f) axis = (1.0f / distance) * d;
         if (axis.x == 0.0f && axis.y == 0.0f) axis = {0.0f, 1.0f};
-        line.aim(ends, axis, ends.lever_a, a, b);
+        line.set_direction(ends, axis, ends.lever_a, a, b);
         return distance;
     }
 

@@ -12,7 +12,7 @@ namespace fettle::physics {
 
 namespace detail {
 
-[[noreturn]] void wrong_joint(JointType expected, JointType is);
+[[noreturn]] void refuse_wrong_joint(JointType expected, JointType is);
 
 /// Slot of a body; `name`: its name in the definition, for messages.
 uint32_t slot_of(const World& world, const char* name, BodyId id);
@@ -70,7 +70,7 @@ float translation_along(const Joint& joint, const Vec2& direction);
 template <class Settings>
 Settings& Joint::settings_as() const {
     detail::JointRecord& record = live().joints[id_.index];
-    if (record.type != Settings::type) detail::wrong_joint(Settings::type, record.type);
+    if (record.type != Settings::type) detail::refuse_wrong_joint(Settings::type, record.type);
     return record.settings.as<Settings>();
 }
 

@@ -57,8 +57,8 @@ struct Rail {
         const Vec2 gap = ends.gap(a, b);
         translation = dot(axis, gap);
         offset = dot(normal, gap);
-        along.aim(ends, axis, ends.lever_a + gap, a, b);
-        across.aim(ends, normal, ends.lever_a + gap, a, b);
+        along.set_direction(ends, axis, ends.lever_a + gap, a, b);
+        across.set_direction(ends, normal, ends.lever_a + gap, a, b);
     }
     void warm_start(const RailImpulses& impulses, const JointEnds& ends, SolverBody& a,
                     SolverBody& b) const {

@@ -278,7 +278,7 @@ float Obstacles::cast(const Position& position, Vec2 motion, float gap, uint32_t
         } else if (now->separation > gap) {
             const Sweep sweep = {capsule_.solid(capsule_.radius),
                                  {.from = position, .velocity = motion}};
-            t = time_of_impact(sweep, {obstacle.solid, standing(center(obstacle))}, gap);
+            t = time_of_impact(sweep, {obstacle.solid, at_rest(center(obstacle))}, gap);
         }
         if (t >= first) continue;
         first = t;

@@ -134,7 +134,7 @@ class alignas(cache_line_size) SectionLoop {
     SectionLoop& operator=(const SectionLoop&) = delete;
 
     void run() const {
-        for (uint32_t i = 0; i < depth_; ++i) share_out(threads_, widths_[i], levels_[i]);
+        for (uint32_t i = 0; i < depth_; ++i) parallel_for(threads_, widths_[i], levels_[i]);
     }
 
   private:

@@ -63,7 +63,7 @@ struct Target {
 };
 
 /// `shape`: not a part.
-Target seen_from(const WorldData& data, uint32_t shape, const Position& point) {
+Target find_target(const WorldData& data, uint32_t shape, const Position& point) {
     const PointForm probe;
     Target target = {shape, data.forms[shape].body, {}, 0.0f};
     const Vec2 offset = data.bodies[target.body].center - point;
@@ -106,7 +106,7 @@ void World::explode(const ExplosionDef& def, const QueryFilter& filter) {
             std::any_of(targets.begin(), targets.end(), is_same) ||
             !is_accepted(data, filter, solid))
             return;
-        const Target target = seen_from(data, shape, p);
+        const Target target = find_target(data, shape, p);
         if (target.nearest.distance <= far) targets.push_back(target);
     };
     QueryLock lock(data, filter);

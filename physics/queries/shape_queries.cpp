@@ -186,7 +186,7 @@ std::optional<RayHit> cast_parts(WorldData& data, const Sought& sought, Vec2 d,
             const Solid obstacle = data.solid(other);
             constexpr float gap = 1e-4f;
             const Sweep sweep = {probe.form, {.from = probe.center, .velocity = d}};
-            const float t = time_of_impact(sweep, {obstacle, standing(center)}, gap);
+            const float t = time_of_impact(sweep, {obstacle, at_rest(center)}, gap);
             if (t >= nearest) return;
             nearest = t;
             const Nearest touch =

@@ -241,7 +241,7 @@ struct Coloring {
         contacts.group_results.resize(begin / lanes);
         contacts.lane_contacts.resize(begin);
         for (const uint32_t lane : contacts.spare_lanes) contacts.lane_contacts[lane] = none;
-        share_out(threads, uint32_t(contacts.acting_pieces.size()), [&](uint32_t piece) {
+        parallel_for(threads, uint32_t(contacts.acting_pieces.size()), [&](uint32_t piece) {
             for (uint32_t i = contacts.acting_pieces[piece].begin;
                  i < contacts.acting_pieces[piece].end(); ++i) {
                 ActingContact& c = acting[i];
@@ -390,7 +390,7 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
         groups ? jointed_bodies(objects, active, bodies, joints) : std::vector<uint8_t>();
     acting.resize(count);
     scratch.acting_pieces.resize((count + piece_length - 1) / piece_length);
-    share_out_range(threads, count, piece_length, [&](size_t begin, size_t end) {
+    parallel_for_ranges(threads, count, piece_length, [&](size_t begin, size_t end) {
         ActingPiece piece;
         piece.begin = uint32_t(begin);
         ActingContact* last = &acting[begin];

@@ -11,7 +11,7 @@ namespace fettle::physics::detail {
 namespace {
 
 /// on·M⁻¹·with for one body.
-double weigh(const MassScale& s, const double (&on)[3], const double (&with)[3]) {
+double weighted_dot(const MassScale& s, const double (&on)[3], const double (&with)[3]) {
     return s.x * s.x * on[0] * with[0] + s.y * s.y * on[1] * with[1] +
            s.turn * s.turn * on[2] * with[2];
 }
@@ -104,10 +104,10 @@ void JointResponse::read(uint32_t first_joint, Component& component) {
 
 double JointResponse::between(const Jacobian& one, const Jacobian& other) const {
     double sum = 0.0;
-    if (one.a == other.a) sum += weigh(scales_[one.a], one.on_a, other.on_a);
-    if (one.a == other.b) sum += weigh(scales_[one.a], one.on_a, other.on_b);
-    if (one.b == other.a) sum += weigh(scales_[one.b], one.on_b, other.on_a);
-    if (one.b == other.b) sum += weigh(scales_[one.b], one.on_b, other.on_b);
+    if (one.a == other.a) sum += weighted_dot(scales_[one.a], one.on_a, other.on_a);
+    if (one.a == other.b) sum += weighted_dot(scales_[one.a], one.on_a, other.on_b);
+    if (one.b == other.a) sum += weighted_dot(scales_[one.b], one.on_b, other.on_a);
+    if (one.b == other.b) sum += weighted_dot(scales_[one.b], one.on_b, other.on_b);
     return sum;
 }
 

@@ -392,7 +392,7 @@ void solve_softly(const SolverInput& input, const JointStep& joint_step,
         if (blocks[i].cut) step.solve_block(blocks[i], wide_blocks[0]);
     }
     IdleBlocks idle(wide_blocks);
-    share_out(input.threads, whole, [&](uint32_t i) {
+    parallel_for(input.threads, whole, [&](uint32_t i) {
         if (blocks[i + 1].cut) return;
         WideBlock& wide = idle.acquire();
         step.solve_block(blocks[i + 1], wide);

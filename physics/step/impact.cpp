@@ -183,7 +183,7 @@ Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Mot
         const auto meet = [&](uint32_t other) {
             if (!may_meet(in, s, other)) return;
             const Position center = in.objects.bodies[in.objects.forms[other].body].center;
-            const Impact impact = time_of_impact(in, s, motion, other, standing(center), now);
+            const Impact impact = time_of_impact(in, s, motion, other, at_rest(center), now);
             if (impact.time < first.time) first = impact;
         };
         in.boxes.fixed_tree.query(swept, meet);

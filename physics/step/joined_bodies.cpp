@@ -72,7 +72,7 @@ class JoinedBodies {
     Motion whole_motion(uint32_t body) const {
         const uint32_t index = record(body).solver_index;
         if (record(body).mobility == Mobility::fixed || index == 0)
-            return standing(record(body).center);
+            return at_rest(record(body).center);
         const SolverBody& b = in_.bodies.solver_bodies[index];
         Motion motion = motion_to(record(body).center, shift_of(b), turn_of(b));
         if (place_of_[body] != none) {

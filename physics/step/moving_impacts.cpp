@@ -95,7 +95,7 @@ class MovingImpacts {
         if (mover_of_[body] != none) return movers_[mover_of_[body]].motion;
         const uint32_t index = record(body).solver_index;
         if (index == 0 || index >= in_.bodies.solver_bodies.size())
-            return standing(record(body).center);
+            return at_rest(record(body).center);
         const SolverBody& b = in_.bodies.solver_bodies[index];
         return motion_to(record(body).center, shift_of(b), turn_of(b));
     }
@@ -283,7 +283,7 @@ class MovingImpacts {
         const Motion& motion = movers_[i].motion;
         if (!motion.moves_after(now)) return;
         undo_forces(in_, movers_[i].body, motion.until - now);
-        change(i, standing(motion.center(now), float(motion.rotation(now))), now);
+        change(i, at_rest(motion.center(now), float(motion.rotation(now))), now);
     }
     /// The body is carried along: it turns with the carrier and goes no nearer to it. `normal`:
     /// from the carrier to the body; the body keeps its motion along the surface and away from it.

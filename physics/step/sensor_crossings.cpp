@@ -27,7 +27,7 @@ class Search {
             const auto compare_with_slow = [&](uint32_t other) {
                 const uint32_t body = in_.objects.forms[other].body;
                 if (is_sensor(s) == is_sensor(other) || in_.scratch.mover_of[body] != none) return;
-                compare(s, fast.motion, other, standing(in_.objects.bodies[body].center));
+                compare(s, fast.motion, other, at_rest(in_.objects.bodies[body].center));
             };
             in_.boxes.fixed_tree.query(swept, compare_with_slow);
             in_.boxes.moving_tree.query(swept, compare_with_slow);
@@ -107,7 +107,7 @@ void report_crossings(const FinishInput& in) {
     mover_of.resize(in.objects.bodies.size(), none);
     for (size_t i = 0; i < fast.size(); ++i) mover_of[fast[i].body] = uint32_t(i);
     pieces.resize((fast.size() + bodies_at_a_time - 1) / bodies_at_a_time);
-    share_out_range(in.threads, fast.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
+    parallel_for_ranges(in.threads, fast.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
         std::vector<Crossing>& found = pieces[begin / bodies_at_a_time];
         found.clear();
         Search search(in, found);

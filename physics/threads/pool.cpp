@@ -68,7 +68,7 @@ ThreadPool::ThreadPool(int threads, int at_a_time)
     try {
         workers_.reserve(shares_.size() - 1);
         for (size_t self = 1; self < shares_.size(); ++self)
-            workers_.emplace_back([this, self] { serve(self); });
+            workers_.emplace_back([this, self] { run_worker(self); });
     } catch (const std::system_error& error) {
         const std::string had = std::to_string(workers_.size() + 1);
         stop();
@@ -128,7 +128,7 @@ void ThreadPool::do_task(uint32_t number) {
     // step for it.
     if (std::this_thread::get_id() == caller_) return;
     host_tasks_.fetch_add(1);
-    if (number < shares_.size() - 1) serve(size_t{number} + 1);
+    if (number < shares_.size() - 1) run_worker(size_t{number} + 1);
     host_tasks_.fetch_sub(1);
 }
 
@@ -197,7 +197,7 @@ void ThreadPool::work_until_done(uint64_t turn, uint32_t goal, size_t self) {
     for (size_t i = 1; i < shares_.size(); ++i) work_on(turn, (self + i) % shares_.size(), false);
 }
 
-void ThreadPool::share_out(uint32_t count, Function function, void* context) {
+void ThreadPool::parallel_for(uint32_t count, Function function, void* context) {
     // All blocks of the last round are finished, so no thread reads these members.
     function_.store(function, std::memory_order_relaxed);
     context_.store(context, std::memory_order_relaxed);
@@ -221,7 +221,7 @@ void ThreadPool::share_out(uint32_t count, Function function, void* context) {
     }
 }
 
-void ThreadPool::serve(size_t self) {
+void ThreadPool::run_worker(size_t self) {
     uint64_t seen = 0;
     for (int looks = 0; !stop_.load(std::memory_order_relaxed);) {
         const uint64_t turn = turn_.load(std::memory_order_acquire);

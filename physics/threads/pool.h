@@ -71,7 +71,7 @@ class ThreadPool {
             }
         };
         using Attempt = std::remove_reference_t<decltype(attempt)>;
-        share_out(
+        parallel_for(
             count, [](void* context, uint32_t block) { (*static_cast<Attempt*>(context))(block); },
             const_cast<void*>(static_cast<const void*>(&attempt)));
         if (caught.thrown) std::rethrow_exception(caught.thrown);
@@ -93,13 +93,13 @@ class ThreadPool {
         std::atomic<uint64_t> left = 0;
     };
 
-    void share_out(uint32_t count, Function function, void* context);
+    void parallel_for(uint32_t count, Function function, void* context);
     uint64_t share_of(uint64_t turn, std::size_t thread) const;
     bool claim(uint64_t turn, std::size_t thread, bool own, uint32_t& block);
     void work_on(uint64_t turn, std::size_t thread, bool own);
     bool wait_for_others(uint32_t goal) const;
     void work_until_done(uint64_t turn, uint32_t goal, std::size_t self);
-    void serve(std::size_t self);
+    void run_worker(std::size_t self);
     void do_task(uint32_t number);
     void end_round();
     void stop();
@@ -123,7 +123,7 @@ class ThreadPool {
 
 /// Like `run`; without a pool, the caller processes the blocks one after the other.
 template <typename Work>
-void share_out(ThreadPool* pool, uint32_t count, Work&& work) {
+void parallel_for(ThreadPool* pool, uint32_t count, Work&& work) {
     if (pool != nullptr && count > 1) {
         pool->run(count, work);
         return;
@@ -142,7 +142,7 @@ class alignas(cache_line_size) RangeLoop {
     RangeLoop(ThreadPool* pool, std::size_t size, std::size_t piece, Work work)
         : work_(std::move(work)), pool_(pool), size_(size), piece_(piece) {}
 
-    void run() const { share_out(pool_, uint32_t((size_ + piece_ - 1) / piece_), *this); }
+    void run() const { parallel_for(pool_, uint32_t((size_ + piece_ - 1) / piece_), *this); }
     void operator()(uint32_t block) const {
         const std::size_t begin = block * piece_;
         work_(begin, begin + piece_ < size_ ? begin + piece_ : size_);
@@ -156,7 +156,7 @@ class alignas(cache_line_size) RangeLoop {
 
 /// A `RangeLoop` that is run once.
 template <typename Work>
-void share_out_range(ThreadPool* pool, std::size_t size, std::size_t piece, Work&& work) {
+void parallel_for_ranges(ThreadPool* pool, std::size_t size, std::size_t piece, Work&& work) {
     RangeLoop(pool, size, piece, [&work](std::size_t begin, std::size_t end) {
         work(begin, end);
     }).run();

@@ -369,7 +369,7 @@ void World::ignore_until_separated(const Shape& a, const Shape& b) {
     WorldData& data = edit(__func__);
     for (const Shape* shape : {&a, &b})
         if (!data.is_valid(shape->id()))
-            dangling("shape", shape->link_, shape->index(), shape->id().generation);
+            refuse_dangling("shape", shape->link_, shape->index(), shape->id().generation);
     if (a == b) throw std::invalid_argument("expected two shapes, got one twice");
     for (const Shape* shape : {&a, &b})
         if (const uint32_t body = data.forms[shape->index()].body; body != none)

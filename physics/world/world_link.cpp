@@ -82,7 +82,7 @@ void release_link(WorldLink& link) {
     known.unused.push_back(&link);
 }
 
-void dangling(const char* kind, const WorldLink* link, uint32_t index, uint32_t generation) {
+void refuse_dangling(const char* kind, const WorldLink* link, uint32_t index, uint32_t generation) {
     if (link == nullptr || generation == 0)
         throw std::invalid_argument(std::string("this handle names no ") + kind);
     const std::string named = std::string(kind) + " " + std::to_string(index);
@@ -93,7 +93,7 @@ void dangling(const char* kind, const WorldLink* link, uint32_t index, uint32_t 
                                 " does not exist any more");
 }
 
-void foreign(const char* name, const char* kind, uint32_t index, uint32_t generation) {
+void refuse_foreign(const char* name, const char* kind, uint32_t index, uint32_t generation) {
     throw std::invalid_argument(std::string(name) + ": " + kind + " " + std::to_string(index) +
                                 " of generation " + std::to_string(generation) +
                                 " was destroyed, or is of another world");

@@ -33,9 +33,10 @@ void release_link(WorldLink& link);
 
 /// Throws for a handle without an object: it is default-constructed, or its object or its world was
 /// destroyed.
-[[noreturn]] void dangling(const char* kind, const WorldLink* link, uint32_t index,
-                           uint32_t generation);
+[[noreturn]] void refuse_dangling(const char* kind, const WorldLink* link, uint32_t index,
+                                  uint32_t generation);
 /// Throws for an id of another world; `name`: its name in the definition.
-[[noreturn]] void foreign(const char* name, const char* kind, uint32_t index, uint32_t generation);
+[[noreturn]] void refuse_foreign(const char* name, const char* kind, uint32_t index,
+                                 uint32_t generation);
 
 }  // namespace fettle::physics::detail

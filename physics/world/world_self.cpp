@@ -72,7 +72,7 @@ WorldLock::~WorldLock() {
 void WorldLock::unlock() {
     if (self_ == nullptr) return;
     const WorldSelf& self = *std::exchange(self_, nullptr);
-    self.leave_to(outer_);
+    self.set_operation(outer_);
     const uint32_t before = self.work_.fetch_sub(weight_, std::memory_order_acq_rel);
     if ((before & ~WorldSelf::marks) != weight_) return;
     if (!self.orphaned()) {

@@ -125,7 +125,7 @@ struct WorldSelf {
             if (!thrown_) thrown_ = std::current_exception();
             answered = false;
         }
-        leave_to(outer);
+        set_operation(outer);
         return answered && !orphaned();
     }
     /// Makes the calls 0 … `count` - 1 as `call_user` does, on these threads; null: in order on
@@ -141,7 +141,7 @@ struct WorldSelf {
         std::mutex mutex;
         std::exception_ptr thrown;
         size_t first = count;
-        share_out_range(threads, count, 32, [&](size_t begin, size_t end) {
+        parallel_for_ranges(threads, count, 32, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
                 answered[i] = true;
                 try {
@@ -154,7 +154,7 @@ struct WorldSelf {
             }
         });
         if (thrown && !thrown_) thrown_ = thrown;
-        leave_to(outer);
+        set_operation(outer);
         if (orphaned()) std::fill(answered.begin(), answered.end(), char(false));
     }
     /// Called if a function that the World is calling destroys it: the data live until that call is
@@ -177,10 +177,10 @@ struct WorldSelf {
     const char* operation() const { return inside_.load(std::memory_order_relaxed); }
     const char* enter(const char* callback) const {
         const char* const outer = operation();
-        leave_to(callback);
+        set_operation(callback);
         return outer;
     }
-    void leave_to(const char* outer) const { inside_.store(outer, std::memory_order_relaxed); }
+    void set_operation(const char* outer) const { inside_.store(outer, std::memory_order_relaxed); }
 
     /// A query, of which several threads may make some, counts 1; a step or an edit counts
     /// `middle`.

@@ -69,7 +69,7 @@ class DirectProblem {
     State next_state(size_t i, double velocity);
     double step_length(const Eigen::VectorXd& direction);
     double work_of_factorization() const;
-    int affordable() const;
+    int factorizations_left() const;
 
     std::vector<uint32_t> bodies_, rows_;
     std::vector<Line> lines_;
