@@ -36,7 +36,7 @@ void Tree::refit(ThreadPool* threads, std::span<const Box4> before) {
     const bool listed = is_listed();
     if (!listed) list();
     if (fit(threads, {before, listed}) <= max_growth * built_perimeters_) return;
-    parallel_for_ranges(threads, parts_.size(), 1024, [&](size_t begin, size_t end) {
+    parallel_for(threads, parts_.size(), 1024, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const Box4& box = nodes_[size_t(parts_[i].node)].box;
             parts_[i].middle = box.low + box.high;

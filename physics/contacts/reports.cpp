@@ -110,7 +110,7 @@ void report_wide_hits(const Touching& touching, float threshold, ContactScratch&
         }
     };
     scratch.hits.resize((reported.size() + words_at_a_time - 1) / words_at_a_time);
-    parallel_for_ranges(threads, reported.size(), words_at_a_time, [&](size_t begin, size_t end) {
+    parallel_for(threads, reported.size(), words_at_a_time, [&](size_t begin, size_t end) {
         auto& found = scratch.hits[begin / words_at_a_time];
         found.clear();
         visit(begin, end, [&](const ActingContact& c) { objects.contacts[c.slot].prefetch(); });

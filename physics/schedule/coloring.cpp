@@ -390,7 +390,7 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
         groups ? jointed_bodies(objects, active, bodies, joints) : std::vector<uint8_t>();
     acting.resize(count);
     scratch.acting_pieces.resize((count + piece_length - 1) / piece_length);
-    parallel_for_ranges(threads, count, piece_length, [&](size_t begin, size_t end) {
+    parallel_for(threads, count, piece_length, [&](size_t begin, size_t end) {
         ActingPiece piece;
         piece.begin = uint32_t(begin);
         ActingContact* last = &acting[begin];

@@ -127,16 +127,14 @@ struct JointLists {
         std::atomic<bool> heavy = false;
         uint8_t* codes = joints.joint_codes.data();
         for (const auto& awake : active.awake_joints) {
-            parallel_for_ranges(threads, awake.size(), joints_at_a_time,
-                                [&](size_t begin, size_t end) {
-                                    uint8_t all = 0;
-                                    for (size_t i = begin; i < end; ++i) {
-                                        codes[i] = code_of(awake[i]);
-                                        if ((codes[i] & load_bits) != is_tuned) all |= codes[i];
-                                    }
-                                    if ((all & load_bits) != 0)
-                                        heavy.store(true, std::memory_order_relaxed);
-                                });
+            parallel_for(threads, awake.size(), joints_at_a_time, [&](size_t begin, size_t end) {
+                uint8_t all = 0;
+                for (size_t i = begin; i < end; ++i) {
+                    codes[i] = code_of(awake[i]);
+                    if ((codes[i] & load_bits) != is_tuned) all |= codes[i];
+                }
+                if ((all & load_bits) != 0) heavy.store(true, std::memory_order_relaxed);
+            });
             codes += awake.size();
         }
         return heavy;
@@ -231,10 +229,9 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
         JointArray& array = joints.joint_arrays[i];
         const JointKind& kind = joint_kind(JointScratch::type_of(i));
         array.constraints.resize(array.joints.size() * kind.constraint_size);
-        parallel_for_ranges(threads, array.joints.size(), joints_at_a_time,
-                            [&](size_t begin, size_t end) {
-                                kind.prepare(source, array, step, {begin, end});
-                            });
+        parallel_for(threads, array.joints.size(), joints_at_a_time, [&](size_t begin, size_t end) {
+            kind.prepare(source, array, step, {begin, end});
+        });
     }
     return step;
 }
@@ -321,11 +318,10 @@ void store_joints(ObjectState& objects, const BodyScratch& bodies, JointScratch&
                   const JointStep& step, ThreadPool* threads) {
     for (size_t i = 0; i < joints.joint_arrays.size(); ++i) {
         JointArray& array = joints.joint_arrays[i];
-        parallel_for_ranges(
-            threads, array.joints.size(), joints_at_a_time, [&](size_t begin, size_t end) {
-                joint_kind(JointScratch::type_of(i))
-                    .store(array, bodies.solver_bodies, objects, step, {begin, end});
-            });
+        parallel_for(threads, array.joints.size(), joints_at_a_time, [&](size_t begin, size_t end) {
+            joint_kind(JointScratch::type_of(i))
+                .store(array, bodies.solver_bodies, objects, step, {begin, end});
+        });
     }
 }
 

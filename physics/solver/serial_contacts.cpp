@@ -154,7 +154,7 @@ void prepare(const ObjectState& objects, const Columns& columns, const BodyScrat
     const size_t count = contacts.acting.size();
     contacts.constraints.resize(count);
     contacts.flags.resize(count);
-    parallel_for_ranges(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
+    parallel_for(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const uint32_t slot = acting[contacts.acting[i]].slot;
             const ContactRecord& record = objects.contacts[slot];
@@ -182,7 +182,7 @@ void prepare(const ObjectState& objects, const Columns& columns, const BodyScrat
         }
     });
     assign_extras(contacts);
-    parallel_for_ranges(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
+    parallel_for(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
             if (contacts.constraints[i].extra != 0)
                 prepare_extra_of(i, objects, columns, bodies.solver_bodies,
@@ -195,12 +195,11 @@ void store_serial(SingleContacts& contacts, const Touching& touching, float hit_
     const std::vector<ContactConstraint>& constraints = contacts.constraints;
     std::vector<uint8_t>& flags = contacts.flags;
     ObjectState& objects = touching.objects;
-    parallel_for_ranges(
-        threads, constraints.size(), contacts_at_a_time, [&](size_t begin, size_t end) {
-            for (size_t i = begin; i < end; ++i)
-                flags[i] = store_constraint(constraints[i], contacts.extras,
-                                            objects.contacts[constraints[i].contact]);
-        });
+    parallel_for(threads, constraints.size(), contacts_at_a_time, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i)
+            flags[i] = store_constraint(constraints[i], contacts.extras,
+                                        objects.contacts[constraints[i].contact]);
+    });
     for (size_t i = 0; i < constraints.size(); ++i) {
         const ContactConstraint& c = constraints[i];
         if ((flags[i] & is_changed) != 0)

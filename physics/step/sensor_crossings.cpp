@@ -107,7 +107,7 @@ void report_crossings(const FinishInput& in) {
     mover_of.resize(in.objects.bodies.size(), none);
     for (size_t i = 0; i < fast.size(); ++i) mover_of[fast[i].body] = uint32_t(i);
     pieces.resize((fast.size() + bodies_at_a_time - 1) / bodies_at_a_time);
-    parallel_for_ranges(in.threads, fast.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
+    parallel_for(in.threads, fast.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
         std::vector<Crossing>& found = pieces[begin / bodies_at_a_time];
         found.clear();
         Search search(in, found);

@@ -154,9 +154,9 @@ class alignas(cache_line_size) RangeLoop {
     std::size_t size_, piece_;
 };
 
-/// A `RangeLoop` that is run once.
+/// Calls `work(begin, end)` for 0 … size in pieces of `piece`: a `RangeLoop` that is run once.
 template <typename Work>
-void parallel_for_ranges(ThreadPool* pool, std::size_t size, std::size_t piece, Work&& work) {
+void parallel_for(ThreadPool* pool, std::size_t size, std::size_t piece, Work&& work) {
     RangeLoop(pool, size, piece, [&work](std::size_t begin, std::size_t end) {
         work(begin, end);
     }).run();

@@ -141,7 +141,7 @@ struct WorldSelf {
         std::mutex mutex;
         std::exception_ptr thrown;
         size_t first = count;
-        parallel_for_ranges(threads, count, 32, [&](size_t begin, size_t end) {
+        parallel_for(threads, count, 32, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
                 answered[i] = true;
                 try {
