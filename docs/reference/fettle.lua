@@ -862,7 +862,7 @@ World = {}
 ---@field locked_rotation boolean True if it cannot turn. · true or false · default false
 ---@field locked_x boolean True if it cannot move along x. · true or false · default false
 ---@field locked_y boolean True if it cannot move along y. · true or false · default false
----@field mass number Mass: area times density of its shapes, unless it is set; nil computes it again. With infinite mass, or 1e18 kg and more, nothing moves it, gravity neither. A dynamic body without shapes, or of lines alone, has 1 kg. · kg · 1e-30 to inf · default computed · simulated, may be infinite
+---@field mass number Mass: area times density of its shapes, unless it is set; nil computes it again. With infinite mass, or 1e18 kg and more, nothing moves it, not even gravity. A dynamic body without shapes, or of lines alone, has 1 kg. · kg · 1e-30 to inf · default computed · simulated, may be infinite
 ---@field max_speed number Limit of the speed. World.substeps says how often it is applied in a step. · m/s · 1e-30 to inf · default inf · may be infinite
 ---@field position vec Position of its origin in the world. A write moves it at once. · m · -1e8 to 1e8 · default vec(0, 0) · simulated
 ---@field sleep_speed number It rests below this speed; that of the world unless it is set; nil uses that of the world again. · m/s · at least 0 · default 0.05 · simulated

@@ -30,7 +30,7 @@ int32_t Tree::insert(const Box4& box, uint32_t item) {
     ++leaves_;
     leaves_changed();
     link_leaf(leaf);
-    flag(leaf);
+    mark_moved(leaf);
     return leaf;
 }
 
@@ -42,7 +42,7 @@ void Tree::remove(int32_t leaf) {
 }
 
 void Tree::enlarge_above(int32_t leaf) {
-    built_ = std::min(built_, epoch_ - 1);
+    built_epoch_ = std::min(built_epoch_, epoch_ - 1);
     ++enlarged_;
     update_bucket(leaf, false);
     const Box4& box = nodes_[size_t(leaf)].box;
@@ -55,7 +55,7 @@ void Tree::enlarge_above(int32_t leaf) {
 }
 
 void Tree::clear_pairs(int32_t leaf) {
-    flag(leaf);
+    mark_moved(leaf);
     update_bucket(leaf, true);
 }
 
@@ -63,9 +63,9 @@ void Tree::clear_moves() {
     ++epoch_;
 }
 
-/// Marks the nodes above a moved leaf as moved.
-void Tree::flag(int32_t index) {
-    built_ = std::min(built_, epoch_ - 1);
+/// Marks a leaf and the nodes above it as moved.
+void Tree::mark_moved(int32_t index) {
+    built_epoch_ = std::min(built_epoch_, epoch_ - 1);
     for (nodes_[size_t(index)].moved = epoch_, index = nodes_[size_t(index)].parent;
          index != none && !has_moved(nodes_[size_t(index)]); index = nodes_[size_t(index)].parent)
         nodes_[size_t(index)].moved = epoch_;

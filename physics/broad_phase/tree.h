@@ -69,8 +69,9 @@ class Tree {
     void begin_walk(const Tree& other, std::size_t enough, std::vector<NodePair>& parts) const;
     template <typename Visit>
     void pairs(const Tree& other, NodePair part, FindOverlaps overlaps, Visit&& visit) const;
-    /// Calls `visit(item)` for the other leaves that overlap a moved leaf; `before`: its box at the
-    /// last `clear_moves`. Called for each moved leaf, it finds every pair once.
+    /// Calls `visit(item)` for the other leaves that overlap a moved leaf and did not before;
+    /// `before`: its box at the last `clear_moves`. Called for each moved leaf, it finds every pair
+    /// once.
     template <typename Visit>
     void pairs_of_leaf(int32_t leaf, const Box4& before, FindOverlaps overlaps,
                        Visit&& visit) const;
@@ -107,7 +108,7 @@ class Tree {
     /// For saving and restoring.
     static void members(auto& io, auto& self) {
         io(self.nodes_), io(self.root_), io(self.free_), io(self.leaves_), io(self.epoch_);
-        io(self.built_perimeters_), io(self.built_since_change_), io(self.built_),
+        io(self.built_perimeters_), io(self.built_since_change_), io(self.built_epoch_),
             io(self.enlarged_);
     }
     /// Scratch: data that can be built again.
@@ -187,7 +188,7 @@ class Tree {
     };
 
     bool has_moved(const Node& node) const { return node.moved == epoch_; }
-    void flag(int32_t node);
+    void mark_moved(int32_t node);
     void list_moved_parts();
     void list();
     void list_subtrees(std::span<const uint32_t> first_part, std::span<const uint32_t> count);
@@ -252,7 +253,7 @@ class Tree {
     uint32_t epoch_ = 1;
     float built_perimeters_ = 0.0f;   ///< sum of the buckets' perimeters; 0: parts were built since
     bool built_since_change_ = true;  ///< no leaf was inserted or removed since the last build
-    uint32_t built_ = 0;              ///< the next build includes parts that moved after this epoch
+    uint32_t built_epoch_ = 0;        ///< the next build includes parts that moved after this epoch
     uint32_t enlarged_ = 0;  ///< how often the boxes above a leaf were enlarged since the last fit
     // Dropped if the tree changes other than by moving boxes. Without buckets, pairs are found one
     // by one.

@@ -30,13 +30,13 @@ struct Tree::Before {
 };
 
 void Tree::refit(ThreadPool* threads, std::span<const Box4> before) {
-    built_ = std::min(built_, epoch_ - 1);
+    built_epoch_ = std::min(built_epoch_, epoch_ - 1);
     enlarged_ = 0;
     if (root_ == none || nodes_[size_t(root_)].is_leaf()) return;
     const bool listed = is_listed();
     if (!listed) list();
     if (fit(threads, {before, listed}) <= max_growth * built_perimeters_) return;
-    share_out_range(threads, parts_.size(), 1024, [&](size_t begin, size_t end) {
+    parallel_for(threads, parts_.size(), 1024, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const Box4& box = nodes_[size_t(parts_[i].node)].box;
             parts_[i].middle = box.low + box.high;
@@ -44,20 +44,21 @@ void Tree::refit(ThreadPool* threads, std::span<const Box4> before) {
     });
     built_perimeters_ = build(threads, before);
     built_since_change_ = true;
-    built_ = epoch_;
+    built_epoch_ = epoch_;
 }
 
 void Tree::rebuild(ThreadPool* threads, std::span<const Box4> before) {
     if (built_since_change_) return;
     built_since_change_ = true;
-    if (root_ == none || nodes_[size_t(root_)].is_leaf() || nodes_[size_t(root_)].moved <= built_)
+    if (root_ == none || nodes_[size_t(root_)].is_leaf() ||
+        nodes_[size_t(root_)].moved <= built_epoch_)
         return;
     if (4 * enlarged_ > leaves_)
-        built_ = 0;  // include all parts, so that all leaves are in buckets again
+        built_epoch_ = 0;  // include all parts, so that all leaves are in buckets again
     list_moved_parts();
     const float perimeters = build(threads, before);
     built_perimeters_ = is_listed() ? perimeters : 0.0f;
-    built_ = epoch_;
+    built_epoch_ = epoch_;
     enlarged_ = 0;
 }
 
@@ -81,7 +82,7 @@ void Tree::list_moved_parts() {
     while (!open.empty()) {
         const int32_t index = open.pop();
         const Node& node = nodes_[size_t(index)];
-        if (node.is_leaf() || node.moved <= built_) {
+        if (node.is_leaf() || node.moved <= built_epoch_) {
             parts_.push_back({node.box.low + node.box.high, index});
             continue;
         }
@@ -155,8 +156,8 @@ float Tree::build(ThreadPool* threads, std::span<const Box4> before) {
     root_ = parts_.size() == 1 ? parts_.front().node : inner_.front();
     nodes_[size_t(root_)].parent = none;
     divide(threads);
-    share_out(threads, uint32_t(subtrees_.size()),
-              [&](uint32_t i) { build_below(subtrees_[i].range, subtrees_[i], false); });
+    parallel_for(threads, uint32_t(subtrees_.size()),
+                 [&](uint32_t i) { build_below(subtrees_[i].range, subtrees_[i], false); });
     uint32_t count = 0;
     for (Subtree& subtree : subtrees_) {
         subtree.first_bucket = count;
@@ -173,7 +174,7 @@ void Tree::divide(ThreadPool* threads) {
     upper_nodes_.clear();
     part_ranges_.assign(1, {0, uint32_t(parts_.size()), 0});
     for (size_t begin = 0, end = 1; begin < end; begin = end, end = part_ranges_.size()) {
-        share_out(threads, uint32_t(end - begin), [&](uint32_t i) {
+        parallel_for(threads, uint32_t(end - begin), [&](uint32_t i) {
             PartRange& range = part_ranges_[begin + i];
             if (range.count > greatest) split_range(range);
         });
@@ -259,8 +260,8 @@ Tree::Part* Tree::split(Part* begin, Part* end) {
 /// Computes all listed boxes, and fills the buckets. Returns the sum of the perimeters of the
 /// buckets.
 float Tree::fit(ThreadPool* threads, const Before& before) {
-    share_out(threads, uint32_t(subtrees_.size()),
-              [&](uint32_t i) { subtrees_[i].perimeters = fit_subtree(subtrees_[i], before); });
+    parallel_for(threads, uint32_t(subtrees_.size()),
+                 [&](uint32_t i) { subtrees_[i].perimeters = fit_subtree(subtrees_[i], before); });
     for (size_t i = upper_nodes_.size(); i-- > 0;) fit_node(inner_[upper_nodes_[i]]);
     float perimeters = 0.0f;
     for (const Subtree& subtree : subtrees_) perimeters += subtree.perimeters;

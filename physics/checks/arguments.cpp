@@ -269,7 +269,7 @@ void check(const Geometry& geometry) {
     }
 }
 
-void wrong_type(const char* property, ShapeType type) {
+void refuse_wrong_type(const char* property, ShapeType type) {
     throw std::invalid_argument(std::string(property) + ": " + name_of(type) +
                                 " has no such property");
 }

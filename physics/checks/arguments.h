@@ -41,12 +41,15 @@ inline float check_not_negative(const char* what, float value) {
 /// Finite and > 0.
 float check_positive(const char* what, float value);
 float check_range(const char* what, float value, float low, float high);
+/// Any number, also an infinite one; not NaN.
 inline float check_limit(const char* what, float value) {
     return check_range(what, value, -infinity, std::numeric_limits<float>::infinity());
 }
+/// At least 0, may be infinite.
 inline float check_strength(const char* what, float value) {
     return check_range(what, value, 0.0f, infinity);
 }
+/// At least 0, may be infinite.
 inline float check_stiffness(const char* what, float hertz) {
     return check_range(what, hertz, 0.0f, infinity);
 }
@@ -88,6 +91,6 @@ void check_outline(std::span<const Vec2> points);
 void check_chain(std::span<const Vec2> points, bool closed);
 void check(const Geometry& geometry);  ///< polygons: also that they have a hull
 
-[[noreturn]] void wrong_type(const char* property, ShapeType type);
+[[noreturn]] void refuse_wrong_type(const char* property, ShapeType type);
 
 }  // namespace fettle::physics::detail

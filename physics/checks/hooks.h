@@ -8,7 +8,7 @@ namespace fettle::physics::detail {
 
 /// Passes the text to the log of the host, if there is one.
 void log(LogLevel level, const std::string& text) noexcept;
-/// Whether there is a log: a text need not be made otherwise.
+/// True if there is a log. If not, callers need not build the text.
 bool is_logged() noexcept;
 
 /// The function for faults of worlds, and its argument.
@@ -17,7 +17,7 @@ struct FailureHook {
     void* user = nullptr;
 };
 FailureHook failure_hook() noexcept;
-/// Whether there is one; cheap.
+/// True if there is one. Cheaper than `failure_hook`.
 bool are_steps_checked() noexcept;
 
 }  // namespace fettle::physics::detail

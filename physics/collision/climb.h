@@ -54,8 +54,8 @@ EdgeGap climb(int count, int start, int way, Value&& value, Within&& within) {
     }
 }
 
-/// The higher of the two maxima beside `start`. A flat polygon has two that the tip between them
-/// faces away from.
+/// The higher of the maxima on both sides of `start`. A flat polygon may have a maximum on each of
+/// its long sides, with lower values at the tip between them.
 template <class Value, class Within>
 EdgeGap climb(int count, int start, Value&& value, Within&& within) {
     EdgeGap best = {start, value(start)};

@@ -9,7 +9,7 @@
 
 namespace fettle::physics::detail {
 
-void turn_round(Manifold& m) {
+void swap_shapes(Manifold& m) {
     m.normal = -m.normal;
     for (int k = 0; k < m.count; ++k) {
         ManifoldPoint& p = m.points[k];
@@ -39,32 +39,32 @@ void collide_ellipse(const Solid& ellipse, const Solid& other, Vec2 offset, floa
 }
 
 /// Collides two shapes if one is an ellipse or a piece.
-void collide_mixed(const Solid& a, const Solid& b, Vec2 offset, float margin, bool held,
+void collide_mixed(const Solid& a, const Solid& b, Vec2 offset, float margin, bool had_contact,
                    Manifold& m) {
     if (a.kind == FormKind::piece) {
-        collide_piece(a, b, offset, margin, held, m);
+        collide_piece(a, b, offset, margin, had_contact, m);
     } else if (b.kind == FormKind::piece) {
-        collide_piece(b, a, -offset, margin, held, m);
-        turn_round(m);
+        collide_piece(b, a, -offset, margin, had_contact, m);
+        swap_shapes(m);
     } else if (a.kind == FormKind::ellipse) {
         collide_ellipse(a, b, offset, margin, m);
     } else {
         collide_ellipse(b, a, -offset, margin, m);
-        turn_round(m);
+        swap_shapes(m);
     }
 }
 
 /// Like `collide_mixed`, but the other shape is a large polygon. Computed in the frame of its
 /// vertices.
-void collide_mixed_with_large(const Solid& a, const Solid& b, Vec2 offset, float margin, bool held,
-                              Manifold& m) {
+void collide_mixed_with_large(const Solid& a, const Solid& b, Vec2 offset, float margin,
+                              bool had_contact, Manifold& m) {
     const bool large_a = a.kind == FormKind::large;
     const Solid& large = large_a ? a : b;
     const Rotation q = large.rotation;
     TurnedCopy turned(large_a ? b : a);
     const Solid plain = {large.form}, &other = turned.by({q.c, -q.s});
     collide_mixed(large_a ? plain : other, large_a ? other : plain, unrotate(q, offset), margin,
-                  held, m);
+                  had_contact, m);
     m.normal = rotate(q, m.normal);
     for (int k = 0; k < m.count; ++k) {
         m.points[k].anchor_a = rotate(q, m.points[k].anchor_a);
@@ -74,7 +74,8 @@ void collide_mixed_with_large(const Solid& a, const Solid& b, Vec2 offset, float
 
 }  // namespace
 
-void collide(const Solid& a, const Solid& b, Vec2 offset, float margin, bool held, Manifold& m) {
+void collide(const Solid& a, const Solid& b, Vec2 offset, float margin, bool had_contact,
+             Manifold& m) {
     const auto is_plain = [](const Solid& s) {
         return s.kind == FormKind::convex || s.kind == FormKind::large;
     };
@@ -87,9 +88,9 @@ void collide(const Solid& a, const Solid& b, Vec2 offset, float margin, bool hel
         return;
     }
     if (large)
-        collide_mixed_with_large(a, b, offset, margin, held, m);
+        collide_mixed_with_large(a, b, offset, margin, had_contact, m);
     else
-        collide_mixed(a, b, offset, margin, held, m);
+        collide_mixed(a, b, offset, margin, had_contact, m);
 }
 
 void collide_on_side(const Solid& segment, const Solid& other, Vec2 side, Vec2 offset, float margin,

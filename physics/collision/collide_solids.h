@@ -4,9 +4,9 @@
 
 namespace fettle::physics::detail {
 
-/// Like `collide` for two convex shapes, for shapes of any kind but the border. `held`: the shapes
-/// were in contact already, which matters at the back of a one-sided segment.
-void collide(const Solid& a, const Solid& b, Vec2 offset, float margin, bool held,
+/// Like `collide` for two convex shapes, for shapes of any kind but the border. `had_contact`: the
+/// shapes were in contact already, which matters at the back of a one-sided segment.
+void collide(const Solid& a, const Solid& b, Vec2 offset, float margin, bool had_contact,
              Manifold& manifold);
 
 /// Contact points of a two-sided segment and a shape that is on one side of it, as `collide`; the
@@ -16,6 +16,6 @@ void collide_on_side(const Solid& segment, const Solid& other, Vec2 side, Vec2 o
                      Manifold& manifold);
 
 /// Converts the manifold of b and a into that of a and b.
-void turn_round(Manifold& manifold);
+void swap_shapes(Manifold& manifold);
 
 }  // namespace fettle::physics::detail

@@ -113,9 +113,9 @@ bool in_cone(Vec2 before, Vec2 direction, Vec2 after) {
     return cross(before, direction) >= -1e-6f && cross(direction, after) >= -1e-6f;
 }
 
-/// The gap at the vertex that separates an ellipse from a polygon best, or that it has least inside
-/// it; `otherwise` if no vertex does better. In the frame in which the ellipse is the unit circle,
-/// it is known at once which vertices can.
+/// The gap at the vertex with the greatest separation (the least depth) of ellipse and polygon;
+/// `otherwise` if no vertex has a greater one. In the frame in which the ellipse is the unit
+/// circle, distances from the center show which vertices come into question.
 EllipseGap gap_at_best_vertex(const EllipseForm& ellipse, const Convex& other, Vec2 offset,
                               const EllipseGap& otherwise) {
     const auto on_circle = [&](int i) {

@@ -18,8 +18,8 @@ constexpr float beyond = 0.01f;
 /// contact pushes it out.
 constexpr float far_behind = 0.01f;
 
-float sign_of(Vec2 v) {
-    return v.x != 0.0f || v.y != 0.0f ? 1.0f : 0.0f;
+bool is_zero(Vec2 v) {
+    return v.x == 0.0f && v.y == 0.0f;
 }
 
 }  // namespace
@@ -28,8 +28,8 @@ OutlinePiece::Verdict OutlinePiece::decide(int vertex, Vec2 direction) const {
     const Vec2 d = unrotate(rotation_, direction);
     const Vec2 before = limits_[2 * vertex], after = limits_[2 * vertex + 1];
     // A free end of a chain pushes in all directions except backwards.
-    if (sign_of(before) == 0.0f || sign_of(after) == 0.0f) {
-        const Vec2 front = sign_of(before) == 0.0f ? after : before;
+    if (is_zero(before) || is_zero(after)) {
+        const Vec2 front = is_zero(before) ? after : before;
         return dot(front, d) >= 0.0f ? Verdict::pushes : Verdict::leaves;
     }
     if (cross(before, after) <= flat &&
@@ -41,7 +41,7 @@ OutlinePiece::Verdict OutlinePiece::decide(int vertex, Vec2 direction) const {
 }
 
 bool OutlinePiece::continues(int vertex) const {
-    return sign_of(limits_[2 * vertex]) != 0.0f && sign_of(limits_[2 * vertex + 1]) != 0.0f;
+    return !is_zero(limits_[2 * vertex]) && !is_zero(limits_[2 * vertex + 1]);
 }
 
 int OutlinePiece::edge_at(int vertex, Vec2 direction) const {
@@ -123,18 +123,18 @@ bool is_left_by_all(const OutlinePiece& piece, float least, float through_face) 
 }
 
 /// True if the shape is in front of another piece: the overlap through an inner edge is smaller.
-/// The back of a segment has no other piece behind it. A body that the segment holds may be behind
-/// it by more than the thickness of the body.
+/// The back of a segment has no other piece behind it. A body that touches the segment may be
+/// behind it by more than the thickness of the body.
 bool is_behind_inner(const OutlinePiece& piece, float inner, float outer) {
     return !piece.one_sided() && inner > outer + beyond;
 }
 
 /// A circle: its center is a point, so the nearest feature of the piece decides.
 void collide_circle(const OutlinePiece& a, Vec2 center, float radius, Vec2 offset, float margin,
-                    bool held, Manifold& m) {
+                    bool had_contact, Manifold& m) {
     const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center); });
     if (axes.greatest() > radius + margin) return;
-    const bool in_front = a.faces(center, held ? radius + far_behind : 0.0f);
+    const bool in_front = a.faces(center, had_contact ? radius + far_behind : 0.0f);
     // The circle is outside an inner edge, or nearer to it than to any other: it meets another
     // piece first.
     const bool hidden = !a.one_sided() && (axes.inner > max(axes.outer.separation, 0.0f) ||
@@ -201,10 +201,10 @@ void push_with_corner(const OutlinePiece& a, const EllipseForm& e, Vec2 offset, 
 }
 
 void collide_ellipse(const OutlinePiece& a, const EllipseForm& e, Vec2 offset, float margin,
-                     bool held, Manifold& m) {
+                     bool had_contact, Manifold& m) {
     const Vec2 center = e.center + offset;
     const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center) - e.reach(n); });
-    const float depth = held ? e.reach(a.form.normals[0]) + far_behind : 0.0f;
+    const float depth = had_contact ? e.reach(a.form.normals[0]) + far_behind : 0.0f;
     if (axes.greatest() > margin || axes.outer.edge < 0) return;
     const bool in_front = a.faces(center, depth);
     if (!in_front || is_behind_inner(a, axes.inner, axes.outer.separation)) {
@@ -269,8 +269,14 @@ EdgePoint nearest_on_edges(const Convex& form, Vec2 p) {
 class PolygonOnPiece {
   public:
     PolygonOnPiece(const OutlinePiece& a, const Convex& b, const OutlinePiece* piece_b, Vec2 offset,
-                   float margin, bool held, Manifold& m)
-        : a_(a), b_(b), piece_b_(piece_b), offset_(offset), margin_(margin), held_(held), m_(m) {}
+                   float margin, bool had_contact, Manifold& m)
+        : a_(a),
+          b_(b),
+          piece_b_(piece_b),
+          offset_(offset),
+          margin_(margin),
+          had_contact_(had_contact),
+          m_(m) {}
 
     void collide() {
         const float reach = b_.radius + margin_;
@@ -288,7 +294,8 @@ class PolygonOnPiece {
         const bool front = in_front(a_, b_, offset_);
         if (front && !is_behind_inner(a_, on_a.inner, best) && on_b.inner <= best + beyond)
             push_with_edges(on_a.outer, on_b.outer);
-        // Not of two outlines: tips that hook into each other would hold and let go by turns.
+        // Not for two outlines: two tips that catch on each other would touch and part again in
+        // turns.
         const bool apart = max(best, on_a.inner) > face_preference;
         if (m_.count == 0 && apart && piece_b_ == nullptr) push_with_corner(front);
     }
@@ -299,7 +306,7 @@ class PolygonOnPiece {
         if (!piece.one_sided()) return true;
         const Vec2 n = piece.form.normals[0];
         const float low = lowest(other, n), high = -lowest(other, -n);
-        const float counted = held_ ? high + other.radius + far_behind : 0.5f * (low + high);
+        const float counted = had_contact_ ? high + other.radius + far_behind : 0.5f * (low + high);
         return counted + dot(n, to_other) >= piece.form.offsets[0];
     }
 
@@ -429,27 +436,27 @@ class PolygonOnPiece {
     const OutlinePiece* piece_b_;
     Vec2 offset_;
     float margin_;
-    bool held_;
+    bool had_contact_;
     Manifold& m_;
 };
 
 }  // namespace
 
-void collide_piece(const Solid& piece, const Solid& other, Vec2 offset, float margin, bool held,
-                   Manifold& m) {
+void collide_piece(const Solid& piece, const Solid& other, Vec2 offset, float margin,
+                   bool had_contact, Manifold& m) {
     m.count = 0;
     m.corner = 0.0f;
     const OutlinePiece a(piece);
     if (other.kind == FormKind::ellipse) {
-        collide_ellipse(a, ellipse_of(other.form), offset, margin, held, m);
+        collide_ellipse(a, ellipse_of(other.form), offset, margin, had_contact, m);
     } else if (other.form.count == 1) {
-        collide_circle(a, other.form.vertices[0] + offset, other.form.radius, offset, margin, held,
-                       m);
+        collide_circle(a, other.form.vertices[0] + offset, other.form.radius, offset, margin,
+                       had_contact, m);
     } else if (other.kind == FormKind::piece) {
         const OutlinePiece b(other);
-        PolygonOnPiece(a, other.form, &b, offset, margin, held, m).collide();
+        PolygonOnPiece(a, other.form, &b, offset, margin, had_contact, m).collide();
     } else {
-        PolygonOnPiece(a, other.form, nullptr, offset, margin, held, m).collide();
+        PolygonOnPiece(a, other.form, nullptr, offset, margin, had_contact, m).collide();
     }
 }
 

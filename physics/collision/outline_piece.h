@@ -56,9 +56,9 @@ class OutlinePiece {
 };
 
 /// Contact points of a piece and another shape, as `collide`; the normal points away from the
-/// piece. `held`: the shapes were already in contact, so at any depth the other shape did not come
-/// from behind.
-void collide_piece(const Solid& piece, const Solid& other, Vec2 offset, float margin, bool held,
-                   Manifold& manifold);
+/// piece. `had_contact`: the shapes were already in contact, so at any depth the other shape did
+/// not come from behind.
+void collide_piece(const Solid& piece, const Solid& other, Vec2 offset, float margin,
+                   bool had_contact, Manifold& manifold);
 
 }  // namespace fettle::physics::detail

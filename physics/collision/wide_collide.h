@@ -136,7 +136,8 @@ struct OldPoints {
     }
 };
 
-/// `lane`: place to write to. `count`: number of points to keep.
+/// Writes the candidates that are valid as the points of the manifolds; points with the same
+/// vertices as before keep their impulses. `manifold(lane)` returns the address of a manifold.
 template <typename At>
 void write_manifolds(At&& manifold, Wide nx, Wide ny, const WideCandidate (&c)[2], WideInt flipped,
                      Wide offset_x, Wide offset_y) {

@@ -22,14 +22,15 @@ struct JointStep {
     Softness rigid;              ///< softness of rigid rows
     /// A wider gap is closed as fast as this one, m.
     float greatest_gap = 1e30f;
-    /// A gap is wide if it is wider than this, m: hardly an impact makes such gaps, but edits do.
+    /// A gap that is wider than this, m, is closed by moving the bodies. Impacts hardly make such
+    /// gaps, but edits do.
     float wide_gap = 1e30f;
-    /// The part of what a gap is wider than that, which a sweep takes away by moving the bodies.
+    /// The part of the excess over `wide_gap` that one sweep removes.
     float wide_share = 0.0f;
 
     /// The softness with which a row closes a gap. If the gap is too wide, the correction and what
     /// the row yields are scaled alike: this limits the speed, and the force is still in proportion
-    /// to the gap. If only the speed were limited, a greater force would draw the joint apart
+    /// to the gap. If only the speed were limited, a greater force would pull the joint apart
     /// without end.
     Softness softness(float gap) const {
         gap = std::abs(gap);
@@ -86,17 +87,18 @@ struct JointEnds {
         body_b.velocity = body_b.velocity + scaled(inverse_b, p);
         body_b.angular_velocity += body_b.inverse_inertia * cross(lever_b, p);
     }
-    /// Moves the two bodies towards each other if the gap is wide. It gives them no velocity, which
-    /// would have to be taken away again: at meters in a sub-step, bodies that turn meanwhile kept
-    /// a part of it. Returns the gap that is left.
-    Vec2 draw(SolverBody& body_a, SolverBody& body_b, Vec2 gap, const JointStep& step) const {
+    /// Moves the two bodies towards each other if the gap is wide. It gives them no velocity: a
+    /// velocity that closes a gap of meters in a sub-step would have to be removed again, and
+    /// bodies that turn meanwhile would keep a part of it. Returns the remaining gap.
+    Vec2 close_wide_gap(SolverBody& body_a, SolverBody& body_b, Vec2 gap,
+                        const JointStep& step) const {
         const float width = max(std::abs(gap.x), std::abs(gap.y));
         if (width <= step.wide_gap) return gap;
-        const Vec2 way = step.wide_share * (1.0f - step.wide_gap / width) * gap;
-        const Vec2 by_a = {way.x * share_of(inverse_a.x, inverse_b.x),
-                           way.y * share_of(inverse_a.y, inverse_b.y)};
-        const Vec2 by_b = {way.x * share_of(inverse_b.x, inverse_a.x),
-                           way.y * share_of(inverse_b.y, inverse_a.y)};
+        const Vec2 closed = step.wide_share * (1.0f - step.wide_gap / width) * gap;
+        const Vec2 by_a = {closed.x * share_of(inverse_a.x, inverse_b.x),
+                           closed.y * share_of(inverse_a.y, inverse_b.y)};
+        const Vec2 by_b = {closed.x * share_of(inverse_b.x, inverse_a.x),
+                           closed.y * share_of(inverse_b.y, inverse_a.y)};
         body_a.shift = body_a.shift + by_a;
         body_b.shift = body_b.shift - by_b;
         return gap - (by_a + by_b);
@@ -107,7 +109,7 @@ struct JointEnds {
     }
 
   private:
-    /// The part of a way that the first of two bodies with these inverse masses takes.
+    /// The part of a displacement that the first of two bodies with these inverse masses makes.
     static float share_of(float first, float second) {
         return first > 0.0f ? first / (first + second) : 0.0f;
     }

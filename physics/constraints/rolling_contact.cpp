@@ -8,7 +8,7 @@ namespace fettle::physics::detail {
 namespace {
 
 /// A face counts as a circle with this radius, m.
-constexpr float face_bend = 1e6f;
+constexpr float face_radius = 1e6f;
 /// The contact follows until its normal has turned by this, rad. The second order is not exact
 /// enough beyond.
 constexpr double greatest_angle = 0.5;
@@ -20,8 +20,8 @@ float inverse_along(const ContactConstraint& c, Vec2 d) {
 
 }  // namespace
 
-float bend_of(const Solid& shape, Vec2 normal) {
-    if (shape.kind == FormKind::border) return face_bend;
+float radius_of_curvature(const Solid& shape, Vec2 normal) {
+    if (shape.kind == FormKind::border) return face_radius;
     if (shape.kind == FormKind::ellipse) {
         // ρ = a²b²/h³.
         const EllipseForm e = ellipse_of(shape.form);
@@ -35,24 +35,24 @@ float bend_of(const Solid& shape, Vec2 normal) {
         const int before = vertex > 0 ? vertex - 1 : shape.form.count - 1;
         const bool face = dot(shape.form.normals[vertex], d) > along ||
                           dot(shape.form.normals[before], d) > along;
-        return face ? face_bend : shape.form.radius;
+        return face ? face_radius : shape.form.radius;
     }
     for (int i = 0; shape.form.count > 1 && i < shape.form.count; ++i)
-        if (dot(shape.form.normals[i], normal) > along) return face_bend;
+        if (dot(shape.form.normals[i], normal) > along) return face_radius;
     return shape.form.radius;
 }
 
-RollingContact::RollingContact(const ContactConstraint& start, float bend_a, float bend_b)
+RollingContact::RollingContact(const ContactConstraint& start, float radius_a, float radius_b)
     : normal_(start.normal), start_(start.points[0]) {
     // The tangent levers are -h_a and h_b: the reach along the normal, half the gap included.
     const double reach_a = -double(start_.tangent_lever_a);
     const double reach_b = double(start_.tangent_lever_b);
     const double half = 0.5 * double(start_.separation);
-    second_a_ = double(bend_a) + half - reach_a;
-    second_b_ = double(bend_b) + half - reach_b;
+    second_a_ = double(radius_a) + half - reach_a;
+    second_b_ = double(radius_b) + half - reach_b;
     // Deeply overlapping surfaces have no rolling contact.
-    const double sum = double(start_.separation) + double(bend_a) + double(bend_b);
-    const double least = 0.1 * (double(bend_a) + double(bend_b));
+    const double sum = double(start_.separation) + double(radius_a) + double(radius_b);
+    const double least = 0.1 * (double(radius_a) + double(radius_b));
     sum_ = sum > least ? sum : (least > 0.0 ? least : 1e-6);
 }
 
@@ -63,7 +63,7 @@ void RollingContact::follow(ContactConstraint& c, const SolverBody& a, const Sol
     double phi = (double(dot(across, shift)) + second_a_ * turn_a + second_b_ * turn_b) / sum_;
     if (std::fabs(phi) > greatest_angle) {
         // All four are limited by the same part. With the angle alone, the second order would hold
-        // for no pose, and for a face, whose bend is a million meters, be a million times too
+        // for no pose, and for a face, whose radius is a million meters, be a million times too
         // large.
         const double part = greatest_angle / std::fabs(phi);
         shift = float(part) * shift;

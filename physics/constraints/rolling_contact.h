@@ -7,7 +7,7 @@ namespace fettle::physics::detail {
 
 /// Radius of curvature (m) of the surface of a shape at the point with the outward normal `normal`:
 /// of the ellipse there, of the circle, or of the rounding of a corner; nearly infinite for a face.
-float bend_of(const Solid& shape, Vec2 normal);
+float radius_of_curvature(const Solid& shape, Vec2 normal);
 
 /// Change of a contact of curved surfaces while the bodies turn, to second order. Direction, levers
 /// and gap of a contact are computed at the beginning of the step, which is exact enough for faces
@@ -31,7 +31,7 @@ float bend_of(const Solid& shape, Vec2 normal);
 class RollingContact {
   public:
     RollingContact() = default;
-    RollingContact(const ContactConstraint& start, float bend_a, float bend_b);
+    RollingContact(const ContactConstraint& start, float radius_a, float radius_b);
 
     /// Writes direction, levers, masses and gap into the constraint, for the current poses of the
     /// bodies.

@@ -9,8 +9,8 @@
 #include <vector>
 
 // Contacts in groups of sixteen of one color. No two contacts of a color share a moving body, so
-// the lanes are independent. Structure of arrays. Unused lanes have body 0 on both sides and no
-// mass.
+// the lanes are independent. The data are a structure of arrays. Unused lanes have body 0 on both
+// sides and no mass.
 
 namespace fettle::physics::detail {
 
@@ -36,16 +36,16 @@ struct alignas(64) WideContact {
 /// The manifolds of a group, for reading and writing back.
 struct ContactLanes {
     Manifold* manifolds[lanes];
-    Manifold spare;             ///< for unused lanes
-    uint32_t touching = 0;      ///< before the step, one bit for each lane
-    uint32_t tells_always = 0;  ///< contacts that are reported in every step, one bit each
+    Manifold spare;               ///< for unused lanes
+    uint32_t touching = 0;        ///< before the step, one bit for each lane
+    uint32_t reports_always = 0;  ///< contacts that are reported in every step, one bit each
     // After the step, one bit for each lane. `near`: there is an impulse, or the shapes are near
     // each other. `within_twice`: the same with twice that distance.
     uint32_t near = 0, within_twice = 0;
 };
 
 /// The result of a group, one bit for each lane.
-struct GroupNews {
+struct GroupResult {
     uint16_t reported = 0;  ///< a touch begins or ends, or the contact is reported in every step
     uint16_t touches = 0;   ///< touching now
 };
@@ -87,7 +87,7 @@ struct WideStep {
     uint32_t* pushed = nullptr;  ///< of each group: `WideBlock::pushed`
     std::size_t count = 0;
     float inverse_h = 0.0f;
-    float push_speed = 0.0f;
+    float push_speed = 0.0f;  ///< of the world, m/s
 };
 
 }  // namespace fettle::physics::detail

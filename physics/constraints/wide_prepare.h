@@ -21,7 +21,6 @@ inline WideLever lever(Wide anchor_x, Wide anchor_y, Wide x, Wide y, Wide invers
     return {arm, inverse_inertia * arm};
 }
 
-/// `kept`: lanes that have this point.
 struct WidePointRows {
     WideLever normal_a, normal_b, tangent_a, tangent_b;
 
@@ -31,6 +30,7 @@ struct WidePointRows {
           tangent_a(lever(anchors.a, anchors.b, ny, -nx, a.inertia)),
           tangent_b(lever(anchors.c, anchors.d, ny, -nx, b.inertia)) {}
 
+    /// `kept`: lanes that have this point.
     void write(const Columns4& state, Wide mass, WideInt kept, float ratio, WidePoint& to,
                int at) const {
         const Wide k_n = mass + normal_a.turn * normal_a.arm + normal_b.turn * normal_b.arm;
@@ -118,7 +118,7 @@ void prepare_contacts(const PrepareStep& step, std::span<const ContactLanes> fro
     for (size_t i = 0; i < from.size(); ++i) {
         for (int at = 0; at < lanes; at += width) {
             if (to[i].a[at] == to[i].b[at]) {
-                // No contact of the group has more points; the passes stop here, too.
+                // Lanes are filled in order, so the rest is unused; the passes stop here, too.
                 break;
             }
             prepare_lanes(step, from[i].manifolds + at, to[i], at);

@@ -7,8 +7,8 @@ namespace fettle::physics::detail {
 void create_contact(const ContactList& list, const WorldDef& settings, uint32_t shape_a,
                     uint32_t shape_b) {
     ObjectState& objects = list.touching.objects;
-    const uint32_t slot =
-        objects.contact_slots.take(objects.contact_links, objects.contacts, objects.manifold_poses);
+    const uint32_t slot = objects.contact_slots.allocate(objects.contact_links, objects.contacts,
+                                                         objects.manifold_poses);
     ContactRecord& c = objects.contacts[slot];
     c.shape_a = shape_a;
     c.shape_b = shape_b;
@@ -42,7 +42,7 @@ void destroy_contact(const ContactList& list, uint32_t slot) {
     }
     list.pairs.erase(c.shape_a, c.shape_b);
     c = {};
-    objects.contact_slots.give_back(objects.contact_links, slot);
+    objects.contact_slots.release(objects.contact_links, slot);
 }
 
 void destroy_contacts_of_shape(const ContactList& list, uint32_t shape) {

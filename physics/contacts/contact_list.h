@@ -33,7 +33,7 @@ struct Touching {
 };
 
 void set_touching(const Touching& touching, uint32_t contact, bool begins);
-/// Lets a contact not act: its touch ends, and its impulses are forgotten.
+/// Skips a contact: it does not act, its touch ends, and its impulses are set to 0.
 void skip_contact(const Touching& touching, uint32_t contact, Skipped reason);
 /// Reports the touches of outlines that ended in this step without a touch of another part.
 void report_parted(const Touching& touching);
@@ -62,7 +62,7 @@ void destroy_contact(const ContactList& list, uint32_t contact);
 void destroy_contacts_of_shape(const ContactList& list, uint32_t shape);  ///< and its parts
 void destroy_contacts_of_body(const ContactList& list, uint32_t body);
 
-// Decision which pairs of shapes may collide.
+// Which pairs of shapes may collide.
 
 /// The filter of the user, if there is one.
 struct UserFilter {

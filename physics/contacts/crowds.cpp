@@ -171,7 +171,7 @@ void choose_crowded_pairs(ObjectState& objects, const Columns& columns,
     scratch.still_crowded.resize(crowded.size());
     const Choice choice = {objects, columns, boxes, settings, step};
     const size_t pieces = (crowded.size() + crowded_at_a_time - 1) / crowded_at_a_time;
-    look_in_pieces(scratch, pieces, threads, [&](size_t piece, std::vector<uint64_t>& found) {
+    search_in_pieces(scratch, pieces, threads, [&](size_t piece, std::vector<uint64_t>& found) {
         const size_t end = std::min((piece + 1) * crowded_at_a_time, crowded.size());
         for (size_t i = piece * crowded_at_a_time; i < end; ++i)
             scratch.still_crowded[i] = choice.choose(crowded[i], found);

@@ -21,13 +21,13 @@ inline constexpr uint32_t most_decided = 32;
 /// one body sleeps, the other one decides.
 uint32_t decider_of(const ObjectState& objects, uint32_t shape_a, uint32_t shape_b);
 
-/// Runs `look(piece, found)` for every piece, each with a list of its own, and adds what they found
-/// to the new pairs in the order of the pieces.
-void look_in_pieces(PairScratch& scratch, size_t count, ThreadPool* threads, auto&& look) {
+/// Runs `search(piece, found)` for every piece, each with a list of its own, and adds what they
+/// found to the new pairs in the order of the pieces.
+void search_in_pieces(PairScratch& scratch, size_t count, ThreadPool* threads, auto&& search) {
     if (scratch.found_pairs.size() < count) scratch.found_pairs.resize(count);
-    share_out(threads, uint32_t(count), [&](uint32_t piece) {
+    parallel_for(threads, uint32_t(count), [&](uint32_t piece) {
         scratch.found_pairs[piece].clear();
-        look(piece, scratch.found_pairs[piece]);
+        search(piece, scratch.found_pairs[piece]);
     });
     for (size_t piece = 0; piece < count; ++piece) {
         const std::vector<uint64_t>& found = scratch.found_pairs[piece];

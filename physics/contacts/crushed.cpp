@@ -13,9 +13,9 @@ constexpr float crushed_share = 0.5f;
 /// An overlap of two dynamic bodies passes the pressure on if it is deeper than this part of the
 /// smaller width of the two. No load of a stack presses bodies together that much.
 constexpr float passing_share = 0.125f;
-/// The cosine of the angle between the normals at the two sides of a body that is crushed, at most.
+/// The maximum of the cosine of the angle between the normals at the two sides of a crushed body.
 constexpr float opposite = -0.5f;
-/// The pressure is followed to so many bodies.
+/// Maximum number of bodies through which the pressure is followed.
 constexpr size_t most_bodies = 64;
 
 /// Bodies that overlap by more than this part of the smaller width are pressed together. Bodies in
@@ -38,8 +38,8 @@ class Pressure {
         : objects_(objects), columns_(columns) {}
 
     /// True if the body of the contact that is not `presser` is crushed. Then `pressed` lists it
-    /// and bodies that are pressed through it. A presser that stands counts if it is directly
-    /// opposite to the obstacle: a game may set its position in each step.
+    /// and bodies that are pressed through it. A presser at rest counts if it is directly opposite
+    /// to the obstacle: a game may set its position in each step.
     bool crushes(uint32_t presser, uint32_t contact) {
         const ContactRecord& c = objects_.contacts[contact];
         const uint32_t body = objects_.other_body(contact, presser);
@@ -47,13 +47,13 @@ class Pressure {
         if (objects_.bodies[body].mobility != Mobility::dynamic || speed < 0.0f) return false;
         pressed_.assign(1, {body, contact});
         for (size_t i = 0; i < pressed_.size() && (i == 0 || speed > 0.0f); ++i)
-            if (is_held(pressed_[i])) return true;
+            if (pressure_meets_fixed(pressed_[i])) return true;
         return false;
     }
 
-    /// True if the presser moves away from the body of the contact, and nothing holds the body
-    /// against it any more.
-    bool lets_go(uint32_t presser, uint32_t contact) const {
+    /// True if the presser moves away from the body of the contact, and no other contact presses
+    /// the body against it any more.
+    bool releases(uint32_t presser, uint32_t contact) const {
         const ContactRecord& c = objects_.contacts[contact];
         const uint32_t body = objects_.other_body(contact, presser);
         if (objects_.bodies[body].mobility != Mobility::dynamic || c.manifold.count == 0 ||
@@ -102,9 +102,9 @@ class Pressure {
                state.angular_velocity == 0.0f;
     }
 
-    /// True if a fixed obstacle holds the body against the pressure. Lists the bodies to which the
-    /// pressure goes on.
-    bool is_held(const Pressed pressed) {
+    /// True if a fixed obstacle stops the body against the pressure. Otherwise adds the bodies to
+    /// which it passes the pressure on to the list.
+    bool pressure_meets_fixed(const Pressed pressed) {
         const uint32_t body = pressed.body;
         const uint32_t from = pressed.from;
         const ContactRecord& pressing = objects_.contacts[from];
@@ -137,8 +137,8 @@ class Pressure {
     std::vector<Pressed> pressed_;
 };
 
-/// The stored impulses of a pressed body balance those of the presser, and are far greater than
-/// what else acts on it: without the presser they would throw it.
+/// Sets the impulses of the contacts of a pressed body to 0. They balance those of the presser and
+/// are far greater than all other forces on the body: without the presser they would throw it.
 void clear_impulses_of(ObjectState& objects, uint32_t body) {
     objects.for_each_contact(body,
                              [&](uint32_t contact) { objects.contacts[contact].clear_impulses(); });
@@ -155,7 +155,7 @@ bool skip_crushed(const Touching& touching, const ActiveLists& active) {
         if (objects.bodies[body].mobility != Mobility::kinematic) continue;
         objects.for_each_contact(body, [&](uint32_t contact) {
             ContactRecord& c = objects.contacts[contact];
-            if (c.skipped == Skipped::crushed && pressure.lets_go(body, contact))
+            if (c.skipped == Skipped::crushed && pressure.releases(body, contact))
                 c.skipped = Skipped::no;
             if (c.acts() && pressure.crushes(body, contact)) {
                 skip_contact(touching, contact, Skipped::crushed);

@@ -6,14 +6,14 @@
 // would press it into the obstacle and through it, since no velocity meets both contacts. The fixed
 // obstacle has priority: once the space between the two is less than half as wide as the body, the
 // contact with the kinematic body does not act. It acts again when the two have parted, or when the
-// kinematic body moves back and nothing holds the body against it any more. So a crusher passes
-// through what it crushes, and a body that was crushed is neither lost below the ground nor thrown;
-// what a lift has pressed against a ceiling comes down with the lift.
-// The same holds if other bodies are between, each pressed into the next one.
+// kinematic body moves back and nothing presses the body against it any more. So a kinematic body
+// passes through what it crushes, and a body that was crushed is neither lost below the ground nor
+// thrown; what a lift has pressed against a ceiling comes down with the lift. The same holds if
+// other bodies are between, each pressed into the next one.
 
 namespace fettle::physics::detail {
 
-/// Finds the contacts in which a kinematic body begins to crush another one, and lets them not act.
+/// Finds the contacts in which a kinematic body begins to crush another one, and skips them.
 /// Returns true if a contact of an awake kinematic body does not act because of that.
 bool skip_crushed(const Touching& touching, const ActiveLists& active);
 

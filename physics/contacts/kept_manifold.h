@@ -6,19 +6,20 @@
 // A manifold is kept while its bodies move little. Only its separations follow the bodies, to first
 // order, as they do within a step (constraints/contact_constraint.h).
 //
-// This is more than a saving. A contact gives way under load, so a tall stack is an elastic column.
-// If the lever arms follow each lean of a box, the weight above acts on the leaning column as on
-// any slender one: from about 22 boxes on (their weight times the cube of their number against the
-// stiffness of a contact) it buckles, however small the first lean is. With the lever arms and
-// normals of the manifold's making, the weight does not add to the lean, so the column stands.
+// This does not only save time. A contact gives way under load, so a tall stack is an elastic
+// column. If the lever arms follow each lean of a box, the weight above acts on the leaning column
+// as on any slender one: from about 22 boxes on (their weight times the cube of their number
+// against the stiffness of a contact) it buckles, however small the first lean is. With the lever
+// arms and normals of the manifold's making, the weight does not add to the lean, so the column
+// stands.
 
 namespace fettle::physics::detail {
 
 /// A manifold is kept while neither body has turned by more than this (rad), and its points have
-/// slipped, and come nearer or gone apart, by less than these parts of the distance between them.
-/// So a body on a plank that tilts starts to slide at most three degrees late. A slender body is
-/// near its tipping angle before: what the turn moves its center of mass to the side is less than
-/// `kept_lean` of that distance, too.
+/// slipped, and approached or separated, by less than these parts of the distance between them.
+/// So a body on a plank that tilts starts to slide at most three degrees late. A slender body would
+/// be near its tipping angle before that: so the rotation may move its center of mass to the side
+/// by less than `kept_lean` of that distance, too.
 inline constexpr float kept_turn = 0.05f, kept_slip = 0.02f, kept_gap = 0.1f, kept_lean = 0.1f;
 
 /// Two bodies that turn faster soon need a new manifold anyway, rad per step.
@@ -29,9 +30,9 @@ inline bool may_keep(const ObjectState& objects, const ContactRecord& c) {
            slow_turn;
 }
 
-/// True if a body that moves on its own turns. The lever arm on it would lag behind, by meters for
+/// True if the body is kinematic and turns. The lever arm on it would lag behind, by meters for
 /// a large platform: a body on it would be moved along a tangent, and so outwards.
-inline bool turns_on_its_own(const ObjectState& objects, uint32_t shape, uint32_t body) {
+inline bool is_turning_kinematic(const ObjectState& objects, uint32_t shape, uint32_t body) {
     return objects.forms[shape].turn != 0.0f &&
            objects.bodies[body].mobility == Mobility::kinematic;
 }
@@ -41,14 +42,15 @@ inline bool has_both_anchors(const ObjectState& objects, const ContactRecord& c)
     return !double_positions || objects.forms[c.shape_a].kind != FormKind::border;
 }
 
-/// Called after the manifold was computed. Only a manifold with two points is kept: two edges have
-/// no third point that could come into contact meanwhile.
-inline void note_pose(ObjectState& objects, uint32_t slot) {
+/// Decides whether the new manifold may be kept, and stores the pose for which it was computed.
+/// Only a manifold with two points is kept: two edges have no third point that could come into
+/// contact meanwhile.
+inline void keep_manifold(ObjectState& objects, uint32_t slot) {
     ContactRecord& c = objects.contacts[slot];
     c.kept = c.manifold.count == 2 && !c.sensor && has_both_anchors(objects, c);
     if (c.kept && objects.kinematic_bodies > 0)
-        c.kept = !turns_on_its_own(objects, c.shape_a, c.body_a) &&
-                 !turns_on_its_own(objects, c.shape_b, c.body_b);
+        c.kept = !is_turning_kinematic(objects, c.shape_a, c.body_a) &&
+                 !is_turning_kinematic(objects, c.shape_b, c.body_b);
     if (!c.kept) return;
 
     objects.manifold_poses[slot] = {
@@ -78,7 +80,7 @@ inline bool follow_bodies(const ObjectState& objects, uint32_t slot, ContactReco
     const float turn = max(std::fabs(turn_a), std::fabs(turn_b));
     const float lean = max(std::fabs(turn_a * dot(m.normal, p.anchor_a)),
                            std::fabs(turn_b * dot(m.normal, p.anchor_b)));
-    // Without branches: bodies that tumble would mislead their prediction.
+    // Without branches, because tumbling bodies make them unpredictable for the processor.
     const bool little = (turn <= kept_turn) & (lean * lean <= kept_lean * kept_lean * width) &
                         (slip * slip <= kept_slip * kept_slip * width) &
                         (along * along <= kept_gap * kept_gap * width) &

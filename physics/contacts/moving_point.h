@@ -31,7 +31,8 @@ inline float moment_of_geometry(int substeps) {
     return 0.5f * float(substeps - 1) / float(substeps);
 }
 
-/// A normal that turned by more than this in the last step belongs to another place, rad.
+/// If the normal turned by more than this in the last step (rad), the contact point is at another
+/// place of the shapes.
 inline constexpr float greatest_turn_of_normal = 0.1f;
 
 /// True for a contact whose geometry may be continued: one point under load, which does not follow
@@ -42,8 +43,8 @@ inline bool has_moving_point(const ContactRecord& c) {
 
 /// Continues the geometry of a contact with a moving point by the part `moment` of the step, and
 /// stores the geometry of now for the next step. `continues`: the geometry of the last step is
-/// stored, of the same corner. What slides is left alone: its point moves, but not because it
-/// turns.
+/// stored, of the same corner. A contact that slides is not continued: its point does not move
+/// because of a rotation.
 inline void continue_point(ObjectState& objects, uint32_t slot, bool continues, float moment) {
     ContactRecord& c = objects.contacts[slot];
     Manifold& m = c.manifold;

@@ -38,7 +38,7 @@ void keep_side(const NarrowPhaseInput& in, ContactRecord& c, float margin, Vec2 
     Manifold kept = {};
     collide_on_side(sheet, solid_of(in.objects, in.columns, other), side, offset, margin, kept);
     if (kept.count == 0) return;
-    if (!first) turn_round(kept);
+    if (!first) swap_shapes(kept);
     m = kept;
 }
 
@@ -76,7 +76,7 @@ class Collision {
           keeps_(input.settings.solver == Solver::soft_step),
           moment_(moment_of_geometry(input.settings.substeps)) {}
 
-    /// Computes the manifolds of some awake contacts, and notes which contacts need more work.
+    /// Computes the manifolds of some awake contacts, and lists which contacts need more work.
     void run(std::span<const uint32_t> slots, size_t begin, size_t end, CollidedPiece& piece) {
         uint64_t over = 0, computed = 0, known = 0;
         uint32_t features[run_length];
@@ -102,7 +102,7 @@ class Collision {
         }
         if (batch_.count > 0) flush();
         for (; computed != 0; computed &= computed - 1)
-            note_pose(in_.objects, slots[begin + size_t(std::countr_zero(computed))]);
+            keep_manifold(in_.objects, slots[begin + size_t(std::countr_zero(computed))]);
         for (size_t i = begin; i < end; ++i) {
             const uint32_t slot = slots[i];
             const uint64_t bit = uint64_t{1} << (i - begin);
@@ -171,7 +171,7 @@ class Collision {
 
     const NarrowPhaseInput in_;  ///< a copy: one indirection less in the loops
     const ConvexArrays arrays_;
-    const bool keeps_;    ///< the contacts of the other solvers are rigid
+    const bool keeps_;  ///< manifolds are kept: not for the other solvers, whose contacts are rigid
     const float moment_;  ///< of the geometry of moving points
     CollisionBatch batch_ = {};
     ContactRecord* records_[CollisionBatch::size] = {};
@@ -179,7 +179,7 @@ class Collision {
 };
 
 /// The rare work after a manifold: ends a touch, or wakes a sleeping body that is about to be hit.
-void follow_note(const NarrowPhaseInput& in, uint32_t slot) {
+void process_pair(const NarrowPhaseInput& in, uint32_t slot) {
     ContactRecord& c = in.objects.contacts[slot];
     const std::vector<BodyRecord>& bodies = in.objects.bodies;
     const bool active = c.manifold.count > 0;
@@ -205,15 +205,15 @@ void mark_paired(const NarrowPhaseInput& in, std::span<const uint32_t> moved) {
     }
 }
 
-/// Computes the manifolds of the contacts `slots`. Their notes go into the pieces from `first` on;
-/// returns the end of these pieces. At the same time, `beside(i)` is called for each i below
-/// `others`.
+/// Computes the manifolds of the contacts `slots`. Those that need more work are listed in the
+/// pieces from `first` on; returns the end of these pieces. At the same time, `beside(i)` is called
+/// for each i below `others`.
 size_t collide_awake(const NarrowPhaseInput& in, std::span<const uint32_t> slots, size_t first,
                      uint32_t others, auto&& beside) {
     std::vector<CollidedPiece>& collided = in.scratch.collided;
     const size_t pieces = (slots.size() + contacts_of_piece - 1) / contacts_of_piece;
     if (collided.size() < first + pieces) collided.resize(first + pieces);
-    share_out(in.threads, others + uint32_t(pieces), [&](uint32_t block) {
+    parallel_for(in.threads, others + uint32_t(pieces), [&](uint32_t block) {
         if (block < others) {
             beside(block);
             return;
@@ -271,16 +271,17 @@ void wake_for_sensors(const NarrowPhaseInput& in) {
 void narrow_phase(const NarrowPhaseInput& in) {
     std::vector<uint32_t>& awake = in.active.awake_contacts;
     std::vector<CollidedPiece>& collided = in.scratch.collided;
-    size_t collided_contacts = awake.size(), noted = 0;
+    size_t collided_contacts = awake.size(), processed = 0;
     size_t pieces = collide_and_create(in);
     wake_for_sensors(in);
-    // New contacts are collided in another round. So are contacts that wake because of the notes.
+    // New contacts are collided in another round. So are contacts that wake when the listed pairs
+    // are processed.
     for (;;) {
         const std::span slots = std::span(awake).subspan(collided_contacts);
         collided_contacts = awake.size();
         if (!slots.empty()) pieces = collide_awake(in, slots, pieces, 0, [](uint32_t) {});
-        for (; noted < pieces; ++noted)
-            for (const uint32_t slot : collided[noted].more) follow_note(in, slot);
+        for (; processed < pieces; ++processed)
+            for (const uint32_t slot : collided[processed].more) process_pair(in, slot);
         if (collided_contacts == awake.size()) break;
     }
     collided.resize(pieces);

@@ -9,8 +9,8 @@
 
 // Computes the manifold of every awake contact in this step. Pairs of triangles and quadrilaterals
 // are collected and collided sixteen at a time, the others one by one. Both write only the
-// manifold, and a note if the pair needs more work. Then the notes are processed in the order of
-// the list: touches end, pairs end, and sleeping bodies that are about to be hit wake.
+// manifold, and list the pair if it needs more work. Then the listed pairs are processed in the
+// order of the contacts: touches end, pairs end, and sleeping bodies that are about to be hit wake.
 
 namespace fettle::physics::detail {
 
@@ -35,8 +35,9 @@ void narrow_phase(const NarrowPhaseInput& input);
 void end_pairs(const ContactList& list, PairScratch& scratch);
 
 /// Computes the manifold of shapes that are not both plain convex. Most worlds have few such pairs.
-/// `held`: they were in contact before.
+/// `had_contact`: they were in contact before.
 void collide_unusual(const ObjectState& objects, const Columns& columns, const WorldDef& settings,
-                     const ContactRecord& contact, float margin, bool held, Manifold& manifold);
+                     const ContactRecord& contact, float margin, bool had_contact,
+                     Manifold& manifold);
 
 }  // namespace fettle::physics::detail

@@ -36,7 +36,7 @@ struct PairSearch {
     }
 
     /// Adds the pair if it is new: the fat boxes overlap, and one of them has moved.
-    void look_at_pair(uint32_t shape, uint32_t other, std::vector<uint64_t>& found) const {
+    void add_if_new(uint32_t shape, uint32_t other, std::vector<uint64_t>& found) const {
         if (overlap(boxes.paired_boxes[shape], boxes.paired_boxes[other]))
             return;  // decided in an earlier search
         const uint32_t decider = decider_of(objects, shape, other);
@@ -50,22 +50,22 @@ struct PairSearch {
     }
 
     /// Queries the trees for each shape that has moved.
-    void look_around_moved() {
+    void search_around_moved() {
         const size_t count = (boxes.moved_shapes.size() + shapes_at_a_time - 1) / shapes_at_a_time;
-        look_in_pieces(scratch, count, threads, [&](size_t piece, std::vector<uint64_t>& found) {
+        search_in_pieces(scratch, count, threads, [&](size_t piece, std::vector<uint64_t>& found) {
             const size_t begin = piece * shapes_at_a_time;
             const size_t end = std::min(begin + shapes_at_a_time, boxes.moved_shapes.size());
             for (size_t i = begin; i < end; ++i) {
                 const uint32_t shape = boxes.moved_shapes[i];
                 const ShapeRecord& record = objects.shapes[shape];
                 if (record.proxy == Tree::none) continue;
-                const auto look = [&](uint32_t other) { look_at_pair(shape, other, found); };
+                const auto add_pair = [&](uint32_t other) { add_if_new(shape, other, found); };
                 if (record.tree == Mobility::fixed) {
-                    boxes.moving_tree.query(boxes.fixed_tree.box(record.proxy), look);
+                    boxes.moving_tree.query(boxes.fixed_tree.box(record.proxy), add_pair);
                 } else {
                     boxes.moving_tree.pairs_of_leaf(record.proxy, boxes.paired_boxes[shape],
-                                                    overlaps, look);
-                    boxes.fixed_tree.query(boxes.moving_tree.box(record.proxy), look);
+                                                    overlaps, add_pair);
+                    boxes.fixed_tree.query(boxes.moving_tree.box(record.proxy), add_pair);
                 }
             }
         });
@@ -79,26 +79,26 @@ struct PairSearch {
         const size_t own = scratch.parts_of_walk.size();
         boxes.moving_tree.begin_walk(boxes.fixed_tree, enough, scratch.parts_of_walk);
         // The first parts are the largest, so they are distributed evenly to the threads.
-        const size_t hands = threads != nullptr ? size_t(threads->at_a_time()) : 1;
-        const size_t each = (scratch.parts_of_walk.size() + hands - 1) / hands;
-        look_in_pieces(
-            scratch, each * hands, threads, [&](size_t piece, std::vector<uint64_t>& found) {
-                const size_t part = piece / each + piece % each * hands;
+        const size_t workers = threads != nullptr ? size_t(threads->at_a_time()) : 1;
+        const size_t each = (scratch.parts_of_walk.size() + workers - 1) / workers;
+        search_in_pieces(
+            scratch, each * workers, threads, [&](size_t piece, std::vector<uint64_t>& found) {
+                const size_t part = piece / each + piece % each * workers;
                 if (part >= scratch.parts_of_walk.size()) return;
                 const Tree& other = part < own ? boxes.moving_tree : boxes.fixed_tree;
-                const auto look = [&](uint32_t a, uint32_t b) { look_at_pair(a, b, found); };
-                boxes.moving_tree.pairs(other, scratch.parts_of_walk[part], overlaps, look);
+                const auto add_pair = [&](uint32_t a, uint32_t b) { add_if_new(a, b, found); };
+                boxes.moving_tree.pairs(other, scratch.parts_of_walk[part], overlaps, add_pair);
             });
     }
 
     /// Adds pairs with the border, which is in no tree.
-    void look_at_border() {
+    void search_at_border() {
         for (const uint32_t shape : boxes.moved_shapes) {
             if (objects.forms[shape].body == none || generations[shape] == 0) continue;
             if (objects.bodies[objects.forms[shape].body].mobility != Mobility::dynamic) continue;
             for (uint32_t side = 0; side < 4; ++side) {
                 if (overlap(boxes.fat_boxes[shape], boxes.fat_boxes[side]))
-                    look_at_pair(shape, side, scratch.new_pairs);
+                    add_if_new(shape, side, scratch.new_pairs);
             }
         }
     }
@@ -169,10 +169,10 @@ void find_pairs(ObjectState& objects, const Columns& columns, BroadPhaseState& b
     boxes.fixed_tree.rebuild(threads, boxes.paired_boxes);
     PairSearch search = {objects, columns.shape_generations, boxes, scratch, overlaps, threads};
     if (4 * moved.size() < boxes.moving_tree.size())
-        search.look_around_moved();
+        search.search_around_moved();
     else
         search.walk_trees();
-    if (settings.bounds) search.look_at_border();
+    if (settings.bounds) search.search_at_border();
     remove_crowded_pairs(objects, scratch);
     choose_crowded_pairs(objects, columns, boxes, settings, step, scratch, threads);
     order_pairs(scratch.new_pairs, scratch.spare_pairs, objects.shapes.size(), filter);

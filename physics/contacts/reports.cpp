@@ -27,8 +27,8 @@ Position point_of(const ObjectState& objects, const ContactRecord& c, Vec2 ancho
     return objects.bodies[c.body_a].center + anchor_a;
 }
 
-/// True if a point of a touching contact touches, or is as near as the nearest one: what is stopped
-/// within a step was apart at its beginning.
+/// True if a point of a touching contact touches, or is as near as the nearest one: shapes that
+/// meet within a step were apart at its beginning.
 bool meets(const Manifold& m, int k) {
     return m.points[k].normal_impulse > 0.0f ||
            m.points[k].separation <= max(nearest_separation(m), 0.0f) + touch_distance;
@@ -49,7 +49,8 @@ float closing(const ObjectState& objects, const ContactRecord& c, const Position
     return dot(c.manifold.normal, at_point(c.body_a, a) - at_point(c.body_b, b));
 }
 
-/// How fast the states say that it approaches: until the poses are finished, those before the step.
+/// The same with the velocities in the states. Until the poses are finished, these are the
+/// velocities before the step.
 float closing_before(const ObjectState& objects, const Columns& columns, const ContactRecord& c,
                      const Position& point) {
     const BodyState &a = columns.states[c.body_a], &b = columns.states[c.body_b];
@@ -65,7 +66,7 @@ std::optional<ContactHitEvent> hit_of(const Touching& touching, float threshold,
     const Columns& columns = touching.columns;
     const ContactRecord& record = objects.contacts[contact];
     if (!record.hit_events || !record.touching) return {};
-    // What a step leaves of an impact is ended by the next one.
+    // The solver may take two steps to end an approach; the second one is no hit of its own.
     if (objects.contact_links[contact].began + 1 == touching.step) return {};
     float speed = 0.0f;
     Position point;
@@ -109,7 +110,7 @@ void report_wide_hits(const Touching& touching, float threshold, ContactScratch&
         }
     };
     scratch.hits.resize((reported.size() + words_at_a_time - 1) / words_at_a_time);
-    share_out_range(threads, reported.size(), words_at_a_time, [&](size_t begin, size_t end) {
+    parallel_for(threads, reported.size(), words_at_a_time, [&](size_t begin, size_t end) {
         auto& found = scratch.hits[begin / words_at_a_time];
         found.clear();
         visit(begin, end, [&](const ActingContact& c) { objects.contacts[c.slot].prefetch(); });
@@ -204,8 +205,9 @@ float meeting_speed(const Touching& touching, const ContactRecord& c, const Posi
     const float acceleration =
         closing(objects, c, point, {a.change, a.turn_change}, {b.change, b.turn_change}) /
         touching.substep;
-    // v² grows by twice the work of the acceleration; forces act for one step at most. What came
-    // from farther than contacts are looked for has met within the step before.
+    // v² grows by twice the work of the acceleration; forces act for one step at most. Fast shapes
+    // may have met within the last step: then the separation is negative, and the forces acted for
+    // too long. A deeper overlap is older and does not count.
     const float way = separation > -before * touching.length ? separation : 0.0f;
     const float square = max(before * before + 2.0f * acceleration * way, 0.0f);
     const float later = max(0.0f, before + acceleration * touching.length);

@@ -44,7 +44,7 @@ uint32_t touching_elsewhere(const ObjectState& objects, uint32_t slot) {
     return found;
 }
 
-/// Whether a touch of the two shapes that begins now is reported.
+/// True if a touch of the two shapes that begins now is reported.
 bool are_reported(const ObjectState& objects, uint32_t shape_a, uint32_t shape_b, bool sensor) {
     const ShapeDef& a = objects.shapes[shape_a].surface;
     const ShapeDef& b = objects.shapes[shape_b].surface;

@@ -9,11 +9,11 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// A half-plane and the center of a body, both relative to the same origin.
 struct HalfPlane {
     Vec2 normal;
     float depth = 0.0f;
 };
+/// A half-plane and the center of a body, both relative to the same origin.
 struct BesideHalfPlane {
     HalfPlane plane;
     Vec2 center;
@@ -21,7 +21,7 @@ struct BesideHalfPlane {
 
 /// The half-plane relative to the origin of the world; in double precision, relative to the center
 /// of the body.
-BesideHalfPlane seen_from(const BorderPlane& border, const Position& center) {
+BesideHalfPlane relative_to(const BorderPlane& border, const Position& center) {
     if (double_positions)
         return {{border.normal, float(border.depth - dot(border.normal, center))}, {}};
     return {{border.normal, float(border.depth)}, Vec2(center)};
@@ -43,11 +43,11 @@ void collide_ellipse_half_plane(const HalfPlane& plane, const EllipseForm& ellip
 }  // namespace
 
 void collide_unusual(const ObjectState& objects, const Columns& columns, const WorldDef& settings,
-                     const ContactRecord& c, float margin, bool held, Manifold& m) {
+                     const ContactRecord& c, float margin, bool had_contact, Manifold& m) {
     const Solid b = solid_of(objects, columns, c.shape_b);
     if (objects.forms[c.shape_a].kind == FormKind::border) {  // the border is always shape a
         const BorderPlane border = border_plane(*settings.bounds, c.shape_a);
-        const auto [plane, center_b] = seen_from(border, objects.bodies[c.body_b].center);
+        const auto [plane, center_b] = relative_to(border, objects.bodies[c.body_b].center);
         if (b.kind == FormKind::ellipse)
             collide_ellipse_half_plane(plane, ellipse_of(b.form), center_b, margin, m);
         else if (b.kind == FormKind::large)
@@ -57,8 +57,8 @@ void collide_unusual(const ObjectState& objects, const Columns& columns, const W
         return;
     }
     const Solid a = solid_of(objects, columns, c.shape_a);
-    collide(a, b, objects.bodies[c.body_b].center - objects.bodies[c.body_a].center, margin, held,
-            m);
+    collide(a, b, objects.bodies[c.body_b].center - objects.bodies[c.body_a].center, margin,
+            had_contact, m);
 }
 
 }  // namespace fettle::physics::detail

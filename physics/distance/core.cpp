@@ -64,7 +64,7 @@ void Core::shrink_polygon(const Convex& from, Vec2 centroid, float depth) {
     for (size_t i = 0; i < count; ++i) {
         const Vec2 before = from.normals[i > 0 ? i - 1 : count - 1], after = from.normals[i];
         const Vec2 v = from.vertices[i];
-        // Along the bisector of a sharp corner the depth is reached far inside only.
+        // At a sharp corner, the point of the bisector that has this depth is far inside.
         const float sine = std::sqrt(max(0.5f * (1.0f + dot(before, after)), 1e-9f));
         const float back = min(depth / sine, max(2.0f * depth, tip_depth / sine));
         const Vec2 moved = v - (back / (2.0f * sine)) * (before + after);
@@ -72,7 +72,8 @@ void Core::shrink_polygon(const Convex& from, Vec2 centroid, float depth) {
             return dot(from.normals[k], moved) > from.offsets[k];
         };
         bool inside = true;
-        if (from.count > most_small_vertices)  // most are round, and a test of all would be slow
+        if (from.count > most_small_vertices)  // such polygons are mostly round, and a test of all
+                                               // edges would be slow
             inside = !outside((i + 1) % count) && !outside((i + count - 2) % count);
         else
             for (size_t k = 0; k < count && inside; ++k) inside = !outside(k);

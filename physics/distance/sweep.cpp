@@ -80,16 +80,17 @@ Course course_after(const Motion& motion, float t) {
     return {motion.velocity, motion.turn, motion.until};
 }
 
-/// The time in which no point of `a` can move farther than `way` in the frame that turns with `b`.
-/// There a body that is carried along, as in a drum, stands still. `apart`: the center of mass of a
-/// minus that of b. The relative velocity of the center changes at most by turn times velocity.
-float time_beside(const Course& a, float extent_a, const Course& b, Vec2 apart, float way) {
+/// The time in which no point of `a` can move farther than `travel` in the frame that turns with
+/// `b`. There a body that is carried along, as in a drum, stands still. `apart`: the center of mass
+/// of a minus that of b. The relative velocity of the center changes at most by turn times
+/// velocity.
+float time_to_travel(const Course& a, float extent_a, const Course& b, Vec2 apart, float travel) {
     const Vec2 velocity = a.velocity - b.velocity;
     const float speed =
         length(velocity - cross(b.turn, apart)) + std::fabs(a.turn - b.turn) * extent_a;
     const float change = std::fabs(b.turn) * length(velocity);
-    const float sum = speed + std::sqrt(speed * speed + 2.0f * change * way);
-    return sum > 0.0f ? 2.0f * way / sum : 2.0f;
+    const float sum = speed + std::sqrt(speed * speed + 2.0f * change * travel);
+    return sum > 0.0f ? 2.0f * travel / sum : 2.0f;
 }
 
 /// B. Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996, section 2.3: no
@@ -104,14 +105,15 @@ float advance(const Sweep& a, const Sweep& b, float gap, float t, GapAt&& gap_at
         const float end = min(of_a.until, of_b.until);  // then the first of them stops
         const float spin = std::fabs(of_a.turn) * a.extent + std::fabs(of_b.turn) * b.extent;
         const float speed = max(dot(of_a.velocity - of_b.velocity, found.direction), 0.0f) + spin;
-        const float way = found.distance - 0.5f * gap;
-        if (speed * (end - t) <= way) {
+        const float clearance = found.distance - 0.5f * gap;
+        if (speed * (end - t) <= clearance) {
             t = end;
         } else {
-            float time = way / speed;
+            float time = clearance / speed;
             if (of_b.turn != 0.0f)
-                time = max(time, time_beside(of_a, a.extent, of_b,
-                                             a.motion.center(t) - b.motion.center(t), way));
+                time =
+                    max(time, time_to_travel(of_a, a.extent, of_b,
+                                             a.motion.center(t) - b.motion.center(t), clearance));
             t = min(t + time, end);
         }
         if (t >= 1.0f) return 1.0f;
@@ -139,7 +141,7 @@ Vec2 direction_between(const Sweep& a, const Sweep& b, float t) {
 float time_of_impact(const Sweep& sweep, Vec2 normal, WorldCoordinate depth, float gap,
                      float start) {
     Turning turning(sweep);
-    const Sweep plane = {{}, standing({}), 0.0f};
+    const Sweep plane = {{}, at_rest({}), 0.0f};
     return advance(sweep, plane, gap, start, [&](float t) {
         const float reached = reach(turning.at(t), -normal);
         return Gap{float(dot(normal, sweep.motion.center(t)) - reached - depth), -normal};

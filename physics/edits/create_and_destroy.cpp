@@ -42,7 +42,7 @@ void make_border(const Editing& e) {
         e.broad_phase.boxes.emplace_back();
         e.broad_phase.fat_boxes.emplace_back();
         e.broad_phase.paired_boxes.push_back(no_box);
-        e.columns.shape_generations.push_back(e.generations.take());
+        e.columns.shape_generations.push_back(e.generations.create());
         objects.forms[side] = ShapeForm{side, 0, FormKind::border, 0.0f, 0, {}};
         objects.shapes[side].type = ShapeType::border;
     }
@@ -71,7 +71,7 @@ void apply_bounds(const Editing& e) {
             e.broad_phase.paired_boxes[side] = box;
     }
     if (!e.settings.bounds) return;
-    keep_no_manifold(e.objects, 0);
+    drop_kept_manifolds(e.objects, 0);
     for (uint32_t shape = 4; shape < e.objects.shapes.size(); ++shape) {
         if (e.columns.shape_generations[shape] != 0 && e.objects.forms[shape].body != none)
             mark_moved(e.objects, e.broad_phase, shape);
@@ -103,9 +103,9 @@ void make_room_for_shape(const Editing& e, const Geometry& geometry) {
 
 uint32_t create_body(const Editing& e, const BodyDef& def) {
     const uint32_t slot =
-        e.objects.body_slots.take(e.objects.bodies, e.objects.rest_poses, e.columns.states,
-                                  e.columns.previous, e.columns.body_generations);
-    e.columns.body_generations[slot] = e.generations.take();
+        e.objects.body_slots.allocate(e.objects.bodies, e.objects.rest_poses, e.columns.states,
+                                      e.columns.previous, e.columns.body_generations);
+    e.columns.body_generations[slot] = e.generations.create();
 
     BodyRecord& record = e.objects.bodies[slot];
     record.type = def.type;
@@ -152,7 +152,7 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
             // once.
             const uint32_t only[1] = {slot};
             remove_awake(e.objects, e.active, slot);
-            put_to_sleep(e.activity, only, e.objects.island_slots.take(e.objects.islands));
+            put_to_sleep(e.activity, only, e.objects.island_slots.allocate(e.objects.islands));
             e.activity.events.slept.pop_back();
             record.flags.never_awake = true;
             state.velocity = def.velocity;  // stored until it wakes
@@ -174,10 +174,10 @@ void destroy_body(const Editing& e, uint32_t body) {
     if (objects.bodies[body].solver_index != 0) remove_awake(objects, e.active, body);
     leave_island(objects, body);
     if (objects.bodies[body].traits != none)
-        objects.trait_slots.give_back(objects.traits, objects.bodies[body].traits);
+        objects.trait_slots.release(objects.traits, objects.bodies[body].traits);
     objects.kinematic_bodies -= objects.bodies[body].mobility == Mobility::kinematic;
     objects.bullets -= objects.bodies[body].flags.bullet;
-    objects.body_slots.give_back(objects.bodies, body);
+    objects.body_slots.release(objects.bodies, body);
     e.columns.body_generations[body] = 0;
 }
 
@@ -200,11 +200,11 @@ uint32_t new_shape(const Editing& e) {
     Slots& slots = objects.shape_slots;
     const bool listed = slots.free != none && objects.shapes[slots.free].moved;
     const uint32_t slot =
-        slots.take(objects.shapes, objects.forms, e.broad_phase.boxes, e.broad_phase.fat_boxes,
-                   e.broad_phase.paired_boxes, e.columns.shape_generations);
+        slots.allocate(objects.shapes, objects.forms, e.broad_phase.boxes, e.broad_phase.fat_boxes,
+                       e.broad_phase.paired_boxes, e.columns.shape_generations);
     objects.shapes[slot].moved = listed;
     e.broad_phase.paired_boxes[slot] = no_box;
-    e.columns.shape_generations[slot] = e.generations.take();
+    e.columns.shape_generations[slot] = e.generations.create();
     return slot;
 }
 
@@ -286,7 +286,7 @@ void destroy_shape(const Editing& e, uint32_t shape) {
     const bool listed = objects.shapes[shape].moved;
     objects.sensors -= !part && objects.shapes[shape].surface.sensor;
     objects.set_crowded(shape, false);
-    objects.shape_slots.give_back(objects.shapes, shape);
+    objects.shape_slots.release(objects.shapes, shape);
     objects.shape_slots.count += part;     // parts are not counted
     objects.shapes[shape].moved = listed;  // also for the next shape in the slot
     objects.forms[shape] = ShapeForm{};

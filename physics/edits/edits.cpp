@@ -176,12 +176,12 @@ void refresh_placement(const Editing& e, uint32_t body) {
         set_proxy(e.objects, e.broad_phase, s);
         mark_moved(e.objects, e.broad_phase, s);
     }
-    keep_no_manifold(e.objects, body);
+    drop_kept_manifolds(e.objects, body);
 }
 
 }  // namespace
 
-void keep_no_manifold(ObjectState& objects, uint32_t body) {
+void drop_kept_manifolds(ObjectState& objects, uint32_t body) {
     objects.for_each_contact(body,
                              [&](uint32_t contact) { objects.contacts[contact].kept = false; });
 }
@@ -267,8 +267,8 @@ void refresh_shape(const Editing& e, uint32_t shape) {
             break;
     }
     write_normals({local, form.count}, objects.pool.normals.data() + form.begin);
-    objects.pool.vertices[form.begin] = {infinity,
-                                         infinity};  // a large polygon must be centered again
+    // A large polygon must be centered again.
+    objects.pool.vertices[form.begin] = {infinity, infinity};
     record.set_moments(record.type == ShapeType::ellipse
                            ? moments_of(record.figure.as<Ellipse>())
                            : moments_of({local, form.count}, form.radius));
@@ -312,7 +312,7 @@ double inertia_about(const ObjectState& objects, const BodyRecord& body, double 
     return inertia;
 }
 
-/// Lines have no area. A body of nothing else is a wire: its mass is spread along them.
+/// Lines have no area. A body that has only lines is a wire: its mass is distributed along them.
 struct Wire {
     double length = 0.0, x = 0.0, y = 0.0;
 
@@ -350,7 +350,7 @@ struct Wire {
     }
 };
 
-/// Notes how far the solid shapes reach from a point (body coordinates), and how thin they are.
+/// Stores how far the solid shapes reach from a point (body coordinates), and how thin they are.
 void measure_shapes(const ObjectState& objects, Vec2 center, BodyRecord& body) {
     float extent = 0.0f, thickness = infinity;
     for (uint32_t s = body.lists.first_shape; s != none; s = objects.shapes[s].next) {

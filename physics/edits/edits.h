@@ -35,8 +35,9 @@ void mark_moved(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t sha
 /// Must be called when an edit changed which shapes the shape collides with, but did not move it.
 void mark_refiltered(ObjectState& objects, const Columns& columns, BroadPhaseState& broad_phase,
                      uint32_t shape);
-/// Must be called when an edit moved or changed shapes of the body.
-void keep_no_manifold(ObjectState& objects, uint32_t body);
+/// Must be called when an edit moved or changed shapes of the body: the manifolds of its contacts
+/// are computed again.
+void drop_kept_manifolds(ObjectState& objects, uint32_t body);
 
 void refresh(const Editing& editing);
 void refresh_shape(const Editing& editing, uint32_t shape);
@@ -54,15 +55,15 @@ inline void wake_for_edit(const Activity& activity, uint32_t body) {
 }
 
 /// Moves a body to another pose. Bodies that rested on it wake, derived data are marked as
-/// outdated, and nothing is drawn in between.
+/// outdated, and its previous pose becomes the new one, so that no pose in between is drawn.
 void teleport(const Activity& activity, uint32_t body, const Position& position, float angle);
 
 // traits.cpp
 
-/// The traits of a body, to be edited; `settle_traits` must be called after.
+/// The traits of a body, to be edited; `free_default_traits` must be called afterwards.
 BodyTraits& traits_of(ObjectState& objects, uint32_t body);
 /// Frees the record of a body whose traits all have their default values.
-void settle_traits(ObjectState& objects, uint32_t body);
+void free_default_traits(ObjectState& objects, uint32_t body);
 void set_name(ObjectState& objects, uint32_t body, std::string_view name);
 
 // create_and_destroy.cpp
@@ -70,8 +71,8 @@ void set_name(ObjectState& objects, uint32_t body, std::string_view name);
 /// Body 0 belongs to the world: its shapes 0 to 3 are the four half-planes of the bounds.
 void make_border(const Editing& editing);
 void apply_bounds(const Editing& editing);
-/// Gets the memory that creating a body usually needs: if there is none, it throws, and nothing has
-/// changed.
+/// Reserves the memory that creating a body usually needs. Throws std::bad_alloc if there is none;
+/// then nothing has changed.
 void make_room_for_body(const Editing& editing);
 /// The same for a shape; parts of outlines get theirs later.
 void make_room_for_shape(const Editing& editing, const Geometry& geometry);
@@ -107,7 +108,7 @@ void rebuild_parts(const Editing& editing, uint32_t shape);
 void drop_parts(const Editing& editing, uint32_t shape, uint32_t last);
 /// Copies the surface of an outline to its parts, except for surfaces that segments have of their
 /// own.
-void share_surface(ObjectState& objects, uint32_t shape);
+void copy_surface_to_parts(ObjectState& objects, uint32_t shape);
 
 // segment_surfaces.cpp: surfaces of single segments of a chain
 
@@ -115,7 +116,8 @@ void share_surface(ObjectState& objects, uint32_t shape);
 std::span<const SegmentRecord> segment_surfaces_of(const ObjectState& objects, uint32_t shape);
 /// The own surface of a segment; null: it has none.
 const SegmentSurface* own_surface(const ObjectState& objects, uint32_t shape, uint32_t segment);
-/// None: it gets that of the shape. `share_surface` must be called after.
+/// nullopt: the segment gets the surface of the shape. `copy_surface_to_parts` must be called
+/// after.
 void set_own_surface(ObjectState& objects, uint32_t shape, uint32_t segment,
                      const std::optional<SegmentSurface>& surface);
 void remove_segment_surfaces(ObjectState& objects, uint32_t shape);

@@ -53,9 +53,10 @@ void update_joint(const Editing& e, uint32_t joint) {
 }  // namespace
 
 uint32_t create_joint(const Editing& e, const JointRecord& record) {
-    const uint32_t slot = e.objects.joint_slots.take(e.objects.joints, e.columns.joint_generations);
+    const uint32_t slot =
+        e.objects.joint_slots.allocate(e.objects.joints, e.columns.joint_generations);
     e.objects.joints[slot] = record;
-    e.columns.joint_generations[slot] = e.generations.take();
+    e.columns.joint_generations[slot] = e.generations.create();
     link_joint(e.objects, slot, 0);
     link_joint(e.objects, slot, 1);
     e.objects.dormant_joints += record.dormant();
@@ -71,7 +72,7 @@ void destroy_joint(const Editing& e, uint32_t joint) {
     unlink_joint(e.objects, joint, 0);
     unlink_joint(e.objects, joint, 1);
     e.objects.dormant_joints -= e.objects.joints[joint].dormant();
-    e.objects.joint_slots.give_back(e.objects.joints, joint);
+    e.objects.joint_slots.release(e.objects.joints, joint);
     e.columns.joint_generations[joint] = 0;
 }
 

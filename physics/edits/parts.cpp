@@ -97,7 +97,7 @@ void drop_parts(const Editing& e, uint32_t shape, uint32_t last) {
     }
 }
 
-void share_surface(ObjectState& objects, uint32_t shape) {
+void copy_surface_to_parts(ObjectState& objects, uint32_t shape) {
     if (objects.is_solid(shape)) return;
     const ShapeDef& surface = objects.shapes[shape].surface;
     objects.for_each_solid(shape, [&](uint32_t part) { objects.shapes[part].surface = surface; });

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 // Surfaces of single segments of a chain. Few chains have any, so they are in one sorted list and
-// not in the records of shapes: other shapes take no memory for them. The parts of the chain have
-// copies, as of the surface of the shape, so a contact reads the surface of its part.
+// not in the records of shapes: other shapes take no memory for them. The parts of the
+// chain have copies, as of the surface of the shape, so a contact reads the surface of its part.
 
 namespace fettle::physics::detail {
 namespace {
@@ -59,14 +59,15 @@ void remove_segment_surfaces(ObjectState& objects, uint32_t shape) {
 
 ShapeDef with_own(const ShapeDef& of_shape, const SegmentSurface& own) {
     ShapeDef surface = of_shape;
-    const auto take = [](auto& value, auto given, auto means_that_of_shape) {
+    const auto override_with = [](auto& value, auto given, auto means_that_of_shape) {
         if (given != means_that_of_shape) value = given;
     };
-    take(surface.friction, own.friction, surface_of_shape.friction);
-    take(surface.restitution, own.restitution, surface_of_shape.restitution);
-    take(surface.rolling_resistance, own.rolling_resistance, surface_of_shape.rolling_resistance);
-    take(surface.surface_speed, own.surface_speed, surface_of_shape.surface_speed);
-    take(surface.material, own.material, surface_of_shape.material);
+    override_with(surface.friction, own.friction, surface_of_shape.friction);
+    override_with(surface.restitution, own.restitution, surface_of_shape.restitution);
+    override_with(surface.rolling_resistance, own.rolling_resistance,
+                  surface_of_shape.rolling_resistance);
+    override_with(surface.surface_speed, own.surface_speed, surface_of_shape.surface_speed);
+    override_with(surface.material, own.material, surface_of_shape.material);
     return surface;
 }
 

@@ -9,14 +9,14 @@ namespace fettle::physics::detail {
 
 BodyTraits& traits_of(ObjectState& objects, uint32_t body) {
     uint32_t& traits = objects.bodies[body].traits;
-    if (traits == none) traits = objects.trait_slots.take(objects.traits);
+    if (traits == none) traits = objects.trait_slots.allocate(objects.traits);
     return objects.traits[traits];
 }
 
-void settle_traits(ObjectState& objects, uint32_t body) {
+void free_default_traits(ObjectState& objects, uint32_t body) {
     uint32_t& traits = objects.bodies[body].traits;
-    if (traits == none || !objects.traits[traits].are_usual()) return;
-    objects.trait_slots.give_back(objects.traits, traits);
+    if (traits == none || !objects.traits[traits].are_default()) return;
+    objects.trait_slots.release(objects.traits, traits);
     traits = none;
 }
 
@@ -24,7 +24,7 @@ void set_name(ObjectState& objects, uint32_t body, std::string_view name) {
     if (name.empty() && objects.bodies[body].traits == none) return;
     auto& text = traits_of(objects, body).name;
     std::fill(std::copy(name.begin(), name.end(), text.begin()), text.end(), '\0');
-    settle_traits(objects, body);
+    free_default_traits(objects, body);
 }
 
 }  // namespace fettle::physics::detail

@@ -14,8 +14,8 @@ float fitting_rounding(const Box& box);
 /// Corners of a box without its rounding. The core always has an area, so it stays a polygon.
 void box_corners(const Box& box, Vec2* out);
 
-/// Ends of a segment are set one after the other, too. While they are equal, the segment has a
-/// minimal length.
+/// Returns `to`, or, if it is too near to `from`, a point beside `from`: the ends of a segment are
+/// set one after the other, too, and a segment whose ends are equal gets a minimal length.
 Vec2 kept_apart(Vec2 to, Vec2 from);
 
 /// The outward normals of the edges of a counter-clockwise polygon; those of both sides of a

@@ -41,8 +41,8 @@ std::vector<uint32_t> without_flat(const std::vector<uint32_t>& piece, const std
     return kept;
 }
 
-/// Limit for a part. Colliding with a part takes time for each of its vertices, and the tree finds
-/// the parts.
+/// Maximum number of vertices of a part. Colliding with a part takes time for each of its vertices,
+/// while the tree of boxes skips the parts that are far away.
 constexpr size_t most_vertices = 16;
 
 /// Divides the indices 0 … count of a convex piece into halves until each part has few vertices.
@@ -65,11 +65,11 @@ std::vector<std::vector<uint32_t>> in_parts(size_t count) {
 
 /// The part of a straight edge of a piece that is on the outline.
 struct OnOutline {
-    bool any = false;     ///< some of it: the rest is diagonals that continue the line
-    bool at_end = false;  ///< the part before its second end
+    bool any = false;     ///< some of it is; the rest are diagonals on the same line
+    bool at_end = false;  ///< the part before its second end is
 };
 
-/// `piece`: with all vertices on the way; the outline has n vertices.
+/// `piece` has all of its vertices, also those on its straight edges; the outline has n vertices.
 OnOutline on_outline(const std::vector<uint32_t>& piece, uint32_t from, uint32_t to, uint32_t n) {
     auto at = size_t(std::find(piece.begin(), piece.end(), from) - piece.begin());
     OnOutline found;
@@ -126,7 +126,8 @@ OutlineParts concave_parts(std::span<const Vec2> points) {
             }
             // An edge belongs to the outline if its normal is equal bit for bit. A straight edge
             // that is on the outline here and a diagonal there belongs to it as a whole: the
-            // diagonal is inside of the polygon, where only what overlaps it already comes.
+            // diagonal is inside the polygon, where only a shape that already overlaps the polygon
+            // meets it.
             Vec2* limits = &parts.values[begin + count];
             for (size_t i = 0; i < count; ++i) {
                 const uint32_t here = part[i], there = part[(i + 1) % count];

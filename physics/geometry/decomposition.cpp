@@ -64,7 +64,7 @@ class Cutter {
         return reflex(q, k) ? !(left <= 0.0 && right <= 0.0) : left > 0.0 && right > 0.0;
     }
     /// True if a cut from k to `target` makes both angles at k convex.
-    bool mends(const Indices& q, size_t k, uint32_t target) const {
+    bool makes_convex(const Indices& q, size_t k, uint32_t target) const {
         return turn(before(q, k), q[k], target) >= -tolerance_ &&
                turn(target, q[k], after(q, k)) >= -tolerance_;
     }
@@ -79,7 +79,7 @@ class Cutter {
             if ((ak > 0.0 && bk > 0.0) || (ak < 0.0 && bk < 0.0)) continue;
             return false;
         }
-        // The two edges at either end may be in the way too.
+        // The two edges at either end may block the view, too.
         for (size_t k : {(i + 1) % q.size(), (i + q.size() - 1) % q.size(), (j + 1) % q.size(),
                          (j + q.size() - 1) % q.size()}) {
             if (k == i || k == j || turn(a, b, q[k]) != 0.0) continue;
@@ -90,12 +90,12 @@ class Cutter {
     }
 
     bool best_cut(const Indices& q, size_t& from, size_t& to) const {
-        struct Way {
-            int mended;
+        struct Candidate {
+            int convex;
             float length;
             size_t from, to;
         };
-        std::vector<Way> ways;
+        std::vector<Candidate> candidates;
         // In a small outline, all reflex vertices are tested against all others. In a long outline,
         // only the first few are tested, because their cuts are short anyway. A long outline also
         // needs many cuts, so the limit for the total cost is the same for all outlines.
@@ -109,26 +109,27 @@ class Cutter {
                 const size_t apart = i > j ? i - j : j - i;
                 if (apart < 2 || apart + 1 >= q.size()) continue;
                 if (!opens_to(q, i, q[j]) || !opens_to(q, j, q[i])) continue;
-                const int mended = int(mends(q, i, q[j])) + int(reflex(q, j) && mends(q, j, q[i]));
-                ways.push_back({mended, length(p_[q[i]] - p_[q[j]]), i, j});
+                const int convex =
+                    int(makes_convex(q, i, q[j])) + int(reflex(q, j) && makes_convex(q, j, q[i]));
+                candidates.push_back({convex, length(p_[q[i]] - p_[q[j]]), i, j});
             }
         }
         // A heap with the best cut on top: nearly always one of the first is used, so the others
         // need not be sorted.
-        const auto worse = [](const Way& a, const Way& b) {
-            if (a.mended != b.mended) return a.mended < b.mended;
+        const auto worse = [](const Candidate& a, const Candidate& b) {
+            if (a.convex != b.convex) return a.convex < b.convex;
             if (a.length != b.length) return a.length > b.length;
             return a.from != b.from ? a.from > b.from : a.to > b.to;
         };
-        std::make_heap(ways.begin(), ways.end(), worse);
-        for (; !ways.empty(); ways.pop_back()) {
-            const Way& way = ways.front();
-            if (visible(q, way.from, way.to)) {
-                from = way.from;
-                to = way.to;
+        std::make_heap(candidates.begin(), candidates.end(), worse);
+        for (; !candidates.empty(); candidates.pop_back()) {
+            const Candidate& candidate = candidates.front();
+            if (visible(q, candidate.from, candidate.to)) {
+                from = candidate.from;
+                to = candidate.to;
                 return true;
             }
-            std::pop_heap(ways.begin(), ways.end(), worse);
+            std::pop_heap(candidates.begin(), candidates.end(), worse);
         }
         return false;
     }

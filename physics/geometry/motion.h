@@ -21,7 +21,7 @@ struct Motion {
     bool moves_after(float t) const { return t < until; }
 };
 
-inline Motion standing(Position center, float angle = 0.0f) {
+inline Motion at_rest(Position center, float angle = 0.0f) {
     Motion motion;
     motion.from = center;
     motion.angle = angle;

@@ -60,7 +60,7 @@ constexpr const char* no_hole =
     ": an outline cannot enclose a hole or meet itself; make a body of several shapes instead";
 
 /// The error between two edges; the edge with the lower vertex comes first.
-std::optional<std::string> meeting(const Edge& e, const Edge& f) {
+std::optional<std::string> problem_between(const Edge& e, const Edge& f) {
     const double ea = turn(e.a, e.b, f.a), eb = turn(e.a, e.b, f.b);
     const double fa = turn(f.a, f.b, e.a), fb = turn(f.a, f.b, e.b);
     const bool on_line = ea == 0.0 && eb == 0.0;
@@ -121,7 +121,7 @@ std::optional<std::string> outline_problem(std::span<const Vec2> outline) {
             if (high(f) < low(e)) continue;
             open[kept++] = f;
             const Edge &first = edges[std::min(e, f)], &second = edges[std::max(e, f)];
-            if (auto problem = meeting(first, second)) return problem;
+            if (auto problem = problem_between(first, second)) return problem;
         }
         open.resize(kept);
         open.push_back(e);

@@ -33,7 +33,8 @@ double arc_tangent_series(double t) {
 }  // namespace
 
 Rotation rotation_of(double angle) {
-    // The nearest quarter turn gives the quadrant. Larger angles have no meaning in a float.
+    // The nearest quarter turn gives the quadrant. A double hardly resolves the direction of larger
+    // angles.
     const double quarters = angle * (1.0 / half_pi);
     if (!(quarters > -1e15 && quarters < 1e15)) return {};
     const int64_t quadrant = int64_t(quarters + (quarters >= 0.0 ? 0.5 : -0.5));

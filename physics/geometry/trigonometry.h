@@ -2,7 +2,7 @@
 
 #include <geometry/vector.h>
 
-// Own sine, cosine and arc tangent. The results of the C library differ between systems, and
+// Sine, cosine and arc tangent without the C library, whose results differ between systems:
 // simulations would differ with them.
 
 namespace fettle::physics::detail {
@@ -10,6 +10,7 @@ namespace fettle::physics::detail {
 inline constexpr float pi = 3.14159265358979f;
 
 /// Cosine and sine of an angle (rad). The error is about one unit in the last place of a float.
+/// NaN, and angles of more than 1e15 quarter turns, give no rotation.
 Rotation rotation_of(double angle);
 
 /// Angle of the vector (x, y) in -π … π; 0 for the zero vector. Error below 1e-7 rad.

@@ -28,7 +28,7 @@ struct VertexPool {
         if (!bin.empty()) {
             const uint32_t begin = bin.back();
             bin.pop_back();
-            clear_place(begin, capacity);
+            clear_rotated(begin, capacity);
             return begin;
         }
         const uint32_t begin = uint32_t(local.size());
@@ -41,14 +41,14 @@ struct VertexPool {
         offsets.resize(size);
         return begin;
     }
-    /// A shape without a body has no place, and must not have that of an earlier shape, which may
-    /// have been too far away to be saved and restored.
-    void clear_place(uint32_t begin, uint32_t capacity) {
+    /// Clears the rotated data of a block. A shape without a body has none, and those of an earlier
+    /// shape may be too large to be saved and restored.
+    void clear_rotated(uint32_t begin, uint32_t capacity) {
         std::fill_n(vertices.begin() + begin, capacity, Vec2{});
         std::fill_n(directions.begin() + begin, capacity, Vec2{});
         std::fill_n(offsets.begin() + begin, capacity, 0.0f);
     }
-    /// Without memory it throws, and nothing has changed.
+    /// Throws std::bad_alloc if there is no memory; then no size has changed.
     void make_room_for(uint32_t capacity) {
         make_room(local, capacity), make_room(normals, capacity), make_room(vertices, capacity);
         make_room(directions, capacity), make_room(offsets, capacity);

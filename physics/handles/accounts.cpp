@@ -11,7 +11,7 @@ using namespace detail;
 
 void World::keep_account(BodyId body) {
     WorldData& data = edit(__func__);
-    if (!data.is_valid(body)) dangling("body", link_, body.index, body.generation);
+    if (!data.is_valid(body)) refuse_dangling("body", link_, body.index, body.generation);
     std::vector<VelocitySums>& all = data.self.sums;
     const auto of_body = [&](const VelocitySums& sums) { return sums.body == body; };
     std::erase_if(all, [&](const VelocitySums& sums) { return !data.is_valid(sums.body); });

@@ -19,9 +19,9 @@ Rotation rotation(const BodyState& state) {
     return {state.cosine, state.sine};
 }
 
-/// Applies an impulse at the center of mass and an angular impulse. No effect on a body that does
-/// not move.
-void kick(const BodyRecord& record, BodyState& state, Vec2 impulse, float angular_impulse) {
+/// Applies an impulse at the center of mass and an angular impulse. It has no effect on a body that
+/// does not move.
+void add_impulse(const BodyRecord& record, BodyState& state, Vec2 impulse, float angular_impulse) {
     if (record.mobility != Mobility::dynamic) return;
     const Vec2 velocity = state.velocity + record.inverse_mass * impulse;
     const float angular = state.angular_velocity + record.inverse_inertia * angular_impulse;
@@ -117,8 +117,9 @@ void Body::set_pose(const Pose& pose) {
 
 namespace {
 
-/// Whether the body may have a velocity; if so, it is awake afterwards, unless it is disabled.
-bool moves_after_edit(WorldData& data, uint32_t body) {
+/// Returns true if the body may have a velocity. Then it is awake afterwards, unless it is
+/// disabled.
+bool wake_if_movable(WorldData& data, uint32_t body) {
     data.read_mass(body);
     if (data.bodies[body].mobility == Mobility::fixed) return keeps_motion(data.bodies[body]);
     data.change<wake_for_edit>(body);
@@ -130,14 +131,14 @@ bool moves_after_edit(WorldData& data, uint32_t body) {
 void Body::set_velocity(const Vec2& velocity) {
     FETTLE_EDIT_BODY
     check_finite("velocity", velocity);
-    if (!moves_after_edit(data, id_.index)) return;
+    if (!wake_if_movable(data, id_.index)) return;
     state.velocity = velocity;
 }
 
 void Body::set_angular_velocity(float angular_velocity) {
     FETTLE_EDIT_BODY
     check_finite("angular_velocity", angular_velocity);
-    if (!moves_after_edit(data, id_.index)) return;
+    if (!wake_if_movable(data, id_.index)) return;
     state.angular_velocity = angular_velocity;
 }
 
@@ -154,7 +155,7 @@ void Body::set_target(const Pose& target, float dt) {
     const float angular_velocity = bounded(rate * (target.angle - state.angle), 1e6f);
     const bool rests = record.solver_index == 0 && velocity == state.velocity &&
                        angular_velocity == state.angular_velocity;
-    if (rests || !moves_after_edit(data, id_.index)) return;
+    if (rests || !wake_if_movable(data, id_.index)) return;
     state.velocity = velocity;
     state.angular_velocity = angular_velocity;
 }
@@ -170,8 +171,8 @@ namespace {
 /// Limit of the sum of forces (N) and torques (N m).
 constexpr float greatest_force = std::numeric_limits<float>::max();
 
-/// Adds a force for the next step, and wakes the body. A force on a body that it cannot move is
-/// dropped; otherwise it would act later, when the body can move.
+/// Adds a force for the next step, and wakes the body. A force on a body that cannot move is
+/// ignored; otherwise it would act later, when the body can move.
 void push(WorldData& data, uint32_t body, Vec2 force, float torque) {
     BodyRecord& record = data.bodies[body];
     if (record.mobility != Mobility::dynamic) return;
@@ -209,7 +210,7 @@ void Body::apply_impulse(const Vec2& impulse) {
     check_finite("impulse", impulse);
     data.read_mass(id_.index);
     data.change<wake_body>(id_.index);
-    kick(record, state, impulse, 0.0f);
+    add_impulse(record, state, impulse, 0.0f);
 }
 
 void Body::apply_impulse(const Vec2& impulse, const Position& world_point) {
@@ -218,7 +219,7 @@ void Body::apply_impulse(const Vec2& impulse, const Position& world_point) {
     check_finite_point("world_point", world_point);
     data.read_mass(id_.index);
     data.change<wake_body>(id_.index);
-    kick(record, state, impulse, cross(world_point - record.center, impulse));
+    add_impulse(record, state, impulse, cross(world_point - record.center, impulse));
 }
 
 void Body::apply_angular_impulse(float impulse) {
@@ -226,7 +227,7 @@ void Body::apply_angular_impulse(float impulse) {
     check_finite("impulse", impulse);
     data.read_mass(id_.index);
     data.change<wake_body>(id_.index);
-    kick(record, state, {}, impulse);
+    add_impulse(record, state, {}, impulse);
 }
 
 void Body::set_awake(bool awake) {
@@ -265,7 +266,7 @@ void Body::set_max_speed(float speed) {
     FETTLE_EDIT_BODY
     check_inertial("max_speed", speed);
     traits_of(data, id_.index).max_speed = speed;
-    settle_traits(data, id_.index);
+    free_default_traits(data, id_.index);
     data.change<wake_body>(id_.index);
 }
 
@@ -279,7 +280,7 @@ void Body::set_sleep_speed(std::optional<float> speed) {
     FETTLE_EDIT_BODY
     if (speed) check_not_negative("sleep_speed", *speed);
     traits_of(data, id_.index).sleep_speed = speed.value_or(not_given);
-    settle_traits(data, id_.index);
+    free_default_traits(data, id_.index);
     data.change<wake_body>(id_.index);
 }
 

@@ -12,7 +12,7 @@ using namespace detail;
 namespace {
 
 /// The functions of a body, to be set; a body without any gets an entry in the order of the slots.
-/// `replaced` takes those of a destroyed body that had the slot.
+/// `replaced` receives those of a destroyed body that had the slot.
 BodyFunctions& functions_of(WorldSelf& self, BodyId body, BodyFunctions& replaced) {
     auto& all = self.functions;
     const auto place = std::lower_bound(

@@ -16,9 +16,9 @@ Vec2 World::velocity(uint32_t index) const {
 
 namespace {
 
-/// Returns whether the body moves by itself. If so, it is awake afterwards; the bodies that touch
-/// it wake if necessary.
-bool wake_for_write(WorldData& data, uint32_t index) {
+/// Returns true if the body is not fixed. Then it is awake afterwards; the bodies that touch it
+/// wake if necessary.
+bool wake_if_not_fixed(WorldData& data, uint32_t index) {
     data.read_mass(index);
     if (data.bodies[index].mobility == Mobility::fixed) return false;
     data.change<wake_for_edit>(index);
@@ -31,9 +31,9 @@ bool is_awake_and_current(const WorldData& data, const BodyRecord& record) {
            !data.self.locked();
 }
 
-[[gnu::noinline]] bool stir_and_set(WorldData& data, uint32_t index, const Vec2& velocity) {
+[[gnu::noinline]] bool wake_and_set(WorldData& data, uint32_t index, const Vec2& velocity) {
     data.self.may_edit("World", "set_velocity");
-    if (!wake_for_write(data, index) && !keeps_motion(data.bodies[index])) return false;
+    if (!wake_if_not_fixed(data, index) && !keeps_motion(data.bodies[index])) return false;
     data.states[index].velocity = velocity;
     return true;
 }
@@ -48,15 +48,16 @@ bool same(const Vec2& a, const Vec2& b) {
 
 /// A separate function, so that the usual path contains no jump. The stored velocity of a body just
 /// edited is out of date, because the velocity changes with the center of mass.
-[[gnu::cold, gnu::noinline]] Written not_written(const BodyRecord& record, bool held) {
-    return held && !record.listed ? Written::same : Written::refused;
+[[gnu::cold, gnu::noinline]] Written result_without_write(const BodyRecord& record,
+                                                          bool unchanged) {
+    return unchanged && !record.listed ? Written::same : Written::refused;
 }
 
 template <class T>
 Written store(const WorldData& data, BodyRecord& record, T& cell, const T& value) {
-    const bool held = same(cell, value);
-    if (held || !is_awake_and_current(data, record)) [[unlikely]]
-        return not_written(record, held);
+    const bool unchanged = same(cell, value);
+    if (unchanged || !is_awake_and_current(data, record)) [[unlikely]]
+        return result_without_write(record, unchanged);
     record.sleep_time = 0.0f;
     cell = value;
     return Written::done;
@@ -67,7 +68,7 @@ Written store(const WorldData& data, BodyRecord& record, T& cell, const T& value
 bool World::set_velocity(uint32_t index, const Vec2& velocity) {
     BodyRecord& record = data_->bodies[index];
     if (!is_awake_and_current(*data_, record)) [[unlikely]]
-        return stir_and_set(*data_, index, velocity);
+        return wake_and_set(*data_, index, velocity);
     record.sleep_time = 0.0f;
     data_->states[index].velocity = velocity;
     return true;

@@ -52,28 +52,28 @@ class Pen {
 
     void polygon(std::span<const Position> points, bool closed, uint32_t color) {
         target_.polygon(points, closed, color);
-        go_on();
+        check_alive();
     }
     void circle(const Position& center, float radius, float angle, uint32_t color) {
         target_.circle(center, radius, angle, color);
-        go_on();
+        check_alive();
     }
     void segment(const Position& from, const Position& to, uint32_t color) {
         target_.segment(from, to, color);
-        go_on();
+        check_alive();
     }
     void point(const Position& at, uint32_t color) {
         target_.point(at, color);
-        go_on();
+        check_alive();
     }
     uint32_t color_of(const Body& body, const Shape& shape) const {
         const uint32_t color = target_.color_of(body, shape);
-        go_on();
+        check_alive();
         return color;
     }
 
   private:
-    void go_on() const {
+    void check_alive() const {
         if (self_.orphaned()) self_.throw_orphaned();
     }
 

@@ -45,8 +45,8 @@ Field World::create_field(const FieldDef& def) {
     WorldData& data = populate(__func__);
     check(def);
     const FieldDef own = def;  // a copy: a reference into the list of fields would become invalid
-    const uint32_t slot = data.field_slots.take(data.fields);
-    data.fields[slot] = {own, data.self.link->generations.take(), none};
+    const uint32_t slot = data.field_slots.allocate(data.fields);
+    data.fields[slot] = {own, data.self.link->generations.create(), none};
     data.change<detail::wake_all>();
     return {this, {slot, data.fields[slot].generation}};
 }
@@ -78,7 +78,7 @@ bool Field::is_valid() const {
 }
 
 WorldData& Field::live() const {
-    if (!is_valid()) dangling("field", link_, id_.index, id_.generation);
+    if (!is_valid()) refuse_dangling("field", link_, id_.index, id_.generation);
     return *link_->data;
 }
 
@@ -106,7 +106,7 @@ void Field::set(const FieldDef& wanted) {
 void Field::destroy() {
     WorldData& data = live();
     data.self.may_populate("Field", __func__);
-    data.field_slots.give_back(data.fields, id_.index);
+    data.field_slots.release(data.fields, id_.index);
     data.change<detail::wake_all>();
 }
 

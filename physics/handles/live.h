@@ -11,7 +11,7 @@ namespace fettle::physics::detail {
 template <class Id>
 WorldData& live(WorldLink* link, Id id, const char* kind) {
     if (link == nullptr || link->data == nullptr || !link->data->is_valid(id)) [[unlikely]]
-        dangling(kind, link, id.index, id.generation);
+        refuse_dangling(kind, link, id.index, id.generation);
     return *link->data;
 }
 

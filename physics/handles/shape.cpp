@@ -37,7 +37,7 @@ template <class T>
 void set_filtering(WorldData& data, uint32_t shape, T ShapeDef::*what, T value) {
     if (data.self.filter) data.read_all();
     data.shapes[shape].surface.*what = value;
-    share_surface(data, shape);
+    copy_surface_to_parts(data, shape);
     WorldLock lock(data.self, WorldLock::During::change, in_edit);
     data.change<detail::refilter>(data.user_filter(), shape);
     lock.finish();
@@ -46,7 +46,7 @@ void set_filtering(WorldData& data, uint32_t shape, T ShapeDef::*what, T value) 
 }  // namespace
 
 void detail::surface_changed(WorldData& data, uint32_t shape) {
-    share_surface(data, shape);
+    copy_surface_to_parts(data, shape);
     if (data.forms[shape].body == none) return;
     remix_shape(data, data.settings, shape);
     data.change<wake_for_edit>(data.forms[shape].body);
@@ -83,7 +83,7 @@ void Shape::attach(const Body& body) {
     data.self.may_populate("Shape", __func__);
     if (record.type == ShapeType::border)
         throw std::invalid_argument("the border of the world belongs to no body");
-    if (!body.is_valid()) dangling("body", body.link_, body.index(), body.id().generation);
+    if (!body.is_valid()) refuse_dangling("body", body.link_, body.index(), body.id().generation);
     if (body.link_ != link_) throw std::invalid_argument("body: expected a body of the same world");
     if (body.index() == 0)
         throw std::invalid_argument("body: the bounds of the world take no other shapes");
@@ -161,7 +161,7 @@ void Shape::set_sensor(bool sensor) {
     }
     record.surface.sensor = sensor;
     data.sensors += sensor ? 1u : ~0u;  // ± 1, modulo 2³²
-    share_surface(data, id_.index);
+    copy_surface_to_parts(data, id_.index);
     if (form.body != none) data.change<mark_refiltered>(id_.index);
 }
 
@@ -169,22 +169,22 @@ void Shape::set_hit_events(bool enabled) {
     FETTLE_EDIT_SHAPE
     refuse_border_any(record, "hit_events");
     record.surface.hit_events = enabled;
-    share_surface(data, id_.index);
+    copy_surface_to_parts(data, id_.index);
     remix_shape(data, data.settings, id_.index);
 }
 
 // Defines the setter of a value of the surface that does not change the simulation.
-#define FETTLE_NOTE(Value, name)          \
-    void Shape::set_##name(Value value) { \
-        FETTLE_EDIT_SHAPE                 \
-        refuse_border_any(record, #name); \
-        record.surface.name = value;      \
-        share_surface(data, id_.index);   \
+#define FETTLE_SURFACE_OPTION(Value, name)      \
+    void Shape::set_##name(Value value) {       \
+        FETTLE_EDIT_SHAPE                       \
+        refuse_border_any(record, #name);       \
+        record.surface.name = value;            \
+        copy_surface_to_parts(data, id_.index); \
     }
-FETTLE_NOTE(bool, contact_events)
-FETTLE_NOTE(bool, sensor_events)
-FETTLE_NOTE(bool, before_solve)
-FETTLE_NOTE(uint16_t, material)
+FETTLE_SURFACE_OPTION(bool, contact_events)
+FETTLE_SURFACE_OPTION(bool, sensor_events)
+FETTLE_SURFACE_OPTION(bool, before_solve)
+FETTLE_SURFACE_OPTION(uint16_t, material)
 
 float Shape::area() const {
     FETTLE_REFRESHED_SHAPE(read_shape(id_.index))

@@ -42,7 +42,7 @@ T measure(const ShapeRecord& record, const char* name, T Kind::*member, Others..
     if constexpr (sizeof...(others) > 0)
         return measure(record, name, others...);
     else
-        wrong_type(name, record.type);
+        refuse_wrong_type(name, record.type);
 }
 
 /// The figure is written only if it is valid with the new value.
@@ -59,7 +59,7 @@ void set_measure(WorldData& data, uint32_t shape, const char* name,
     } else if constexpr (sizeof...(others) > 0) {
         set_measure(data, shape, name, value, others...);
     } else {
-        wrong_type(name, record.type);
+        refuse_wrong_type(name, record.type);
     }
 }
 
@@ -95,12 +95,12 @@ Geometry Shape::geometry() const {
         case ShapeType::border:
             break;
     }
-    wrong_type("geometry", record.type);
+    refuse_wrong_type("geometry", record.type);
 }
 
 void Shape::set_geometry(const Geometry& geometry) {
     FETTLE_EDIT_SHAPE
-    if (record.type == ShapeType::border) wrong_type("geometry", record.type);
+    if (record.type == ShapeType::border) refuse_wrong_type("geometry", record.type);
     const auto type = static_cast<ShapeType>(geometry.index());
     if (type != record.type) data.self.may_populate("Shape", "set_geometry of another type");
     check(geometry);
@@ -158,7 +158,7 @@ std::span<const Vec2> Shape::vertices() const {
 
 HullStatus Shape::try_set_vertices(std::span<const Vec2> points) {
     FETTLE_EDIT_SHAPE
-    if (record.type != ShapeType::polygon) wrong_type("vertices", record.type);
+    if (record.type != ShapeType::polygon) refuse_wrong_type("vertices", record.type);
     std::vector<Vec2> hull;
     const HullStatus status = convex_hull(points, hull);
     if (status != HullStatus::ok) return status;
@@ -188,13 +188,13 @@ void Shape::set_vertices(std::span<const Vec2> given) {
 
 bool Shape::closed() const {
     FETTLE_LIVE_SHAPE
-    if (record.type != ShapeType::chain) wrong_type("closed", record.type);
+    if (record.type != ShapeType::chain) refuse_wrong_type("closed", record.type);
     return record.closed;
 }
 
 void Shape::set_closed(bool closed) {
     FETTLE_EDIT_SHAPE
-    if (record.type != ShapeType::chain) wrong_type("closed", record.type);
+    if (record.type != ShapeType::chain) refuse_wrong_type("closed", record.type);
     check_chain(data.outline_of(id_.index), closed);
     record.closed = closed;
     geometry_changed(data, id_.index);
@@ -213,7 +213,7 @@ std::vector<std::vector<Vec2>> Shape::pieces() const {
 
 void Shape::add_vertex(const Vec2& point) {
     FETTLE_EDIT_SHAPE
-    if (record.type != ShapeType::polygon) wrong_type("add_vertex", record.type);
+    if (record.type != ShapeType::polygon) refuse_wrong_type("add_vertex", record.type);
     const auto corners = vertices();
     std::vector<Vec2> points(corners.begin(), corners.end());
     points.push_back(point);

@@ -28,7 +28,8 @@ void check_segment(WorldData& data, uint32_t shape, uint32_t segment) {
 }
 
 WorldData& of_chain(WorldData& data, uint32_t shape, const char* what) {
-    if (data.shapes[shape].type != ShapeType::chain) wrong_type(what, data.shapes[shape].type);
+    if (data.shapes[shape].type != ShapeType::chain)
+        refuse_wrong_type(what, data.shapes[shape].type);
     return data;
 }
 

@@ -49,7 +49,7 @@ thread_local CallsAfterStep* CallsAfterStep::innermost = nullptr;
 World::World(const WorldDef& def) {
     check(def);
     data_ = detail::Owned(new WorldData);
-    data_->self.link = &take_link();  // returned together with the data
+    data_->self.link = &acquire_link();  // returned together with the data
     data_->settings = def;
     detail::make_border(data_->editing());
     begin();
@@ -64,25 +64,25 @@ void World::begin() {
 }
 
 World::~World() {
-    if (!data_) return;  // it gave its data to another World
+    if (!data_) return;  // its data were moved to another World
     CallsAfterStep::end(data_.get());
     link_->world = nullptr;
     link_->data = nullptr;
     WorldSelf& self = data_->self;
-    if (self.locked()) self.keep(std::move(data_));
+    if (self.locked()) self.keep_alive(std::move(data_));
 }
 
 World::World(World&& other) {
     *this = std::move(other);
 }
 
-/// The data move, so handles and all that is in the data stay as they are.
+/// The data are moved, so handles stay valid.
 World& World::operator=(World&& other) {
     if (this == &other) return *this;
     if (data_) data_->self.may_replace("World", "operator=");
     other.populate("operator=");
     World empty;
-    // Destroyed last: what its functions hold may use this world.
+    // Destroyed last: objects that its functions own may use this world.
     const detail::Owned<WorldData> old = std::move(data_);
     if (old) {
         CallsAfterStep::end(old.get());
@@ -103,7 +103,7 @@ World World::clone() const {
 World::World(const World& other) {
     other.data_->self.may_copy("copying a World");
     data_ = detail::Owned(new WorldData);
-    data_->self.link = &take_link();
+    data_->self.link = &acquire_link();
     data_->most_lanes = other.data_->most_lanes;
     data_->replace_state(WorldState(*other.data_));
     begin();
@@ -141,7 +141,7 @@ void check_after_step(const World& world) {
     if (fault && hook.function != nullptr) hook.function(hook.user, world, fault->c_str());
 }
 
-void log_odd_step(float dt) {
+void log_invalid_step(float dt) {
     if (dt == 0.0f) return;
     log(LogLevel::warning,
         "World::step: dt = " + std::to_string(dt) + ": no step is made, expected seconds above 0");
@@ -152,22 +152,24 @@ void log_odd_step(float dt) {
 void World::step(float dt) {
     WorldData& data = *data_;
     data.self.may_step();
-    if (!(dt > 0.0f) || !(dt < infinity)) return log_odd_step(dt);
+    if (!(dt > 0.0f) || !(dt < infinity)) return log_invalid_step(dt);
     WorldLock lock(data.self, WorldLock::During::change, in_step);
-    // If the host's threads cannot be had, nothing was done, and no recording has a step.
-    ThreadPool::Helping helping(data.threads);
-    if (data.self.witness() != nullptr) {
-        data.read_all();  // what edits bring about has the ids of this world, not of a replay
+    // If the host's threads are not available, this throws: nothing was done, and no recording has
+    // a step.
+    ThreadPool::HostThreads host_threads(data.threads);
+    if (data.self.observer() != nullptr) {
+        data.read_all();  // objects that a refresh creates get the ids of this world, not of a
+                          // replay
         data.notify_step_begin(dt);
     }
     try {
         data.step(dt);
-    } catch (...) {  // callbacks do not get here: memory has ended
-        data.break_off();
+    } catch (...) {  // exceptions of callbacks do not get here: memory ran out
+        data.mark_damaged_and_rethrow();
     }
-    const std::exception_ptr failure_of_host = helping.finish();
+    const std::exception_ptr failure_of_host = host_threads.finish();
     if (!data.self.functions.empty()) data.call_position_functions(dt);
-    if (data.self.witness() != nullptr) data.notify_step_end();
+    if (data.self.observer() != nullptr) data.notify_step_end();
     if (data.self.after_step.empty() || data.self.orphaned()) {
         lock.finish();
         check_after_step(*this);
@@ -289,7 +291,7 @@ void World::set_threads(int threads) {
     data.threads = data.self.pool.get();
     if (threads > processors() && is_logged())
         log(LogLevel::note, "World::set_threads: threads = " + std::to_string(threads) +
-                                ": as many work as there are processors, which are " +
+                                ": only as many work at a time as there are processors, " +
                                 std::to_string(processors()));
 }
 
@@ -319,10 +321,10 @@ void World::wake_all() {
 }
 
 bool World::is_recorded() const {
-    return data_->self.witness() != nullptr;
+    return data_->self.observer() != nullptr;
 }
 void World::stop_recording() {
-    edit(__func__).self.set_witness(nullptr);
+    edit(__func__).self.set_observer(nullptr);
 }
 
 Body World::create_body(const BodyDef& def) {

@@ -16,8 +16,8 @@ struct Line {
     float lever_a = 0.0f, lever_b = 0.0f, mass = 0.0f;
 
     /// `arm_a`: from the center of mass of a to the point where the row pushes.
-    void aim(const JointEnds& ends, Vec2 towards, Vec2 arm_a, const SolverBody& a,
-             const SolverBody& b) {
+    void set_direction(const JointEnds& ends, Vec2 towards, Vec2 arm_a, const SolverBody& a,
+                       const SolverBody& b) {
         direction = towards;
         lever_a = cross(arm_a, towards);
         lever_b = cross(ends.lever_b, towards);
@@ -39,16 +39,16 @@ struct Line {
     }
 };
 
-/// Turns two bodies whose relative angle is far from what a joint holds, without a velocity, as
-/// `JointEnds::draw` moves them.
-inline void draw_angle(JointEnds& ends, SolverBody& a, SolverBody& b, float error,
-                       const JointStep& step) {
+/// Turns two bodies whose relative angle is far from the angle of a joint. It gives them no
+/// velocity, like `JointEnds::close_wide_gap`.
+inline void close_wide_angle(JointEnds& ends, SolverBody& a, SolverBody& b, float error,
+                             const JointStep& step) {
     constexpr float wide = 0.3f;  // rad
     const float sum = a.inverse_inertia + b.inverse_inertia;
     if (std::abs(error) <= wide || !(sum > 0.0f)) return;
-    const float way = step.wide_share * (error - std::copysign(wide, error)) / sum;
-    a.turn += a.inverse_inertia * way;
-    b.turn -= b.inverse_inertia * way;
+    const float turn = step.wide_share * (error - std::copysign(wide, error)) / sum;
+    a.turn += a.inverse_inertia * turn;
+    b.turn -= b.inverse_inertia * turn;
     ends.follow(a, b);
 }
 
@@ -77,8 +77,8 @@ struct Limits {
     }
 };
 
-/// True if a velocity has the direction of a speed that a motor was given. The share is small: what
-/// accelerates slowly moves, too.
+/// True if a velocity has the direction of the speed of a motor. The threshold is small, because a
+/// body that accelerates slowly moves, too.
 inline bool follows(float velocity, float speed) {
     return velocity * speed > 0.01f * speed * speed;
 }
@@ -98,7 +98,7 @@ struct LimitImpulses {
 
 /// A motor and the limit that stops it must not press against each other: the limit would yield to
 /// the force of the motor. A part of what both exert is taken from both, which changes no velocity;
-/// not all of it, as some of it may be an impact that the next sub-step takes back.
+/// not all of it, because some of it may come from an impact, which the next sub-step reverses.
 inline void relieve(float& motor, LimitImpulses& limits) {
     constexpr float share = 0.25f;
     float& limit = motor > 0.0f ? limits.upper : limits.lower;

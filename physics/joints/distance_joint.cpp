@@ -96,7 +96,7 @@ struct DistanceConstraint {
         // If the anchors coincide, the axis keeps its direction, or is arbitrary at first.
         if (distance > 1e-9f) axis = (1.0f / distance) * d;
         if (axis.x == 0.0f && axis.y == 0.0f) axis = {0.0f, 1.0f};
-        line.aim(ends, axis, ends.lever_a, a, b);
+        line.set_direction(ends, axis, ends.lever_a, a, b);
         return distance;
     }
 
@@ -155,7 +155,8 @@ struct DistanceConstraint {
     /// fast as other joints do at most.
     template <bool biased>
     void hold(SolverBody& a, SolverBody& b, float error, const JointStep& step) {
-        if (biased) error = dot(line.direction, ends.draw(a, b, error * line.direction, step));
+        if (biased)
+            error = dot(line.direction, ends.close_wide_gap(a, b, error * line.direction, step));
         line.push(ends, a, b,
                   push_rigid<biased>(impulses.along, line.mass, line.velocity(a, b), error,
                                      step.softness(0.125f * error)));

@@ -2,8 +2,8 @@
 #include <joints/joint_types.h>
 #include <solver/direct_row.h>
 
-// Two bodies that do not collide: contacts/filter.cpp reads it. A step never lists such a joint
-// (`JointRecord::moves`), so it has no constraint.
+// Prevents collisions of two bodies: contacts/filter.cpp reads the joint. A step never lists such a
+// joint (`JointRecord::moves`), so it has no constraint.
 
 namespace fettle::physics {
 namespace detail {

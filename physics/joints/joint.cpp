@@ -40,13 +40,13 @@ const JointKind& joint_kind(JointType type) {
     return *kinds[size_t(type)];
 }
 
-void wrong_joint(JointType expected, JointType is) {
+void refuse_wrong_joint(JointType expected, JointType is) {
     throw std::invalid_argument(std::string("expected a ") + joint_kind(expected).name +
                                 " joint, got a " + joint_kind(is).name + " joint");
 }
 
 uint32_t slot_of(const World& world, const char* name, BodyId id) {
-    if (!world.is_valid(id)) foreign(name, "body", id.index, id.generation);
+    if (!world.is_valid(id)) refuse_foreign(name, "body", id.index, id.generation);
     return id.index;
 }
 
@@ -101,7 +101,7 @@ bool Joint::is_valid() const {
 
 WorldData& Joint::live() const {
     if (!is_valid()) [[unlikely]]
-        dangling("joint", link_, id_.index, id_.generation);
+        refuse_dangling("joint", link_, id_.index, id_.generation);
     return *link_->data;
 }
 
@@ -134,7 +134,7 @@ uint32_t Joint::end_at(uint32_t side, const Body& body) const {
         if (is_world) throw std::invalid_argument("body: a mouse joint drags a body");
     }
     if (!is_world && !body.is_valid())
-        dangling("body", body.link_, body.index(), body.id().generation);
+        refuse_dangling("body", body.link_, body.index(), body.id().generation);
     if (!is_world && body.link_ != link_)
         throw std::invalid_argument(std::string(name) + ": expected a body of the same world");
     const uint32_t slot = is_world ? 0 : body.index();
@@ -150,7 +150,7 @@ void Joint::set_body(uint32_t side, const Body& body, const char* function) {
     ends[side] = end_at(side, body);
     if (ends[0] == ends[1])
         throw std::invalid_argument(std::string(side == 0 ? "body_a" : "body_b") +
-                                    ": expected another body than the other's");
+                                    ": expected a body other than the one at the other end");
     data.change<set_joint_bodies>(id_.index, ends[0], ends[1]);
 }
 

@@ -12,7 +12,7 @@ namespace fettle::physics {
 
 namespace detail {
 
-[[noreturn]] void wrong_joint(JointType expected, JointType is);
+[[noreturn]] void refuse_wrong_joint(JointType expected, JointType is);
 
 /// Slot of a body; `name`: its name in the definition, for messages.
 uint32_t slot_of(const World& world, const char* name, BodyId id);
@@ -68,15 +68,15 @@ float translation_along(const Joint& joint, const Vec2& direction);
 }  // namespace detail
 
 template <class Settings>
-Settings& Joint::own() const {
+Settings& Joint::settings_as() const {
     detail::JointRecord& record = live().joints[id_.index];
-    if (record.type != Settings::type) detail::wrong_joint(Settings::type, record.type);
+    if (record.type != Settings::type) detail::refuse_wrong_joint(Settings::type, record.type);
     return record.settings.as<Settings>();
 }
 
 template <class Settings>
 Settings& Joint::edit(const char* of, const char* function) const {
-    Settings& settings = own<Settings>();
+    Settings& settings = settings_as<Settings>();
     detail::WorldData& data = live();
     data.self.may_edit(of, function);
     data.change<detail::wake_joint>(id_.index);
@@ -89,10 +89,10 @@ Settings& Joint::edit(const char* of, const char* function) const {
 // type.
 #define FETTLE_JOINT_PROPERTY(Of, Value, Argument, name, member)    \
     Value Of##Joint::name() const {                                 \
-        return own<detail::Of##Settings>().member;                  \
+        return settings_as<detail::Of##Settings>().member;          \
     }                                                               \
     void Of##Joint::set_##name(Argument value) {                    \
-        auto wanted = own<detail::Of##Settings>();                  \
+        auto wanted = settings_as<detail::Of##Settings>();          \
         wanted.member = value;                                      \
         wanted.check();                                             \
         edit<detail::Of##Settings>(#Of "Joint", __func__) = wanted; \
@@ -105,7 +105,7 @@ Settings& Joint::edit(const char* of, const char* function) const {
 // Defines a force or a torque of the last step, from a member of the impulses.
 #define FETTLE_JOINT_FORCE(Of, name, member)                                                  \
     float Of##Joint::name() const {                                                           \
-        own<detail::Of##Settings>();                                                          \
+        settings_as<detail::Of##Settings>();                                                  \
         const auto& impulses = live().joints[id().index].impulses.as<detail::Of##Impulses>(); \
         return per_substep(impulses.member);                                                  \
     }

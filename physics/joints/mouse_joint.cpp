@@ -78,15 +78,15 @@ constinit const JointKind mouse_joint = JointFunctions<MouseConstraint>::kind("m
 using namespace detail;
 
 void MouseJoint::set_body(const Body& body) {
-    own<MouseSettings>();
+    settings_as<MouseSettings>();
     set_body_b(body);
 }
 void MouseJoint::set_anchor(const Position& anchor) {
-    own<MouseSettings>();
+    settings_as<MouseSettings>();
     set_anchor_b(anchor);
 }
 void MouseJoint::set_target(const Position& target) {
-    own<MouseSettings>();
+    settings_as<MouseSettings>();
     set_anchor_a(check_coordinates("target", target));
 }
 FETTLE_JOINT_NUMBER(Mouse, hertz, stiffness.hertz)

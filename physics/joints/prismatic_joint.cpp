@@ -54,7 +54,7 @@ struct PrismaticConstraint {
     }
     template <bool biased>
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
-        if (biased) draw_angle(ends, a, b, ends.angle_now(a, b) - reference, step);
+        if (biased) close_wide_angle(ends, a, b, ends.angle_now(a, b) - reference, step);
         rail.follow(ends, a, b);
         rail.solve_along<biased>(impulses.rail, ends, a, b, step);
         solve_block<biased>(a, b, step);
@@ -84,7 +84,7 @@ struct PrismaticConstraint {
         float v1 = across.velocity(a, b), v2 = b.angular_velocity - a.angular_velocity;
         float scale = 1.0f, rest = 0.0f;
         if (biased) {
-            const float offset = rail.draw(ends, a, b, step);
+            const float offset = rail.close_wide_gap(ends, a, b, step);
             const Softness soft = step.softness(offset);
             v1 += soft.bias_rate * offset;
             v2 += step.rigid.bias_rate * (ends.angle_now(a, b) - reference);

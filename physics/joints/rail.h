@@ -57,8 +57,8 @@ struct Rail {
         const Vec2 gap = ends.gap(a, b);
         translation = dot(axis, gap);
         offset = dot(normal, gap);
-        along.aim(ends, axis, ends.lever_a + gap, a, b);
-        across.aim(ends, normal, ends.lever_a + gap, a, b);
+        along.set_direction(ends, axis, ends.lever_a + gap, a, b);
+        across.set_direction(ends, normal, ends.lever_a + gap, a, b);
     }
     void warm_start(const RailImpulses& impulses, const JointEnds& ends, SolverBody& a,
                     SolverBody& b) const {
@@ -76,14 +76,15 @@ struct Rail {
     template <bool biased>
     void solve_across(RailImpulses& impulses, const JointEnds& ends, SolverBody& a, SolverBody& b,
                       const JointStep& step) const {
-        const float error = biased ? draw(ends, a, b, step) : offset;
+        const float error = biased ? close_wide_gap(ends, a, b, step) : offset;
         across.push(ends, a, b,
                     push_rigid<biased>(impulses.across, across.mass, across.velocity(a, b), error,
                                        step.softness(error)));
     }
-    /// The offset that is left when a wide one has been narrowed.
-    float draw(const JointEnds& ends, SolverBody& a, SolverBody& b, const JointStep& step) const {
-        return dot(across.direction, ends.draw(a, b, offset * across.direction, step));
+    /// Closes a wide gap across the axis; returns the remaining offset.
+    float close_wide_gap(const JointEnds& ends, SolverBody& a, SolverBody& b,
+                         const JointStep& step) const {
+        return dot(across.direction, ends.close_wide_gap(a, b, offset * across.direction, step));
     }
     void write_rows(RailImpulses& impulses, const JointEnds& ends, RowWriter& rows) const {
         coordinate.write_rows(impulses.along, along.mass, translation, along.jacobian(ends), rows);

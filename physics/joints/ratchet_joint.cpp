@@ -16,13 +16,13 @@ namespace detail {
 
 struct RatchetSettings {
     static constexpr JointType type = JointType::ratchet;
-    float tooth = 0.0f;  ///< rad
-    float way = 1.0f;    ///< direction in which b may rotate: 1, or -1 for backwards
+    float tooth = 0.0f;      ///< rad
+    float direction = 1.0f;  ///< direction in which b may rotate: 1, or -1 for backwards
     float reference_angle = 0.0f;
 
     void check() const {
         check_not_negative("tooth", tooth);
-        check_range("way", std::fabs(way), 1.0f, 1.0f);
+        check_range("direction", std::fabs(direction), 1.0f, 1.0f);
         check_finite("reference_angle", reference_angle);
     }
 };
@@ -39,14 +39,14 @@ struct RatchetConstraint {
 
     JointEnds ends;
     RatchetImpulses impulses;
-    float way = 1.0f, reference = 0.0f, mass = 0.0f;
+    float direction = 1.0f, reference = 0.0f, mass = 0.0f;
 
     void prepare(const Settings& settings, const JointFrame&, const JointStep&, const SolverBody& a,
                  const SolverBody& b) {
-        way = settings.way;
+        direction = settings.direction;
         reference = settings.reference_angle;
         mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
-        const float angle = way * (ends.angle - reference);
+        const float angle = direction * (ends.angle - reference);
         float tooth = angle;
         if (settings.tooth > 0.0f) {
             // At a tooth, the load may push the pawl a little below the tooth.
@@ -61,19 +61,19 @@ struct RatchetConstraint {
     void warm_start(SolverBody& a, SolverBody& b) const { detail::twist(a, b, load().twist); }
     template <bool biased>
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
-        const float velocity = way * (b.angular_velocity - a.angular_velocity);
-        detail::twist(a, b,
-                      way * push_limit<biased>(impulses.pawl, mass, velocity, room(a, b), step));
+        const float velocity = direction * (b.angular_velocity - a.angular_velocity);
+        detail::twist(
+            a, b, direction * push_limit<biased>(impulses.pawl, mass, velocity, room(a, b), step));
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         const Jacobian turning = Jacobian::turning(ends);
-        rows.limit(way > 0.0f ? turning : turning.opposite(), room(a, b), impulses.pawl);
+        rows.limit(direction > 0.0f ? turning : turning.opposite(), room(a, b), impulses.pawl);
     }
-    JointLoad load() const { return {{}, way * impulses.pawl}; }
+    JointLoad load() const { return {{}, direction * impulses.pawl}; }
 
   private:
     float room(const SolverBody& a, const SolverBody& b) const {
-        return way * (ends.angle_now(a, b) - reference) - impulses.caught;
+        return direction * (ends.angle_now(a, b) - reference) - impulses.caught;
     }
 };
 
@@ -86,36 +86,36 @@ using namespace detail;
 FETTLE_JOINT_NUMBER(Ratchet, tooth, tooth)
 
 float RatchetJoint::reference_angle() const {
-    return own<RatchetSettings>().reference_angle;
+    return settings_as<RatchetSettings>().reference_angle;
 }
 void RatchetJoint::set_reference_angle(float angle) {
-    own<RatchetSettings>();
+    settings_as<RatchetSettings>();
     const float checked = check_finite("reference_angle", angle);
     edit<RatchetSettings>("RatchetJoint", __func__).reference_angle = checked;
     // The teeth have moved, so the pawl must find its tooth again.
     live().joints[id().index].impulses = {};
 }
 bool RatchetJoint::backwards() const {
-    return own<RatchetSettings>().way < 0.0f;
+    return settings_as<RatchetSettings>().direction < 0.0f;
 }
 void RatchetJoint::set_backwards(bool backwards) {
-    edit<RatchetSettings>("RatchetJoint", __func__).way = backwards ? -1.0f : 1.0f;
+    edit<RatchetSettings>("RatchetJoint", __func__).direction = backwards ? -1.0f : 1.0f;
     live().joints[id().index].impulses = {};
 }
 float RatchetJoint::angle() const {
     return angle_between(*this) - reference_angle();
 }
 float RatchetJoint::caught_angle() const {
-    const float way = own<RatchetSettings>().way;
+    const float direction = settings_as<RatchetSettings>().direction;
     const auto& pawl = live().joints[id().index].impulses.as<RatchetImpulses>();
-    return pawl.engaged == 0.0f ? angle() : way * pawl.caught;
+    return pawl.engaged == 0.0f ? angle() : direction * pawl.caught;
 }
 
 namespace {
 
 void define(RatchetSettings& settings, const RatchetJointDef& def) {
     settings.tooth = def.tooth;
-    settings.way = def.backwards ? -1.0f : 1.0f;
+    settings.direction = def.backwards ? -1.0f : 1.0f;
     settings.reference_angle = def.reference_angle.value_or(0.0f);
 }
 

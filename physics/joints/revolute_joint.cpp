@@ -62,7 +62,7 @@ struct RevoluteConstraint {
     void solve(SolverBody& a, SolverBody& b, const JointStep& step) {
         if (angle.acts_biased()) solve_angle<true>(a, b, step);
         // The bodies have not moved since the last relax pass, or since the start of the step.
-        const Vec2 gap = ends.draw(a, b, ends.gap(a, b), step);
+        const Vec2 gap = ends.close_wide_gap(a, b, ends.gap(a, b), step);
         const Softness soft = step.softness(gap);
         const Vec2 velocity = ends.velocity(a, b) + soft.bias_rate * gap;
         push_point(a, b,

@@ -71,8 +71,8 @@ struct WeldConstraint {
     void solve(SolverBody& a, SolverBody& b, const JointStep& step) {
         ends.follow(a, b);
         solve_springs(a, b);
-        if (rigid_angle) draw_angle(ends, a, b, ends.angle_now(a, b) - reference, step);
-        if (rigid_point) ends.draw(a, b, ends.gap(a, b), step);
+        if (rigid_angle) close_wide_angle(ends, a, b, ends.angle_now(a, b) - reference, step);
+        if (rigid_point) ends.close_wide_gap(a, b, ends.gap(a, b), step);
         if (rigid_point || rigid_angle) solve_rigid<true>(a, b, step);
     }
     void relax(SolverBody& a, SolverBody& b, const JointStep& step) {

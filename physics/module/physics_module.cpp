@@ -65,7 +65,7 @@ constexpr const char* class_names[] = {"StepStatistics", "World",
                                        "Attractor",      "Mover"};
 
 /// Throws if a name that `attach` needs is already used in the tree.
-void require_room(const property::Tree& tree) {
+void require_free_names(const property::Tree& tree) {
     const auto refuse = [](const std::string& what) {
         throw property::Error(property::ErrorKind::bad_name, "physics cannot be attached: " + what);
     };
@@ -92,7 +92,7 @@ PhysicsModule::~PhysicsModule() {
 
 void PhysicsModule::attach(property::Tree& tree) {
     if (hosting_) throw std::logic_error("physics is attached to a tree already");
-    require_room(tree);
+    require_free_names(tree);
     tree.add_part(*this);
     try {
         hosting_ = std::make_unique<Hosting>(tree, *this);
@@ -121,9 +121,9 @@ void PhysicsModule::step(double dt) {
     if (!(dt >= 0) || dt > std::numeric_limits<float>::max())
         throw std::invalid_argument("PhysicsModule::step: dt = " + property::number_text(dt) +
                                     ": expected a time from 0 to 3.4e38 s");
-    const Hosting::Doing step(hosting());
+    const Hosting::EditScope step(hosting());
     if (dt > 0) hosting().last_dt = dt;
-    hosting().follow_listeners();
+    hosting().update_callbacks();
     hosting().joints.connect();
     hosting().report_strays();
     std::exception_ptr thrown;

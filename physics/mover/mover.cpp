@@ -52,7 +52,7 @@ void Mover::set_state(const MoverState& state) {
 namespace {
 
 constexpr float most_motion = 500.0f;  ///< m in one step
-constexpr int most_ways = 2000;
+constexpr int most_parts = 2000;
 
 /// The box around the capsule anywhere between two positions.
 Box4 box_between(const Capsule& capsule, const Position& a, const Position& b, float margin) {
@@ -107,19 +107,19 @@ Vec2 kept_on_ground(const WorldData& data, const Obstacles& obstacles, const Mov
     const Vec2 aside = normalized(wall - dot(wall, up) * up);
     const Obstacle& by = obstacles[moving.wall->obstacle];
     // The speed of a pushed body is kept.
-    const Vec2 gives_way = by.dynamic ? data.states[by.body].velocity : Vec2{};
-    return kept - min(0.0f, dot(kept - gives_way, aside)) * aside;
+    const Vec2 by_velocity = by.dynamic ? data.states[by.body].velocity : Vec2{};
+    return kept - min(0.0f, dot(kept - by_velocity, aside)) * aside;
 }
 
 void report_hits(Moved& moved, const Moving& moving, const Obstacles& obstacles, World& world,
                  WorldData& data) {
-    const auto note_wall = [&](const Plane& plane) {
+    const auto set_wall = [&](const Plane& plane) {
         moved.wall_normal = plane.normal;
         const uint32_t shape = obstacles[plane.obstacle].shape;
         moved.wall = Shape(&world, data.shape_id(data.named_shape(shape)));
     };
-    if (moving.wall) note_wall(*moving.wall);
-    if (moving.ceiling) note_wall(*moving.ceiling);
+    if (moving.wall) set_wall(*moving.wall);
+    if (moving.ceiling) set_wall(*moving.ceiling);
     moved.hit_wall = moving.wall.has_value() && !moving.step;
     moved.hit_ceiling = moving.ceiling.has_value();
 }
@@ -145,37 +145,37 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
 
     data.read_all();
     const Ride ride = stood && world.is_valid(state_.ground) ? ride_on(data, state_, dt) : Ride{};
-    Vec2 way = dt * wanted;
+    Vec2 motion = dt * wanted;
     if (walks) {
         const Vec2 aside = wanted - dot(wanted, up) * up;
         const Vec2 normal = state_.ground_normal;
         const Vec2 along = aside - dot(aside, normal) * normal;
-        way = dt * length(aside) * normalized(along);
+        motion = dt * length(aside) * normalized(along);
         wanted = aside;
     }
-    way = bounded(way, 1e6f) + ride.motion;
-    if (length(way) > most_motion) way = most_motion * normalized(way);
+    motion = bounded(motion, 1e6f) + ride.motion;
+    if (length(motion) > most_motion) motion = most_motion * normalized(motion);
 
     // Obstacles may deflect the motion to any side.
-    const float margin = def_.step_height + def_.snap + 4.0f * def_.skin + length(way);
+    const float margin = def_.step_height + def_.snap + 4.0f * def_.skin + length(motion);
     const auto left_out =
         world.is_valid(state_.dropped) ? std::optional(state_.dropped) : std::nullopt;
-    obstacles.find(box_between(capsule, start, start + way, margin), start, ride.carrier, dt,
+    obstacles.find(box_between(capsule, start, start + motion, margin), start, ride.carrier, dt,
                    left_out);
     const MoveSettings settings{.skin = def_.skin,
                                 .least_cosine = std::cos(def_.max_slope) - 1e-3f,
                                 .step_height = walks ? def_.step_height : 0.0f,
                                 .walks = walks};
     Moving moving(obstacles, capsule, settings, start);
-    const float longest = max(length(way), obstacles.farthest_shift());
-    const int ways =
-        int(clamp(std::ceil(longest / (0.5f * capsule.radius)), 1.0f, float(most_ways)));
-    for (int i = 1; i <= ways; ++i) {
-        obstacles.set_time(float(i) / float(ways));
-        moving.advance((1.0f / float(ways)) * way);
+    const float longest = max(length(motion), obstacles.farthest_shift());
+    const int parts =
+        int(clamp(std::ceil(longest / (0.5f * capsule.radius)), 1.0f, float(most_parts)));
+    for (int i = 1; i <= parts; ++i) {
+        obstacles.set_time(float(i) / float(parts));
+        moving.advance((1.0f / float(parts)) * motion);
     }
-    moving.touch((1.0f / float(ways)) * way);
-    if (walks && !moving.step && !moving.ground()) moving.settle(def_.snap);
+    moving.find_pushed((1.0f / float(parts)) * motion);
+    if (walks && !moving.step && !moving.ground()) moving.snap_to_ground(def_.snap);
     state_.position = moving.position;
 
     moved.motion = moving.position - start;
@@ -188,7 +188,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     // A body that falls freely is not ground: nothing has weight on it, and it carries no mover.
     const uint32_t own = world.is_valid(def_.body) ? def_.body.index : 0;
     if (found && obstacles[found->obstacle].dynamic &&
-        !is_held(data, obstacles[found->obstacle].body, own))
+        !is_supported(data, obstacles[found->obstacle].body, own))
         found.reset();
     // Without ground it may be on the edge of a step.
     state_.on_ground = found || moving.step;

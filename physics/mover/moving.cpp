@@ -14,28 +14,28 @@ constexpr int most_slides = 6;
 
 /// The bounds of the planes around it. For a walking mover a slope that is too steep is also a
 /// vertical wall, so that running into it does not lift it.
-std::vector<Bound> Moving::bounds(Vec2 way, bool with_distance) const {
+std::vector<Bound> Moving::bounds(Vec2 motion, bool with_distance) const {
     std::vector<Bound> all;
     const float most = 0.5f * capsule_.radius, skin = settings_.skin;
     for (const Plane& plane : planes_) {
-        // Between the skin and its half the mover stays where it is: a push back to the skin in
-        // each step would be a motion to and fro.
+        // At a distance between half the skin and the skin, the mover stays where it is: if each
+        // step pushed it back to the skin, it would move to and fro.
         float least = 0.0f;
         if (with_distance && plane.separation > skin) least = skin - plane.separation;
         if (with_distance && plane.separation < 0.5f * skin)
             least = min(0.5f * skin - plane.separation, most);
-        if (!with_distance) least = min(0.0f, dot(plane.normal, obstacles_.gives_way(plane)));
+        if (!with_distance) least = min(0.0f, dot(plane.normal, obstacles_.velocity_at(plane)));
         all.push_back({plane.normal, least});
         if (!settings_.walks || !is_steep(plane)) continue;
         const Vec2 aside = normalized(lateral(plane.normal));
-        if (dot(aside, way) < 0.0f) all.push_back({aside, 0.0f});
+        if (dot(aside, motion) < 0.0f) all.push_back({aside, 0.0f});
     }
     return all;
 }
 
-void Moving::note_hits(Vec2 way, float slack) {
+void Moving::record_hits(Vec2 motion, float slack) {
     for (const Plane& plane : planes_) {
-        const float into = -dot(plane.normal, way);
+        const float into = -dot(plane.normal, motion);
         if (into <= 1e-6f || into <= plane.separation - settings_.skin + slack) continue;
         const float up = cosine(plane);
         if (up < -0.3f)
@@ -53,74 +53,74 @@ void Moving::note_hits(Vec2 way, float slack) {
     }
 }
 
-void Moving::slide(Vec2 way) {
+void Moving::slide(Vec2 motion) {
     const float reach = settings_.skin + min(1e-3f, 0.1f * settings_.skin);
     uint32_t kept = none;
     for (int round = 0; round < most_slides; ++round) {
         obstacles_.planes_at(position, reach, kept, planes_);
-        note_hits(way, 0.0f);
-        const Vec2 allowed = allowed_motion(way, bounds(way, true));
+        record_hits(motion, 0.0f);
+        const Vec2 allowed = allowed_motion(motion, bounds(motion, true));
         const float t = obstacles_.cast(position, allowed, 0.25f * settings_.skin, kept);
         position = position + t * allowed;
         if (t >= 1.0f) return;
-        way = (1.0f - t) * allowed;
-        if (length(way) < 1e-5f) return;
+        motion = (1.0f - t) * allowed;
+        if (length(motion) < 1e-5f) return;
     }
 }
 
-void Moving::touch(Vec2 way) {
+void Moving::find_pushed(Vec2 motion) {
     obstacles_.planes_at(position, settings_.skin, none, planes_);
     std::erase_if(planes_,
                   [this](const Plane& plane) { return !obstacles_[plane.obstacle].leads; });
-    note_hits(way, 0.0f);
+    record_hits(motion, 0.0f);
 }
 
-void Moving::advance(Vec2 way) {
+void Moving::advance(Vec2 motion) {
     const Position start = position;
     const std::optional<Plane> wall_before = wall;
-    slide(way);
+    slide(motion);
     if (settings_.step_height <= 0.0f) return;
-    const Vec2 aside = lateral(way);
+    const Vec2 aside = lateral(motion);
     const float wanted = length(aside);
     if (wanted < 1e-5f) return;
     const float made = dot(position - start, (1.0f / wanted) * aside);
     if (made < 0.9f * wanted)
         step_up(start, aside);
     else if (wall && !wall_before && will_step_up(aside))
-        wall.reset();  // It has just reached a step, which the next way climbs.
+        wall.reset();  // It has just reached a step, which the next part of the motion climbs.
 }
 
-/// True if it would climb a step from where it is. It stays there.
-bool Moving::will_step_up(Vec2 way) {
+/// True if it would climb a step from its position, which does not change.
+bool Moving::will_step_up(Vec2 motion) {
     const Position here = position;
     const std::optional<Plane> step_before = step;
-    const bool will = step_up(here, way);
+    const bool will = step_up(here, motion);
     put_back(here);
     step = step_before;
     return will;
 }
 
 /// Up, forward and down again: a step if there is ground that is higher. False if there is none.
-bool Moving::step_up(const Position& start, Vec2 way) {
+bool Moving::step_up(const Position& start, Vec2 motion) {
     const Position slid = position;
     const Vec2 up = capsule_.up;
-    const float wanted = length(way), gap = 0.5f * settings_.skin;
-    const Vec2 ahead = (1.0f / wanted) * way;
+    const float wanted = length(motion), gap = 0.5f * settings_.skin;
+    const Vec2 ahead = (1.0f / wanted) * motion;
     uint32_t hit = none;
-    const auto go = [&](Vec2 motion) {
-        const float t = obstacles_.cast(position, motion, gap, hit);
-        position = position + t * motion;
+    const auto go = [&](Vec2 by) {
+        const float t = obstacles_.cast(position, by, gap, hit);
+        position = position + t * by;
         return t;
     };
     put_back(start);
     const float lift = go(settings_.step_height * up) * settings_.step_height;
-    const float forward = go(way) * wanted;
+    const float forward = go(motion) * wanted;
     const float down = lift + settings_.skin;
     const float t = go(-down * up);
     const float progress = forward - dot(slid - start, ahead);
     const auto reached = t < 1.0f && hit != none ? obstacles_.plane(hit, position) : std::nullopt;
     if (lift > settings_.skin && progress > 0.05f * wanted && reached &&
-        dot(position - start, up) > 1e-4f && walkable(*reached, start, way) &&
+        dot(position - start, up) > 1e-4f && walkable(*reached, start, motion) &&
         !obstacles_[hit].dynamic) {
         step = reached;
         return true;
@@ -131,12 +131,12 @@ bool Moving::step_up(const Position& start, Vec2 way) {
 
 /// A plane not far above the feet that is not too steep, or the edge of one towards which the mover
 /// goes: the capsule is round and touches the edge of a step before it stands on it.
-bool Moving::walkable(const Plane& plane, const Position& feet, Vec2 way) {
+bool Moving::walkable(const Plane& plane, const Position& feet, Vec2 motion) {
     const float height = dot(plane.point - feet, capsule_.up);
     if (height > settings_.step_height + settings_.skin) return false;
     if (cosine(plane) >= settings_.least_cosine) return true;
     const Vec2 aside = lateral(plane.normal);
-    if (cosine(plane) <= 0.01f || dot(aside, way) >= 0.0f) return false;
+    if (cosine(plane) <= 0.01f || dot(aside, motion) >= 0.0f) return false;
     const Vec2 inwards = normalized(-aside);
     const Position above = plane.point + 0.02f * inwards + 0.05f * capsule_.up;
     const auto normal = obstacles_.ray(above, -0.1f * capsule_.up);
@@ -154,7 +154,7 @@ std::optional<Plane> Moving::ground() {
         if (!best || cosine(plane) > cosine(*best)) best = plane;
     }
     if (best || !support) return best;
-    // Two steep slopes hold it: it cannot sink.
+    // It is between two steep slopes, and cannot sink.
     if (dot(allowed_motion(-capsule_.up, all), capsule_.up) > -0.05f) {
         support->normal = capsule_.up;
         return support;
@@ -162,18 +162,18 @@ std::optional<Plane> Moving::ground() {
     return std::nullopt;
 }
 
-bool Moving::settle(float reach) {
+bool Moving::snap_to_ground(float reach) {
     const Position start = position;
-    Vec2 way = -reach * capsule_.up;
+    Vec2 motion = -reach * capsule_.up;
     uint32_t kept = none;
-    for (int round = 0; round < most_slides && length(way) > 1e-5f; ++round) {
+    for (int round = 0; round < most_slides && length(motion) > 1e-5f; ++round) {
         // It may slide off the edge that it is leaving, but not down the ground below it.
         obstacles_.planes_at(position, settings_.skin, kept, planes_);
-        const Vec2 allowed = allowed_motion(way, bounds(way, true));
+        const Vec2 allowed = allowed_motion(motion, bounds(motion, true));
         const float t = obstacles_.cast(position, allowed, 0.25f * settings_.skin, kept);
         position = position + t * allowed;
         if (ground()) return true;
-        way = (1.0f - t) * allowed;
+        motion = (1.0f - t) * allowed;
     }
     put_back(start);
     return false;

@@ -22,26 +22,26 @@ struct Push {
     Vec2 normal;
 };
 
-/// A mover on its way through one step: it moves in short ways, and after each of them it stands
-/// clear of all obstacles.
+/// A mover during one step: it moves in short parts of its motion, and after each of them it
+/// overlaps no obstacle.
 class Moving {
   public:
     Moving(Obstacles& obstacles, const Capsule& capsule, const MoveSettings& settings,
            const Position& start)
         : position(start), obstacles_(obstacles), capsule_(capsule), settings_(settings) {}
 
-    /// A short way, at most half of the radius long.
-    void advance(Vec2 way);
-    /// Lists the dynamic bodies within the skin towards which `way` leads. The mover pushes them
+    /// A part of the motion, at most half of the radius long.
+    void advance(Vec2 motion);
+    /// Finds the dynamic bodies within the skin towards which `motion` leads. The mover pushes them
     /// also in a step in which they were as fast as the mover, so no gap opens between them.
-    void touch(Vec2 way);
+    void find_pushed(Vec2 motion);
     /// Moves it down by at most `reach` onto ground; false and not moved if there is none.
-    bool settle(float reach);
+    bool snap_to_ground(float reach);
     /// The plane of the ground below its feet; none in the air.
     std::optional<Plane> ground();
     /// True if nothing overlaps it by more than a tenth of its radius.
     bool has_room();
-    /// The velocity without the parts that obstacles at its place stop.
+    /// The velocity without the parts that obstacles at its position stop.
     Vec2 clipped(Vec2 velocity);
 
     Position position;
@@ -50,16 +50,16 @@ class Moving {
     std::optional<Plane> step;  ///< the last step that it climbed
 
   private:
-    void slide(Vec2 way);
+    void slide(Vec2 motion);
     void put_back(const Position& to) {
-        obstacles_.put_aside(length(position - to));
+        obstacles_.reduce_clearance(length(position - to));
         position = to;
     }
-    bool step_up(const Position& start, Vec2 way);
-    bool will_step_up(Vec2 way);
-    void note_hits(Vec2 way, float overlap_allowed);
-    std::vector<Bound> bounds(Vec2 way, bool with_distance) const;
-    bool walkable(const Plane& plane, const Position& feet, Vec2 way);
+    bool step_up(const Position& start, Vec2 motion);
+    bool will_step_up(Vec2 motion);
+    void record_hits(Vec2 motion, float overlap_allowed);
+    std::vector<Bound> bounds(Vec2 motion, bool with_distance) const;
+    bool walkable(const Plane& plane, const Position& feet, Vec2 motion);
     float cosine(const Plane& plane) const { return dot(plane.normal, capsule_.up); }
     bool is_steep(const Plane& plane) const {
         return cosine(plane) > 0.01f && cosine(plane) < settings_.least_cosine;

@@ -129,12 +129,12 @@ void Obstacles::add(uint32_t shape, const Position& position, uint32_t carrier, 
 }
 
 void Obstacles::set_time(float time) {
-    for (Obstacle& each : all_) each.clear -= std::fabs(time - time_) * length(each.shift);
+    for (Obstacle& each : all_) each.clearance -= std::fabs(time - time_) * length(each.shift);
     time_ = time;
 }
 
-void Obstacles::put_aside(float distance) {
-    for (Obstacle& each : all_) each.clear -= distance;
+void Obstacles::reduce_clearance(float distance) {
+    for (Obstacle& each : all_) each.clearance -= distance;
 }
 
 float Obstacles::farthest_shift() const {
@@ -145,7 +145,7 @@ float Obstacles::farthest_shift() const {
 }
 
 /// The plane of an obstacle that contains a part of the capsule's line: that of the side through
-/// which the way out is shortest.
+/// which the distance out of the obstacle is least.
 Plane Obstacles::deepest(const Obstacle& obstacle, Vec2 offset) const {
     const Solid& solid = obstacle.solid;
     const Convex& form = solid.form;
@@ -219,7 +219,7 @@ std::optional<Plane> Obstacles::plane(uint32_t index, const Position& position) 
     return plane;
 }
 
-Vec2 Obstacles::gives_way(const Plane& plane) const {
+Vec2 Obstacles::velocity_at(const Plane& plane) const {
     const Obstacle& obstacle = all_[plane.obstacle];
     if (!obstacle.dynamic) return {};
     const BodyState& state = data_.states[obstacle.body];
@@ -231,9 +231,9 @@ void Obstacles::planes_at(const Position& position, float reach, uint32_t kept,
                           std::vector<Plane>& planes) {
     planes.clear();
     for (uint32_t i = 0; i < all_.size(); ++i) {
-        if (all_[i].clear > reach) continue;
+        if (all_[i].clearance > reach) continue;
         const auto found = plane(i, position);
-        if (found && found->separation > 0.0f) all_[i].clear = found->separation;
+        if (found && found->separation > 0.0f) all_[i].clearance = found->separation;
         if (found && found->separation <= reach) planes.push_back(*found);
     }
     std::stable_sort(planes.begin(), planes.end(),
@@ -265,10 +265,10 @@ float Obstacles::cast(const Position& position, Vec2 motion, float gap, uint32_t
     if (!(way > 0.0f)) return first;
     for (uint32_t i = 0; i < all_.size(); ++i) {
         Obstacle& obstacle = all_[i];
-        if (obstacle.clear > way + gap) continue;
+        if (obstacle.clearance > way + gap) continue;
         const auto now = plane(i, position);
         if (!now) continue;
-        if (now->separation > 0.0f) obstacle.clear = now->separation;
+        if (now->separation > 0.0f) obstacle.clearance = now->separation;
         const float approach = -dot(now->normal, motion);
         if (now->separation - way > gap || approach <= 1e-5f * way) continue;
         if (now->deep) continue;  // only planes push it out
@@ -278,13 +278,13 @@ float Obstacles::cast(const Position& position, Vec2 motion, float gap, uint32_t
         } else if (now->separation > gap) {
             const Sweep sweep = {capsule_.solid(capsule_.radius),
                                  {.from = position, .velocity = motion}};
-            t = time_of_impact(sweep, {obstacle.solid, standing(center(obstacle))}, gap);
+            t = time_of_impact(sweep, {obstacle.solid, at_rest(center(obstacle))}, gap);
         }
         if (t >= first) continue;
         first = t;
         hit = i;
     }
-    put_aside(first * way);
+    reduce_clearance(first * way);
     return first;
 }
 

@@ -2,7 +2,7 @@
 
 #include <collision/solid.h>
 #include <fettle/physics/mover.h>
-#include <queries/asking.h>
+#include <queries/query_lock.h>
 
 #include <optional>
 #include <span>
@@ -51,7 +51,7 @@ struct Obstacle {
     bool leads = false;  ///< dynamic, and not the ground: it moves only away from the mover
     Vec2 front;          ///< unit vector out of the solid side of a one-sided obstacle
     WorldCoordinate depth = 0;
-    float clear = 0.0f;  ///< m: the mover is at least this far away
+    float clearance = 0.0f;  ///< m: the mover is at least this far away
 };
 
 /// A plane of an obstacle, relative to a position of the mover.
@@ -72,8 +72,8 @@ class Obstacles {
     void find(Box4 box, const Position& position, uint32_t carrier, float dt,
               std::optional<ShapeId> left_out);
     void set_time(float time);
-    /// To be called when the mover was moved by this distance (m) other than by a `cast`.
-    void put_aside(float distance);
+    /// Must be called when the mover was moved by this distance (m), but not by a `cast`.
+    void reduce_clearance(float distance);
     float farthest_shift() const;  ///< m: of the obstacle that may reach the mover and moves most
     /// The planes within `reach` at this position, nearest first, at most 16. A corner that is
     /// flush with a nearer plane is left out, unless its obstacle is `kept`.
@@ -86,7 +86,7 @@ class Obstacles {
     /// The plane of one obstacle. None if it does not act on a mover at this position.
     std::optional<Plane> plane(uint32_t obstacle, const Position& position) const;
     /// The velocity of a dynamic body at a plane, m/s; zero for all other obstacles.
-    Vec2 gives_way(const Plane& plane) const;
+    Vec2 velocity_at(const Plane& plane) const;
     const Obstacle& operator[](uint32_t index) const { return all_[index]; }
     WorldData& data() const { return data_; }
 

@@ -12,17 +12,17 @@ bool is_pushed(const Load& load) {
 
 }  // namespace
 
-bool is_held(const WorldData& data, uint32_t body, uint32_t left_out) {
-    constexpr size_t most = 64;  // examined bodies; a larger heap counts as held
+bool is_supported(const WorldData& data, uint32_t body, uint32_t left_out) {
+    constexpr size_t most = 64;  // examined bodies; a larger heap counts as supported
     if (data.field_slots.count > 0) return true;
     std::vector<uint32_t> group = {body};
-    bool held = false;
+    bool supported = false;
     const auto reach = [&](uint32_t other) {
         if (other == left_out && left_out != 0) return;
-        held = held || data.bodies[other].mobility != Mobility::dynamic;
+        supported = supported || data.bodies[other].mobility != Mobility::dynamic;
         if (std::find(group.begin(), group.end(), other) == group.end()) group.push_back(other);
     };
-    for (size_t i = 0; i < group.size() && !held; ++i) {
+    for (size_t i = 0; i < group.size() && !supported; ++i) {
         const BodyRecord& record = data.bodies[group[i]];
         if (i >= most || is_pushed(record.load) || is_pushed(record.step_load)) return true;
         data.for_each_joint(group[i], [&](uint32_t joint, uint32_t side) {
@@ -32,7 +32,7 @@ bool is_held(const WorldData& data, uint32_t body, uint32_t left_out) {
             if (data.contacts[contact].acts()) reach(data.other_body(contact, group[i]));
         });
     }
-    return held;
+    return supported;
 }
 
 }  // namespace fettle::physics::detail

@@ -6,9 +6,9 @@
 
 namespace fettle::physics::detail {
 
-/// True if something may hold a dynamic body against gravity: a body that is not dynamic, or a
+/// True if something may support a dynamic body against gravity: a body that is not dynamic or a
 /// joint to the world, reached over contacts and joints; a field; a force of the host. False in
-/// free fall, where nothing has weight. `left_out`: a body that does not count, 0 for none.
-bool is_held(const WorldData& data, uint32_t body, uint32_t left_out);
+/// free fall. `left_out`: a body that does not count, 0 for none.
+bool is_supported(const WorldData& data, uint32_t body, uint32_t left_out);
 
 }  // namespace fettle::physics::detail

@@ -54,10 +54,10 @@ struct ActingContact {
         on_impact_path = 4,   ///< an impact may go through it: restitution, or joints of a body
         approaches_fast = 8,  ///< fast enough for an impact
         in_impact = 16,       ///< an impact may pass through it in this step
-        one_load = 32         ///< times the load of the joints of its bodies: two bits
+        one_load = 32  ///< the load of the joints of its bodies is in the two bits from this one on
     };
     bool takes_impacts() const { return (flags & on_impact_path) != 0; }
-    bool meets() const { return (flags & approaches_fast) != 0; }
+    bool is_fast() const { return (flags & approaches_fast) != 0; }
     /// It is solved in a group, but its share of an impact is computed for it alone.
     bool passes_impacts() const { return (flags & in_impact) != 0 && !serially; }
     /// The load that joints of its bodies bear, as in `JointScratch`; 0: the usual one, or none.
@@ -82,8 +82,8 @@ struct ActingPiece {
     NodeRanges nodes;           ///< from `begin` on
     uint32_t serially = 0;      ///< number of contacts that are solved one at a time
     uint32_t passing = 0;       ///< number of contacts in groups that may pass an impact on
-    bool links_blocks = false;  ///< one of them links two blocks of an earlier step
-    bool meets = false;         ///< shapes that bounce approach fast
+    bool links_blocks = false;  ///< a contact links two blocks of an earlier step
+    bool fast = false;          ///< shapes that may bounce approach fast
 
     uint32_t count() const { return nodes.size(); }
     uint32_t end() const { return begin + count(); }

@@ -6,7 +6,7 @@ namespace fettle::physics::detail {
 namespace {
 
 /// Number of steps after which blocks are built again, because islands may have separated.
-constexpr int old_age = 64;
+constexpr int max_age = 64;
 
 /// An island with this share of the contacts is nearly the whole world.
 constexpr float nearly_all = 0.75f;
@@ -19,18 +19,18 @@ void SolverBlocks::set_bodies(std::span<const uint32_t> bodies, bool several) {
     age_ = 0;
 }
 
-bool SolverBlocks::are_of(std::span<const uint32_t> bodies) const {
+bool SolverBlocks::are_built_for(std::span<const uint32_t> bodies) const {
     return block_of_.size() == bodies.size() + 1 &&
            std::equal(bodies_.begin(), bodies_.end(), bodies.begin(), bodies.end());
 }
 
 bool SolverBlocks::may_be_linked(std::span<const uint32_t> bodies) const {
-    return several_ && are_of(bodies);
+    return several_ && are_built_for(bodies);
 }
 
 bool SolverBlocks::may_stay(std::span<const uint32_t> bodies, bool several) {
-    if (several != several_ || !are_of(bodies)) return false;
-    return !several || ++age_ < old_age;
+    if (several != several_ || !are_built_for(bodies)) return false;
+    return !several || ++age_ < max_age;
 }
 
 void SolverBlocks::begin(uint32_t bodies) {
@@ -77,7 +77,7 @@ bool SolverBlocks::are_mostly_one() {
         most = std::max(most, block.contacts);
     }
     if (float(most) < nearly_all * float(all)) return false;
-    wait_ = old_age;
+    wait_ = max_age;
     return true;
 }
 

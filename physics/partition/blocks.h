@@ -73,7 +73,7 @@ class SolverBlocks {
     }
 
   private:
-    bool are_of(std::span<const uint32_t> bodies) const;
+    bool are_built_for(std::span<const uint32_t> bodies) const;
     void order_bodies();
 
     UnionFind islands_;

@@ -25,13 +25,13 @@ uint8_t Hubs::hub_of(SolverEnd end) const {
     return uint8_t(hub - hubs_.begin() + 1);
 }
 
-void Hubs::settle(ActingContact& c, std::span<const SolverBody> bodies) const {
+void Hubs::choose_node(ActingContact& c, std::span<const SolverBody> bodies) const {
     c.node = 1;
     const uint8_t hub_a = hub_of(c.end_a), hub_b = hub_of(c.end_b);
     if ((hub_a == 0) == (hub_b == 0) || !c.both_move() || c.serially || c.takes_impacts()) return;
     const uint8_t hub = std::max(hub_a, hub_b);
     const SolverEnd other = hub_a != 0 ? c.end_b : c.end_a;
-    if (!would_bear(hubs_[hub - 1].inverse_mass_at_rim, bodies[other.index()].inverse_mass)) return;
+    if (!outweighs(hubs_[hub - 1].inverse_mass_at_rim, bodies[other.index()].inverse_mass)) return;
     c.hub = hub;
     c.node = other.strip();
 }
@@ -49,7 +49,7 @@ void Hubs::use_hub_itself(ActingContact& c) const {
     c.node = 1;
 }
 
-void Hubs::hand_out(const StripNodes& nodes, std::span<SolverBody> bodies) const {
+void Hubs::write_copies(const StripNodes& nodes, std::span<SolverBody> bodies) const {
     for (const Hub& hub : hubs_) {
         const SolverBody& from = bodies[hub.body];
         const uint32_t begin = first_of(hub, leaf_of(nodes.begin));
@@ -63,7 +63,7 @@ void Hubs::hand_out(const StripNodes& nodes, std::span<SolverBody> bodies) const
     }
 }
 
-void Hubs::take_back(std::span<SolverBody> bodies) const {
+void Hubs::average_copies(std::span<SolverBody> bodies) const {
     for (const Hub& hub : hubs_) {
         Vec2 velocity;
         float angular_velocity = 0.0f;

@@ -31,24 +31,24 @@ class Hubs {
     bool full() const { return hubs_.size() == most; }
     /// True if a copy of a hub with this inverse mass at its rim is at least 8 times heavier than a
     /// body with the other inverse mass.
-    bool would_bear(float inverse_mass_at_rim, float inverse_mass) const {
+    bool outweighs(float inverse_mass_at_rim, float inverse_mass) const {
         return inverse_mass >= much_lighter * parts() * inverse_mass_at_rim;
     }
     /// Appends the copies to the bodies.
     void add(uint32_t body, float inverse_mass_at_rim, std::vector<SolverBody>& bodies);
 
-    /// Called before a contact with a hub is colored: finds its node, and whether it acts on a
+    /// Called before a contact with a hub is colored: chooses its node, and whether it acts on a
     /// copy. A contact that may bounce acts on the hub itself.
-    void settle(ActingContact& contact, std::span<const SolverBody> bodies) const;
+    void choose_node(ActingContact& contact, std::span<const SolverBody> bodies) const;
     /// Called when the contact is colored: chooses the copies in turn.
     void choose_copy(ActingContact& contact);
     /// Called for a contact that is solved one at a time: it acts on the hub itself.
     void use_hub_itself(ActingContact& contact) const;
 
     /// Called before a pass over these strips: writes the copies.
-    void hand_out(const StripNodes& nodes, std::span<SolverBody> bodies) const;
+    void write_copies(const StripNodes& nodes, std::span<SolverBody> bodies) const;
     /// Called after the pass over all strips: averages the copies.
-    void take_back(std::span<SolverBody> bodies) const;
+    void average_copies(std::span<SolverBody> bodies) const;
 
     /// All data are scratch: built in every step.
     static void scratch(auto& io, auto& self) { io(self.hubs_); }

@@ -15,6 +15,7 @@ class JointShare {
     void clear() { bodies_.clear(); }
     /// Adds a body that a joint of that node acts on; a body may be added several times.
     void add(uint32_t node, uint32_t body) { bodies_.push_back(uint64_t{node} << 32 | body); }
+    /// Must be called after the last `add`: sorts the bodies and removes duplicates.
     void unite();
 
     /// Runs `pass`, which solves the joints of these nodes, and adds the changes of velocity that

@@ -118,7 +118,7 @@ class Sections {
 /// Runs `work(section)` for each section, as often as `run` is called. A section runs after the
 /// sections that it depends on.
 template <typename Work>
-class alignas(line_size) SectionLoop {
+class alignas(cache_line_size) SectionLoop {
   public:
     SectionLoop(const Sections& plan, ThreadPool* threads, Work work)
         : work_(std::move(work)), threads_(threads) {
@@ -134,7 +134,7 @@ class alignas(line_size) SectionLoop {
     SectionLoop& operator=(const SectionLoop&) = delete;
 
     void run() const {
-        for (uint32_t i = 0; i < depth_; ++i) share_out(threads_, widths_[i], levels_[i]);
+        for (uint32_t i = 0; i < depth_; ++i) parallel_for(threads_, widths_[i], levels_[i]);
     }
 
   private:

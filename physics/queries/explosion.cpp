@@ -2,7 +2,7 @@
 
 #include <checks/arguments.h>
 #include <distance/distance.h>
-#include <queries/asking.h>
+#include <queries/query_lock.h>
 #include <world/world_data.h>
 
 #include <algorithm>
@@ -42,9 +42,9 @@ void World::explode(const Position& point, float radius, float impulse, const Qu
         }
         hits.push_back({body, near.distance, at});
     };
-    Asking asking(data, filter);
+    QueryLock lock(data, filter);
     data.moving_tree.query(box_around(p, {{-radius, -radius}, {radius, radius}}), visit);
-    asking.finish();
+    lock.finish();
     for (const Hit& hit : hits) {
         Vec2 direction = normalized(hit.at - p);
         if (length(direction) == 0.0f) direction = {0.0f, 1.0f};
@@ -63,7 +63,7 @@ struct Target {
 };
 
 /// `shape`: not a part.
-Target seen_from(const WorldData& data, uint32_t shape, const Position& point) {
+Target find_target(const WorldData& data, uint32_t shape, const Position& point) {
     const PointForm probe;
     Target target = {shape, data.forms[shape].body, {}, 0.0f};
     const Vec2 offset = data.bodies[target.body].center - point;
@@ -106,12 +106,12 @@ void World::explode(const ExplosionDef& def, const QueryFilter& filter) {
             std::any_of(targets.begin(), targets.end(), is_same) ||
             !is_accepted(data, filter, solid))
             return;
-        const Target target = seen_from(data, shape, p);
+        const Target target = find_target(data, shape, p);
         if (target.nearest.distance <= far) targets.push_back(target);
     };
-    Asking asking(data, filter);
+    QueryLock lock(data, filter);
     data.moving_tree.query(box_around(p, {{-far, -far}, {far, far}}), visit);
-    asking.finish();
+    lock.finish();
     for (const Target& target : targets) {
         const float beyond = max(target.nearest.distance - def.radius, 0.0f);
         const float share = def.falloff > 0.0f ? max(1.0f - beyond / def.falloff, 0.0f) : 1.0f;

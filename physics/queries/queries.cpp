@@ -4,7 +4,7 @@
 #include <contacts/border.h>
 #include <distance/distance.h>
 #include <handles/live.h>
-#include <queries/asking.h>
+#include <queries/query_lock.h>
 
 #include <algorithm>
 
@@ -39,7 +39,7 @@ class Finding {
     bool going_ = true;
 };
 
-/// Puts finds into a list.
+/// Adds the shapes that a query finds to a list.
 auto into(std::vector<Shape>& list) {
     return [&list](const Shape& found) {
         list.push_back(found);
@@ -97,7 +97,7 @@ void find_at(WorldData& data, const Position& point, const QueryFilter& filter, 
              auto&& report) {
     check_coordinates("point", point);
     data.read_all();
-    Asking asking(data, filter, visits);
+    QueryLock lock(data, filter, visits);
     Finding finding(data, report);
     auto visit = [&](uint32_t shape) {
         if (finding.going() && is_accepted(data, filter, shape) &&
@@ -106,7 +106,7 @@ void find_at(WorldData& data, const Position& point, const QueryFilter& filter, 
     };
     data.moving_tree.query(box_of(point, point), visit);
     data.fixed_tree.query(box_of(point, point), visit);
-    asking.finish();
+    lock.finish();
 }
 
 void find_in(WorldData& data, const Aabb& box, const QueryFilter& filter, bool visits,
@@ -114,7 +114,7 @@ void find_in(WorldData& data, const Aabb& box, const QueryFilter& filter, bool v
     check_coordinates("box.min", box.min);
     check_coordinates("box.max", box.max);
     data.read_all();
-    Asking asking(data, filter, visits);
+    QueryLock lock(data, filter, visits);
     const Position low = box.min.min(box.max), high = box.min.max(box.max);
     const Box4 area = box_of(low, high);
     const Position center = middle(low, high);
@@ -134,7 +134,7 @@ void find_in(WorldData& data, const Aabb& box, const QueryFilter& filter, bool v
     };
     data.moving_tree.query(area, visit);
     data.fixed_tree.query(area, visit);
-    asking.finish();
+    lock.finish();
 }
 
 }  // namespace
@@ -147,7 +147,7 @@ std::vector<Shape> World::query_point(const Position& point, const QueryFilter& 
 
 void World::visit_point(const Position& point, Visitor<Shape> visitor,
                         const QueryFilter& filter) const {
-    find_at(*data_, point, filter, true, telling(*data_, visitor));
+    find_at(*data_, point, filter, true, to_visitor(*data_, visitor));
 }
 
 std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter) const {
@@ -157,7 +157,7 @@ std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter)
 }
 
 void World::visit_aabb(const Aabb& box, Visitor<Shape> visitor, const QueryFilter& filter) const {
-    find_in(*data_, box, filter, true, telling(*data_, visitor));
+    find_in(*data_, box, filter, true, to_visitor(*data_, visitor));
 }
 
 namespace {
@@ -169,13 +169,13 @@ void cast(WorldData& data, const Position& from, const Position& to, const Query
     check_coordinates("from", from);
     check_coordinates("to", to);
     data.read_all();
-    Asking asking(data, filter, visits);
+    QueryLock lock(data, filter, visits);
     cast_all(data, from, to, filter, [&](uint32_t shape, const Probe& probe, float far) {
         return add(RayHit{Shape(data.self.link->world, data.shape_id(shape)),
                           from + probe.fraction * (to - from), probe.normal, probe.fraction},
                    far);
     });
-    asking.finish();
+    lock.finish();
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include <contacts/border.h>
 #include <distance/distance.h>
 #include <forms/form_access.h>
-#include <queries/asking.h>
+#include <queries/query_lock.h>
 #include <world/world_data.h>
 
 #include <span>
@@ -41,7 +41,7 @@ std::vector<Placed> placed(WorldData& data, uint32_t shape) {
 /// Locks one world while the other is refreshed: a callback of the user must neither edit nor
 /// destroy it.
 template <class Read>
-auto while_other_stays(const WorldData& read, const WorldData& other, Read read_it) {
+auto with_other_locked(const WorldData& read, const WorldData& other, Read read_it) {
     std::optional<WorldLock> lock;
     if (&read != &other) lock.emplace(other.self, WorldLock::During::query, in_refresh);
     auto result = read_it();
@@ -52,8 +52,8 @@ auto while_other_stays(const WorldData& read, const WorldData& other, Read read_
 /// The parts of the query shape. Updates the queried world as well.
 std::vector<Placed> probes_for(WorldData& queried, WorldData& from, uint32_t shape) {
     std::vector<Placed> probes =
-        while_other_stays(from, queried, [&] { return placed(from, shape); });
-    while_other_stays(queried, from, [&] {
+        with_other_locked(from, queried, [&] { return placed(from, shape); });
+    with_other_locked(queried, from, [&] {
         queried.read_all();
         return true;
     });
@@ -110,8 +110,8 @@ Separation distance(const Shape& a, const Shape& b) {
     nearest.distance = infinity;
     WorldData &of_a = a.live(), &of_b = b.live();
     const uint32_t shape_a = a.index(), shape_b = b.index();
-    const auto parts_a = while_other_stays(of_a, of_b, [&] { return placed(of_a, shape_a); });
-    const auto parts_b = while_other_stays(of_b, of_a, [&] { return placed(of_b, shape_b); });
+    const auto parts_a = with_other_locked(of_a, of_b, [&] { return placed(of_a, shape_a); });
+    const auto parts_b = with_other_locked(of_b, of_a, [&] { return placed(of_b, shape_b); });
     for (const Placed& pa : parts_a) {
         for (const Placed& pb : parts_b) {
             const Nearest found = nearest_points(pa.form, pb.form, pb.center - pa.center);
@@ -136,9 +136,9 @@ template <class Search>
 void search_for(WorldData& data, WorldData& from, uint32_t shape, const QueryFilter& filter,
                 bool visits, Search search) {
     const std::vector<Placed> parts = probes_for(data, from, shape);
-    Asking asking(from, filter, visits);
+    QueryLock lock(from, filter, visits);
     search(Sought{parts, &from == &data ? data.forms[shape].body : none});
-    asking.finish();
+    lock.finish();
 }
 
 /// The same with a geometry that is in no world.
@@ -152,7 +152,7 @@ void search_for(WorldData& data, const Form& form, const Pose& pose, Search sear
 /// Calls `report(shape)` for each shape that overlaps another one, once, until it returns false.
 void find_overlaps(WorldData& data, const Sought& sought, const QueryFilter& filter, bool visits,
                    auto&& report) {
-    Asking asking(data, filter, visits);
+    QueryLock lock(data, filter, visits);
     FoundShapes found;
     bool going = true;
     for (const Placed& probe : sought.parts) {
@@ -167,13 +167,13 @@ void find_overlaps(WorldData& data, const Sought& sought, const QueryFilter& fil
         data.moving_tree.query(probe.box, visit);
         data.fixed_tree.query(probe.box, visit);
     }
-    asking.finish();
+    lock.finish();
 }
 
 /// The first shape that the parts meet along `d`.
 std::optional<RayHit> cast_parts(WorldData& data, const Sought& sought, Vec2 d,
                                  const QueryFilter& filter) {
-    Asking asking(data, filter);
+    QueryLock lock(data, filter);
     World* const self = data.self.link->world;
     std::optional<RayHit> first;
     float nearest = 1.0f;
@@ -186,7 +186,7 @@ std::optional<RayHit> cast_parts(WorldData& data, const Sought& sought, Vec2 d,
             const Solid obstacle = data.solid(other);
             constexpr float gap = 1e-4f;
             const Sweep sweep = {probe.form, {.from = probe.center, .velocity = d}};
-            const float t = time_of_impact(sweep, {obstacle, standing(center)}, gap);
+            const float t = time_of_impact(sweep, {obstacle, at_rest(center)}, gap);
             if (t >= nearest) return;
             nearest = t;
             const Nearest touch =
@@ -208,7 +208,7 @@ std::optional<RayHit> cast_parts(WorldData& data, const Sought& sought, Vec2 d,
             first = RayHit{Shape(self, data.shape_id(side)), point, plane.normal, t};
         }
     }
-    asking.finish();
+    lock.finish();
     return first;
 }
 
@@ -234,14 +234,14 @@ std::vector<Shape> World::query_overlap(const Form& form, const Pose& pose,
 void World::visit_overlap(const Shape& shape, Visitor<Shape> visitor,
                           const QueryFilter& filter) const {
     search_for(*data_, shape.live(), shape.index(), filter, true, [&](const Sought& sought) {
-        find_overlaps(*data_, sought, filter, true, telling(*data_, visitor));
+        find_overlaps(*data_, sought, filter, true, to_visitor(*data_, visitor));
     });
 }
 
 void World::visit_overlap(const Form& form, const Pose& pose, Visitor<Shape> visitor,
                           const QueryFilter& filter) const {
     search_for(*data_, form, pose, [&](const Sought& sought) {
-        find_overlaps(*data_, sought, filter, true, telling(*data_, visitor));
+        find_overlaps(*data_, sought, filter, true, to_visitor(*data_, visitor));
     });
 }
 
@@ -269,7 +269,7 @@ std::optional<PointHit> World::closest(const Position& point, float reach,
     check_range("reach", reach, 0.0f, infinity);
     WorldData& data = *data_;
     data.read_all();
-    Asking asking(data, filter);
+    QueryLock lock(data, filter);
     const Position p = point;
     const PointForm probe;
     std::optional<PointHit> best;
@@ -290,7 +290,7 @@ std::optional<PointHit> World::closest(const Position& point, float reach,
         data.moving_tree.query(box, visit);
         if ((best && best->distance <= half) || half >= farthest) break;
     }
-    asking.finish();
+    lock.finish();
     return best;
 }
 

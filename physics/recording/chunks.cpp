@@ -44,7 +44,7 @@ void check_header(std::span<const std::byte> recording) {
         throw std::invalid_argument("the recording is damaged: its header differs");
 }
 
-/// Whether a chunk of this kind may come after one of the kind `last`.
+/// True if a chunk of this kind may come after one of the kind `last`.
 bool may_follow(ChunkKind last, ChunkKind kind) {
     switch (kind) {
         case ChunkKind::state:
@@ -86,7 +86,7 @@ Chunks chunks_of(std::span<const std::byte> recording) {
             refuse_damaged(number, ": its checksum differs");
         const bool fits = number == 0 ? header.kind == ChunkKind::state
                                       : may_follow(chunks.whole.back().kind, header.kind);
-        if (!fits) refuse_damaged(number, " is not what belongs there");
+        if (!fits) refuse_damaged(number, " is of a kind that cannot come there");
         chunks.whole.push_back({header.kind, content});
     }
     if (chunks.whole.empty())

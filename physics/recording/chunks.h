@@ -2,7 +2,7 @@
 
 #include <saving/fields.h>
 #include <saving/words.h>
-#include <world/witness.h>
+#include <world/world_observer.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -12,9 +12,9 @@
 #include <vector>
 
 // The format of a recording: a header, and then chunks, each with a checksum that also depends on
-// its kind and its place. The first chunk is a saved world. For each step follow the edits before
-// it, if there were any, the step, and its result. A recording may end anywhere after the first
-// chunk: what is left of a chunk that was not written whole is not read.
+// its kind and its place. The first chunk is a saved world. For each step, the following chunks are
+// the edits before it, if there were any, the step, and its result. A recording may end anywhere
+// after the first chunk: an incomplete last chunk is not read.
 
 namespace fettle::physics::detail {
 
@@ -35,7 +35,8 @@ RecordingHeader recording_header();
 
 struct ChunkHeader {
     ChunkKind kind;
-    uint32_t size_check;  ///< of kind, number and size, as the content may have been cut off
+    uint32_t size_check;  ///< of kind, number and size: `checksum` is of no use if the content was
+                          ///< cut off
     uint64_t size;        ///< bytes after this header
     uint64_t checksum;
 

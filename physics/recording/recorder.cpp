@@ -10,8 +10,8 @@ using namespace detail;
 
 namespace {
 
-/// Gives the chunks of a recording to the sink.
-class Recorder : public Witness {
+/// Passes the chunks of a recording to the sink.
+class Recorder : public WorldObserver {
   public:
     explicit Recorder(RecordingSink sink) : sink_(std::move(sink)) {}
 
@@ -31,14 +31,14 @@ class Recorder : public Witness {
             ++times_;
             return;
         }
-        note_last_call();
+        append_last_call();
         last_call_ = std::move(name);
         times_ = 1;
     }
 
     void step_begins(const WorldState& state, const Callbacks& callbacks,
                      std::span<const BodyFunctions> functions, float dt) override {
-        note_last_call();
+        append_last_call();
         chunk_.clear();
         write_edits(state);
         begin_chunk(ChunkKind::step);
@@ -75,7 +75,7 @@ class Recorder : public Witness {
     /// thousands.
     static constexpr size_t longest_calls = 1u << 16;
 
-    void note_last_call() {
+    void append_last_call() {
         if (times_ > 0 && calls_.size() < longest_calls) {
             if (!calls_.empty()) calls_ += ", ";
             calls_ += last_call_;
@@ -136,7 +136,7 @@ void World::start_recording(RecordingSink sink) {
     WorldLock lock(data.self, WorldLock::During::query, in_recording);
     recorder->begin(data, saved);
     const bool lives = !data.self.orphaned();
-    if (lives) data.self.set_witness(std::move(recorder));
+    if (lives) data.self.set_observer(std::move(recorder));
     lock.finish();
 }
 

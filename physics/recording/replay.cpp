@@ -23,11 +23,12 @@ class Answers {
         next_ = 0;
         same_ = true;
     }
-    /// Whether all questions were those of the recording.
+    /// True if all questions were those of the recording.
     bool same() const { return same_ && next_ == answers_.size(); }
 
-    /// The next answer; null if it answers another question. Throws if the function threw.
-    const Answer* take(Answer::To to, uint64_t about_a, uint64_t about_b) {
+    /// The next answer; null if it answers another question. Throws `Unanswered` if the function
+    /// threw.
+    const Answer* next_answer(Answer::To to, uint64_t about_a, uint64_t about_b) {
         if (next_ >= answers_.size()) return refuse();
         const Answer& answer = answers_[next_];
         if (answer.to != to || answer.about_a != about_a || answer.about_b != about_b)
@@ -52,7 +53,8 @@ class Answers {
 namespace {
 
 void answer_contact(Answers& answers, Answer::To to, ContactEdit& edit) {
-    const Answer* answer = answers.take(to, key_of(edit.shape_a.id()), key_of(edit.shape_b.id()));
+    const Answer* answer =
+        answers.next_answer(to, key_of(edit.shape_a.id()), key_of(edit.shape_b.id()));
     if (answer == nullptr) return;
     edit.friction = float(answer->values[0]);
     edit.restitution = float(answer->values[1]);
@@ -67,7 +69,8 @@ std::vector<Answer> read_answers(ByteReader& in) {
     for (Answer& answer : answers) {
         answer = in.value<Answer>();
         if (answer.to > Answer::To::position)
-            throw std::invalid_argument("the recording is damaged: an answer to no question");
+            throw std::invalid_argument(
+                "the recording is damaged: an answer to an unknown question");
     }
     return answers;
 }
@@ -85,7 +88,7 @@ struct Replay::Data {
     Answers answers;
     StateBlocks blocks;
 
-    /// The callbacks that a step had, which give the recorded answers.
+    /// Sets the callbacks that the recorded step had. They return the recorded answers.
     void set_callbacks(WorldData& of_world, ByteReader& in) {
         WorldSelf& self = of_world.self;
         const auto [filter, mixing, before_solve] = in.value<Callbacks>();
@@ -93,11 +96,11 @@ struct Replay::Data {
         self.mix = self.before_solve = nullptr;
         if (filter)
             self.filter = [this, &of_world](const Shape& a, const Shape& b) {
-                // Answers are recorded in steps only. A check of the world looks at the pairs that
-                // may collide, and what is not known to is left out.
+                // Answers are recorded in steps only. Outside of a step, World::validate calls the
+                // filter for pairs without a contact: false leaves them out.
                 if (!of_world.stepping) return false;
                 const Answer* answer =
-                    answers.take(Answer::To::filter, key_of(a.id()), key_of(b.id()));
+                    answers.next_answer(Answer::To::filter, key_of(a.id()), key_of(b.id()));
                 return answer == nullptr || answer->first;
             };
         if (mixing)
@@ -121,7 +124,7 @@ struct Replay::Data {
 
     VelocityFunction velocity_function(uint64_t key) {
         return [this, key](VelocityEdit& edit) {
-            const Answer* answer = answers.take(Answer::To::velocity, key, 0);
+            const Answer* answer = answers.next_answer(Answer::To::velocity, key, 0);
             if (answer == nullptr) return;
             edit.velocity = {answer->values[0], answer->values[1]};
             edit.angular_velocity = float(answer->values[2]);
@@ -129,13 +132,13 @@ struct Replay::Data {
     }
     PositionFunction position_function(uint64_t key) {
         return [this, key](PositionEdit& edit) {
-            const Answer* answer = answers.take(Answer::To::position, key, 0);
+            const Answer* answer = answers.next_answer(Answer::To::position, key, 0);
             if (answer == nullptr) return;
             edit.pose = {{answer->values[0], answer->values[1]}, float(answer->values[2])};
         };
     }
 
-    /// Makes the edits before a step; the names of the methods that made them.
+    /// Makes the recorded edits before a step; returns the names of the methods that made them.
     std::string make_edits(const WorldState& state, ByteReader in) {
         const auto text = in.bytes(in.value<uint32_t>());
         std::string calls(reinterpret_cast<const char*>(text.data()), text.size());

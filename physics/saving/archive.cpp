@@ -99,7 +99,7 @@ void World::restore(std::span<const std::byte> bytes) {
     } catch (const std::invalid_argument& unreadable) {
         problem = unreadable.what();
     }
-    if (!problem && !read.at_end()) problem = "there is something behind it";
+    if (!problem && !read.at_end()) problem = "there are bytes after its end";
     if (!problem) problem = links_problem(fresh);
     if (!problem) problem = memberships_problem(fresh);
     if (!problem) problem = numbers_problem(fresh);
@@ -114,16 +114,16 @@ void World::take(World&& other) {
     WorldData& given = other.populate(__func__);
     data.replace_state(std::move(given));
     WorldData empty;
-    empty.self.link = &take_link();
+    empty.self.link = &acquire_link();
     detail::make_border(empty.editing());
     given.replace_state(std::move(empty));
 }
 
-/// Keeps scratch data, callbacks and threads. The generations of the new state are never given
+/// Keeps scratch data, callbacks and threads. The generations of the new state are never used
 /// again.
 void WorldData::replace_state(WorldState&& other) {
     part<WorldState>(*this) = std::move(other);
-    self.set_whole();
+    self.clear_damage();
     for (const auto* list : {&body_generations, &shape_generations, &joint_generations})
         self.link->skip(*list);
     for (const FieldRecord& field : fields) self.link->skip({&field.generation, 1});

@@ -18,8 +18,8 @@
 
 namespace fettle::physics::detail {
 
-/// Writes the data into blocks of bytes that `Sink` gives: one for each value, or for the elements
-/// of a list. A null block: they are only counted (`ArchiveSize`).
+/// Writes the data into blocks of bytes that `Sink` returns: one for each value, or for the
+/// elements of a list. If a block is null, its bytes are only counted (`ArchiveSize`).
 template <class Sink>
 class ArchiveOutput {
   public:
@@ -127,10 +127,10 @@ class ArchiveReader {
             T::members(*this, value);
         } else if constexpr (std::is_same_v<T, std::size_t>) {
             uint64_t size = 0;
-            take(&size, 1);
+            read_values(&size, 1);
             value = std::size_t(size);
         } else {
-            take(&value, 1);
+            read_values(&value, 1);
         }
     }
     template <class T>
@@ -147,7 +147,7 @@ class ArchiveReader {
         if constexpr (ListsMembers<T, ArchiveReader>)
             for (T& element : list) (*this)(element);
         else
-            take(list.data(), list.size());
+            read_values(list.data(), list.size());
     }
     template <class T, std::size_t n>
     void operator()(std::array<std::vector<T>, n>& lists) {
@@ -158,7 +158,7 @@ class ArchiveReader {
 
   private:
     template <class T>
-    void take(T* values, std::size_t count) {
+    void read_values(T* values, std::size_t count) {
         const std::size_t size = encoded_size<T>();
         if (in_.size() / size < count) throw std::invalid_argument("the bytes end too early");
         Decoder decode(in_.data());

@@ -24,7 +24,7 @@ namespace fettle::physics::detail {
 template <class One, class Record>
 concept Some = std::same_as<std::remove_const_t<One>, Record>;
 
-/// Passes the fields of a record, of which none may be left out. Each element of an array counts.
+/// Passes all fields of a record. Each element of an array counts.
 template <class Record, class Io, class... Field>
 void fields_of(Io& io, Field&... each) {
     static_assert(sizeof...(Field) == count_members<Record>(), "a field is not listed");
@@ -194,8 +194,8 @@ void fields(auto& io, Some<ManifoldPose> auto& s) {
 void fields(auto& io, Some<IgnoredPair> auto& s) {
     fields_of<IgnoredPair>(io, s.shape_a, s.shape_b);
 }
-void fields(auto& io, Some<ContactNote> auto& s) {
-    fields_of<ContactNote>(io, s.shape_a, s.shape_b, s.user_data, s.ended);
+void fields(auto& io, Some<ContactUserData> auto& s) {
+    fields_of<ContactUserData>(io, s.shape_a, s.shape_b, s.user_data, s.ended);
 }
 
 // --- Joints
@@ -250,7 +250,7 @@ void fields(Io& io, const std::variant<Kind...>& value) {
     const auto number = uint8_t(value.index());
     io(number);
     const auto one = [&]<class Of>(Of initial) {
-        if (const auto* held = std::get_if<Of>(&value)) initial = *held;
+        if (const auto* current = std::get_if<Of>(&value)) initial = *current;
         io(initial);
     };
     (one(Kind{}), ...);
@@ -261,12 +261,12 @@ void fields(Io& io, std::variant<Kind...>& value) {
     io(number);
     std::size_t next = 0;
     const auto one = [&]<class Of>(Of initial) {
-        if (const auto* held = std::get_if<Of>(&value)) initial = *held;
+        if (const auto* current = std::get_if<Of>(&value)) initial = *current;
         io(initial);
         if (next++ == number) value = initial;
     };
     (one(Kind{}), ...);
-    if (number >= sizeof...(Kind)) io.refuse("a number of no alternative");
+    if (number >= sizeof...(Kind)) io.refuse("the number of an alternative is out of range");
 }
 void fields(auto& io, Some<FieldDef> auto& s) {
     fields_of<FieldDef>(io, s.force, s.region, s.mask, s.enabled, s.user_data);
@@ -284,7 +284,7 @@ void fields(auto& io, Some<WorldDef> auto& s) {
                         s.contact_damping, s.push_speed, s.friction_mix, s.restitution_mix,
                         s.solver, s.persist_events);
 }
-/// The seven times are left out: they differ in each run, and copies with the same history are
+/// The seven times are left out: they differ in each run, and worlds with the same history must be
 /// saved as the same bytes.
 void fields(auto& io, Some<StepStatistics> auto& s) {
     constexpr size_t counts = 13, times = 7;

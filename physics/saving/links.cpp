@@ -27,8 +27,8 @@ bool optional_index(uint32_t index, size_t size) {
     return index == none || index < size;
 }
 
-/// Follows lists that share no element, so that all together have at most `size`. To follow a list
-/// of damaged data again and again, once for each of its owners, could take minutes.
+/// Follows lists that share no element, so that all together have at most `size`. Following one
+/// list of damaged data once for each of its owners could take minutes.
 class ListWalk {
   public:
     explicit ListWalk(size_t size) : size_(size), left_(size) {}
@@ -48,7 +48,7 @@ class ListWalk {
 };
 
 template <class Record>
-bool free_ones_end(const Slots& slots, const std::vector<Record>& records) {
+bool free_list_ends(const Slots& slots, const std::vector<Record>& records) {
     return ListWalk(records.size()).ends(slots.free, [&](uint32_t i) {
         return Record(records[i]).next_free();
     });
@@ -93,8 +93,8 @@ void check_bodies(const WorldState& w, Findings& findings) {
         findings.require(edges_end(joint_lists, body.lists.first_joint, w.joints),
                          "the joints of a body");
     }
-    findings.require(free_ones_end(w.body_slots, w.bodies), "free bodies");
-    findings.require(free_ones_end(w.trait_slots, w.traits), "free traits of bodies");
+    findings.require(free_list_ends(w.body_slots, w.bodies), "free bodies");
+    findings.require(free_list_ends(w.trait_slots, w.traits), "free traits of bodies");
     for (const BodyTraits& traits : w.traits)
         findings.require(traits.name.back() == 0, "the name of a body");
 }
@@ -120,7 +120,7 @@ void check_parts(const WorldState& w, Findings& findings) {
                              (kind != FormKind::outline ||
                               (w.forms[i].count == 0 && shape.proxy == Tree::none)) &&
                              (kind == FormKind::outline || shape.first_part == none),
-                         "what a shape is made of");
+                         "the kind of a shape");
         findings.require(shape.owner == none || w.forms[shape.owner].kind == FormKind::outline,
                          "the owner of a part");
         for (uint32_t p = shape.first_part; p != none; p = w.shapes[p].next_part)
@@ -131,7 +131,7 @@ void check_parts(const WorldState& w, Findings& findings) {
 
 /// Checks the number of vertices: it must fit the type of the shape, and must not exceed the limit
 /// of the code for its kind.
-bool counts_its_vertices(const ShapeForm& form, ShapeType type) {
+bool has_valid_vertex_count(const ShapeForm& form, ShapeType type) {
     const uint32_t count = form.count;
     if (form.kind == FormKind::border) return type == ShapeType::border;
     if (form.kind == FormKind::large)
@@ -177,15 +177,15 @@ void check_shapes(const WorldState& w, Findings& findings) {
                                 : taken <= shape.capacity && std::has_single_bit(shape.capacity) &&
                                       shape.capacity <= vertices &&
                                       form.begin <= vertices - shape.capacity;
-        findings.require(form.kind <= FormKind::outline &&
-                             border == (form.kind == FormKind::border) &&
-                             (w.shape_generations[i] == 0 || counts_its_vertices(form, shape.type)),
-                         "the form of a shape");
+        findings.require(
+            form.kind <= FormKind::outline && border == (form.kind == FormKind::border) &&
+                (w.shape_generations[i] == 0 || has_valid_vertex_count(form, shape.type)),
+            "the form of a shape");
         findings.require(inside && border == (i < 4) && (!border || form.begin == i),
                          "the vertices of a shape");
     }
     check_parts(w, findings);
-    findings.require(free_ones_end(w.shape_slots, w.shapes), "free shapes");
+    findings.require(free_list_ends(w.shape_slots, w.shapes), "free shapes");
 }
 
 void check_proxies(const WorldState& w, Findings& findings) {
@@ -209,7 +209,7 @@ void check_proxies(const WorldState& w, Findings& findings) {
             const ShapeRecord& shape = w.shapes[s];
             findings.require(
                 !w.is_solid(s) || (shape.proxy != Tree::none && shape.tree != Mobility::fixed),
-                "the proxy of what is awake");
+                "the proxy of an awake shape");
         }
     }
 }
@@ -232,7 +232,7 @@ void check_contacts(const WorldState& w, Findings& findings) {
     for (const ContactLinks& links : w.contact_links)
         findings.require(edge_in_range(links.edges[0], n) && edge_in_range(links.edges[1], n),
                          "a contact");
-    findings.require(free_ones_end(w.contact_slots, w.contact_links), "free contacts");
+    findings.require(free_list_ends(w.contact_slots, w.contact_links), "free contacts");
     findings.require(w.pairs.is_walkable(uint32_t(n)), "the pairs");
     // Checks that every contact in a list of a body or of awake contacts is in use.
     for (const BodyRecord& body : w.bodies)
@@ -276,11 +276,11 @@ void check_links_of_joints(const WorldState& w, Findings& findings) {
         findings.require(joint.awake_index == none ||
                              joint.awake_index < w.awake_joints[size_t(joint.type)].size(),
                          "the awake joints");
-    findings.require(free_ones_end(w.joint_slots, w.joints), "free joints");
+    findings.require(free_list_ends(w.joint_slots, w.joints), "free joints");
 }
 
 void check_fields(const WorldState& w, Findings& findings) {
-    findings.require(free_ones_end(w.field_slots, w.fields), "free fields");
+    findings.require(free_list_ends(w.field_slots, w.fields), "free fields");
 }
 
 void check_lists(const WorldState& w, Findings& findings) {
@@ -288,14 +288,14 @@ void check_lists(const WorldState& w, Findings& findings) {
     findings.require(all_below(w.awake_bodies, bodies) && all_below(w.edited_bodies, bodies) &&
                          all_below(w.edited_shapes, shapes) && all_below(w.moved_shapes, shapes) &&
                          all_below(w.awake_contacts, w.contacts.size()),
-                     "the lists of what is awake or edited");
+                     "the lists of awake or edited objects");
     findings.require(w.strips.is_valid(), "the strips");
     ListWalk sleepers_of_islands(bodies);
     for (const Island& island : w.islands)
         findings.require(sleepers_of_islands.ends(
                              island.first, [&](uint32_t i) { return w.bodies[i].lists.next; }),
                          "an island");
-    findings.require(free_ones_end(w.island_slots, w.islands), "free islands");
+    findings.require(free_list_ends(w.island_slots, w.islands), "free islands");
     const WorldDef& s = w.settings;
     findings.require(s.substeps >= 1 && s.substeps <= 64 && s.friction_mix <= MixRule::geometric &&
                          s.restitution_mix <= MixRule::geometric && s.solver <= Solver::direct,

@@ -66,7 +66,7 @@ uint32_t degree(uint32_t first, uint32_t body, Edge edge_of, Body body_of) {
 }
 
 /// False if its mobility does not follow from its type. An edit that changes one of them lists it.
-bool moves_as_its_type(const BodyRecord& body) {
+bool mobility_fits_type(const BodyRecord& body) {
     if (body.listed || body.mobility == Mobility::fixed) return true;
     return body.mobility == Mobility::kinematic ? body.type == BodyType::kinematic_body
                                                 : body.type == BodyType::dynamic_body;
@@ -129,9 +129,9 @@ Fault check_bodies(const WorldState& data) {
         if ((record.flags.mass_dirty || record.flags.placement_dirty) && !record.listed)
             return "body " + number(body) + " is out of date but not listed";
         if (record.lists.island == none && record.lists.next != none)
-            return "body " + number(body) + " is in no island and before another one";
-        if (!moves_as_its_type(record))
-            return "body " + number(body) + " moves otherwise than its type";
+            return "body " + number(body) + " is in no island but linked to another body";
+        if (!mobility_fits_type(record))
+            return "body " + number(body) + " has a mobility that does not fit its type";
         if (record.solver_index != 0) {
             ++awake;
             if (record.mobility == Mobility::fixed)
@@ -168,7 +168,7 @@ bool needs_proxy(const WorldState& data, uint32_t shape) {
 /// Checks that no two shapes have the same vertices, and that no vertices in use are free.
 Fault check_vertices(const WorldState& data) {
     std::vector<bool> taken(data.pool.local.size());
-    const auto take = [&](size_t begin, size_t size) {
+    const auto claim = [&](size_t begin, size_t size) {
         if (size > taken.size() || begin > taken.size() - size) return false;
         bool free = true;
         for (size_t i = begin; i < begin + size; ++i) {
@@ -179,11 +179,11 @@ Fault check_vertices(const WorldState& data) {
     };
     for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
         const uint32_t size = data.shapes[shape].capacity;
-        if (size > 0 && !take(data.forms[shape].begin, size))
+        if (size > 0 && !claim(data.forms[shape].begin, size))
             return "shape " + number(shape) + " has the vertices of another one";
     }
     bool free = true;
-    data.pool.for_each_free([&](size_t begin, size_t size) { free &= take(begin, size); });
+    data.pool.for_each_free([&](size_t begin, size_t size) { free &= claim(begin, size); });
     if (!free) return std::string("the list of free vertices is wrong");
     return {};
 }
@@ -232,8 +232,8 @@ Fault check_shapes(const WorldState& data) {
     }
     if (crowded != data.crowded_shapes) return std::string("the number of crowded shapes is wrong");
     if (listed != on_bodies) return std::string("a shape is not listed in its body");
-    // The next step looks for pairs of each listed shape; of one that is listed again and again, it
-    // would do so without end.
+    // The next step searches for the pairs of each listed shape. If one shape were listed very
+    // often, this would hardly end.
     if (!lists_only_the_marked(data.moved_shapes, data.shapes.size(),
                                [&](uint32_t shape) { return data.shapes[shape].moved; }))
         return std::string("the list of moved shapes is wrong");
@@ -261,7 +261,7 @@ Fault check_contacts(const WorldState& data) {
         const bool active =
             data.bodies[c.body_a].solver_index != 0 || data.bodies[c.body_b].solver_index != 0;
         if (active != (c.awake_index != none))
-            return "contact " + number(slot) + " sleeps otherwise than its bodies";
+            return "contact " + number(slot) + " is not listed as asleep or awake like its bodies";
         if (active) {
             ++awake;
             if (c.awake_index >= data.awake_contacts.size() ||
@@ -286,7 +286,7 @@ Fault check_contacts(const WorldState& data) {
         if (count != record.lists.contact_count)
             return "body " + number(body) + " has a broken list of contacts";
         if (touching[body] != record.lists.touching)
-            return "body " + number(body) + " miscounts what it touches";
+            return "body " + number(body) + " has a wrong number of touching contacts";
         edges += count;
     }
     if (edges != 2 * live) return std::string("a contact is not listed in its bodies");

@@ -133,7 +133,7 @@ void check_shape(const WorldState& w, size_t shape) {
                 record.moment >= 0.0f && is_near(record.centroid) && is_near(form.center) &&
                 is_finite(w.boxes[shape]) && is_finite(w.fat_boxes[shape]) &&
                 is_finite(w.paired_boxes[shape]),
-            "what follows from shape", shape);
+            "the derived data of shape", shape);
     if (form.kind == FormKind::border || form.count == 0) return;
     const size_t stored = form.count * (form.kind == FormKind::piece ? size_t{3} : 1);
     for (size_t i = form.begin; i < form.begin + stored; ++i)
@@ -166,14 +166,14 @@ void check_segment_surfaces(const WorldState& w) {
 
 void check(const ContactRecord& contact, const ManifoldPose& pose, size_t slot) {
     const Manifold& m = contact.manifold;
-    bool sound = is_finite(m.normal) && are_finite(m.corner, contact.rolling_impulse) &&
+    bool valid = is_finite(m.normal) && are_finite(m.corner, contact.rolling_impulse) &&
                  are_finite(pose.angle_a, pose.angle_b, pose.separations[0], pose.separations[1]);
     for (int i = 0; i < m.count; ++i) {
         const ManifoldPoint& p = m.points[i];
-        sound &= is_near(p.anchor_a) && is_near(p.anchor_b) &&
+        valid &= is_near(p.anchor_a) && is_near(p.anchor_b) &&
                  are_finite(p.separation, p.normal_impulse, p.tangent_impulse);
     }
-    require(sound, "contact", slot);
+    require(valid, "contact", slot);
     check_not_negative("friction", contact.friction);
     check_range("restitution", contact.restitution, 0.0f, 1.0f);
     check_not_negative("rolling_resistance", contact.rolling_resistance);

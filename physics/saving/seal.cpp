@@ -7,7 +7,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-// As many sums are computed in parallel, in vectors.
+// Number of sums that are computed in parallel, in vectors.
 constexpr size_t block_words = 8;
 
 /// The words of a block, of which the lowest byte is the first.

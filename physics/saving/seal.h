@@ -28,8 +28,8 @@ static_assert(sizeof(SavedHeader) == 32);
 /// changes.
 uint64_t checksum(std::span<const std::byte> bytes);
 
-/// The reason to refuse what a library with the other precision of positions has written. `made`:
-/// "the world was saved".
+/// The reason to refuse data that a library with the other precision of positions has written.
+/// `made`: "the world was saved".
 std::string other_precision(const char* made);
 
 /// Writes size and checksum into the header of a complete saved world. Tests that damage a saved

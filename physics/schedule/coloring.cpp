@@ -8,9 +8,9 @@
 #include <bit>
 #include <utility>
 
-// Two parallel stages. In the first, threads share ranges of the contact records. In the coloring,
-// the color of a contact depends on the contacts before it, so threads share nodes; the coloring
-// reads only the short list of acting contacts.
+// There are two parallel stages. In the first, threads share ranges of the contact records. In the
+// coloring, the color of a contact depends on the contacts before it, so threads share nodes; the
+// coloring reads only the short list of acting contacts.
 
 namespace fettle::physics::detail {
 namespace {
@@ -152,10 +152,10 @@ struct Coloring {
     /// Decides which blocks several threads share or one solves strip by strip, and numbers the
     /// sections of all blocks.
     void make_sections() {
-        const auto hands = uint32_t(threads != nullptr ? threads->at_a_time() : 1);
+        const auto workers = uint32_t(threads != nullptr ? threads->at_a_time() : 1);
         const bool strip_by_strip = blocks.size() == 1 && awake_bodies.size() > cached_bodies;
         const uint32_t parts =
-            strip_by_strip ? strips.count() : std::min(strips.count(), std::bit_floor(hands));
+            strip_by_strip ? strips.count() : std::min(strips.count(), std::bit_floor(workers));
         schedule.whole_sections = Sections(strips.count(), 1);
         schedule.cut_sections = Sections(strips.count(), parts);
         size_t one_by_one = joints;
@@ -238,10 +238,10 @@ struct Coloring {
             block.group_end = begin / lanes;
         }
         schedule.first_groups.back() = begin / lanes;
-        contacts.news.resize(begin / lanes);
+        contacts.group_results.resize(begin / lanes);
         contacts.lane_contacts.resize(begin);
         for (const uint32_t lane : contacts.spare_lanes) contacts.lane_contacts[lane] = none;
-        share_out(threads, uint32_t(contacts.acting_pieces.size()), [&](uint32_t piece) {
+        parallel_for(threads, uint32_t(contacts.acting_pieces.size()), [&](uint32_t piece) {
             for (uint32_t i = contacts.acting_pieces[piece].begin;
                  i < contacts.acting_pieces[piece].end(); ++i) {
                 ActingContact& c = acting[i];
@@ -337,11 +337,11 @@ void choose_bouncing(const ObjectState& objects, const ActiveLists& active,
         return heaps.find(c.moves_a() ? a : b);
     };
     for_each([&](const ActingContact& c, const ActingPiece&) {
-        if (c.meets()) hit[heap_of(c)] = true;
+        if (c.is_fast()) hit[heap_of(c)] = true;
     });
     for_each([&](ActingContact& c, ActingPiece& piece) {
         if (c.serially || !hit[heap_of(c)]) return;
-        if (c.meets()) {
+        if (c.is_fast()) {
             c.serially = true;
             ++piece.serially;
         } else {
@@ -351,13 +351,13 @@ void choose_bouncing(const ObjectState& objects, const ActiveLists& active,
     });
 }
 
-/// By solver body: 0, or 1 + the load that the joints which hold it bear. Empty if no joint acts or
-/// nothing can touch.
+/// For each solver body: 0 if it has no acting joint, otherwise 1 + the load of its joints. Empty
+/// if there is no acting joint or no awake contact.
 std::vector<uint8_t> jointed_bodies(const ObjectState& objects, const ActiveLists& active,
                                     const BodyScratch& bodies, const JointScratch& joints) {
     std::vector<uint8_t> jointed;
     if (active.awake_contacts.empty()) return jointed;
-    const auto note = [&](const std::vector<uint32_t>& list, size_t load) {
+    const auto mark = [&](const std::vector<uint32_t>& list, size_t load) {
         if (jointed.empty() && !list.empty()) jointed.resize(bodies.solver_bodies.size());
         for (const uint32_t joint : list) {
             for (const uint32_t body : objects.joints[joint].bodies)
@@ -365,9 +365,9 @@ std::vector<uint8_t> jointed_bodies(const ObjectState& objects, const ActiveList
                     jointed[bodies.solver_ends[body].index()] = uint8_t(1 + load);
         }
     };
-    for (const auto& list : active.awake_joints) note(list, 0);
+    for (const auto& list : active.awake_joints) mark(list, 0);
     for (size_t array = joint_type_count; array < JointScratch::tuned * joint_type_count; ++array)
-        note(joints.joint_arrays[array].joints, array / joint_type_count);
+        mark(joints.joint_arrays[array].joints, array / joint_type_count);
     return jointed;
 }
 
@@ -390,7 +390,7 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
         groups ? jointed_bodies(objects, active, bodies, joints) : std::vector<uint8_t>();
     acting.resize(count);
     scratch.acting_pieces.resize((count + piece_length - 1) / piece_length);
-    share_out_range(threads, count, piece_length, [&](size_t begin, size_t end) {
+    parallel_for(threads, count, piece_length, [&](size_t begin, size_t end) {
         ActingPiece piece;
         piece.begin = uint32_t(begin);
         ActingContact* last = &acting[begin];
@@ -402,31 +402,31 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
             if (!record.acts()) continue;
             const SolverEnd a = bodies.solver_ends[record.body_a],
                             b = bodies.solver_ends[record.body_b];
-            // Of a sleeping body and one that moves on its own: the force stays as it was.
+            // The bodies are asleep or kinematic: the impulses stay as they were.
             if (!a.moves() && !b.moves()) continue;
             // Most contacts are not special, and their surface is in a cache line that is not read.
-            const uint8_t held =
+            const uint8_t joint_load =
                 jointed.empty() ? 0 : std::max(jointed[a.index()], jointed[b.index()]);
-            const bool serially = !groups || held > 1 || record.curved ||
+            const bool serially = !groups || joint_load > 1 || record.curved ||
                                   (record.special && (record.rolling_resistance != 0.0f ||
                                                       record.surface_speed != 0.0f)) ||
                                   on_locked_axis(objects, bodies, record) ||
                                   passes_corner(objects, bodies, record, dt);
             auto flags = uint8_t((record.touching ? ActingContact::is_touching : 0) |
                                  (record.hit_events ? ActingContact::reports_hits : 0) |
-                                 (held > 1 ? (held - 1) * ActingContact::one_load : 0));
-            if ((record.special && record.restitution > 0.0f) || held > 0) {
-                const bool meets =
+                                 (joint_load > 1 ? (joint_load - 1) * ActingContact::one_load : 0));
+            if ((record.special && record.restitution > 0.0f) || joint_load > 0) {
+                const bool fast =
                     approaches(record, bodies.solver_bodies[a.index()],
                                bodies.solver_bodies[b.index()], settings.restitution_threshold);
                 flags |=
-                    ActingContact::on_impact_path | (meets ? ActingContact::approaches_fast : 0);
-                piece.meets |= meets;
+                    ActingContact::on_impact_path | (fast ? ActingContact::approaches_fast : 0);
+                piece.fast |= fast;
             }
             ActingContact& c = *last++;
             c = {slot, a, b, 0, 0, node_of(a, b), 0, serially, flags};
             if (any_hubs && (a.is_hub() || b.is_hub()))
-                schedule.hubs.settle(c, bodies.solver_bodies);
+                schedule.hubs.choose_node(c, bodies.solver_bodies);
             nodes |= 1u << c.node;
             piece.serially += c.serially;
             if (blocks_stay && c.both_move())
@@ -436,7 +436,7 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
         scratch.acting_pieces[begin / piece_length] = piece;
     });
     if (std::any_of(scratch.acting_pieces.begin(), scratch.acting_pieces.end(),
-                    [](const ActingPiece& piece) { return piece.meets; }))
+                    [](const ActingPiece& piece) { return piece.fast; }))
         choose_bouncing(objects, active, bodies, scratch);
 }
 

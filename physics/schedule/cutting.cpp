@@ -31,7 +31,7 @@ template <typename Records, typename StripOf, typename Place>
 void order_by_strip(ThreadPool* threads, Reordering& scratch, std::vector<uint32_t>& list,
                     bool placed, Records& records, StripOf&& strip_of, Place&& place) {
     const auto each = [&](auto&& visit) {
-        share_out_range(threads, list.size(), entries_at_a_time, [&](size_t begin, size_t end) {
+        parallel_for(threads, list.size(), entries_at_a_time, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
                 if (i + records_ahead < end)
                     __builtin_prefetch(&records[list[i + records_ahead]], 1);

@@ -7,7 +7,7 @@ namespace {
 
 /// Number of contacts of a body that are examined, and how many of these must be with a much
 /// lighter body.
-constexpr uint32_t looked_at = 16, enough_of_them = 12;
+constexpr uint32_t examined = 16, least_lighter = 12;
 
 /// Inverse of the mass that a push at the rim accelerates, by translation and rotation together.
 float inverse_mass_at_rim(const BodyRecord& record) {
@@ -21,12 +21,12 @@ bool is_hub(const ObjectState& objects, const Hubs& hubs, uint32_t body) {
         return false;
     const float at_rim = inverse_mass_at_rim(record);
     uint32_t seen = 0, lighter = 0;
-    for (uint32_t edge = record.lists.first_contact; edge != none && seen < looked_at; ++seen) {
+    for (uint32_t edge = record.lists.first_contact; edge != none && seen < examined; ++seen) {
         const uint32_t other = objects.other_body(edge >> 1, body);
-        lighter += hubs.would_bear(at_rim, objects.bodies[other].inverse_mass);
+        lighter += hubs.outweighs(at_rim, objects.bodies[other].inverse_mass);
         edge = objects.contact_links[edge >> 1].edges[edge & 1].next;
     }
-    return lighter >= enough_of_them;
+    return lighter >= least_lighter;
 }
 
 }  // namespace

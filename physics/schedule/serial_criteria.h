@@ -20,7 +20,7 @@ inline bool on_locked_axis(const ObjectState& objects, const BodyScratch& bodies
 /// The path of the cores around a corner.
 Corner corner_of(const ObjectState& objects, const ContactRecord& contact);
 
-/// Whether the contact passes a corner so fast that its path bends noticeably within the step.
+/// True if the contact passes a corner so fast that its path bends noticeably within the step.
 /// False for two circles, which meet in slow heaps, and for corners without rounding, which have no
 /// path around them.
 bool passes_corner(const ObjectState& objects, const BodyScratch& bodies,

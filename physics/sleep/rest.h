@@ -13,22 +13,22 @@ namespace fettle::physics::detail {
 /// A body of this extent or more is at rest below the sleep speed of the world, m.
 inline constexpr float usual_extent = 0.07f;
 
-/// A contact that holds a corner on the last bit of an edge may let go and hold again forever. The
-/// body then slips back and forth in place, for moments up to this many times as fast as the sleep
-/// speed, and on average slower than this part of it.
+/// A contact of a corner with the very end of an edge may end and begin again forever. The body
+/// then slips back and forth in place: for moments it is up to `jerk` times as fast as the sleep
+/// speed, and on average it is slower than `mean` times that speed.
 inline constexpr float jerk = 6.0f, mean = 0.4f;
 
-/// True if a body at rest tips over: it turns faster and faster, so a steady rotation with its
-/// speed of now would have made more than its way. `turned`: the way of its fastest point around
-/// the center of mass since it came to rest, m; `turning`: the speed of this point now, m/s; both
-/// with the sign of the rotation: a body that rocks turns back. A body that has hardly turned, or
-/// whose speed would have made many times its way, trembles in place.
+/// True if a body at rest tips over: it turns faster and faster, so it has turned less than it
+/// would have at its present speed. `turned`: the distance that its fastest point has moved around
+/// the center of mass since it came to rest, m; `turning`: the present speed of this point, m/s;
+/// both with the sign of the rotation, because a body that rocks turns back. A body that has hardly
+/// turned, or that would have turned many times as far at its present speed, trembles in place.
 inline bool tips_over(float sleep_speed, float sleep_delay, float turned, float turning) {
     constexpr float noticeable = 0.05f, least = 1.1f, most = 4.0f;
-    const float way = std::fabs(turned);
+    const float moved = std::fabs(turned);
     const float steady = (turned < 0.0f ? -turning : turning) * sleep_delay;
-    return way > noticeable * sleep_speed * sleep_delay && steady > least * way &&
-           steady < most * way;
+    return moved > noticeable * sleep_speed * sleep_delay && steady > least * moved &&
+           steady < most * moved;
 }
 
 /// Counts the time that the body is at rest: slower than `sleep_speed` (m/s). `angle`: of the body,
@@ -46,8 +46,8 @@ inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, R
     }
     const bool begins = body.sleep_time == 0.0f;
     const auto turned = [&] { return (angle - rest.angle) * body.extent; };
-    const auto way = [&] { return length(body.center - rest.center) + std::fabs(turned()); };
-    if (begins || (jerks && way() > mean * slow * size * sleep_delay)) {
+    const auto moved = [&] { return length(body.center - rest.center) + std::fabs(turned()); };
+    if (begins || (jerks && moved() > mean * slow * size * sleep_delay)) {
         rest = {body.center, angle};
         body.sleep_time = 0.0f;
     }

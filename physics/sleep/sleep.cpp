@@ -10,7 +10,7 @@ namespace fettle::physics::detail {
 namespace {
 
 /// Steps between two searches for resting islands, while there is a reason to search.
-constexpr uint64_t look_interval = 8;
+constexpr uint64_t search_interval = 8;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void leave_island(ObjectState& objects, uint32_t body) {
     while (*link != body) link = &objects.bodies[*link].lists.next;
     *link = std::exchange(objects.bodies[body].lists.next, none);
     if (objects.islands[island].first == none)
-        objects.island_slots.give_back(objects.islands, island);
+        objects.island_slots.release(objects.islands, island);
 }
 
 void wake_sleeping(const Activity& activity, uint32_t body) {
@@ -40,7 +40,7 @@ void wake_sleeping(const Activity& activity, uint32_t body) {
     const uint32_t island = objects.bodies[body].lists.island;
     std::vector<uint32_t> members;
     objects.for_each_asleep(island, [&](uint32_t member) { members.push_back(member); });
-    objects.island_slots.give_back(objects.islands, island);
+    objects.island_slots.release(objects.islands, island);
     for (uint32_t member : members) {
         objects.bodies[member].lists.island = objects.bodies[member].lists.next = none;
         objects.bodies[member].sleep_time = 0.0f;
@@ -197,7 +197,7 @@ void put_group_to_sleep(const Activity& activity, uint32_t body) {
     ObjectState& objects = activity.objects;
     ActiveLists& active = activity.active;
     if (objects.bodies[body].solver_index == 0) return;
-    const uint32_t island = objects.island_slots.take(objects.islands);
+    const uint32_t island = objects.island_slots.allocate(objects.islands);
     std::vector<uint32_t> group;
     // The island also marks the members of the group.
     const auto add = [&](uint32_t member) {
@@ -267,7 +267,7 @@ void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
     ObjectState& objects = activity.objects;
     Columns& columns = activity.columns;
     ActiveLists& active = activity.active;
-    if (!settings.sleeping || candidates == 0 || step % look_interval != 0) return;
+    if (!settings.sleeping || candidates == 0 || step % search_interval != 0) return;
     const size_t count = active.awake_bodies.size();
     UnionFind sets;
     sets.reset(count);
@@ -328,7 +328,7 @@ void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
         groups[group_of[root]].push_back(active.awake_bodies[i]);
     }
     for (const auto& group : groups)
-        put_to_sleep(activity, group, objects.island_slots.take(objects.islands));
+        put_to_sleep(activity, group, objects.island_slots.allocate(objects.islands));
     if (!groups.empty()) compact_awake(objects, active);
 }
 

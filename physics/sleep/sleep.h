@@ -40,9 +40,9 @@ void wake_all(const Activity& activity);
 void put_to_sleep(const Activity& activity, std::span<const uint32_t> bodies, uint32_t island);
 /// Puts the body to sleep with all bodies that it touches or is joined to.
 void put_group_to_sleep(const Activity& activity, uint32_t body);
-/// `candidates`: number of bodies that have rested long enough. A body that moves on its own does
-/// not rest, however slow it is: a body with a velocity of its own, a body that a motor moves, and
-/// a body that a belt carries.
+/// `candidates`: number of bodies that have rested long enough. A body with a driven motion does
+/// not rest, however slow it is: a kinematic body with a velocity, a body that a motor moves, and a
+/// body that a belt carries.
 void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
                            const WorldDef& settings, uint32_t candidates, uint64_t step);
 /// For solvers that correct positions without velocities: a body is not at rest if it
@@ -51,7 +51,7 @@ void keep_pushed_awake(ObjectState& objects, const ActiveLists& active, const Bo
                        const WorldDef& settings, float dt);
 
 void leave_island(ObjectState& objects, uint32_t body);
-/// True if the body is awake; a body that moves on its own must also have a velocity.
+/// True if the body is awake; a kinematic body must also have a velocity.
 bool in_motion(const ObjectState& objects, const Columns& columns, uint32_t body);
 
 }  // namespace fettle::physics::detail

@@ -80,7 +80,7 @@ void for_single(VelocitySums& sums, const SingleContacts& contacts, auto&& add) 
             add(c, sum_of(sums, c.contact), c.b == sums.solver_body ? 1.0f : -1.0f);
 }
 
-/// Whether the normal and the levers of a contact follow its bodies. It has one point then.
+/// True if the normal and the levers of a contact follow its bodies. Such a contact has one point.
 bool is_curved(const SolverInput& input, const ContactConstraint& c) {
     return c.extra != 0 && input.contacts.serial.extras[c.extra - 1].rolling != 0;
 }
@@ -301,7 +301,7 @@ void end_sums(const SolverInput& input, const Columns& columns) {
     }
 }
 
-void note_velocities_after(std::span<VelocitySums> all, const Columns& columns) {
+void store_velocities_after(std::span<VelocitySums> all, const Columns& columns) {
     for (VelocitySums& sums : all) {
         if (sums.solver_body == 0) continue;
         const BodyState& state = columns.states[sums.body.index];

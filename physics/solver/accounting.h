@@ -12,8 +12,8 @@ namespace fettle::physics::detail {
 
 /// Begins the sums of a step, after the forces were gathered. `h`: sub-step, s.
 void begin_sums(const SolverInput& input, const Columns& columns, uint64_t steps, float h);
-/// Adds an impulse of a joint on a body that is none of a sub-step. `on`: what an impulse of 1 does
-/// along x and y and to the rotation.
+/// Adds an impulse of a joint on a body that belongs to no sub-step. `on`: the impulses along x and
+/// y, and the angular impulse, of an impulse of 1.
 void add_to_joint(std::span<VelocitySums> all, uint32_t joint, uint32_t solver_body,
                   const double (&on)[3], double impulse);
 /// To be called before the first sub-step of a block, after its bounces.
@@ -26,6 +26,6 @@ void add_substep(const SolverInput& input, const SolverBlock& block, WideBlock& 
 /// Ends the sums after the solver, while all contacts of the step still exist.
 void end_sums(const SolverInput& input, const Columns& columns);
 /// To be called when the bodies are finished.
-void note_velocities_after(std::span<VelocitySums> all, const Columns& columns);
+void store_velocities_after(std::span<VelocitySums> all, const Columns& columns);
 
 }  // namespace fettle::physics::detail

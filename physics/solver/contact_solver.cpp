@@ -247,7 +247,7 @@ namespace {
 /// bodies and with the joints on them.
 struct PointResponse {
     float of_first = 0.0f, of_second = 0.0f, between = 0.0f;
-    JointResponse::Answer answers[2];
+    JointResponse::Reaction reactions[2];
     JointResponse* joints = nullptr;  ///< null: no joint acts on the two bodies
 
     PointResponse(const ContactConstraint& c, JointResponse* all_joints)
@@ -258,16 +258,16 @@ struct PointResponse {
         joints = all_joints;
         for (int k = 0; k < c.count; ++k) {
             const ConstraintPoint& p = c.points[k];
-            answers[k] = joints->answer(
+            reactions[k] = joints->reaction_to(
                 Jacobian::along(c.a, c.b, c.normal, p.normal_lever_a, p.normal_lever_b));
         }
         // A body that joints hold completely keeps a little mobility, so that no number is divided
         // by 0.
         constexpr float least = 1e-5f;
-        of_first = max(of_first - float(answers[0].less(answers[0])), least * of_first);
+        of_first = max(of_first - float(reactions[0].reduction(reactions[0])), least * of_first);
         if (c.count < 2) return;
-        of_second = max(of_second - float(answers[1].less(answers[1])), least * of_second);
-        between -= float(answers[0].less(answers[1]));
+        of_second = max(of_second - float(reactions[1].reduction(reactions[1])), least * of_second);
+        between -= float(reactions[0].reduction(reactions[1]));
     }
 };
 
@@ -301,14 +301,14 @@ struct Bounce {
 };
 
 /// False in the pass in which a contact with this restitution e no longer passes impacts on. A body
-/// hands (1 + e) / 2 of its speed on to an equal one at rest, so an impact is down to a hundredth
+/// passes (1 + e) / 2 of its speed on to an equal one at rest, so an impact is down to a hundredth
 /// after ln 100 / ln (2 / (1 + e)) bodies. Bodies that still approach then are pressed together, by
 /// a motor or between walls; the sub-steps stop them.
 bool passes_on(float restitution, uint8_t pass) {
     constexpr float spent = 0.01f;
-    const float handed_on = 0.5f * (1.0f + restitution);
+    const float passed_on = 0.5f * (1.0f + restitution);
     float left = 1.0f;
-    for (uint8_t i = 1; i < pass && left > spent; ++i) left *= handed_on;
+    for (uint8_t i = 1; i < pass && left > spent; ++i) left *= passed_on;
     return left > spent;
 }
 
@@ -367,7 +367,8 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, std::span<uint8_t> change
         if (!meets[0] && !meets[1]) continue;
         const PointResponse response(c, joints);
         for (int k = 0; response.joints != nullptr && k < c.count; ++k) {
-            const float forbidden = float(response.joints->forbidden(response.answers[k], bodies));
+            const float forbidden =
+                float(response.joints->forbidden(response.reactions[k], bodies));
             v[k] -= forbidden;
             meets[k] = meets[k] && extra.approach[k] - forbidden < -restitution_threshold;
         }
@@ -383,17 +384,17 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, std::span<uint8_t> change
             extra.impact[k] += impulse / float(substeps);
         }
         pair.store(bodies[c.a], bodies[c.b]);
-        const auto note = [&](uint32_t body) {
+        const auto mark = [&](uint32_t body) {
             if (bodies[body].inverse_mass != 0.0f || bodies[body].inverse_inertia != 0.0f)
                 changed[body] = pass;
         };
-        note(c.a);
-        note(c.b);
+        mark(c.a);
+        mark(c.b);
         if (response.joints == nullptr) continue;
         for (int k = 0; k < c.count; ++k)
             if (bounce.impulses[k] != 0.0f)
-                response.joints->apply(response.answers[k], double(bounce.impulses[k]), bodies,
-                                       note);
+                response.joints->apply(response.reactions[k], double(bounce.impulses[k]), bodies,
+                                       mark);
     }
     return any;
 }

@@ -133,7 +133,7 @@ class RowWriter {
         DirectRow& row = elastic(jacobian, spring, mass, error);
         row.kept = &impulse;
         row.impulse = double(impulse);
-        hold_still(row);
+        freeze_unless_biased(row);
         return row;
     }
     /// Two springs that are the components of a vector with a maximum length.
@@ -189,7 +189,7 @@ class RowWriter {
         return row;
     }
     /// Impulses of the biased pass are not part of the relaxed pass.
-    void hold_still(DirectRow& row) const {
+    void freeze_unless_biased(DirectRow& row) const {
         if (biased()) return;
         row.low = row.high = row.impulse;
         row.greatest = DirectRow::no_limit;
@@ -237,7 +237,7 @@ inline void RowWriter::springs(const JointEnds& ends, const Spring& spring, cons
     const auto add = [&](Vec2 axis, float along, int circle) {
         DirectRow& row = elastic(Jacobian::at_anchors(ends, axis), spring, along, dot(axis, error));
         pair_up(row, circle, axis, greatest, impulse);
-        hold_still(row);
+        freeze_unless_biased(row);
     };
     add(axes.first, axes.first_mass, 1);
     add(axes.second, axes.second_mass, -1);

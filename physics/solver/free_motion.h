@@ -2,7 +2,7 @@
 
 #include <solver/solvers.h>
 
-// What limits of the speed of a body are measured with.
+// The motion with which the limits of the speed of a body are computed.
 
 namespace fettle::physics::detail {
 

@@ -13,9 +13,9 @@ namespace {
 /// Number of joints in a task of a thread.
 constexpr size_t joints_at_a_time = 128;
 
-/// Notes about an awake joint before it is prepared: its node, and these bits; 0 if it does not
+/// The code of an awake joint before it is prepared: its node, and these bits; 0 if it does not
 /// act.
-enum JointNote : uint8_t { node_bits = 0x0f, load_bits = 0x30, one_load = 0x10, can_break = 0x80 };
+enum JointCode : uint8_t { node_bits = 0x0f, load_bits = 0x30, one_load = 0x10, can_break = 0x80 };
 constexpr uint8_t is_tuned = JointScratch::tuned * one_load;
 static_assert(2 * most_strips <= node_bits + 1 && JointScratch::loads < 4);
 
@@ -24,7 +24,7 @@ static_assert(2 * most_strips <= node_bits + 1 && JointScratch::loads < 4);
 /// More stiffness is stable only if more sweeps over the joints converge better.
 ///
 /// An impact moves the bodies of a joint far apart, because contacts stop one of them and the joint
-/// the other only some passes later. The relax pass does not take away all of the speed that closes
+/// the other only some passes later. The relax pass does not remove all of the speed that closes
 /// the gap, so the bodies spring back: the faster the gap is closed, the higher.
 
 struct LoadSettings {
@@ -38,11 +38,11 @@ constexpr LoadSettings settings_of_load[JointScratch::loads] = {{0.0f, 60.0f, 0.
                                                                 {10.0f, 120.0f, 0.5f, 4, 16.0f},
                                                                 {100.0f, 240.0f, 1.0f, 16, 64.0f}};
 
-/// Wider gaps, m, come from edits. What is wider is taken away at this rate, 1/s.
+/// Wider gaps, m, come from edits. Their excess is removed at this rate, 1/s.
 constexpr float least_wide_gap = 0.5f, wide_rate = 60.0f;
 
-/// Sets how the joints under a load are solved.
-void follow_load(size_t load, JointStep& step) {
+/// Sets how the joints under a load are solved: see `LoadSettings`.
+void use_load_settings(size_t load, JointStep& step) {
     const LoadSettings& settings = settings_of_load[load];
     step.rigid = make_softness(min(settings.hertz, settings.share / step.h), 2.0f, step.h);
     step.greatest_gap = settings.speed / step.rigid.bias_rate;
@@ -91,25 +91,24 @@ struct JointLists {
     JointScratch& joints;
     ThreadPool* threads;
 
-    /// Calls `visit(type, awake joint, its note)`.
+    /// Calls `visit(type, awake joint, its code)`.
     void for_each(auto&& visit) {
-        uint8_t* note = joints.joint_notes.data();
+        uint8_t* code = joints.joint_codes.data();
         for (size_t type = 0; type < joint_type_count; ++type)
-            for (const uint32_t joint : active.awake_joints[type]) visit(type, joint, *note++);
+            for (const uint32_t joint : active.awake_joints[type]) visit(type, joint, *code++);
     }
     std::pair<uint32_t, uint32_t> indices_of(uint32_t joint) const {
         const auto [a, b] = objects.joints[joint].bodies;
         return {bodies.solver_ends[a].index(), bodies.solver_ends[b].index()};
     }
 
-    uint8_t note_of(uint32_t slot) {
+    uint8_t code_of(uint32_t slot) {
         const JointRecord& joint = objects.joints[slot];
         const JointRole role = role_of(objects, joint);
         if (role == JointRole::idle) clear_impulses(objects, slot);
         if (role != JointRole::acting) return 0;  // it keeps its impulses until a body wakes
-        // Unlike a contact, a joint also writes to a body that moves on its own. The nodes of all
-        // joints of such a body are on one path from the root, so no two of them are solved at the
-        // same time.
+        // Unlike a contact, a joint also writes to a kinematic body. The nodes of all joints of
+        // such a body are on one path from the root, so no two of them are solved at the same time.
         const SolverEnd a = bodies.solver_ends[joint.bodies[0]],
                         b = bodies.solver_ends[joint.bodies[1]];
         const StripNode node =
@@ -121,22 +120,22 @@ struct JointLists {
                        (joint.is_measured() ? can_break : 0));
     }
     /// Returns true if a joint bears a heavy load.
-    bool make_notes() {
+    bool make_codes() {
         size_t count = 0;
         for (const auto& awake : active.awake_joints) count += awake.size();
-        joints.joint_notes.resize(count);
+        joints.joint_codes.resize(count);
         std::atomic<bool> heavy = false;
-        uint8_t* notes = joints.joint_notes.data();
+        uint8_t* codes = joints.joint_codes.data();
         for (const auto& awake : active.awake_joints) {
-            share_out_range(threads, awake.size(), joints_at_a_time, [&](size_t begin, size_t end) {
+            parallel_for(threads, awake.size(), joints_at_a_time, [&](size_t begin, size_t end) {
                 uint8_t all = 0;
                 for (size_t i = begin; i < end; ++i) {
-                    notes[i] = note_of(awake[i]);
-                    if ((notes[i] & load_bits) != is_tuned) all |= notes[i];
+                    codes[i] = code_of(awake[i]);
+                    if ((codes[i] & load_bits) != is_tuned) all |= codes[i];
                 }
                 if ((all & load_bits) != 0) heavy.store(true, std::memory_order_relaxed);
             });
-            notes += awake.size();
+            codes += awake.size();
         }
         return heavy;
     }
@@ -146,36 +145,36 @@ struct JointLists {
     void spread_loads() {
         UnionFind components;
         components.reset(bodies.solver_bodies.size());
-        for_each([&](size_t, uint32_t joint, uint8_t note) {
+        for_each([&](size_t, uint32_t joint, uint8_t code) {
             const auto [a, b] = indices_of(joint);
-            if (note != 0 && moves(bodies.solver_bodies[a]) && moves(bodies.solver_bodies[b]))
+            if (code != 0 && moves(bodies.solver_bodies[a]) && moves(bodies.solver_bodies[b]))
                 components.unite(a, b);
         });
         std::vector<Loaded> all(bodies.solver_bodies.size());
-        for_each([&](size_t, uint32_t joint, uint8_t note) {
+        for_each([&](size_t, uint32_t joint, uint8_t code) {
             const auto [a, b] = indices_of(joint);
-            if (note == 0 || (note & load_bits) == is_tuned) return;
+            if (code == 0 || (code & load_bits) == is_tuned) return;
             Loaded& loaded = all[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
-            loaded.load = std::max(loaded.load, uint8_t((note & load_bits) / one_load));
+            loaded.load = std::max(loaded.load, uint8_t((code & load_bits) / one_load));
             loaded.add(bodies.solver_bodies[a]);
             loaded.add(bodies.solver_bodies[b]);
         });
-        for_each([&](size_t, uint32_t joint, uint8_t& note) {
+        for_each([&](size_t, uint32_t joint, uint8_t& code) {
             const auto [a, b] = indices_of(joint);
-            if (note == 0 || (note & load_bits) == is_tuned) return;
+            if (code == 0 || (code & load_bits) == is_tuned) return;
             const Loaded& loaded = all[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
-            note = uint8_t((note & ~load_bits) | loaded.greatest_load() * one_load);
+            code = uint8_t((code & ~load_bits) | loaded.greatest_load() * one_load);
         });
     }
 
     /// Lists the joints that act, in the order of their nodes.
     void fill() {
         for (JointArray& array : joints.joint_arrays) array.nodes.clear();
-        const auto array_of = [&](size_t type, uint8_t note) {
-            return type + size_t((note & load_bits) / one_load) * joint_type_count;
+        const auto array_of = [&](size_t type, uint8_t code) {
+            return type + size_t((code & load_bits) / one_load) * joint_type_count;
         };
-        for_each([&](size_t type, uint32_t, uint8_t note) {
-            if (note != 0) joints.joint_arrays[array_of(type, note)].nodes.count(note & node_bits);
+        for_each([&](size_t type, uint32_t, uint8_t code) {
+            if (code != 0) joints.joint_arrays[array_of(type, code)].nodes.count(code & node_bits);
         });
         std::array<NodeRanges::Places, (JointScratch::loads + 1) * joint_type_count> next;
         for (size_t i = 0; i < next.size(); ++i) {
@@ -186,12 +185,12 @@ struct JointLists {
             array.drives.resize(array.nodes.size());
         }
         joints.strains.clear();
-        for_each([&](size_t type, uint32_t joint, uint8_t note) {
-            if (note == 0) return;
-            const size_t array = array_of(type, note);
-            const uint32_t place = next[array][note & node_bits]++;
+        for_each([&](size_t type, uint32_t joint, uint8_t code) {
+            if (code == 0) return;
+            const size_t array = array_of(type, code);
+            const uint32_t place = next[array][code & node_bits]++;
             joints.joint_arrays[array].joints[place] = joint;
-            if ((note & can_break) != 0)
+            if ((code & can_break) != 0)
                 joints.strains.push_back({joint, uint32_t(array), place, {}, 0.0f});
         });
     }
@@ -221,19 +220,18 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     step.h = h;
     step.inverse_h = 1.0f / h;
     step.impulse_ratio = impulse_ratio;
-    follow_load(0, step);
+    use_load_settings(0, step);
     JointLists lists = {objects, active, bodies, joints, threads};
-    if (lists.make_notes()) lists.spread_loads();
+    if (lists.make_codes()) lists.spread_loads();
     lists.fill();
     soften_tuned(objects, joints, h);
     for (size_t i = 0; i < joints.joint_arrays.size(); ++i) {
         JointArray& array = joints.joint_arrays[i];
         const JointKind& kind = joint_kind(JointScratch::type_of(i));
         array.constraints.resize(array.joints.size() * kind.constraint_size);
-        share_out_range(threads, array.joints.size(), joints_at_a_time,
-                        [&](size_t begin, size_t end) {
-                            kind.prepare(source, array, step, {begin, end});
-                        });
+        parallel_for(threads, array.joints.size(), joints_at_a_time, [&](size_t begin, size_t end) {
+            kind.prepare(source, array, step, {begin, end});
+        });
     }
     return step;
 }
@@ -280,7 +278,7 @@ void sweep_joints(JointPass pass, size_t load, JointScratch& joints, std::span<S
     if (load == 0) return sweep(pass, load, joints, bodies, step, nodes);
     if (load == JointScratch::tuned) return sweep_tuned(pass, joints, bodies, step, nodes);
     JointStep of_load = step;
-    follow_load(load, of_load);
+    use_load_settings(load, of_load);
     sweep(pass, load, joints, bodies, of_load, nodes);
 }
 
@@ -307,7 +305,7 @@ void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips
     joints.joint_share.unite();
 }
 
-void strain_joints(JointScratch& joints) {
+void add_strains(JointScratch& joints) {
     for (Strain& strain : joints.strains) {
         const JointLoad load = joint_kind(JointScratch::type_of(strain.array))
                                    .load(joints.joint_arrays[strain.array], strain.index);
@@ -320,11 +318,10 @@ void store_joints(ObjectState& objects, const BodyScratch& bodies, JointScratch&
                   const JointStep& step, ThreadPool* threads) {
     for (size_t i = 0; i < joints.joint_arrays.size(); ++i) {
         JointArray& array = joints.joint_arrays[i];
-        share_out_range(threads, array.joints.size(), joints_at_a_time,
-                        [&](size_t begin, size_t end) {
-                            joint_kind(JointScratch::type_of(i))
-                                .store(array, bodies.solver_bodies, objects, step, {begin, end});
-                        });
+        parallel_for(threads, array.joints.size(), joints_at_a_time, [&](size_t begin, size_t end) {
+            joint_kind(JointScratch::type_of(i))
+                .store(array, bodies.solver_bodies, objects, step, {begin, end});
+        });
     }
 }
 

@@ -53,9 +53,8 @@ struct JointSource {
         Position center;
         Vec2 lever;
     };
-    /// A body turns about its center of mass. About which point a body turns that does not move is
-    /// all the same: the anchor itself is precise also if it is tied to the world far from the
-    /// origin.
+    /// A body turns about its center of mass. For a body that does not move, any point will do: the
+    /// anchor itself is precise also if it is fixed to the world far from the origin.
     End end_of(uint32_t body, const Position& anchor) const {
         const BodyRecord& record = objects.bodies[body];
         if (double_positions && body == 0) return {anchor, {}};
@@ -75,7 +74,7 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
 /// Passes the bodies with joints to `JointShare`.
 void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips& strips);
 
-/// How often a pass solves the joints that bear a load.
+/// Number of sweeps of a pass over the joints that bear this load.
 int sweeps_of(size_t load, JointPass pass);
 /// Solves the joints of some nodes that bear a load, or those with a stiffness of their own, once.
 void sweep_joints(JointPass pass, size_t load, JointScratch& joints, std::span<SolverBody> bodies,
@@ -85,7 +84,7 @@ void pass_joints(JointPass pass, JointScratch& joints, std::span<SolverBody> bod
                  const JointStep& step, const StripNodes& nodes);
 
 /// Called after each sub-step: adds up the loads of the joints that can break.
-void strain_joints(JointScratch& joints);
+void add_strains(JointScratch& joints);
 void store_joints(ObjectState& objects, const BodyScratch& bodies, JointScratch& joints,
                   const JointStep& step, ThreadPool* threads);
 

@@ -11,7 +11,7 @@ namespace fettle::physics::detail {
 namespace {
 
 /// on·M⁻¹·with for one body.
-double weigh(const MassScale& s, const double (&on)[3], const double (&with)[3]) {
+double weighted_dot(const MassScale& s, const double (&on)[3], const double (&with)[3]) {
     return s.x * s.x * on[0] * with[0] + s.y * s.y * on[1] * with[1] +
            s.turn * s.turn * on[2] * with[2];
 }
@@ -22,7 +22,7 @@ bool moves(const MassScale& s) {
 
 }  // namespace
 
-double JointResponse::Answer::less(const Answer& other) const {
+double JointResponse::Reaction::reduction(const Reaction& other) const {
     double sum = 0.0;
     for (size_t i = 0; i < parts.size(); ++i)
         sum += parts[i].velocities.dot(other.parts[i].impulses);
@@ -104,10 +104,10 @@ void JointResponse::read(uint32_t first_joint, Component& component) {
 
 double JointResponse::between(const Jacobian& one, const Jacobian& other) const {
     double sum = 0.0;
-    if (one.a == other.a) sum += weigh(scales_[one.a], one.on_a, other.on_a);
-    if (one.a == other.b) sum += weigh(scales_[one.a], one.on_a, other.on_b);
-    if (one.b == other.a) sum += weigh(scales_[one.b], one.on_b, other.on_a);
-    if (one.b == other.b) sum += weigh(scales_[one.b], one.on_b, other.on_b);
+    if (one.a == other.a) sum += weighted_dot(scales_[one.a], one.on_a, other.on_a);
+    if (one.a == other.b) sum += weighted_dot(scales_[one.a], one.on_a, other.on_b);
+    if (one.b == other.a) sum += weighted_dot(scales_[one.b], one.on_b, other.on_a);
+    if (one.b == other.b) sum += weighted_dot(scales_[one.b], one.on_b, other.on_b);
     return sum;
 }
 
@@ -126,7 +126,7 @@ void JointResponse::factorize(Component& component) const {
     }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    // Rows that say the same thing twice would make the matrix singular.
+    // Redundant rows would make the matrix singular.
     constexpr double yielding = 1e-9;
     std::vector<Eigen::Triplet<double>> entries;
     for (const auto& [i, k] : pairs) {
@@ -139,14 +139,14 @@ void JointResponse::factorize(Component& component) const {
     component.factor = std::make_unique<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>(matrix);
 }
 
-JointResponse::Answer JointResponse::answer(const Jacobian& contact) {
-    Answer answer;
-    answer.contact = contact;
+JointResponse::Reaction JointResponse::reaction_to(const Jacobian& contact) {
+    Reaction reaction;
+    reaction.contact = contact;
     const uint32_t of_a = component_of(contact.a), of_b = component_of(contact.b);
     for (const uint32_t which : {of_a, of_b}) {
-        if (which == none || (!answer.parts.empty() && which == of_a)) continue;
+        if (which == none || (!reaction.parts.empty() && which == of_a)) continue;
         const Component& component = components_[which];
-        Answer::Part& part = answer.parts.emplace_back();
+        Reaction::Part& part = reaction.parts.emplace_back();
         part.component = which;
         part.velocities.resize(Eigen::Index(component.rows.size()));
         for (size_t i = 0; i < component.rows.size(); ++i)
@@ -155,17 +155,18 @@ JointResponse::Answer JointResponse::answer(const Jacobian& contact) {
         if (component.factor->info() != Eigen::Success || !part.impulses.allFinite())
             part.impulses.setZero(part.velocities.size());
     }
-    return answer;
+    return reaction;
 }
 
-double JointResponse::forbidden(const Answer& answer, std::span<const SolverBody> bodies) const {
+double JointResponse::forbidden(const Reaction& reaction,
+                                std::span<const SolverBody> bodies) const {
     const auto speed = [&](uint32_t body, const double(&on)[3]) {
         const SolverBody& b = bodies[body];
         return on[0] * double(b.velocity.x) + on[1] * double(b.velocity.y) +
                on[2] * double(b.angular_velocity);
     };
     double sum = 0.0;
-    for (const Answer::Part& part : answer.parts) {
+    for (const Reaction::Part& part : reaction.parts) {
         const std::vector<DirectRow>& rows = components_[part.component].rows;
         for (size_t i = 0; i < rows.size(); ++i) {
             const Jacobian& row = rows[i].jacobian;
@@ -215,7 +216,7 @@ void JointResponse::add_to_sums(const Component& component, const Member& member
     }
 }
 
-/// The load of a joint is linear in its impulses, so it shows what those of the answers add.
+/// The load of a joint is linear in its impulses, so it shows what those of the reactions add.
 void JointResponse::add_to_strain(const Component& component, Strain& strain) const {
     const auto member = std::lower_bound(component.members.begin(), component.members.end(), strain,
                                          [](const Member& one, const Strain& other) {

@@ -18,8 +18,8 @@ namespace fettle::physics::detail {
 
 class JointResponse {
   public:
-    /// An impulse of 1 at a contact, and the impulses with which the joints answer.
-    struct Answer {
+    /// An impulse of 1 at a contact, and the impulses with which the joints react.
+    struct Reaction {
         Jacobian contact;
         struct Part {
             uint32_t component = 0;
@@ -28,9 +28,9 @@ class JointResponse {
         };
         std::vector<Part> parts;  ///< of the components of the two bodies
 
-        /// The velocity at this contact which joints take away from an impulse at another one
-        /// between the same bodies.
-        double less(const Answer& other) const;
+        /// By how much the joints reduce the velocity at this contact that an impulse at another
+        /// one between the same bodies causes.
+        double reduction(const Reaction& other) const;
     };
 
     /// Finds what the acting joints connect. `h`: length of a sub-step.
@@ -38,20 +38,21 @@ class JointResponse {
     bool acts_on(uint32_t a, uint32_t b) const {
         return first_joints_[a] != none || first_joints_[b] != none;
     }
-    Answer answer(const Jacobian& contact);
+    Reaction reaction_to(const Jacobian& contact);
     /// The part of the velocity at a contact that its joints do not allow and will take away: that
     /// of a joint made between bodies which move apart, for example. No impact has to stop it.
-    double forbidden(const Answer& answer, std::span<const SolverBody> bodies) const;
+    double forbidden(const Reaction& reaction, std::span<const SolverBody> bodies) const;
     /// Applies the impulses of the joints; calls `changed(body)` for every body that they move.
-    void apply(const Answer& answer, double impulse, std::span<SolverBody> bodies, auto&& changed) {
-        for (const Answer::Part& part : answer.parts) {
+    void apply(const Reaction& reaction, double impulse, std::span<SolverBody> bodies,
+               auto&& changed) {
+        for (const Reaction::Part& part : reaction.parts) {
             Component& component = components_[part.component];
             for (size_t i = 0; i < component.rows.size(); ++i)
                 push(component.rows[i], -impulse * part.impulses[Eigen::Index(i)], bodies);
             for (const uint32_t body : component.bodies) changed(body);
         }
     }
-    /// Adds the impulses of all answers to the sums of velocities and to the strains of joints.
+    /// Adds the impulses of all reactions to the sums of velocities and to the strains of joints.
     void report() const;
 
   private:
@@ -64,7 +65,7 @@ class JointResponse {
     /// Bodies that joints connect. It is made when an impact hits it.
     struct Component {
         std::vector<uint32_t> bodies;
-        std::vector<DirectRow> rows;  ///< joint by joint; `impulse`: of all answers
+        std::vector<DirectRow> rows;  ///< joint by joint; `impulse`: of all reactions
         std::vector<Member> members;
         std::unique_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> factor;
     };

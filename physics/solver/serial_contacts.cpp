@@ -11,9 +11,9 @@ namespace {
 /// Number of contacts in a task of a thread.
 constexpr size_t contacts_at_a_time = 64;
 
-/// Notes about a prepared contact and a stored one.
-enum PreparedNote : uint8_t { needs_extra = 1, passes = 2, rolls = 4 };
-enum StoredNote : uint8_t { touches = 1, is_news = 2, may_hit = 4 };
+/// Flags of a prepared contact and of a stored one.
+enum PreparedFlag : uint8_t { needs_extra = 1, passes = 2, rolls = 4 };
+enum StoredFlag : uint8_t { touches = 1, is_changed = 2, may_hit = 4 };
 
 /// d·(M_a⁻¹ + M_b⁻¹)·d; along a locked axis a body is infinitely heavy.
 float inverse_along(const ContactConstraint& c, Vec2 d, const SolverBody& a, const SolverBody& b) {
@@ -90,15 +90,15 @@ Vec2 inverse_masses(const BodyRecord& record, const SolverBody& body) {
 }
 
 /// Assigns an index in `extras` to each contact that needs one.
-void give_extras(SingleContacts& contacts) {
+void assign_extras(SingleContacts& contacts) {
     contacts.extras.clear();
     uint32_t rolling = 0;
-    for (size_t i = 0; i < contacts.notes.size(); ++i) {
-        const uint8_t note = contacts.notes[i];
+    for (size_t i = 0; i < contacts.flags.size(); ++i) {
+        const uint8_t flag_bits = contacts.flags[i];
         contacts.constraints[i].extra = 0;
-        if (note == 0) continue;
+        if (flag_bits == 0) continue;
         ContactExtra& extra = contacts.extras.emplace_back();
-        if ((note & rolls) != 0) extra.rolling = ++rolling;
+        if ((flag_bits & rolls) != 0) extra.rolling = ++rolling;
         contacts.constraints[i].extra = uint32_t(contacts.extras.size());
     }
     contacts.rolling_contacts.resize(rolling);
@@ -112,16 +112,16 @@ void prepare_extra_of(size_t single, const ObjectState& objects, const Columns& 
     ContactExtra& extra = contacts.extras[c.extra - 1];
     prepare_extra(record, c, bodies[c.a], bodies[c.b], ratio, extra);
     extra.in_impact = in_impact;
-    if ((contacts.notes[single] & passes) != 0) extra.corner = corner_of(objects, record);
+    if ((contacts.flags[single] & passes) != 0) extra.corner = corner_of(objects, record);
     if (extra.rolling == 0) return;
-    const auto bend = [&](uint32_t shape, Vec2 normal) {
-        return bend_of(solid_of(objects, columns, shape), normal);
+    const auto radius = [&](uint32_t shape, Vec2 normal) {
+        return radius_of_curvature(solid_of(objects, columns, shape), normal);
     };
-    contacts.rolling_contacts[extra.rolling - 1] = {c, bend(record.shape_a, c.normal),
-                                                    bend(record.shape_b, -c.normal)};
+    contacts.rolling_contacts[extra.rolling - 1] = {c, radius(record.shape_a, c.normal),
+                                                    radius(record.shape_b, -c.normal)};
 }
 
-/// Stores the impulses of a constraint in its contact; returns the note of the contact.
+/// Stores the impulses of a constraint in its contact; returns its flags, `StoredFlag`.
 uint8_t store_constraint(const ContactConstraint& c, std::span<const ContactExtra> extras,
                          ContactRecord& record) {
     // A bounce takes less than one step, and the shapes are apart before and after it. An impulse
@@ -144,7 +144,7 @@ uint8_t store_constraint(const ContactConstraint& c, std::span<const ContactExtr
     // A touch ends only at twice the distance, so that it does not begin and end repeatedly at the
     // limit.
     const bool touching = pushed || nearest <= (record.touching ? 2.0f : 1.0f) * touch_distance;
-    return uint8_t((touching ? touches : 0) | (touching != record.touching ? is_news : 0) |
+    return uint8_t((touching ? touches : 0) | (touching != record.touching ? is_changed : 0) |
                    (record.hit_events ? may_hit : 0));
 }
 
@@ -153,8 +153,8 @@ void prepare(const ObjectState& objects, const Columns& columns, const BodyScrat
              const ContactStiffness& stiffness, float dt, float ratio, ThreadPool* threads) {
     const size_t count = contacts.acting.size();
     contacts.constraints.resize(count);
-    contacts.notes.resize(count);
-    share_out_range(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
+    contacts.flags.resize(count);
+    parallel_for(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const uint32_t slot = acting[contacts.acting[i]].slot;
             const ContactRecord& record = objects.contacts[slot];
@@ -176,13 +176,13 @@ void prepare(const ObjectState& objects, const Columns& columns, const BodyScrat
                                   max(a.inverse_mass, b.inverse_mass),
                                   min(gyration_of(a), gyration_of(b)));
             const bool corner = !record.curved && passes_corner(objects, bodies, record, dt);
-            contacts.notes[i] = uint8_t(
+            contacts.flags[i] = uint8_t(
                 (record.special || acting[contacts.acting[i]].takes_impacts() ? needs_extra : 0) |
                 (corner ? needs_extra | passes : 0) | (record.curved ? needs_extra | rolls : 0));
         }
     });
-    give_extras(contacts);
-    share_out_range(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
+    assign_extras(contacts);
+    parallel_for(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
             if (contacts.constraints[i].extra != 0)
                 prepare_extra_of(i, objects, columns, bodies.solver_bodies,
@@ -193,17 +193,18 @@ void prepare(const ObjectState& objects, const Columns& columns, const BodyScrat
 void store_serial(SingleContacts& contacts, const Touching& touching, float hit_threshold,
                   ThreadPool* threads) {
     const std::vector<ContactConstraint>& constraints = contacts.constraints;
-    std::vector<uint8_t>& notes = contacts.notes;
+    std::vector<uint8_t>& flags = contacts.flags;
     ObjectState& objects = touching.objects;
-    share_out_range(threads, constraints.size(), contacts_at_a_time, [&](size_t begin, size_t end) {
+    parallel_for(threads, constraints.size(), contacts_at_a_time, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
-            notes[i] = store_constraint(constraints[i], contacts.extras,
+            flags[i] = store_constraint(constraints[i], contacts.extras,
                                         objects.contacts[constraints[i].contact]);
     });
     for (size_t i = 0; i < constraints.size(); ++i) {
         const ContactConstraint& c = constraints[i];
-        if ((notes[i] & is_news) != 0) set_touching(touching, c.contact, (notes[i] & touches) != 0);
-        if ((notes[i] & may_hit) == 0) continue;
+        if ((flags[i] & is_changed) != 0)
+            set_touching(touching, c.contact, (flags[i] & touches) != 0);
+        if ((flags[i] & may_hit) == 0) continue;
         const ContactExtra* const extra = c.extra != 0 ? &contacts.extras[c.extra - 1] : nullptr;
         const auto hit = hit_of(touching, hit_threshold, c.contact, extra);
         if (hit) touching.events.contact_hit.push_back(*hit);
@@ -211,16 +212,16 @@ void store_serial(SingleContacts& contacts, const Touching& touching, float hit_
 }
 
 /// Contacts that passed an impact on have touched, even if they are apart after the step.
-void note_passed_impacts(ContactScratch& scratch) {
+void mark_passed_impacts(ContactScratch& scratch) {
     for (const ContactConstraint& constraint : scratch.passing.constraints) {
         const ContactExtra& extra = scratch.passing.extras[constraint.extra - 1];
         if (!(extra.greatest[0] + extra.greatest[1] > 0.0f)) continue;
         const size_t index = size_t(&constraint - scratch.passing.constraints.data());
         const ActingContact& c = scratch.acting[scratch.passing.acting[index]];
         const auto lane = uint16_t(1u << c.place % lanes);
-        GroupNews& news = scratch.news[c.place / lanes];
-        news.touches |= lane;
-        news.reported |= lane;
+        GroupResult& result = scratch.group_results[c.place / lanes];
+        result.touches |= lane;
+        result.reported |= lane;
     }
 }
 
@@ -228,11 +229,11 @@ void note_passed_impacts(ContactScratch& scratch) {
 /// of the colors.
 void report_wide(ContactScratch& scratch, const Touching& touching, float hit_threshold,
                  ThreadPool* threads) {
-    const std::vector<GroupNews>& news = scratch.news;
+    const std::vector<GroupResult>& results = scratch.group_results;
     std::vector<uint64_t>& reported = scratch.reported;
     reported.assign((scratch.acting.size() + 63) / 64, 0);
-    for (size_t group = 0; group < news.size(); ++group) {
-        for (uint32_t left = news[group].reported; left != 0; left &= left - 1) {
+    for (size_t group = 0; group < results.size(); ++group) {
+        for (uint32_t left = results[group].reported; left != 0; left &= left - 1) {
             const uint32_t i =
                 scratch.lane_contacts[group * lanes + size_t(std::countr_zero(left))];
             reported[i / 64] |= uint64_t{1} << i % 64;
@@ -242,7 +243,7 @@ void report_wide(ContactScratch& scratch, const Touching& touching, float hit_th
     for (size_t word = 0; word < reported.size(); ++word) {
         for (uint64_t left = reported[word]; left != 0; left &= left - 1) {
             const ActingContact& c = scratch.acting[word * 64 + size_t(std::countr_zero(left))];
-            const bool touches = (news[c.place / lanes].touches >> c.place % lanes & 1) != 0;
+            const bool touches = (results[c.place / lanes].touches >> c.place % lanes & 1) != 0;
             if (touches != c.touching()) set_touching(touching, c.slot, touches);
             any_hits |= c.hit_events();
         }
@@ -261,7 +262,7 @@ void prepare_serial(const ObjectState& objects, const Columns& columns, const Bo
 
 void store_contacts(ContactScratch& contacts, const Touching& touching, float hit_threshold,
                     ThreadPool* threads) {
-    note_passed_impacts(contacts);
+    mark_passed_impacts(contacts);
     report_wide(contacts, touching, hit_threshold, threads);
     store_serial(contacts.serial, touching, hit_threshold, threads);
 }

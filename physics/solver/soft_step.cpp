@@ -26,12 +26,12 @@ class IdleBlocks {
   public:
     explicit IdleBlocks(std::vector<WideBlock>& blocks)
         : blocks_(blocks), idle_(~uint64_t{0} >> (64 - blocks.size())) {}
-    WideBlock& take() {
+    WideBlock& acquire() {
         for (uint64_t idle = idle_.load(std::memory_order_relaxed);;)
             if (idle_.compare_exchange_weak(idle, idle & (idle - 1), std::memory_order_acquire))
                 return blocks_[size_t(std::countr_zero(idle))];
     }
-    void give_back(const WideBlock& block) {
+    void release(const WideBlock& block) {
         idle_.fetch_or(uint64_t{1} << (&block - blocks_.data()), std::memory_order_release);
     }
 
@@ -41,7 +41,7 @@ class IdleBlocks {
 };
 
 /// The soft step over all blocks: their common data, and the loops over their sections.
-struct alignas(line_size) SoftStep {
+struct alignas(cache_line_size) SoftStep {
     const SolverInput& input;
     const WideKernels& kernels;
     PrepareStep prepare;
@@ -53,7 +53,7 @@ struct alignas(line_size) SoftStep {
 
     using WidePass = void (*)(const WideStep&);
 
-    ThreadPool* helpers_of(const SolverBlock& block) const {
+    ThreadPool* threads_of(const SolverBlock& block) const {
         return block.cut ? input.threads : nullptr;
     }
 
@@ -61,21 +61,23 @@ struct alignas(line_size) SoftStep {
     /// block.
     auto section_loop(const SolverBlock& block, auto work) {
         const Sections& plan = schedule.sections_of(block);
-        return SectionLoop(plan, helpers_of(block),
+        return SectionLoop(plan, threads_of(block),
                            [this, &plan, work, before = block.first_section](uint32_t section) {
                                const StripNodes nodes = plan.nodes_of(section);
                                const bool strip = nodes.begin >= input.strips.first_leaf();
                                const bool root = nodes.begin == 1;
-                               if (strip) schedule.hubs.hand_out(nodes, bodies.solver_bodies);
-                               if (root && !strip) schedule.hubs.take_back(bodies.solver_bodies);
+                               if (strip) schedule.hubs.write_copies(nodes, bodies.solver_bodies);
+                               if (root && !strip)
+                                   schedule.hubs.average_copies(bodies.solver_bodies);
                                work(before + section, nodes);
-                               if (root && strip) schedule.hubs.take_back(bodies.solver_bodies);
+                               if (root && strip)
+                                   schedule.hubs.average_copies(bodies.solver_bodies);
                            });
     }
 
     /// Called before a group is prepared: sets the contacts in its lanes.
     void fill_group(size_t group, WideContact& wide, ContactLanes& from) {
-        from.touching = from.tells_always = 0;
+        from.touching = from.reports_always = 0;
         for (uint32_t lane = 0; lane < uint32_t(lanes); ++lane) {
             const uint32_t i = contacts.lane_contacts[group * lanes + lane];
             if (i == none) {  // empty lane: body 0 against itself, without mass
@@ -91,17 +93,17 @@ struct alignas(line_size) SoftStep {
             wide.friction[lane] = input.objects.contacts[c.slot].friction;
             from.manifolds[lane] = &input.objects.contacts[c.slot].manifold;
             from.touching |= uint32_t{c.touching()} << lane;
-            from.tells_always |= uint32_t{c.hit_events()} << lane;
+            from.reports_always |= uint32_t{c.hit_events()} << lane;
         }
     }
 
-    /// Called after a group is stored: notes which touches begin or end, and which contacts report
-    /// hits.
-    void note_news(size_t group, const ContactLanes& of, uint32_t pushed) {
+    /// Called after a group is stored: computes which touches begin or end, and which contacts
+    /// report hits.
+    void store_results(size_t group, const ContactLanes& of, uint32_t pushed) {
         const uint32_t touches =
             (of.near & ~of.touching) | (of.within_twice & of.touching) | pushed;
-        contacts.news[group] = {uint16_t((touches ^ of.touching) | of.tells_always),
-                                uint16_t(touches)};
+        contacts.group_results[group] = {uint16_t((touches ^ of.touching) | of.reports_always),
+                                         uint16_t(touches)};
     }
 
     void pass(WidePass kernel, uint32_t section, WideBlock& wide) {
@@ -131,12 +133,12 @@ struct alignas(line_size) SoftStep {
         const std::span to(wide.lanes_of(begin), end - begin);
         kernels.store(wide.contacts_of(begin), to, touch_distance);
         for (size_t k = 0; k < to.size(); ++k)
-            note_news(begin + k, to[k], wide.pushed_of(begin)[k]);
+            store_results(begin + k, to[k], wide.pushed_of(begin)[k]);
     }
 
     auto begin_loop(const SolverBlock& block, bool again) {
         const std::span which = schedule.blocks.bodies_of(block);
-        return RangeLoop(helpers_of(block), which.size(), bodies_at_a_time,
+        return RangeLoop(threads_of(block), which.size(), bodies_at_a_time,
                          [this, which, again](size_t begin, size_t end) {
                              integrate_velocities(which.subspan(begin, end - begin),
                                                   bodies.solver_bodies, bodies.solver_forces,
@@ -146,7 +148,7 @@ struct alignas(line_size) SoftStep {
 
     auto move_loop(const SolverBlock& block) {
         const std::span which = schedule.blocks.bodies_of(block);
-        return RangeLoop(helpers_of(block), which.size(), bodies_at_a_time,
+        return RangeLoop(threads_of(block), which.size(), bodies_at_a_time,
                          [this, which, h = h](size_t begin, size_t end) {
                              integrate_positions(which.subspan(begin, end - begin),
                                                  bodies.solver_bodies, h);
@@ -197,7 +199,7 @@ struct alignas(line_size) SoftStep {
 };
 
 /// The passes over the first block, which also has joints and serial contacts.
-struct alignas(line_size) FirstBlock {
+struct alignas(cache_line_size) FirstBlock {
     SoftStep& step;
     const JointStep& joint_step;
     WideBlock& wide;
@@ -236,9 +238,10 @@ struct alignas(line_size) FirstBlock {
         step.pass(step.kernels.warm_start, section, wide);
     }
     /// A pass over the joints of some nodes. Contacts of bodies whose joints bear a heavy load are
-    /// solved in each of its sweeps. After all sweeps only, a contact of a light body would see the
-    /// speed of the heavy one that stands on it, and take away no more than the momentum of the
-    /// light one: it would be a spring without damping, and a table on light legs would never rest.
+    /// solved in each of its sweeps. If they were solved only after all sweeps, a contact of a
+    /// light body would meet it with the speed of the heavy body that stands on it, and remove no
+    /// more than the momentum of the light body: it would be a spring without damping, and a table
+    /// on light legs would never rest.
     void pass_joints_of(const StripNodes& nodes, JointPass joints,
                         void (ContactSolver::*contacts)(std::span<const uint32_t>)) const {
         const auto& loaded = step.contacts.loaded;
@@ -359,7 +362,7 @@ void solve_first_block(SoftStep& step, const JointStep& joint_step) {
         move_bodies.run();
         (substep + 1 < input.settings.substeps ? relax : relax_and_store).run();
         zero_locked(input);
-        strain_joints(input.joints);
+        add_strains(input.joints);
         add_substep(input, block, first.wide);
     }
     if (!contacts.serial.extras.empty()) {
@@ -389,11 +392,11 @@ void solve_softly(const SolverInput& input, const JointStep& joint_step,
         if (blocks[i].cut) step.solve_block(blocks[i], wide_blocks[0]);
     }
     IdleBlocks idle(wide_blocks);
-    share_out(input.threads, whole, [&](uint32_t i) {
+    parallel_for(input.threads, whole, [&](uint32_t i) {
         if (blocks[i + 1].cut) return;
-        WideBlock& wide = idle.take();
+        WideBlock& wide = idle.acquire();
         step.solve_block(blocks[i + 1], wide);
-        idle.give_back(wide);
+        idle.release(wide);
     });
 }
 

@@ -1,11 +1,10 @@
-// A body between a presser and something that does not yield, or between two pressers, cannot do
-// what both contacts demand. Each pass adds to the impulses of both, and the next sub-step begins
-// with them. While they balance they move nothing; when the body slips or a normal turns, what is
-// left is a hundred times the impulse of the presser, and the body shot out with up to 190 m/s. So
-// a squeezed body gets no faster than what it touches, and than the push speed: neither a rigid
-// wedge nor an impulse that was stored throws it. Its impulses act on what it touches too, so the
-// same holds for the bodies that it threw. Momentum is not kept there; the presser has none to
-// lose.
+// A body between a presser and something that does not yield, or between two pressers, cannot
+// satisfy both contacts. Each pass adds to the impulses of both, and the next sub-step begins with
+// them. While they balance they move nothing; when the body slips or a normal turns, what is left
+// is a hundred times the impulse of the presser, and the body shot out with up to 190 m/s. So a
+// squeezed body gets no faster than what it touches, and than the push speed: neither a rigid wedge
+// nor an impulse that was stored throws it. Its impulses act on what it touches too, so the same
+// holds for the bodies that it threw. Momentum is not kept there; the presser has none to lose.
 
 #include <solver/free_motion.h>
 #include <state/limits.h>
@@ -25,15 +24,15 @@ float deep_overlap(float thickness) {
 /// A contact with a body that yields counts from this part of the thickness on. No load of a stack
 /// presses bodies together that much.
 constexpr float least_yielding = 0.1f;
-/// In a step, a body may get faster by so much, as a part of the push speed, or of the square of
-/// its own speed: a motor drives it.
+/// By this much a body may get faster in a step without being limited, since a motor may drive it:
+/// the first as a part of the push speed, the second as a factor of the square of its own speed.
 constexpr float little_push = 0.1f, little_more = 1.02f;
 /// A body that does not move along is thrown only if it spins faster than this, rad/s.
 constexpr float slow_turn = 10.0f;
-/// A presser that moves slower than this, m/s, stands.
+/// A presser that is slower than this, m/s, counts as being at rest.
 constexpr float standing_speed = 0.001f;
 
-/// A contact with a body that does not yield, as the squeezed body sees it.
+/// A contact with a body that does not yield, relative to the squeezed body.
 struct Press {
     Vec2 normal;  ///< towards the body
     float depth = 0.0f, speed = 0.0f;
@@ -124,7 +123,7 @@ class Squeezes {
                 input_.bodies.solver_forces[index], float(input_.settings.substeps)};
     }
 
-    /// Of a body, so many contacts are compared with the others.
+    /// Maximum number of contacts of a body that are compared with its other contacts.
     static constexpr size_t most_presses = 8;
 
     bool yields(uint32_t body) const {
@@ -224,7 +223,7 @@ class Squeezes {
     const Columns& columns_;
     float dt_, inverse_dt2_;
     float least_unyielding_;  ///< depth, m; the direct solver throws a body out before it overlaps
-    // Bodies that a squeezed one may have thrown, in the solver.
+    // Bodies that a squeezed one may have thrown, as indices in the solver.
     std::vector<uint32_t> waiting_;
     std::vector<uint8_t> reached_;  ///< by solver body: 1 if it was or is in `waiting_`
 };

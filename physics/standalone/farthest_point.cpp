@@ -7,15 +7,16 @@ namespace fettle::physics::detail {
 
 namespace {
 
-/// Number of points of a piece of the lowest level, and the most corners of a hull that are all
-/// looked at: the boxes of the halves of a larger one may exclude most of them.
+/// Number of points of a piece of the lowest level, and the greatest number of corners of a hull
+/// that are examined one by one: of a larger hull, the boxes of its halves may exclude most
+/// corners.
 constexpr size_t few = 32;
 
 float distance_squared(Vec2 point, const FarthestPoint::Segment& from) {
     const Vec2 p = point - from.from;
-    const float whole = length_squared(from.way);
-    const float t = whole > 0.0f ? clamp(dot(p, from.way) / whole, 0.0f, 1.0f) : 0.0f;
-    return length_squared(p - t * from.way);
+    const float whole = length_squared(from.to_end);
+    const float t = whole > 0.0f ? clamp(dot(p, from.to_end) / whole, 0.0f, 1.0f) : 0.0f;
+    return length_squared(p - t * from.to_end);
 }
 
 /// The greatest distance in a box is that of a corner.

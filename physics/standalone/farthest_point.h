@@ -10,11 +10,11 @@ namespace fettle::physics::detail {
 
 /// Finds the point of a part of a line that is farthest from a segment. That point is a corner of
 /// the convex hull of the part, so hulls of pieces of the line are kept, with twice as many points
-/// from level to level: a search looks at a few corners and not at all points.
+/// from level to level: a search examines few corners instead of all points.
 class FarthestPoint {
   public:
     struct Segment {
-        Vec2 from, way;  ///< m; `way` leads to the other end
+        Vec2 from, to_end;  ///< m; the vector from one end to the other
     };
     struct Found {
         float squared = 0.0f;  ///< m², only points that are farther are found

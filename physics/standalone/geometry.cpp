@@ -90,15 +90,15 @@ bool contains(const Form& form, const Pose& pose, const Position& point) {
 std::optional<SurfaceHit> cast_ray(const Form& form, const Pose& pose, const Position& from,
                                    const Position& to) {
     const Position start = check_coordinates("from", from);
-    const Vec2 way = check_coordinates("to", to) - start;
+    const Vec2 motion = check_coordinates("to", to) - start;
     const PosedForm at = posed(form, "pose", pose);
     Probe first;
     for (const Solid& solid : at.solids()) {
-        const Probe probe = cast_segment(solid, start - at.center(), way);
+        const Probe probe = cast_segment(solid, start - at.center(), motion);
         if (probe.fraction < first.fraction) first = probe;
     }
     if (first.fraction > 1.0f) return {};
-    return SurfaceHit{start + first.fraction * way, first.normal, first.fraction};
+    return SurfaceHit{start + first.fraction * motion, first.normal, first.fraction};
 }
 
 Separation distance(const Form& a, const Pose& pose_a, const Form& b, const Pose& pose_b) {

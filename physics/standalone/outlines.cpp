@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-// Lines as chains.
+// Conversion of lines to chains.
 
 namespace fettle::physics {
 
@@ -16,8 +16,8 @@ using namespace detail;
 
 namespace {
 
-/// Marks the points of a line that remain between two points that do. The index of a closed line
-/// goes round.
+/// Marks the points that remain between two points of a line that remain. The index of a closed
+/// line goes round.
 class Corners {
   public:
     Corners(std::span<const Vec2> points, float straight)
@@ -40,7 +40,8 @@ class Corners {
     std::vector<bool> remains;
 
   private:
-    /// `begin` if all points between are near enough to the straight way from it to `end`.
+    /// The point that is farthest from the straight line between `begin` and `end`; `begin` if all
+    /// points are near enough to it.
     size_t farthest_between(size_t begin, size_t end) const {
         const size_t count = points_.size(), wrapped = std::max(begin + 1, count);
         const Vec2 from = points_[begin % count];
@@ -147,7 +148,7 @@ std::vector<Chain> join_lines(std::span<const std::vector<Vec2>> lines,
             if (points.empty() || length(point - points.back()) > options.reach)
                 points.push_back(point);
         }
-        // The end of a line is exact: it may be what joins it to another.
+        // The end of a line stays exact, because another line may begin there.
         if (points.size() > 1) points.back() = line.back();
         if (points.size() > 1) distinct.push_back(std::move(points));
     }

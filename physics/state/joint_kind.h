@@ -41,7 +41,7 @@ struct JointPlace {
 struct JointKind {
     const char* name;
     size_t constraint_size;
-    /// Gives a new joint the settings that it has when none is set.
+    /// Writes the default settings into a new joint.
     void (*begin)(JointRecord& joint);
     /// Throws std::invalid_argument for settings that a setter refuses.
     void (*check)(const JointRecord& joint);
@@ -66,7 +66,7 @@ struct JointKind {
     /// `solve` and `relax` are all written at once.
     void (*write_rows)(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows,
                        JointRange range);
-    /// Writes impulses back to the records, and notes which motors move their bodies.
+    /// Writes impulses back to the records, and stores which motors move their bodies.
     void (*store)(JointArray& array, std::span<const SolverBody> bodies, ObjectState& objects,
                   const JointStep& step, JointRange range);
 };

@@ -16,8 +16,8 @@ void place_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Ro
 void move_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rotation q,
                 float angle);
 
-/// The radius of a circle about the centroid of the shape that is inside of it, m. 0: a segment
-/// without rounding, or a piece of a chain.
+/// The radius of the largest circle about the centroid of the shape that is inside the shape, m. 0:
+/// a segment without rounding, or a piece of a chain.
 float inner_radius(const ObjectState& objects, uint32_t shape);
 
 /// The fat box of a moving shape is larger than its box by this, m.

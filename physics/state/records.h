@@ -24,10 +24,10 @@ inline constexpr uint32_t none = 0xffffffffu;
 struct Generations {
     uint32_t next = 1;
 
-    uint32_t take() {
-        const uint32_t given = next++;
+    uint32_t create() {
+        const uint32_t created = next++;
         if (next == 0) next = 1;
-        return given;
+        return created;
     }
 };
 
@@ -71,8 +71,8 @@ struct BodyFlags {
     bool bullet = false;
     bool never_awake = false;  ///< created asleep; gets its shapes without waking
     bool mass_dirty = false;   ///< the mass is computed anew when it is needed
-    bool placement_dirty =
-        false;              ///< moved by an edit: rotated vertices, boxes and proxies are old
+    /// Moved by an edit: rotated vertices, boxes and proxies are out of date.
+    bool placement_dirty = false;
     bool disabled = false;  ///< fixed, in no tree, and without contacts
 };
 
@@ -140,7 +140,7 @@ struct BodyTraits {
     std::array<char, 64> name = {};  ///< ends with 0
 
     uint32_t& next_free() { return next; }
-    bool are_usual() const {
+    bool are_default() const {
         return !is_given(sleep_speed) && name[0] == 0 &&
                max_speed == std::numeric_limits<float>::infinity();
     }
@@ -211,7 +211,7 @@ struct ShapeRecord {
     bool geometry_dirty = false;
     bool moved = false;     ///< in the list of shapes for which pairs are searched
     bool listed = false;    ///< in the list of shapes to refresh
-    bool crowded = false;   ///< it looks for its pairs by itself: see contacts/crowds.h
+    bool crowded = false;   ///< its pairs are searched separately: see contacts/crowds.h
     uint32_t capacity = 0;  ///< vertices reserved in the pool
 
     // A chain or a concave polygon collides as its parts, which are shapes that only the library
@@ -355,8 +355,8 @@ struct IgnoredPair {
     ShapeId shape_a, shape_b;
 };
 
-/// The number that the host has given to the contact of two shapes.
-struct ContactNote {
+/// The user data of the contact of two shapes: World::set_contact_data.
+struct ContactUserData {
     ShapeId shape_a, shape_b;  ///< in the order of a `ContactId`
     uint64_t user_data = 0;
     bool ended = false;  ///< the shapes separated in the last step

@@ -11,7 +11,7 @@
 #include <partition/joint_share.h>
 #include <partition/strips.h>
 #include <state/member_list.h>
-#include <state/step_notes.h>
+#include <state/stage_results.h>
 
 #include <array>
 #include <cstdint>
@@ -58,7 +58,7 @@ struct BodyScratch {
     std::vector<uint32_t> locked;   ///< bodies with a locked axis or a maximum speed
     std::vector<uint8_t> bounced;   ///< by body: the last pass that changed it
     bool axes_locked = false;       ///< some awake body is locked along x or y
-    bool driven = false;            ///< an awake body moves on its own
+    bool driven = false;            ///< some awake body is kinematic
 
     FETTLE_SCRATCH(BodyScratch, s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered,
                    s.locked, s.bounced, s.axes_locked, s.driven)
@@ -92,7 +92,7 @@ struct JointScratch {
     /// Behind them: the joints with a stiffness of their own.
     static constexpr size_t tuned = loads;
     std::array<JointArray, (loads + 1) * joint_type_count> joint_arrays;  ///< by load, then by type
-    std::vector<uint8_t> joint_notes;  ///< of the awake joints, type by type
+    std::vector<uint8_t> joint_codes;  ///< of the awake joints, type by type
     std::vector<Strain> strains;
 
     static JointType type_of(size_t array) { return JointType(array % joint_type_count); }
@@ -102,27 +102,27 @@ struct JointScratch {
         return count;
     }
 
-    FETTLE_SCRATCH(JointScratch, s.joint_share, s.joint_arrays, s.joint_notes, s.strains)
+    FETTLE_SCRATCH(JointScratch, s.joint_share, s.joint_arrays, s.joint_codes, s.strains)
 };
 
 /// Acting contacts that are computed one at a time.
 struct SingleContacts {
-    std::vector<uint32_t>
-        acting;  ///< indices in the list of acting contacts, in order of the nodes
+    /// Indices in the list of acting contacts, in the order of the nodes.
+    std::vector<uint32_t> acting;
     std::vector<ContactConstraint> constraints;  ///< of the same contacts
     std::vector<ContactExtra> extras;
     std::vector<RollingContact> rolling_contacts;
     NodeRanges nodes;
-    std::vector<uint8_t> notes;
+    std::vector<uint8_t> flags;  ///< of the same contacts: solver/serial_contacts.cpp
 
     FETTLE_SCRATCH(SingleContacts, s.acting, s.constraints, s.extras, s.rolling_contacts, s.nodes,
-                   s.notes)
+                   s.flags)
 };
 
 /// The serial contacts of bodies whose joints bear a heavy load.
 struct LoadedContacts {
-    std::vector<uint32_t>
-        serial;  ///< indices in the list of serial contacts, in order of the nodes
+    /// Indices in the list of serial contacts, in the order of the nodes.
+    std::vector<uint32_t> serial;
     NodeRanges nodes;
 
     std::span<const uint32_t> of(const StripNodes& range) const {
@@ -139,7 +139,7 @@ struct ContactScratch {
     size_t colored_count = 0;             ///< acting contacts in groups
     std::vector<uint32_t> lane_contacts;  ///< by lane: index of the acting contact
     std::vector<uint32_t> spare_lanes;
-    std::vector<GroupNews> news;     ///< of each group
+    std::vector<GroupResult> group_results;  ///< of each group
     std::vector<uint64_t> reported;  ///< one bit for each acting contact: true if it is reported
     std::vector<std::vector<ContactHitEvent>> hits;  ///< by piece
     SingleContacts serial;
@@ -147,7 +147,8 @@ struct ContactScratch {
     std::array<LoadedContacts, JointScratch::loads> loaded;  ///< by load; the first one is empty
 
     FETTLE_SCRATCH(ContactScratch, s.acting, s.acting_pieces, s.colored_count, s.lane_contacts,
-                   s.spare_lanes, s.news, s.reported, s.hits, s.serial, s.passing, s.loaded)
+                   s.spare_lanes, s.group_results, s.reported, s.hits, s.serial, s.passing,
+                   s.loaded)
 };
 
 /// Groups of constraints that are solved together, and their order.

@@ -25,10 +25,10 @@ struct Slots {
     uint32_t free = none;  ///< the first free slot
     uint32_t count = 0;    ///< number of slots in use
 
-    /// Takes a slot for a new object; its elements in all arrays have initial values. Without
-    /// memory for them it throws, and nothing has changed.
+    /// Allocates a slot for a new object; its elements in all arrays get initial values. Throws
+    /// std::bad_alloc if there is no memory for them; then nothing has changed.
     template <class Record, class... Other>
-    uint32_t take(std::vector<Record>& records, std::vector<Other>&... others) {
+    uint32_t allocate(std::vector<Record>& records, std::vector<Other>&... others) {
         const uint32_t slot = free;
         if (slot == none) {
             make_room_in_each(records, others...);
@@ -43,7 +43,7 @@ struct Slots {
         return slot;
     }
     template <class Record>
-    void give_back(std::vector<Record>& records, uint32_t slot) {
+    void release(std::vector<Record>& records, uint32_t slot) {
         records[slot] = Record();
         records[slot].next_free() = free;
         free = slot;
@@ -239,8 +239,8 @@ struct ActiveLists {
 struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
     WorldDef settings;
     std::vector<IgnoredPair> ignored_pairs;
-    std::vector<ContactNote> contact_notes;  ///< in the order of their pairs
-    Strips strips;                           ///< cuts of the last step
+    std::vector<ContactUserData> contact_user_data;  ///< in the order of their pairs
+    Strips strips;                                   ///< cuts of the last step
     float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio of the lengths
     float last_length = 0.0f;   ///< s; of the last step, with the usual number of its sub-steps
     int last_substeps = 0;      ///< number of the sub-steps of the last step
@@ -259,7 +259,7 @@ struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
             named("bodies", s.states, s.previous, s.body_generations),
             named("shapes", s.shape_generations), named("joints", s.joint_generations),
             named("", part<ObjectState>(s), part<BroadPhaseState>(s), part<ActiveLists>(s)),
-            named("contacts", s.ignored_pairs, s.contact_notes),
+            named("contacts", s.ignored_pairs, s.contact_user_data),
             named("events", s.events, s.pending));
     }
 };

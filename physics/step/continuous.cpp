@@ -32,14 +32,14 @@ void stop_at_fixed(const FinishInput& in, FastBody& fast, FinishedPiece& piece) 
         impact = time_of_impact_with_fixed(in, fast.body, motion, 0.0f);
     }
     motion.until = impact.time;
-    take_back_forces(in, fast.body, 1.0f - motion.until);
+    undo_forces(in, fast.body, 1.0f - motion.until);
     follow_motion(in, fast.body, motion, piece);
     motion.angle = -motion.until * motion.turn;
     fast.joined = in.objects.bodies[fast.body].lists.first_joint != none;
 }
 
-/// True if the body moves far compared with its thickness, seen from a body that moves on its own,
-/// and may reach it. `path`: a box around the body on its way.
+/// True if the body moves far compared with its thickness, seen from a kinematic body, and may
+/// reach it. `path`: a box around the body on its way.
 bool is_fast_beside(const FinishInput& in, const BodyRecord& body, const Motion& motion,
                     const Box4& path, const DrivenBody& driven) {
     if (!overlap(path, driven.box)) return false;

@@ -160,8 +160,8 @@ class FieldOnBody {
     Push& push_;
 };
 
-bool concerns(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
-              uint32_t body, const FieldDef& field) {
+bool acts_on_body(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
+                  uint32_t body, const FieldDef& field) {
     const bool liquid = std::holds_alternative<BuoyancyField>(field.force);
     if (!liquid && !inside(field.region, objects.bodies[body].center)) return false;
     bool any = objects.bodies[body].lists.first_shape == none;
@@ -193,7 +193,7 @@ void apply_fields(const ObjectState& objects, const Columns& columns, std::span<
         Push sum;
         for (const FieldRecord& field : objects.fields) {
             if (field.generation == 0 || !field.def.enabled ||
-                !concerns(objects, columns, boxes, body, field.def))
+                !acts_on_body(objects, columns, boxes, body, field.def))
                 continue;
             Push push;
             std::visit(FieldOnBody(objects, columns, gravity, body, field.def.mask, h, dt, push),

@@ -118,7 +118,7 @@ uint32_t finish_bodies(const FinishInput& in, float dt) {
     // A fast body looks up its pairs, because their contacts may not act.
     if (in.skips) end_pairs(in.list, in.pairs);
     if (in.settings.continuous) list_driven_bodies(in);
-    share_out(in.threads, uint32_t(1 + finished.size()), [&](uint32_t block) {
+    parallel_for(in.threads, uint32_t(1 + finished.size()), [&](uint32_t block) {
         if (block == 0) {
             end_pairs(in.list, in.pairs);
             return;

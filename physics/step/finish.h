@@ -49,9 +49,9 @@ inline Motion motion_to(const Position& center, Vec2 shift, float turn) {
     return {.from = center - shift, .velocity = shift, .angle = -turn, .turn = turn};
 }
 /// A body that moves less cannot move past the range of a speculative contact, nor with more than
-/// half of its thickness through a thin obstacle. What is thinner than this range would still get
-/// behind a surface in a few slow steps while something presses it: its contact pushes one end and
-/// then the other, and the middle moves on.
+/// half of its thickness through a thin obstacle. A body that is thinner than this range, and is
+/// pressed against a surface, would still get behind it in a few slow steps: its contact pushes one
+/// end and then the other, and the middle moves on.
 inline float near_motion(const BodyRecord& body) {
     if (body.thickness < speculative_margin) return max(0.05f * body.thickness, 0.0002f);
     return max(0.5f * body.thickness, speculative_margin);
@@ -64,7 +64,7 @@ void follow_placed(const FinishInput& input, const FinishedPiece& piece);
 
 // continuous.cpp
 
-/// Lists the bodies that move on their own. Must be called before bodies are finished.
+/// Lists the awake kinematic bodies. Must be called before bodies are finished.
 void list_driven_bodies(const FinishInput& input);
 /// Processes a body that moved far compared with its thickness. Any thread may stop it at fixed
 /// shapes. It waits if it may meet moving bodies or sensors, or if the user's filter must be

@@ -66,7 +66,7 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
     bodies.solver_bodies[0] = {};
     bodies.solver_ends.resize(records.size());
     bodies.gathered.resize((count + gathered_at_a_time - 1) / gathered_at_a_time);
-    share_out_range(threads, count, gathered_at_a_time, [&](size_t begin, size_t end) {
+    parallel_for(threads, count, gathered_at_a_time, [&](size_t begin, size_t end) {
         uint8_t found = 0;
         for (size_t i = begin; i < end; ++i) {
             if (i + bodies_ahead < end) records[awake[i + bodies_ahead]].prefetch();

@@ -24,7 +24,7 @@ constexpr float least_depth = 0.25f * speculative_margin;
 /// could put it behind.
 constexpr float centroid_gap = 0.0001f;
 
-/// An obstacle of a shape, or of a core of it.
+/// An obstacle; computes when a shape or its core reaches it.
 class Obstacle {
   public:
     Obstacle(const FinishInput& in, uint32_t obstacle, const Motion& motion, float now)
@@ -37,7 +37,7 @@ class Obstacle {
         obstacle_ = {solid_of(in.objects, in.columns, obstacle), motion, body.extent};
     }
 
-    float of(const Sweep& shape, float gap) const {
+    float time_of(const Sweep& shape, float gap) const {
         return is_border_ ? time_of_impact(shape, plane_.normal, plane_.depth, gap, now_)
                           : time_of_impact(shape, obstacle_, gap, now_);
     }
@@ -107,7 +107,7 @@ class Obstacle {
     Sweep obstacle_;
 };
 
-/// Whether the body of a shape moves on its own.
+/// True if the body of the shape is kinematic.
 bool is_driven(const FinishInput& in, uint32_t shape) {
     return in.objects.bodies[in.objects.forms[shape].body].mobility == Mobility::kinematic;
 }
@@ -133,10 +133,10 @@ Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, u
         if (depth >= inner) break;
         const Core core(shape, centroid, depth);
         const Sweep swept_core = {core.solid(), motion, body.extent};
-        const float entry = obstacle.of(swept_core, gap);
+        const float entry = obstacle.time_of(swept_core, gap);
         if (entry >= 1.0f) return {};
         if (!(entry > now)) continue;
-        const float arrival = obstacle.of({shape, motion, body.extent}, arrival_gap);
+        const float arrival = obstacle.time_of({shape, motion, body.extent}, arrival_gap);
         // If the shapes touch at the start, the contacts hold the shape, but it must not go beyond
         // the entry of the core.
         const bool is_carried = is_driven(in, s) || is_driven(in, other);
@@ -155,7 +155,7 @@ bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other) {
     if (in.objects.shapes[shape].surface.sensor || in.objects.shapes[other].surface.sensor ||
         !may_collide(in.objects, in.filter, shape, other))
         return false;
-    // If all contacts act nothing is read, because pairs may be ending at the same time
+    // If all contacts act, no contact is read, because pairs may be ending at the same time
     // (`finish_bodies`).
     if (!in.skips) return true;
     const uint32_t contact = in.boxes.pairs.find(shape, other);
@@ -183,7 +183,7 @@ Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Mot
         const auto meet = [&](uint32_t other) {
             if (!may_meet(in, s, other)) return;
             const Position center = in.objects.bodies[in.objects.forms[other].body].center;
-            const Impact impact = time_of_impact(in, s, motion, other, standing(center), now);
+            const Impact impact = time_of_impact(in, s, motion, other, at_rest(center), now);
             if (impact.time < first.time) first = impact;
         };
         in.boxes.fixed_tree.query(swept, meet);
@@ -193,7 +193,7 @@ Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Mot
     return first;
 }
 
-void take_back_forces(const FinishInput& in, uint32_t body, float share) {
+void undo_forces(const FinishInput& in, uint32_t body, float share) {
     const BodyRecord& record = in.objects.bodies[body];
     const SolverForce& force = in.bodies.solver_forces[record.solver_index];
     BodyState& state = in.columns.states[body];

@@ -17,8 +17,8 @@ struct Impact {
     /// going farther. Zero otherwise.
     Vec2 back;
     /// From the obstacle to the shape at that time, in world axes; zero if there is no impact, or
-    /// if the direction is not known. For a core it is computed only if one of the bodies moves on
-    /// its own.
+    /// if the direction is not known. For a core it is computed only if one of the bodies is
+    /// kinematic.
     Vec2 normal;
 };
 
@@ -40,20 +40,20 @@ bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other);
 void follow_motion(const FinishInput& in, uint32_t body, const Motion& motion,
                    FinishedPiece& piece);
 
-/// Takes back what forces changed in the velocity of a body in `share` of the step. A body that an
-/// impact stops does not live through the rest of the step: the forces of that time would add
-/// energy for a way that the body did not go.
-void take_back_forces(const FinishInput& in, uint32_t body, float share);
+/// Removes the change of velocity that forces made in `share` of the step. The motion of a body
+/// that an impact stops ends before the step does: the forces of the remaining time would add
+/// energy for a distance that the body did not move.
+void undo_forces(const FinishInput& in, uint32_t body, float share);
 
 // joined_bodies.cpp
 
-/// Puts bodies back whose joints hold them at a body that a fixed shape stopped.
+/// Puts bodies back that have joints with a body that a fixed shape stopped.
 void put_back_joined(const FinishInput& in);
 
 // moving_impacts.cpp
 
-/// Stops bullets where they meet other moving bodies, and lets bodies be carried along by what
-/// moves on its own.
+/// Stops bullets where they meet other moving bodies, and lets kinematic bodies carry other bodies
+/// along.
 void meet_moving_bodies(const FinishInput& in);
 
 // sensor_crossings.cpp

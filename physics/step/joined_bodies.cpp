@@ -5,26 +5,26 @@
 #include <algorithm>
 
 // Bodies with joints that continuous collision stops. If such a body were put back alone, its
-// partners would be farther by all of the way that is left of the step, and the joints would be
-// torn apart by it. So each partner is put back to the last moment at which the joint between them
-// is hardly wider than without the impact, and so on from partner to partner. Each may be a little
+// partners would still move through the rest of the step, and the joints would be torn apart by
+// that distance. So each partner is put back to the last moment at which the joint between them is
+// hardly wider than without the impact, and so on from partner to partner. Each may be a little
 // ahead of the one before, so an impact on the end of a long chain does not stop all of it. A body
-// is put back along its own way only, where nothing stopped it: so nothing is passed through.
+// is put back only along its own path, where nothing stopped it: so it passes through nothing.
 
 namespace fettle::physics::detail {
 namespace {
 
 /// By how much an impact may widen a joint: m, or as a part of the thickness of the thinner body,
-/// whichever is less; at high speeds, as a part of the partner's way in the step. There the solver
-/// leaves wider gaps anyway, and less of a chain has to wait.
+/// whichever is less; at high speeds, as a part of the distance that the partner moves in the step.
+/// There the solver leaves wider gaps anyway, and fewer bodies of a chain are put back.
 constexpr float usual_widening = 0.5f * speculative_margin;
 constexpr float widening_of_thickness = 0.5f;
-constexpr float widening_of_way = 0.05f;
+constexpr float widening_of_distance = 0.05f;
 
-/// The last moment is searched in equal parts of the way, and then by bisection.
-constexpr int parts_of_way = 8;
+/// The last moment is searched in equal parts of the time, and then by bisection.
+constexpr int parts_of_time = 8;
 constexpr int bisections = 5;
-/// A body is put back again only if it is by this part of the step.
+/// A body is put back only if its motion ends earlier by at least this part of the step.
 constexpr float least_time = 1.0f / 64.0f;
 
 class JoinedBodies {
@@ -52,7 +52,7 @@ class JoinedBodies {
             waiting_.pop_back();
             if (next.time <= fast_at(next.body).motion.until) put_back_partners(next.body);
         }
-        place_changed();
+        place_changed_bodies();
     }
 
   private:
@@ -72,7 +72,7 @@ class JoinedBodies {
     Motion whole_motion(uint32_t body) const {
         const uint32_t index = record(body).solver_index;
         if (record(body).mobility == Mobility::fixed || index == 0)
-            return standing(record(body).center);
+            return at_rest(record(body).center);
         const SolverBody& b = in_.bodies.solver_bodies[index];
         Motion motion = motion_to(record(body).center, shift_of(b), turn_of(b));
         if (place_of_[body] != none) {
@@ -110,13 +110,14 @@ class JoinedBodies {
             edge = joint.edges[side].next;
             if (!joint.moves() || joint_kind(joint.type).separation == nullptr) continue;
             if (record(partner).mobility != Mobility::dynamic) continue;
-            const float time = time_beside(joint, side);
+            const float time = last_close_time(joint, side);
             if (time < motion_of(partner).until - least_time) put_back(partner, time);
         }
     }
 
-    /// The last moment at which the body of the other side is beside that of `side`.
-    float time_beside(const JointRecord& joint, uint32_t side) const {
+    /// The last moment at which the joint is hardly wider than without the impact, if its body of
+    /// `side` is stopped.
+    float last_close_time(const JointRecord& joint, uint32_t side) const {
         const uint32_t body = joint.bodies[side], partner = joint.bodies[1 - side];
         const Motion stopped = motion_of(body), moving = motion_of(partner);
         const auto separation = [&](const End& of_body, const End& of_partner) {
@@ -135,7 +136,7 @@ class JoinedBodies {
         };
         const float thickness = min(record(body).thickness, record(partner).thickness);
         const float widening = max(min(usual_widening, widening_of_thickness * thickness),
-                                   widening_of_way * length(whole_motion(partner).velocity));
+                                   widening_of_distance * length(whole_motion(partner).velocity));
         const float allowed = max(both_at(0.0f), both_at(1.0f)) + widening;
         return last_moment(gap_at, allowed, moving.until);
     }
@@ -144,11 +145,11 @@ class JoinedBodies {
     /// gap.
     static float last_moment(auto&& gap_at, float allowed, float end) {
         float narrowest = 1e30f, best = end;
-        for (int part = parts_of_way; part >= 0; --part) {
-            const float time = end * float(part) / float(parts_of_way), gap = gap_at(time);
+        for (int part = parts_of_time; part >= 0; --part) {
+            const float time = end * float(part) / float(parts_of_time), gap = gap_at(time);
             if (gap <= allowed) {
-                if (part == parts_of_way) return end;
-                float low = time, high = end * float(part + 1) / float(parts_of_way);
+                if (part == parts_of_time) return end;
+                float low = time, high = end * float(part + 1) / float(parts_of_time);
                 for (int i = 0; i < bisections; ++i) {
                     const float middle = 0.5f * (low + high);
                     (gap_at(middle) <= allowed ? low : high) = middle;
@@ -175,12 +176,12 @@ class JoinedBodies {
         std::push_heap(waiting_.begin(), waiting_.end());
     }
 
-    void place_changed() {
+    void place_changed_bodies() {
         FinishedPiece& piece = in_.scratch.finished.front();
         for (size_t i = 0; i < before_.size(); ++i) {
             FastBody& fast = in_.scratch.fast_bodies[i];
             if (fast.motion.until == before_[i]) continue;
-            take_back_forces(in_, fast.body, before_[i] - fast.motion.until);
+            undo_forces(in_, fast.body, before_[i] - fast.motion.until);
             piece.clear();
             follow_motion(in_, fast.body, fast.motion, piece);
             follow_placed(in_, piece);

@@ -3,21 +3,23 @@
 
 #include <algorithm>
 
-// Impacts of moving bodies with each other: of bullets with all bodies, and of bodies that move on
-// their own with dynamic bodies. The impacts are processed in the order of time. Each changes the
-// motions of two bodies for the rest of the step; then the impacts of these bodies are computed
-// again. No impact changes a velocity, but for the forces of the time that it took away: the next
-// step finds contacts. Only where the centroid of a body is at a dynamic obstacle already, an
+// Impacts of moving bodies with each other: of bullets with all bodies, and of kinematic bodies
+// with dynamic bodies. The impacts are processed in the order of time. Each changes the motions of
+// two bodies for the rest of the step; then the impacts of these bodies are computed again. An
+// impact changes no velocity, except that it undoes the forces of the time that it removes: the
+// next step finds contacts. Only where the centroid of a body is at a dynamic obstacle already, an
 // impulse stops their approach, because the contact of a thin body that turns fast cannot.
 // - Two dynamic bodies stop. One that is neither fast nor a bullet goes on, and the other one keeps
 //   its place beside it.
-// - A body that moves on its own does not stop. It carries the other body along, and what that body
-//   meets. A fixed obstacle holds what is carried: then the driven body passes through it.
+// - A kinematic body (`driven`) does not stop. It carries the other body along, and the bodies that
+//   this one meets. A fixed obstacle stops a carried body: then the kinematic body passes through
+//   it.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// A body may be at two others at once; what slides more often is between them, and stops.
+/// A body may be at two others at once. A body that slides more often is between two others, and
+/// stops.
 constexpr int most_slides = 2;
 
 struct Mover {
@@ -30,8 +32,8 @@ struct Mover {
     uint32_t carrier = none;  ///< the body that carries it along
     int slides = 0;           ///< how often it slid along another body
     bool driven = false;
-    bool stops = false;  ///< at other dynamic bodies
-    bool held = false;   ///< by a fixed obstacle
+    bool stops = false;    ///< at other dynamic bodies
+    bool blocked = false;  ///< by a fixed obstacle
     bool changed = false;
 };
 
@@ -43,7 +45,7 @@ struct Meeting {
     /// step that keeps it from going farther.
     uint32_t slides = none;
     Vec2 back = {};
-    /// From the body that moves on its own to the other one; else zero.
+    /// From the kinematic body to the other one; else zero.
     Vec2 normal = {};
 
     /// The earliest one is first in a heap.
@@ -73,7 +75,7 @@ class MovingImpacts {
             mover.stops = !mover.driven;
         }
         const size_t count = movers_.size();
-        for (size_t i = 0; i < count; ++i) look_around(i, 0.0f, true);
+        for (size_t i = 0; i < count; ++i) find_meetings(i, 0.0f, true);
         while (!queue_.empty()) {
             std::pop_heap(queue_.begin(), queue_.end());
             const Meeting next = queue_.back();
@@ -81,7 +83,7 @@ class MovingImpacts {
             if (next.version_a == version_of(next.a) && next.version_b == version_of(next.b))
                 meet(mover(next.a), mover(next.b), next);
         }
-        place_changed();
+        place_changed_bodies();
     }
 
   private:
@@ -93,7 +95,7 @@ class MovingImpacts {
         if (mover_of_[body] != none) return movers_[mover_of_[body]].motion;
         const uint32_t index = record(body).solver_index;
         if (index == 0 || index >= in_.bodies.solver_bodies.size())
-            return standing(record(body).center);
+            return at_rest(record(body).center);
         const SolverBody& b = in_.bodies.solver_bodies[index];
         return motion_to(record(body).center, shift_of(b), turn_of(b));
     }
@@ -133,13 +135,15 @@ class MovingImpacts {
                (index != none && movers_[index].carrier != none);
     }
 
-    /// Finds what the body meets from `now` on. `first`: all bodies are looked at in turn.
-    void look_around(size_t i, float now, bool first) {
+    /// Finds the bodies that the body meets from `now` on. `first`: this is called for all bodies
+    /// in turn.
+    void find_meetings(size_t i, float now, bool first) {
         const Mover mover = movers_[i];
-        // At first, a fast body that is not a bullet is found by the fast bullets, and finds those
-        // that are slow. When its motion has changed, all are compared with it again.
-        const bool seeks = mover.driven || record(mover.body).flags.bullet || mover.carrier != none;
-        if (!seeks && in_.objects.kinematic_bodies == 0 && in_.objects.bullets == 0) return;
+        // At first, fast bullets find the fast bodies that are not bullets, and such a body finds
+        // only slow bullets. When its motion has changed, all bodies are compared with it again.
+        const bool searches =
+            mover.driven || record(mover.body).flags.bullet || mover.carrier != none;
+        if (!searches && in_.objects.kinematic_bodies == 0 && in_.objects.bullets == 0) return;
         for_each_shape(mover.body, [&](uint32_t s) {
             in_.boxes.moving_tree.query(swept_box(in_, s, mover.motion, now), [&](uint32_t other) {
                 const uint32_t body = in_.objects.forms[other].body;
@@ -147,10 +151,10 @@ class MovingImpacts {
                     compare(mover, s, other, now);
             });
         });
-        if (!seeks && first) return;
+        if (!searches && first) return;
         for (size_t k = 0; k < movers_.size(); ++k) {
             const Mover& other = movers_[k];
-            // Of two bodies that seek each other, the first one finds the second one.
+            // Of two bodies that search for each other, the first one finds the second one.
             if (first && k < i && (other.driven || record(other.body).flags.bullet)) continue;
             if (!overlap(mover.box, other.box) || !are_compared(mover, other.body)) continue;
             for_each_shape(mover.body, [&](uint32_t s) {
@@ -167,7 +171,7 @@ class MovingImpacts {
         const uint32_t body = in_.objects.forms[other].body;
         if (!may_meet(in_, shape, other)) return;
         const Motion motion = motion_of(body);
-        // What is driven does not stop: the core of the body that it carries along counts. Of two
+        // A driven body does not stop: the core of the body that it carries along counts. Of two
         // other bodies, neither may reach the core of the other.
         const Impact of_other = time_of_impact(in_, other, motion, shape, mover.motion, now);
         Impact of_this;
@@ -195,7 +199,7 @@ class MovingImpacts {
         };
         if (rank(k) > rank(i)) std::swap(i, k);
         const Mover first = movers_[i], second = movers_[k];
-        if (rank(i) == 0 || first.held) {
+        if (rank(i) == 0 || first.blocked) {
             if (meeting.slides != none && slide(meeting)) return;
             for (const auto& [stopped, other] : {std::pair(i, k), std::pair(k, i)}) {
                 if (!movers_[stopped].stops) continue;
@@ -207,7 +211,7 @@ class MovingImpacts {
             return;
         }
         const uint32_t carrier = first.driven ? first.body : first.carrier;
-        if (second.held) {
+        if (second.blocked) {
             if (!first.driven) stop(i, now, true);
         } else if (rank(k) == 0) {
             carry(k, carrier, now, first.driven ? meeting.normal : Vec2{});
@@ -228,8 +232,8 @@ class MovingImpacts {
         const Vec2 n = normalized(meeting.back);
         const Vec2 arm =
             sliding.motion.center(meeting.time) - motion_of(other).center(meeting.time);
-        const SolverBody none_moves, &mass_a = mass_of(meeting.slides, none_moves),
-                                     &mass_b = mass_of(other, none_moves);
+        const SolverBody immovable, &mass_a = mass_of(meeting.slides, immovable),
+                                    &mass_b = mass_of(other, immovable);
         const float turn = mass_b.inverse_inertia * cross(arm, n);
         const float speed = dot(n, a.velocity - b.velocity - cross(b.angular_velocity, arm));
         const float mobility = mass_a.inverse_mass + mass_b.inverse_mass + turn * cross(arm, n);
@@ -250,11 +254,11 @@ class MovingImpacts {
         return true;
     }
     /// The inverse masses of a body that moves freely; else zeros.
-    const SolverBody& mass_of(uint32_t body, const SolverBody& none_moves) const {
+    const SolverBody& mass_of(uint32_t body, const SolverBody& immovable) const {
         const BodyRecord& r = record(body);
         const bool free = r.mobility == Mobility::dynamic && r.solver_index != 0 &&
                           !r.flags.locked_x && !r.flags.locked_y && !r.flags.locked_rotation;
-        return free ? in_.bodies.solver_bodies[r.solver_index] : none_moves;
+        return free ? in_.bodies.solver_bodies[r.solver_index] : immovable;
     }
     /// True if a driven body carries it, itself or with another one.
     bool is_driven_along(size_t i) const {
@@ -268,18 +272,18 @@ class MovingImpacts {
         mover.changed = true;
         ++mover.version;
         mover.box = swept_boxes(mover, now);
-        look_around(i, now, false);
+        find_meetings(i, now, false);
         // What it carries follows its new motion.
         const uint32_t body = movers_[i].body;
         for (size_t k = 0; k < movers_.size(); ++k)
-            if (movers_[k].carrier == body && !movers_[k].held) carry(k, body, now);
+            if (movers_[k].carrier == body && !movers_[k].blocked) carry(k, body, now);
     }
-    void stop(size_t i, float now, bool held) {
-        movers_[i].held |= held;
+    void stop(size_t i, float now, bool blocked) {
+        movers_[i].blocked |= blocked;
         const Motion& motion = movers_[i].motion;
         if (!motion.moves_after(now)) return;
-        take_back_forces(in_, movers_[i].body, motion.until - now);
-        change(i, standing(motion.center(now), float(motion.rotation(now))), now);
+        undo_forces(in_, movers_[i].body, motion.until - now);
+        change(i, at_rest(motion.center(now), float(motion.rotation(now))), now);
     }
     /// The body is carried along: it turns with the carrier and goes no nearer to it. `normal`:
     /// from the carrier to the body; the body keeps its motion along the surface and away from it.
@@ -302,12 +306,12 @@ class MovingImpacts {
         motion.velocity = (1.0f / left) * (end - motion.from);
         motion.turn = float(turn) / left;
         motion.until = time_of_impact_with_fixed(in_, movers_[i].body, motion, now).time;
-        movers_[i].held = motion.until < 1.0f;
+        movers_[i].blocked = motion.until < 1.0f;
         movers_[i].carrier = carrier;
         change(i, motion, now);
     }
 
-    void place_changed() {
+    void place_changed_bodies() {
         FinishedPiece& piece = in_.scratch.finished.front();
         std::vector<FastBody>& fast = in_.scratch.fast_bodies;
         for (Mover& mover : movers_) {

@@ -13,24 +13,24 @@ namespace {
 
 /// Number of fast bodies in a task of a thread.
 constexpr size_t bodies_at_a_time = 16;
-/// A sensor notices what comes as near as this part of the smaller body.
+/// A sensor detects a shape that comes as near as this part of the extent of the smaller body.
 constexpr float crossing_gap = 1e-4f;
 
 class Search {
   public:
     Search(const FinishInput& in, std::vector<Crossing>& found) : in_(in), found_(found) {}
 
-    void look_around(size_t place) {
+    void find_crossings(size_t place) {
         const FastBody& fast = in_.scratch.fast_bodies[place];
         for_each_shape(fast.body, [&](uint32_t s) {
             const Box4 swept = swept_box(in_, s, fast.motion, 0.0f);
-            const auto look = [&](uint32_t other) {
+            const auto compare_with_slow = [&](uint32_t other) {
                 const uint32_t body = in_.objects.forms[other].body;
                 if (is_sensor(s) == is_sensor(other) || in_.scratch.mover_of[body] != none) return;
-                compare(s, fast.motion, other, standing(in_.objects.bodies[body].center));
+                compare(s, fast.motion, other, at_rest(in_.objects.bodies[body].center));
             };
-            in_.boxes.fixed_tree.query(swept, look);
-            in_.boxes.moving_tree.query(swept, look);
+            in_.boxes.fixed_tree.query(swept, compare_with_slow);
+            in_.boxes.moving_tree.query(swept, compare_with_slow);
             if (is_sensor(s)) compare_with_fast(s, fast, swept);
         });
     }
@@ -107,11 +107,11 @@ void report_crossings(const FinishInput& in) {
     mover_of.resize(in.objects.bodies.size(), none);
     for (size_t i = 0; i < fast.size(); ++i) mover_of[fast[i].body] = uint32_t(i);
     pieces.resize((fast.size() + bodies_at_a_time - 1) / bodies_at_a_time);
-    share_out_range(in.threads, fast.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
+    parallel_for(in.threads, fast.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
         std::vector<Crossing>& found = pieces[begin / bodies_at_a_time];
         found.clear();
         Search search(in, found);
-        for (size_t i = begin; i < end; ++i) search.look_around(i);
+        for (size_t i = begin; i < end; ++i) search.find_crossings(i);
     });
     for (const FastBody& body : fast) mover_of[body.body] = none;
 

@@ -20,7 +20,7 @@ constexpr int spins = 20'000, yields = 2000;
 
 // How long a thread waits for almost finished threads before it takes their remaining blocks, whose
 // data are in the cache of the other thread. About a microsecond.
-constexpr int patience = 40;
+constexpr int spins_before_taking = 40;
 
 // How long the caller waits for the last blocks before it yields: the system may have interrupted
 // the thread of such a block.
@@ -32,8 +32,8 @@ void pause() {
 #endif
 }
 
-// A turn or a share in one word: 24 bits for the round, 20 bits for the first remaining block, 20
-// bits for the end.
+// A share in one word: 24 bits for the round, 20 bits for the first remaining block, 20 bits for
+// the end. `turn_` has the same layout, with all blocks of the round.
 constexpr int count_bits = 20;
 constexpr uint64_t count_mask = (uint64_t{1} << count_bits) - 1;
 constexpr uint64_t one_first = uint64_t{1} << count_bits;
@@ -68,7 +68,7 @@ ThreadPool::ThreadPool(int threads, int at_a_time)
     try {
         workers_.reserve(shares_.size() - 1);
         for (size_t self = 1; self < shares_.size(); ++self)
-            workers_.emplace_back([this, self] { serve(self); });
+            workers_.emplace_back([this, self] { run_worker(self); });
     } catch (const std::system_error& error) {
         const std::string had = std::to_string(workers_.size() + 1);
         stop();
@@ -85,7 +85,7 @@ ThreadPool::~ThreadPool() {
     stop();
 }
 
-ThreadPool::Helping::Helping(ThreadPool* pool)
+ThreadPool::HostThreads::HostThreads(ThreadPool* pool)
     : pool_(pool != nullptr && pool->host_ != nullptr && pool->threads_ > 1 && !pool->host_failed_
                 ? pool
                 : nullptr) {
@@ -106,11 +106,11 @@ ThreadPool::Helping::Helping(ThreadPool* pool)
     }
 }
 
-ThreadPool::Helping::~Helping() {
+ThreadPool::HostThreads::~HostThreads() {
     (void)finish();
 }
 
-std::exception_ptr ThreadPool::Helping::finish() noexcept {
+std::exception_ptr ThreadPool::HostThreads::finish() noexcept {
     ThreadPool* const pool = std::exchange(pool_, nullptr);
     if (pool == nullptr) return nullptr;
     pool->end_round();
@@ -128,7 +128,7 @@ void ThreadPool::do_task(uint32_t number) {
     // step for it.
     if (std::this_thread::get_id() == caller_) return;
     host_tasks_.fetch_add(1);
-    if (number < shares_.size() - 1) serve(size_t{number} + 1);
+    if (number < shares_.size() - 1) run_worker(size_t{number} + 1);
     host_tasks_.fetch_sub(1);
 }
 
@@ -154,8 +154,8 @@ uint64_t ThreadPool::share_of(uint64_t turn, size_t thread) const {
 }
 
 /// Takes a block of a thread's share. If the share still belongs to an earlier round, the first
-/// thread that arrives initializes it. The current round cannot be over then, because all blocks of
-/// that share remain.
+/// thread that claims a block initializes it. The current round cannot be over then, because all
+/// blocks of that share remain.
 bool ThreadPool::claim(uint64_t turn, size_t thread, bool own, uint32_t& block) {
     std::atomic<uint64_t>& share = shares_[thread].left;
     uint64_t seen = share.load(std::memory_order_acquire);
@@ -184,7 +184,7 @@ void ThreadPool::work_on(uint64_t turn, size_t thread, bool own) {
 }
 
 bool ThreadPool::wait_for_others(uint32_t goal) const {
-    for (int looks = 0; looks < patience; ++looks) {
+    for (int looks = 0; looks < spins_before_taking; ++looks) {
         if (done_.load(std::memory_order_acquire) == goal) return true;
         pause();
     }
@@ -197,7 +197,7 @@ void ThreadPool::work_until_done(uint64_t turn, uint32_t goal, size_t self) {
     for (size_t i = 1; i < shares_.size(); ++i) work_on(turn, (self + i) % shares_.size(), false);
 }
 
-void ThreadPool::share_out(uint32_t count, Function function, void* context) {
+void ThreadPool::parallel_for(uint32_t count, Function function, void* context) {
     // All blocks of the last round are finished, so no thread reads these members.
     function_.store(function, std::memory_order_relaxed);
     context_.store(context, std::memory_order_relaxed);
@@ -221,7 +221,7 @@ void ThreadPool::share_out(uint32_t count, Function function, void* context) {
     }
 }
 
-void ThreadPool::serve(size_t self) {
+void ThreadPool::run_worker(size_t self) {
     uint64_t seen = 0;
     for (int looks = 0; !stop_.load(std::memory_order_relaxed);) {
         const uint64_t turn = turn_.load(std::memory_order_acquire);

@@ -13,7 +13,7 @@
 
 namespace fettle::physics::detail {
 
-/// Number of processors that the system reports; a large number if it reports none.
+/// Number of processors that the system reports; the largest int if it reports none.
 int processors();
 
 /// Threads that share the blocks of a loop. The calling thread works, too, and returns when all
@@ -30,7 +30,7 @@ class ThreadPool {
     /// the same time. More threads than processors would slow each other down. If the system
     /// provides fewer, throws std::runtime_error with the number of threads that exist.
     explicit ThreadPool(int threads, int at_a_time = processors());
-    /// A pool without threads of its own: the threads of the host work while a `Helping` lives.
+    /// A pool without threads of its own: the threads of the host work while a `HostThreads` lives.
     ThreadPool(TaskScheduler& host, int threads);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
@@ -43,23 +43,23 @@ class ThreadPool {
 
     /// While an object of this class lives, the threads of the host do work of the pool. The pool's
     /// own threads always do.
-    class Helping {
+    class HostThreads {
       public:
         /// Throws what the host throws; then no thread helps.
-        explicit Helping(ThreadPool* pool);
-        ~Helping();
+        explicit HostThreads(ThreadPool* pool);
+        ~HostThreads();
         /// Waits for the threads of the host. Returns what the host has thrown, or null. After an
         /// exception it is unknown which tasks the host will still call, so it gets no more.
         std::exception_ptr finish() noexcept;
-        Helping(const Helping&) = delete;
-        Helping& operator=(const Helping&) = delete;
+        HostThreads(const HostThreads&) = delete;
+        HostThreads& operator=(const HostThreads&) = delete;
 
       private:
         ThreadPool* pool_;  ///< null: no tasks of a host run
     };
 
-    /// Calls `work(block)` once for every block below `count`. If calls throw, all are made, and
-    /// then it throws one of the exceptions.
+    /// Calls `work(block)` once for every block below `count`. All calls are made even if some of
+    /// them throw; then one of the exceptions is thrown again.
     template <typename Work>
     void run(uint32_t count, Work&& work) {
         Caught caught;
@@ -71,7 +71,7 @@ class ThreadPool {
             }
         };
         using Attempt = std::remove_reference_t<decltype(attempt)>;
-        share_out(
+        parallel_for(
             count, [](void* context, uint32_t block) { (*static_cast<Attempt*>(context))(block); },
             const_cast<void*>(static_cast<const void*>(&attempt)));
         if (caught.thrown) std::rethrow_exception(caught.thrown);
@@ -93,13 +93,13 @@ class ThreadPool {
         std::atomic<uint64_t> left = 0;
     };
 
-    void share_out(uint32_t count, Function function, void* context);
+    void parallel_for(uint32_t count, Function function, void* context);
     uint64_t share_of(uint64_t turn, std::size_t thread) const;
     bool claim(uint64_t turn, std::size_t thread, bool own, uint32_t& block);
     void work_on(uint64_t turn, std::size_t thread, bool own);
     bool wait_for_others(uint32_t goal) const;
     void work_until_done(uint64_t turn, uint32_t goal, std::size_t self);
-    void serve(std::size_t self);
+    void run_worker(std::size_t self);
     void do_task(uint32_t number);
     void end_round();
     void stop();
@@ -115,7 +115,7 @@ class ThreadPool {
     TaskScheduler* const host_ = nullptr;
     bool host_failed_ = false;
     std::atomic<uint32_t> host_tasks_ = 0;  ///< number of them that run now
-    std::thread::id caller_;                ///< which has the host's threads help
+    std::thread::id caller_;                ///< the thread that started the tasks of the host
     const int threads_;
     std::vector<Share> shares_;
     std::vector<std::thread> workers_;
@@ -123,7 +123,7 @@ class ThreadPool {
 
 /// Like `run`; without a pool, the caller processes the blocks one after the other.
 template <typename Work>
-void share_out(ThreadPool* pool, uint32_t count, Work&& work) {
+void parallel_for(ThreadPool* pool, uint32_t count, Work&& work) {
     if (pool != nullptr && count > 1) {
         pool->run(count, work);
         return;
@@ -133,16 +133,16 @@ void share_out(ThreadPool* pool, uint32_t count, Work&& work) {
 
 /// Data that all threads read often and that no thread writes are in cache lines of their own:
 /// reading a line that another thread has just written takes longer than a short loop.
-inline constexpr std::size_t line_size = 64;
+inline constexpr std::size_t cache_line_size = 64;
 
 /// Calls `work(begin, end)` for 0 … size in pieces of `piece`; can be run several times.
 template <typename Work>
-class alignas(line_size) RangeLoop {
+class alignas(cache_line_size) RangeLoop {
   public:
     RangeLoop(ThreadPool* pool, std::size_t size, std::size_t piece, Work work)
         : work_(std::move(work)), pool_(pool), size_(size), piece_(piece) {}
 
-    void run() const { share_out(pool_, uint32_t((size_ + piece_ - 1) / piece_), *this); }
+    void run() const { parallel_for(pool_, uint32_t((size_ + piece_ - 1) / piece_), *this); }
     void operator()(uint32_t block) const {
         const std::size_t begin = block * piece_;
         work_(begin, begin + piece_ < size_ ? begin + piece_ : size_);
@@ -154,9 +154,9 @@ class alignas(line_size) RangeLoop {
     std::size_t size_, piece_;
 };
 
-/// A `RangeLoop` that is run once.
+/// Calls `work(begin, end)` for 0 … size in pieces of `piece`: a `RangeLoop` that is run once.
 template <typename Work>
-void share_out_range(ThreadPool* pool, std::size_t size, std::size_t piece, Work&& work) {
+void parallel_for(ThreadPool* pool, std::size_t size, std::size_t piece, Work&& work) {
     RangeLoop(pool, size, piece, [&work](std::size_t begin, std::size_t end) {
         work(begin, end);
     }).run();

@@ -17,7 +17,7 @@ using namespace detail;
 
 namespace {
 
-/// Takes the values that a function of the user has set for a body.
+/// Checks the values that a function of the user has set for a body.
 struct SetValues {
     const char* function;
     uint32_t body;
@@ -25,7 +25,7 @@ struct SetValues {
 
     /// The value within limits; for NaN, the value before.
     template <class Number>
-    Number take(Number set, Number before, float most, const char* name) const {
+    Number accepted(Number set, Number before, float most, const char* name) const {
         const bool given = ignored.accepts(set, name, [&] {
             return std::string(function) + ", for body " + std::to_string(body) + ",";
         });
@@ -33,7 +33,7 @@ struct SetValues {
     }
 };
 
-/// The change of one sub-step that takes `from` to `to` in all.
+/// The change in each sub-step that changes `from` to `to` in a whole step.
 float share_of(float from, float to, int substeps) {
     return (to - from) / float(substeps);
 }
@@ -46,7 +46,7 @@ void WorldData::call_velocity_functions(float dt, int substeps) {
         each.moves = is_valid(each.body) && bodies[each.body.index].solver_index != 0;
         if (!each.moves || !each.velocity) continue;
         const uint32_t slot = each.body.index;
-        const bool commanded = bodies[slot].mobility != Mobility::dynamic;
+        const bool kinematic = bodies[slot].mobility != Mobility::dynamic;
         SolverBody& b = solver_bodies[bodies[slot].solver_index];
         SolverForce& f = solver_forces[bodies[slot].solver_index];
         VelocityEdit edit = {{self.link->world, each.body},
@@ -75,11 +75,11 @@ void WorldData::call_velocity_functions(float dt, int substeps) {
         if (!answered) continue;
         const SetValues values = {in_velocity, slot, ignored};
         const Vec2 wanted = {
-            values.take(edit.velocity.x, usual.velocity.x, greatest_speed, "velocity"),
-            values.take(edit.velocity.y, usual.velocity.y, greatest_speed, "velocity")};
-        const float turn =
-            values.take(edit.angular_velocity, usual.angular_velocity, 1e6f, "angular_velocity");
-        if (commanded) {  // nothing else changes its velocity
+            values.accepted(edit.velocity.x, usual.velocity.x, greatest_speed, "velocity"),
+            values.accepted(edit.velocity.y, usual.velocity.y, greatest_speed, "velocity")};
+        const float turn = values.accepted(edit.angular_velocity, usual.angular_velocity, 1e6f,
+                                           "angular_velocity");
+        if (kinematic) {  // nothing else changes its velocity
             b.velocity = wanted;
             b.angular_velocity = turn;
             limit_commanded(*this, bodies[slot], b);
@@ -119,10 +119,12 @@ void WorldData::call_position_functions(float dt) {
         });
         if (!answered) continue;
         const SetValues values = {in_position, slot, ignored};
-        const Position position = {
-            values.take(edit.pose.position.x, usual.position.x, greatest_coordinate, "position"),
-            values.take(edit.pose.position.y, usual.position.y, greatest_coordinate, "position")};
-        const float angle = values.take(edit.pose.angle, usual.angle, greatest_coordinate, "angle");
+        const Position position = {values.accepted(edit.pose.position.x, usual.position.x,
+                                                   greatest_coordinate, "position"),
+                                   values.accepted(edit.pose.position.y, usual.position.y,
+                                                   greatest_coordinate, "position")};
+        const float angle =
+            values.accepted(edit.pose.angle, usual.angle, greatest_coordinate, "angle");
         if (position == usual.position && angle == usual.angle) continue;
         teleport(activity(), slot, position, angle);
         previous[slot] = before;

@@ -81,7 +81,7 @@ class ContactCallbacks {
     explicit ContactCallbacks(WorldData& world) : world_(world) {}
 
     void mix_all() {
-        if (!world_.self.see_contacts()) return;
+        if (!world_.self.has_contact_callbacks()) return;
         std::vector<uint32_t> called;
         for (const uint32_t slot : world_.awake_contacts) {
             ContactRecord& c = world_.contacts[slot];
@@ -266,11 +266,11 @@ class ContactCallbacks {
         c.special = c.restitution > 0.0f || c.rolling_resistance > 0.0f || c.surface_speed != 0.0f;
     }
 
-    /// Calls `function` for the contacts 0 … `count` - 1, which `make` describes, and gives `take`
-    /// the contact before and after the call, in this order. A function that may run on several
-    /// threads is called for many contacts at a time.
+    /// Calls `function` for the contacts 0 … `count` - 1, which `make` describes, and passes the
+    /// contact before and after the call to `use`, in this order. A function that may run on
+    /// several threads is called for many contacts at a time.
     void call_all(uint32_t count, const char* name, const ContactCallback& function, auto&& make,
-                  auto&& take) {
+                  auto&& use) {
         WorldSelf& self = world_.self;
         const bool parallel = self.parallel_callbacks;
         const uint32_t most = std::min(count, parallel ? 4096u : 1u);
@@ -285,7 +285,7 @@ class ContactCallbacks {
                 [&](uint32_t i) { function(edits[i]); }, answered);
             self.calling_in_parallel = false;
             for (uint32_t i = 0; i < size; ++i)
-                take(begin + i, before[i], edits[i], answered[i] != 0);
+                use(begin + i, before[i], edits[i], answered[i] != 0);
         }
     }
 
@@ -328,8 +328,8 @@ class ContactCallbacks {
 
 }  // namespace
 
-void WorldData::consult_callbacks() {
-    if (!self.see_contacts() && ignored_pairs.empty()) return;
+void WorldData::call_contact_callbacks() {
+    if (!self.has_contact_callbacks() && ignored_pairs.empty()) return;
     ContactCallbacks contact_callbacks(*this);
     contact_callbacks.mix_all();
     contact_callbacks.skip_ignored();
@@ -349,7 +349,7 @@ void remix_all(WorldData& data) {
 void World::set_filter(PairFilter filter) {
     WorldData& data = edit(__func__);
     data.read_all();  // if a refresh callback throws, the old filter stays
-    // The old function is destroyed with the argument, after this call: it may hold the world.
+    // The old function is destroyed with the argument, after this call: it may own the world.
     std::swap(data.self.filter, filter);
     WorldLock lock(data.self, WorldLock::During::change, in_edit);
     for (uint32_t slot = 0; slot < data.contacts.size(); ++slot) {
@@ -369,7 +369,7 @@ void World::ignore_until_separated(const Shape& a, const Shape& b) {
     WorldData& data = edit(__func__);
     for (const Shape* shape : {&a, &b})
         if (!data.is_valid(shape->id()))
-            dangling("shape", shape->link_, shape->index(), shape->id().generation);
+            refuse_dangling("shape", shape->link_, shape->index(), shape->id().generation);
     if (a == b) throw std::invalid_argument("expected two shapes, got one twice");
     for (const Shape* shape : {&a, &b})
         if (const uint32_t body = data.forms[shape->index()].body; body != none)

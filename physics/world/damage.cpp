@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
-// A change of a world is several changes of its lists. If memory ends between two of them, the
-// lists contradict each other, and a step that followed them would leave its arrays.
+// A change of a world is several changes of its lists. If memory runs out between two of them, the
+// lists contradict each other, and a step that follows them would access memory outside of the
+// arrays.
 
 namespace fettle::physics::detail {
 
@@ -19,7 +20,7 @@ void WorldSelf::set_damaged() {
     thrown_ = nullptr;  // of a step that is not completed
 }
 
-void WorldData::break_off() {
+void WorldData::mark_damaged_and_rethrow() {
     stepping = false;
     part<StepScratch>(*this) = StepScratch();  // a step relies on what the last one left
     self.set_damaged();

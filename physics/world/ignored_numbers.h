@@ -12,7 +12,7 @@ namespace fettle::physics::detail {
 /// warning for all calls of the function in a step, which names the first value.
 class IgnoredNumbers {
   public:
-    /// Whether `value` is a number. Otherwise it is noted; `where()` returns the function and the
+    /// True if `value` is a number. Otherwise it is counted; `where()` returns the function and the
     /// objects, as "the mixing callback, for shapes 4 and 5,".
     template <class Number, class Where>
     bool accepts(Number value, const char* name, Where&& where) {
@@ -20,7 +20,7 @@ class IgnoredNumbers {
         if (++count_ == 1 && is_logged()) first_ = std::string(where()) + " set " + name;
         return false;
     }
-    /// Writes the warning if a value was noted, and removes all notes.
+    /// Writes the warning if there was a NaN, and resets the count.
     void report() {
         if (count_ == 0) return;
         log(LogLevel::warning,

@@ -91,7 +91,7 @@ SubSteps divide(WorldState& state, float dt) {
     return {of_step, h, ratio, stiffness_of(state.settings, h, longest)};
 }
 
-void note_lengths(WorldState& state, const SubSteps& sub) {
+void store_lengths(WorldState& state, const SubSteps& sub) {
     state.last_substep = sub.h;
     state.last_length = sub.h * float(state.settings.substeps);
     state.last_substeps = sub.settings.substeps;
@@ -113,7 +113,7 @@ void WorldData::step(float dt) {
     narrow_phase({objects(), columns(), broad_phase(), active(), settings, pair_scratch(),
                   contact_list(), activity(), kernels, threads});
     const bool crushed = skip_crushed(touching(), active());
-    consult_callbacks();
+    call_contact_callbacks();
     statistics.narrow_ms = clock.lap();
 
     gather_objects(sub, dt);
@@ -125,12 +125,12 @@ void WorldData::step(float dt) {
     sleep_candidates = finish_bodies(
         {objects(), columns(), broad_phase(), active(), settings, body_scratch(),
          sub.settings.substeps, *this, pair_scratch(), contact_list(), activity(), pending,
-         user_filter(), crushed || self.see_contacts() || !ignored_pairs.empty(), statistics,
-         threads},
+         user_filter(), crushed || self.has_contact_callbacks() || !ignored_pairs.empty(),
+         statistics, threads},
         dt);
-    note_velocities_after(self.sums, columns());
+    store_velocities_after(self.sums, columns());
     report_parted(touching());
-    note_ended_contacts();
+    mark_ended_contacts();
     order_lists(objects(), active(), strips, body_scratch(), steps, reordering, threads);
     clear_ends(active(), body_scratch());
     statistics.finish_ms = clock.lap();
@@ -180,7 +180,7 @@ void WorldData::solve_constraints(const SubSteps& sub, const JointStep& joint_st
 
 void WorldData::store_results(const SubSteps& sub, const JointStep& joint_step, float dt) {
     if (!solves_in_groups()) keep_pushed_awake(objects(), active(), body_scratch(), settings, dt);
-    note_lengths(*this, sub);
+    store_lengths(*this, sub);
     store_joints(objects(), body_scratch(), joint_scratch(), joint_step, threads);
     break_joints(editing(), joint_scratch(), joint_step.inverse_h / float(sub.settings.substeps));
     store_contacts(contact_scratch(), touching(), settings.hit_threshold, threads);
@@ -203,7 +203,7 @@ namespace {
 
 /// A recording that fails ends, and the step goes on; the exception is thrown after it.
 void end_recording(WorldSelf& self) {
-    self.set_witness(nullptr);
+    self.set_observer(nullptr);
     log(LogLevel::error,
         "the recording of a world ended: the function that takes it (World::start_recording) "
         "threw, or the world was destroyed");
@@ -213,13 +213,14 @@ void end_recording(WorldSelf& self) {
 
 void WorldData::notify_step_begin(float dt) {
     const Callbacks callbacks = {bool(self.filter), bool(self.mix), bool(self.before_solve)};
-    if (!self.call_user(in_recording,
-                        [&] { self.witness()->step_begins(*this, callbacks, self.functions, dt); }))
+    if (!self.call_user(in_recording, [&] {
+            self.observer()->step_begins(*this, callbacks, self.functions, dt);
+        }))
         end_recording(self);
 }
 
 void WorldData::notify_step_end() {
-    if (!self.call_user(in_recording, [&] { self.witness()->step_ends(*this, hash_of(*this)); }))
+    if (!self.call_user(in_recording, [&] { self.observer()->step_ends(*this, hash_of(*this)); }))
         end_recording(self);
 }
 

@@ -20,7 +20,7 @@ struct SubSteps;
 
 struct WorldData;
 
-/// A world as an argument: it becomes the part that the function takes.
+/// A world as an argument: it converts to the part of the world that a parameter needs.
 struct Parts {
     WorldData& data;
     operator Editing() const;
@@ -75,11 +75,11 @@ struct WorldData : WorldState, StepScratch {
     bool may_collide(uint32_t shape_a, uint32_t shape_b) const {
         return detail::may_collide(*this, user_filter(), shape_a, shape_b);
     }
-    void consult_callbacks();
+    void call_contact_callbacks();
 
     // damage.cpp
     /// Makes an edit by `act`, a function of edits.h or sleep.h: it gets the parts of the world
-    /// that it takes, then `given`. If memory ends in the middle of it, the world is damaged.
+    /// that it needs, then `given`. If memory runs out in the middle of it, the world is damaged.
     template <auto act, class... Given>
     auto change(Given&&... given) {
         try {
@@ -88,7 +88,7 @@ struct WorldData : WorldState, StepScratch {
             }
             (std::make_index_sequence<parameters(act) - sizeof...(Given)>());
         } catch (...) {
-            break_off();
+            mark_damaged_and_rethrow();
         }
     }
     template <class Result, class... Parameters>
@@ -96,9 +96,9 @@ struct WorldData : WorldState, StepScratch {
         return sizeof...(Parameters);
     }
     /// To be called in a handler: the data may be inconsistent, so no object exists any more, and
-    /// whatever uses the world throws `Damaged` until another state replaces it. Throws the
+    /// all functions that use the world throw `Damaged` until another state replaces it. Throws the
     /// exception again.
-    [[noreturn]] void break_off();
+    [[noreturn]] void mark_damaged_and_rethrow();
 
     ContactList contact_list() { return {touching(), pairs, *this}; }
     Touching touching() {
@@ -116,7 +116,7 @@ struct WorldData : WorldState, StepScratch {
 
     // contact_data.cpp
     void clear_ended_contacts();
-    void note_ended_contacts();
+    void mark_ended_contacts();
 
     // body_functions.cpp
     void call_velocity_functions(float dt, int substeps);
@@ -133,7 +133,7 @@ struct WorldData : WorldState, StepScratch {
                            const WideKernels& kernels);
     void store_results(const SubSteps& sub, const JointStep& joint_step, float dt);
     void end_step();
-    /// False: the solver takes all constraints one after the other.
+    /// False: the solver solves all constraints one after the other.
     bool solves_in_groups() const { return settings.solver == Solver::soft_step; }
     void notify_step_begin(float dt);
     void notify_step_end();

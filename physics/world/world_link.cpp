@@ -13,7 +13,7 @@ namespace {
 
 /// Multiples of 2³² divided by the golden ratio are far apart, for any number of them.
 constexpr uint32_t apart = 2654435769u;
-/// `skip` takes a generation that is at most this far ahead for one of this link. It is far more
+/// `skip` treats a generation that is at most this far ahead as one of this link. It is far more
 /// than the generations that a world creates between two restored states, and far less than the
 /// distance between the first generations of two links.
 constexpr uint32_t farthest_ahead = 1u << 24;
@@ -58,7 +58,7 @@ void WorldLink::skip(std::span<const uint32_t> given) {
     if (generations.next == 0) generations.next = 1;
 }
 
-WorldLink& take_link() {
+WorldLink& acquire_link() {
     Links& known = links();
     const std::lock_guard lock(known.mutex);
     if (!known.unused.empty()) {
@@ -74,7 +74,7 @@ WorldLink& take_link() {
     return link;
 }
 
-void return_link(WorldLink& link) {
+void release_link(WorldLink& link) {
     Links& known = links();
     const std::lock_guard lock(known.mutex);
     link.world = nullptr;
@@ -82,7 +82,7 @@ void return_link(WorldLink& link) {
     known.unused.push_back(&link);
 }
 
-void dangling(const char* kind, const WorldLink* link, uint32_t index, uint32_t generation) {
+void refuse_dangling(const char* kind, const WorldLink* link, uint32_t index, uint32_t generation) {
     if (link == nullptr || generation == 0)
         throw std::invalid_argument(std::string("this handle names no ") + kind);
     const std::string named = std::string(kind) + " " + std::to_string(index);
@@ -93,7 +93,7 @@ void dangling(const char* kind, const WorldLink* link, uint32_t index, uint32_t 
                                 " does not exist any more");
 }
 
-void foreign(const char* name, const char* kind, uint32_t index, uint32_t generation) {
+void refuse_foreign(const char* name, const char* kind, uint32_t index, uint32_t generation) {
     throw std::invalid_argument(std::string(name) + ": " + kind + " " + std::to_string(index) +
                                 " of generation " + std::to_string(generation) +
                                 " was destroyed, or is of another world");

@@ -9,16 +9,16 @@
 
 namespace fettle::physics::detail {
 
-Witness::~Witness() = default;
+WorldObserver::~WorldObserver() = default;
 
 WorldSelf::WorldSelf() = default;
 
 WorldSelf::~WorldSelf() {
-    if (link != nullptr) return_link(*link);
+    if (link != nullptr) release_link(*link);
 }
 
 void WorldSelf::refuse_edit(const char* of, const char* function) const {
-    throw Locked(std::string(of) + "::" + function + " is not allowed inside " + place() +
+    throw Locked(std::string(of) + "::" + function + " is not allowed inside " + operation() +
                  ": it may only read the world that calls it. Note what is to be changed, and "
                  "change it when that call has returned");
 }
@@ -26,30 +26,30 @@ void WorldSelf::refuse_edit(const char* of, const char* function) const {
 void WorldSelf::refuse_or_report(const char* of, const char* function) const {
     may_read();
     if (locked()) refuse_edit(of, function);
-    witness_->edit_called(of, function);
+    observer_->edit_called(of, function);
 }
 
-void WorldSelf::set_witness(std::unique_ptr<Witness> witness) {
+void WorldSelf::set_observer(std::unique_ptr<WorldObserver> observer) {
     // The old one is destroyed with the argument, after this call: its sink may hold or use the
     // world.
-    std::swap(witness_, witness);
-    if (witness_ != nullptr)
+    std::swap(observer_, observer);
+    if (observer_ != nullptr)
         work_.fetch_or(watched, std::memory_order_relaxed);
     else
         work_.fetch_and(~watched, std::memory_order_relaxed);
 }
 
-void WorldSelf::refuse_stranger(const char* of, const char* function) const {
+void WorldSelf::refuse_non_owner(const char* of, const char* function) const {
     throw Locked(std::string(of) + "::" + function + ": " + owner->advice());
 }
 
 void WorldSelf::refuse_copy(const char* what) const {
-    throw Locked(std::string(what) + " is not allowed inside " + place() +
+    throw Locked(std::string(what) + " is not allowed inside " + operation() +
                  ": the state of the world is incomplete there. Do it when that call has returned");
 }
 
-void WorldSelf::keep(Owned<WorldData> data) {
-    destroyed_inside_ = place();
+void WorldSelf::keep_alive(Owned<WorldData> data) {
+    destroyed_inside_ = operation();
     orphan_ = std::move(data);
 }
 
@@ -72,7 +72,7 @@ WorldLock::~WorldLock() {
 void WorldLock::unlock() {
     if (self_ == nullptr) return;
     const WorldSelf& self = *std::exchange(self_, nullptr);
-    self.leave_to(outer_);
+    self.set_operation(outer_);
     const uint32_t before = self.work_.fetch_sub(weight_, std::memory_order_acq_rel);
     if ((before & ~WorldSelf::marks) != weight_) return;
     if (!self.orphaned()) {

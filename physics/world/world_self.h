@@ -4,8 +4,8 @@
 #include <fettle/physics/owner.h>
 #include <state/velocity_sums.h>
 #include <threads/pool.h>
-#include <world/witness.h>
 #include <world/world_link.h>
+#include <world/world_observer.h>
 
 #include <algorithm>
 #include <atomic>
@@ -53,7 +53,7 @@ struct WorldSelf {
     WorldSelf(const WorldSelf&) = delete;
     WorldSelf& operator=(const WorldSelf&) = delete;
 
-    bool see_contacts() const { return mix || before_solve; }
+    bool has_contact_callbacks() const { return mix || before_solve; }
 
     /// While user functions may be called, editing is forbidden.
     bool locked() const { return (work_.load(std::memory_order_relaxed) & ~marks) != 0; }
@@ -61,11 +61,11 @@ struct WorldSelf {
     bool in_the_middle() const {
         return (work_.load(std::memory_order_relaxed) & ~marks) >= middle;
     }
-    /// Memory has ended in the middle of a change, so the state may be inconsistent: all that would
-    /// use it throws `Damaged`, until another state replaces it.
+    /// Memory ran out in the middle of a change, so the state may be inconsistent: all functions
+    /// that would use it throw `Damaged`, until another state replaces it.
     bool damaged() const { return (work_.load(std::memory_order_relaxed) & damage) != 0; }
     void set_damaged();
-    void set_whole() { work_.fetch_and(~damage, std::memory_order_relaxed); }
+    void clear_damage() { work_.fetch_and(~damage, std::memory_order_relaxed); }
     /// True if a function that the World was calling destroyed it.
     bool orphaned() const { return bool(orphan_); }
 
@@ -90,7 +90,7 @@ struct WorldSelf {
         if (locked()) [[unlikely]]
             refuse_edit(of, function);
         if (owner != nullptr && !owner->acts()) [[unlikely]]
-            refuse_stranger(of, function);
+            refuse_non_owner(of, function);
     }
     void may_copy(const char* what) const {
         may_read();
@@ -103,13 +103,13 @@ struct WorldSelf {
     }
     [[noreturn]] static void throw_damaged();
 
-    /// Sets the witness, which gets all changes of the world; null: none.
-    void set_witness(std::unique_ptr<Witness> witness);
-    Witness* witness() const { return witness_.get(); }
-    /// Tells a recording what a function of the user answered in a step.
+    /// Sets the observer, which receives all changes of the world; null: none.
+    void set_observer(std::unique_ptr<WorldObserver> observer);
+    WorldObserver* observer() const { return observer_.get(); }
+    /// Passes the answer of a user function in a step to a recording.
     void record_answer(auto&& answer) const {
-        if (witness_ != nullptr) [[unlikely]]
-            witness_->answered(answer());
+        if (observer_ != nullptr) [[unlikely]]
+            observer_->answered(answer());
     }
 
     /// Calls a user function in a step or an edit, which an exception must not interrupt: the first
@@ -125,14 +125,14 @@ struct WorldSelf {
             if (!thrown_) thrown_ = std::current_exception();
             answered = false;
         }
-        leave_to(outer);
+        set_operation(outer);
         return answered && !orphaned();
     }
-    /// Makes the calls 0 … `count` - 1 as `call_user` does, on the threads of `helpers`; null: in
-    /// order on this one. The first exception is that of the lowest number.
-    void call_user_for_all(const char* callback, ThreadPool* helpers, uint32_t count, auto&& call,
+    /// Makes the calls 0 … `count` - 1 as `call_user` does, on these threads; null: in order on
+    /// this one. The first exception is that of the lowest number.
+    void call_user_for_all(const char* callback, ThreadPool* threads, uint32_t count, auto&& call,
                            std::vector<char>& answered) const {
-        if (helpers == nullptr) {
+        if (threads == nullptr) {
             for (uint32_t i = 0; i < count; ++i)
                 answered[i] = call_user(callback, [&] { call(i); });
             return;
@@ -141,7 +141,7 @@ struct WorldSelf {
         std::mutex mutex;
         std::exception_ptr thrown;
         size_t first = count;
-        share_out_range(helpers, count, 32, [&](size_t begin, size_t end) {
+        parallel_for(threads, count, 32, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
                 answered[i] = true;
                 try {
@@ -154,33 +154,33 @@ struct WorldSelf {
             }
         });
         if (thrown && !thrown_) thrown_ = thrown;
-        leave_to(outer);
+        set_operation(outer);
         if (orphaned()) std::fill(answered.begin(), answered.end(), char(false));
     }
-    /// Called if a function that the World is calling destroys it: keeps the data until that call
-    /// is over.
-    void keep(Owned<WorldData> data);
+    /// Called if a function that the World is calling destroys it: the data live until that call is
+    /// over.
+    void keep_alive(Owned<WorldData> data);
     [[noreturn]] void throw_orphaned() const;
 
   private:
     friend class WorldLock;
     static constexpr uint32_t middle = 1u << 16;
-    /// Is set in `work_` while there is a witness, so that one test finds both.
+    /// Is set in `work_` while there is an observer, so that one test finds both.
     static constexpr uint32_t watched = 1u << 31;
     /// Likewise while the state is damaged.
     static constexpr uint32_t damage = 1u << 30;
     static constexpr uint32_t marks = watched | damage;
     void refuse_or_report(const char* of, const char* function) const;
     [[noreturn]] void refuse_edit(const char* of, const char* function) const;
-    [[noreturn]] void refuse_stranger(const char* of, const char* function) const;
+    [[noreturn]] void refuse_non_owner(const char* of, const char* function) const;
     [[noreturn]] void refuse_copy(const char* what) const;
-    const char* place() const { return inside_.load(std::memory_order_relaxed); }
+    const char* operation() const { return inside_.load(std::memory_order_relaxed); }
     const char* enter(const char* callback) const {
-        const char* const outer = place();
-        leave_to(callback);
+        const char* const outer = operation();
+        set_operation(callback);
         return outer;
     }
-    void leave_to(const char* outer) const { inside_.store(outer, std::memory_order_relaxed); }
+    void set_operation(const char* outer) const { inside_.store(outer, std::memory_order_relaxed); }
 
     /// A query, of which several threads may make some, counts 1; a step or an edit counts
     /// `middle`.
@@ -188,7 +188,7 @@ struct WorldSelf {
     mutable std::atomic<const char*> inside_ = in_step;  ///< the running operation, for messages
     mutable std::exception_ptr thrown_;                  ///< first one of a user function
     mutable Owned<WorldData> orphan_;
-    std::unique_ptr<Witness> witness_;
+    std::unique_ptr<WorldObserver> observer_;
     const char* destroyed_inside_ = nullptr;
 };
 

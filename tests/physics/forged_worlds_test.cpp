@@ -56,10 +56,10 @@ TEST_CASE("forged worlds: an unchanged sample is restored") {
 TEST_CASE("forged worlds: a body in no island has no next one") {
     REQUIRE(refused([](WorldData& data) {
                 data.bodies[crate].lists.next = sleeping;
-            }).ends_with("body 2 is in no island and before another one"));
+            }).ends_with("body 2 is in no island but linked to another body"));
     REQUIRE(refused([](WorldData& data) {
                 data.bodies[floor_body].lists.next = floor_body;
-            }).ends_with("body 1 is in no island and before another one"));
+            }).ends_with("body 1 is in no island but linked to another body"));
 }
 
 TEST_CASE("forged worlds: what is awake can move and moves as its type does") {
@@ -68,7 +68,7 @@ TEST_CASE("forged worlds: what is awake can move and moves as its type does") {
             }).ends_with("body 2 is awake and cannot move"));
     REQUIRE(refused([](WorldData& data) {
                 data.bodies[crate].type = BodyType::static_body;
-            }).ends_with("body 2 moves otherwise than its type"));
+            }).ends_with("body 2 has a mobility that does not fit its type"));
 }
 
 TEST_CASE("forged worlds: unusual traits belong to one body or are free") {
@@ -104,9 +104,9 @@ TEST_CASE("forged worlds: lists of free slots have no slots in use") {
 TEST_CASE("forged worlds: a destroyed contact is not listed as awake") {
     REQUIRE(refused([](WorldData& data) {
                 REQUIRE(!data.awake_contacts.empty());
-                const uint32_t slot =
-                    data.contact_slots.take(data.contact_links, data.contacts, data.manifold_poses);
-                data.contact_slots.give_back(data.contact_links, slot);
+                const uint32_t slot = data.contact_slots.allocate(data.contact_links, data.contacts,
+                                                                  data.manifold_poses);
+                data.contact_slots.release(data.contact_links, slot);
                 data.contacts[slot].awake_index = 0;
             }).ends_with("is destroyed but still listed"));
 }

@@ -76,7 +76,7 @@ TEST_CASE("impulses on the copies of a hub count in full") {
             c.end_a = i % 2 ? SolverEnd::of_hub(1) : SolverEnd(2, strip, true);
             c.end_b = i % 2 ? SolverEnd(2, strip, true) : SolverEnd::of_hub(1);
             c.node = node_of(c.end_a, c.end_b);
-            hubs.settle(c, bodies);
+            hubs.choose_node(c, bodies);
             REQUIRE(c.hub == 1);
             REQUIRE(c.node == strip);
             hubs.choose_copy(c);
@@ -85,7 +85,7 @@ TEST_CASE("impulses on the copies of a hub count in full") {
             REQUIRE(copy < bodies.size());
         }
         for (int pass = 0; pass < 3; ++pass) {
-            hubs.hand_out({strips, 2 * strips}, bodies);
+            hubs.write_copies({strips, 2 * strips}, bodies);
             for (size_t i = 0; i < contacts.size(); ++i) {
                 const ActingContact& c = contacts[i];
                 SolverBody& copy = bodies[i % 2 ? c.a() : c.b()];
@@ -98,7 +98,7 @@ TEST_CASE("impulses on the copies of a hub count in full") {
                 impulse = impulse + given;
                 torque += turned;
             }
-            hubs.take_back(bodies);
+            hubs.average_copies(bodies);
             const SolverBody& hub = bodies[1];
             CHECK(hub.velocity.x == Approx(before.velocity.x + before.inverse_mass * impulse.x));
             CHECK(hub.velocity.y == Approx(before.velocity.y + before.inverse_mass * impulse.y));
@@ -107,8 +107,8 @@ TEST_CASE("impulses on the copies of a hub count in full") {
         }
         // Without any impulse the hub stays the same to the last bit.
         const SolverBody still = bodies[1];
-        hubs.hand_out({strips, 2 * strips}, bodies);
-        hubs.take_back(bodies);
+        hubs.write_copies({strips, 2 * strips}, bodies);
+        hubs.average_copies(bodies);
         CHECK(bodies[1].velocity.x == still.velocity.x);
         CHECK(bodies[1].angular_velocity == still.angular_velocity);
     }
@@ -124,18 +124,18 @@ TEST_CASE("a body that is not much lighter meets the hub itself") {
     c.end_a = SolverEnd::of_hub(1);
     c.end_b = SolverEnd(2, 5, true);
     c.node = node_of(c.end_a, c.end_b);
-    hubs.settle(c, bodies);
+    hubs.choose_node(c, bodies);
     REQUIRE(c.hub == 0);
     REQUIRE(c.node == 1);
     // Nor does what is solved one at a time, or what does not move.
     bodies[2].inverse_mass = 1.0f;
     c.serially = true;
-    hubs.settle(c, bodies);
+    hubs.choose_node(c, bodies);
     REQUIRE(c.hub == 0);
     c.serially = false;
     c.end_b = SolverEnd(0, 0, false);
     c.node = node_of(c.end_a, c.end_b);
-    hubs.settle(c, bodies);
+    hubs.choose_node(c, bodies);
     REQUIRE(c.hub == 0);
     REQUIRE(c.node == 1);
 }

@@ -351,7 +351,7 @@ TEST_CASE("a saved world whose awake shape has no proxy in the broad phase is re
     proxy = -1;
     std::memcpy(&bytes[at], &proxy, sizeof proxy);
     detail::seal(bytes);
-    REQUIRE_THROWS_WITH(target.restore(bytes), contains("the proxy of what is awake"));
+    REQUIRE_THROWS_WITH(target.restore(bytes), contains("the proxy of an awake shape"));
     run(target, 0.2f);
     REQUIRE_FALSE(target.validate());
 }

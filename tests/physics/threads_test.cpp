@@ -14,7 +14,7 @@
 namespace threads_test {
 
 using namespace scenes;
-using fettle::physics::detail::share_out_range;
+using fettle::physics::detail::parallel_for;
 using fettle::physics::detail::ThreadPool;
 
 namespace {
@@ -144,7 +144,7 @@ TEST_CASE("pieces cover a range once") {
     ThreadPool pool(3, 3);
     for (size_t size : {0, 1, 7, 8, 9, 1000}) {
         std::vector<int> times(size);
-        share_out_range(&pool, size, 8, [&](size_t begin, size_t end) {
+        parallel_for(&pool, size, 8, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) ++times[i];
         });
         REQUIRE(std::accumulate(times.begin(), times.end(), size_t{0}) == size);

@@ -41,7 +41,7 @@ struct Grown {
         tree.rebuild(&pool);
     }
     void place(const std::vector<Box4>& boxes) {
-        share_out_range(&pool, boxes.size(), 64, [&](size_t begin, size_t end) {
+        parallel_for(&pool, boxes.size(), 64, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) tree.place(leaves[i], boxes[i]);
         });
         tree.refit(&pool);

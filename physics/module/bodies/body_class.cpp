@@ -115,7 +115,7 @@ Binding awake(Hosting& hosting) {
     return binding;
 }
 
-Value pressed(Hosting& hosting, Row row) {
+Value contact_force(Hosting& hosting, Row row) {
     float sum = 0.0f;
     for (const physics::Contact& contact : hosting.body(row).contacts())
         sum += contact.normal_force;
@@ -189,10 +189,10 @@ std::vector<Property> weight(Hosting& hosting) {
          .default_value = 1.0,
          .unit = "kg",
          .range = inertial,
-         .doc =
-             "Mass: area times density of its shapes, unless it is set; nil computes it "
-             "again. With infinite mass, or 1e18 kg and more, nothing moves it, gravity neither. A "
-             "dynamic body without shapes, or of lines alone, has 1 kg.",
+         .doc = "Mass: area times density of its shapes, unless it is set; nil computes it "
+                "again. With infinite mass, or 1e18 kg and more, nothing moves it, not even "
+                "gravity. A "
+                "dynamic body without shapes, or of lines alone, has 1 kg.",
          .binding = mass(hosting),
          .simulated = true,
          .infinity = true,
@@ -297,7 +297,7 @@ std::vector<Property> switches(Hosting& hosting) {
          .binding = color(hosting),
          .nullable = true},
         figure("contact_force", "N", "Sum of the forces of its contacts.",
-               accessor(hosting, [](Hosting& h, Row row) { return pressed(h, row); })),
+               accessor(hosting, [](Hosting& h, Row row) { return contact_force(h, row); })),
     };
 }
 
@@ -324,7 +324,7 @@ void define_body(Hosting& hosting) {
     hosting.classes.body = &defined;
     hosting.declared.woke = defined.event("woke");
     hosting.declared.slept = defined.event("slept");
-    hosting.note_pair_events(defined, &PairEvent::of_body);
+    hosting.register_pair_events(defined, &PairEvent::of_body);
     explain_bodies(hosting, defined);
 }
 

@@ -30,12 +30,12 @@ class Motion {
                                                 : "world") {}
 
     Lines velocity() {
-        if (const std::string reason = still(); !reason.empty()) return {reason};
+        if (const std::string reason = reason_of_rest(); !reason.empty()) return {reason};
         if (body_.type() == physics::BodyType::kinematic_body) return of_mover();
         const auto account = world_.account(body_.id());
         if (!account) return estimated();
         largest_ = account->before.length() + account->after.length() + account->gravity.length();
-        say("before the last step: ", account->earlier);
+        add_line("before the last step: ", account->earlier);
         add("between the steps (writes, edits of shapes): ", account->before - account->earlier);
         forces(account->gravity, account->force, account->applied);
         add("fields of force: ", account->fields);
@@ -50,7 +50,8 @@ class Motion {
     }
 
     Lines angular_velocity() {
-        if (const std::string reason = still("angular velocity"); !reason.empty()) return {reason};
+        if (const std::string reason = reason_of_rest("angular velocity"); !reason.empty())
+            return {reason};
         if (body_.locked_rotation())
             return {"its rotation is locked (" + path_ + ".locked_rotation)"};
         if (body_.type() == physics::BodyType::kinematic_body)
@@ -63,7 +64,7 @@ class Motion {
         const physics::TurnAccount& turn = account->turn;
         largest_ = std::fabs(turn.before) + std::fabs(turn.after) + turn.size;
         unit_ = " rad/s";
-        say("before the last step: ", turn.earlier);
+        add_line("before the last step: ", turn.earlier);
         add("between the steps (writes, edits of shapes): ", turn.before - turn.earlier);
         add(path_ + ".torque: ", turn.torque);
         add("apply_torque, and forces beside its center of mass: ", turn.applied);
@@ -89,9 +90,9 @@ class Motion {
         const physics::Vec2 turned = offset(before.angle) - offset(body_.angle());
         largest_ = body_.position().length() + moved.length();
         unit_ = " m";
-        say("before the last step: ", before.position);
+        add_line("before the last step: ", before.position);
         if (body_.type() != physics::BodyType::static_body)
-            say(path_ + ".velocity × " + text(hosting_.last_dt) + " s: + ", by_velocity);
+            add_line(path_ + ".velocity × " + text(hosting_.last_dt) + " s: + ", by_velocity);
         add("turned about its center of mass: ", turned);
         add("within the step (other velocities before its end, overlaps): ",
             moved - by_velocity - turned);
@@ -123,7 +124,7 @@ class Motion {
 
   private:
     /// Why nothing changes the velocity; "" if something may.
-    std::string still(const std::string& what = "velocity") const {
+    std::string reason_of_rest(const std::string& what = "velocity") const {
         if (!hosting_.hosted(row_).self) return "it is in no world, so nothing moves it";
         if (body_.type() == physics::BodyType::static_body) return "a static body does not move";
         if (!body_.enabled())
@@ -156,7 +157,7 @@ class Motion {
             lines_.push_back("it walks on ground, with " + walk + ", by at most " +
                              setting("acceleration", record.settings.acceleration, "m/s\xC2\xB2"));
             const physics::Vec2 ground(record.result.ground_x, record.result.ground_y);
-            if (ground != physics::Vec2{}) say(path_ + ".ground_velocity: + ", ground);
+            if (ground != physics::Vec2{}) add_line(path_ + ".ground_velocity: + ", ground);
         } else {
             lines_.push_back(
                 "it is in the air, with " + walk + ", by at most " +
@@ -224,15 +225,15 @@ class Motion {
     std::string text(const physics::Vec2& v) const {
         return text(to_value(physics::Vec2(v.x + 0.0f, v.y + 0.0f)));
     }
-    void say(const std::string& what, const physics::Vec2& v) {
+    void add_line(const std::string& what, const physics::Vec2& v) {
         lines_.push_back(what + text(v) + unit_);
     }
-    void say(const std::string& what, float number) {
+    void add_line(const std::string& what, float number) {
         lines_.push_back(what + text(to_value(number)) + unit_);
     }
     void add(const std::string& what, float change) {
         if (std::fabs(change) > only_rounding * largest_)
-            say(what + (change < 0 ? "- " : "+ "), std::fabs(change));
+            add_line(what + (change < 0 ? "- " : "+ "), std::fabs(change));
     }
     /// `twist`: angular impulse, N m s.
     void push(const std::string& by, float change, float twist) {
@@ -243,7 +244,7 @@ class Motion {
     }
     /// Lists a change unless it is 0.
     void add(const std::string& what, const physics::Vec2& change) {
-        if (change.length() > only_rounding * largest_) say(what + "+ ", change);
+        if (change.length() > only_rounding * largest_) add_line(what + "+ ", change);
     }
     void push(const std::string& by, const physics::Vec2& change, const physics::Vec2& impulse) {
         if (impulse == physics::Vec2{}) return;

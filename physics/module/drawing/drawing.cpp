@@ -154,7 +154,7 @@ class LabelPlaces {
   public:
     explicit LabelPlaces(double height) : cell_(height / 2) {}
     /// False if a label is there already.
-    bool take(const Vec2& middle, std::string_view text) {
+    bool reserve(const Vec2& middle, std::string_view text) {
         const Vec2 reach(cell_ * 0.6 * static_cast<double>(text.size()), cell_);
         const std::int64_t left = number(middle.x - reach.x), right = number(middle.x + reach.x);
         const std::int64_t low = number(middle.y - reach.y), high = number(middle.y + reach.y);
@@ -184,7 +184,7 @@ void draw_names(const property::Tree& tree, physics::World& world, Painter& pain
         const Handle self = unpack(body.user_data());
         if (!painter.sees(at, at) || !tree.alive(self)) continue;
         const std::string name(tree.get(self, "name").text());  // a guest has no name()
-        if (places.take(at, name)) property::draw_label(painter, at, name, height, {1, 1, 1, 1});
+        if (places.reserve(at, name)) property::draw_label(painter, at, name, height, {1, 1, 1, 1});
     }
 }
 

@@ -34,12 +34,12 @@ double weight_impulse(physics::World& world, double dt) {
     return mass * (gravity > 0 ? gravity : 10) * dt;
 }
 
-void draw_arrow(const Vec2& from, const Vec2& way, double pixel, Painter& painter) {
-    const Vec2 to = from + way;
+void draw_arrow(const Vec2& from, const Vec2& arrow, double pixel, Painter& painter) {
+    const Vec2 to = from + arrow;
     painter.line(from, to, ink, 2);
-    const double length = way.length();
+    const double length = arrow.length();
     const double head = std::min(7 * pixel, 0.4 * length);
-    const Vec2 back = -head / length * way, side(-0.5 * back.y, 0.5 * back.x);
+    const Vec2 back = -head / length * arrow, side(-0.5 * back.y, 0.5 * back.x);
     painter.line(to, to + back + side, ink, 2);
     painter.line(to, to + back - side, ink, 2);
 }
@@ -76,12 +76,12 @@ void draw_impulses(physics::World& world, double dt, Painter& painter) {
         const Vec2 normal = widen(contact.normal), tangent(normal.y, -normal.x);
         for (int k = 0; k < contact.point_count; ++k) {
             const physics::ContactPoint& point = contact.points[static_cast<std::size_t>(k)];
-            const Vec2 way = side * meters_each * substeps *
-                             (static_cast<double>(point.normal_impulse) * normal +
-                              static_cast<double>(point.tangent_impulse) * tangent);
-            const Vec2 at = widen(point.point), end = at + way;
-            if (way.length() > pixel && painter.sees(at.min(end), at.max(end)))
-                draw_arrow(at, way, pixel, painter);
+            const Vec2 arrow = side * meters_each * substeps *
+                               (static_cast<double>(point.normal_impulse) * normal +
+                                static_cast<double>(point.tangent_impulse) * tangent);
+            const Vec2 at = widen(point.point), end = at + arrow;
+            if (arrow.length() > pixel && painter.sees(at.min(end), at.max(end)))
+                draw_arrow(at, arrow, pixel, painter);
         }
     }
     draw_scale(meters_each, pixel, painter);

@@ -1,4 +1,4 @@
-// Limits of joints: arcs of the angles and lines of the ways that they allow.
+// Limits of joints: arcs of the angles and lines of the translations that they allow.
 
 #include <algorithm>
 #include <cmath>
@@ -58,9 +58,9 @@ void draw_angle_limits(const physics::RevoluteJoint& joint, const Side& b, const
     painter.line(at, rim(now), present, 2);
 }
 
-/// The way of b along an axis of a.
-void draw_way_limits(const Side& a, const physics::Vec2& anchor, const physics::Vec2& axis,
-                     double lower, double upper, double now, Painter& painter) {
+/// The translation of b along an axis of a.
+void draw_translation_limits(const Side& a, const physics::Vec2& anchor, const physics::Vec2& axis,
+                             double lower, double upper, double now, Painter& painter) {
     if (!std::isfinite(lower) && !std::isfinite(upper)) return;
     constexpr double open = 3;  // m that are drawn towards a side without a limit
     const bool ends_below = std::isfinite(lower), ends_above = std::isfinite(upper);
@@ -93,10 +93,10 @@ template <class Sliding>
 void draw_sliding(physics::World& world, const physics::Joint& joint, const Side& a,
                   Painter& painter) {
     const Sliding sliding(&world, joint.id());
-    draw_way_limits(a, joint.anchor_a(), sliding.axis(),
-                    static_cast<double>(sliding.lower_translation()),
-                    static_cast<double>(sliding.upper_translation()),
-                    static_cast<double>(sliding.translation()), painter);
+    draw_translation_limits(a, joint.anchor_a(), sliding.axis(),
+                            static_cast<double>(sliding.lower_translation()),
+                            static_cast<double>(sliding.upper_translation()),
+                            static_cast<double>(sliding.translation()), painter);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ Handle found(const std::unordered_map<std::uint32_t, Handle>& departed, std::uin
     return at == departed.end() ? Handle{} : at->second;
 }
 
-/// Adds the data of an impact for one of the two parties; `side`: -1 for the second.
+/// Adds the data of an impact for one of the two sides; `side`: -1 for the second.
 void add_impact(std::vector<Value>& to, const auto& e, float side) {
     to.insert(to.end(),
               {to_value(e.point), to_value(physics::Vec2(side * e.normal)), to_value(e.impulse),
@@ -106,7 +106,7 @@ std::vector<Event> contact_events(std::string_view of) {
     };
 }
 
-void Hosting::note_pair_events(const property::Class& defined, const Event* PairEvent::*of) {
+void Hosting::register_pair_events(const property::Class& defined, const Event* PairEvent::*of) {
     for (const auto& [event, name] : {std::pair(&declared.contact_begin, "contact_begin"),
                                       std::pair(&declared.contact_persist, "contact_persist"),
                                       std::pair(&declared.before_solve, "before_solve"),
@@ -117,23 +117,23 @@ void Hosting::note_pair_events(const property::Class& defined, const Event* Pair
         event->*of = defined.event(name);
 }
 
-Hosting::Party Hosting::party(HostedWorld& hosted, physics::BodyId body,
-                              physics::ShapeId shape) const {
+Hosting::PairSide Hosting::pair_side(HostedWorld& hosted, physics::BodyId body,
+                                     physics::ShapeId shape) const {
     physics::World& world = hosted.world;
-    Party party;
+    PairSide side;
     if (body.index == 0)
-        party.body = hosted.self;  // the bounds
+        side.body = hosted.self;  // the bounds
     else
-        party.body = world.is_valid(body) ? unpack(world.body(body).user_data())
-                                          : found(hosted.departed_bodies, body.generation);
-    party.shape = world.is_valid(shape) ? unpack(world.shape(shape).user_data())
-                                        : found(hosted.departed_shapes, shape.generation);
-    return party;
+        side.body = world.is_valid(body) ? unpack(world.body(body).user_data())
+                                         : found(hosted.departed_bodies, body.generation);
+    side.shape = world.is_valid(shape) ? unpack(world.shape(shape).user_data())
+                                       : found(hosted.departed_shapes, shape.generation);
+    return side;
 }
 
-/// `add_rest`: adds the values of the event other than its parties to the values of a record.
+/// `add_rest`: adds the values of the event other than its sides to the values of a record.
 template <class AddRest>
-void Hosting::emit_pair(const PairEvent& event, const Party& self, const Party& other,
+void Hosting::emit_pair(const PairEvent& event, const PairSide& self, const PairSide& other,
                         const AddRest& add_rest) {
     const auto emit = [&](Handle to, const Event& which) {
         if (which.listeners == 0 || !tree.alive(to) || !tree.listens(to, which)) return;
@@ -153,8 +153,8 @@ void Hosting::report(HostedWorld& hosted) {
     const auto pair = [&](const PairEvent& event, const auto& list, const auto& add_rest) {
         if (!event.has_handlers()) return;
         for (const auto& e : list) {
-            const Party a = party(hosted, e.body_a, e.shape_a);
-            const Party b = party(hosted, e.body_b, e.shape_b);
+            const PairSide a = pair_side(hosted, e.body_a, e.shape_a);
+            const PairSide b = pair_side(hosted, e.body_b, e.shape_b);
             emit_pair(event, a, b, [&](std::vector<Value>& to) { add_rest(to, e, 1.0f); });
             emit_pair(event, b, a, [&](std::vector<Value>& to) { add_rest(to, e, -1.0f); });
         }
@@ -162,8 +162,8 @@ void Hosting::report(HostedWorld& hosted) {
     const auto sensed = [&](const PairEvent& event, const auto& list) {
         if (!event.has_handlers()) return;
         for (const physics::SensorEvent& e : list) {
-            const Party sensor = party(hosted, e.sensor_body, e.sensor);
-            const Party visitor = party(hosted, e.visitor_body, e.visitor);
+            const PairSide sensor = pair_side(hosted, e.sensor_body, e.sensor);
+            const PairSide visitor = pair_side(hosted, e.visitor_body, e.visitor);
             emit_pair(event, sensor, visitor, [](std::vector<Value>&) {});
             emit_pair(event, visitor, sensor, [](std::vector<Value>&) {});
         }
@@ -181,7 +181,7 @@ void Hosting::report(HostedWorld& hosted) {
     const auto each = [&](const Event& event, const std::vector<physics::BodyId>& bodies) {
         if (event.listeners == 0) return;
         for (const physics::BodyId id : bodies)
-            if (const Handle self = party(hosted, id, {}).body;
+            if (const Handle self = pair_side(hosted, id, {}).body;
                 tree.alive(self) && tree.listens(self, event))
                 tree.emit(self, event, {});
     };

@@ -1,5 +1,5 @@
 #pragma once
-// Descriptions of the events that worlds, bodies and shapes report or ask.
+// Descriptions of the events of worlds, bodies and shapes.
 
 #include <string_view>
 #include <vector>

@@ -51,7 +51,7 @@ std::vector<Event> world_events() {
 
 /// Enables the events and callbacks of the library that have handlers; the others would cost time.
 /// This wakes no body.
-void Hosting::follow_listeners() {
+void Hosting::update_callbacks() {
     Wanted wanted;
     wanted.hits = declared.contact_hit.has_handlers();
     wanted.persisting = declared.contact_persist.has_handlers();
@@ -61,10 +61,10 @@ void Hosting::follow_listeners() {
     if (wanted == wanted_) return;
     const Wanted before = std::exchange(wanted_, wanted);
     for (const auto& hosted : worlds_)
-        if (hosted != nullptr) listen(*hosted, before);
+        if (hosted != nullptr) set_callbacks(*hosted, before);
 }
 
-void Hosting::listen(HostedWorld& hosted, const Wanted& before) {
+void Hosting::set_callbacks(HostedWorld& hosted, const Wanted& before) {
     HostedWorld* const of = &hosted;
     physics::World& world = hosted.world;
     if (wanted_.hits != before.hits)
@@ -92,9 +92,9 @@ void Hosting::listen(HostedWorld& hosted, const Wanted& before) {
 }
 
 void Hosting::call_before_solve(HostedWorld& hosted, physics::ContactEdit& contact) {
-    const Party a = party(hosted, contact.shape_a.body().id(), contact.shape_a.id());
-    const Party b = party(hosted, contact.shape_b.body().id(), contact.shape_b.id());
-    const auto call_side = [&](const Party& self, const Party& other, float side) {
+    const PairSide a = pair_side(hosted, contact.shape_a.body().id(), contact.shape_a.id());
+    const PairSide b = pair_side(hosted, contact.shape_b.body().id(), contact.shape_b.id());
+    const auto call_side = [&](const PairSide& self, const PairSide& other, float side) {
         const auto call_one = [&](Handle to, const Event& event) {
             if (event.listeners == 0 || !to || !tree.listens(to, event)) return;
             std::vector<Value> values = {
@@ -124,8 +124,8 @@ void Hosting::call_before_solve(HostedWorld& hosted, physics::ContactEdit& conta
 
 void Hosting::call_mixing(HostedWorld& hosted, physics::ContactEdit& contact) {
     if (!tree.listens(hosted.self, *declared.mix_surfaces)) return;
-    const Party a = party(hosted, contact.shape_a.body().id(), contact.shape_a.id());
-    const Party b = party(hosted, contact.shape_b.body().id(), contact.shape_b.id());
+    const PairSide a = pair_side(hosted, contact.shape_a.body().id(), contact.shape_a.id());
+    const PairSide b = pair_side(hosted, contact.shape_b.body().id(), contact.shape_b.id());
     std::vector<Value> values = {
         a.shape,
         b.shape,
@@ -148,8 +148,8 @@ void Hosting::call_mixing(HostedWorld& hosted, physics::ContactEdit& contact) {
 bool Hosting::call_filter(HostedWorld& hosted, const physics::Shape& one,
                           const physics::Shape& other) {
     if (!hosted.self || !tree.listens(hosted.self, *declared.filter_pair)) return true;
-    const Party a = party(hosted, one.body().id(), one.id());
-    const Party b = party(hosted, other.body().id(), other.id());
+    const PairSide a = pair_side(hosted, one.body().id(), one.id());
+    const PairSide b = pair_side(hosted, other.body().id(), other.id());
     std::vector<Value> values = {a.shape, b.shape, a.body, b.body, true};
     property::ask(tree, hosted.self, *declared.filter_pair, values, 4);
     return from_value<bool>(values[4]);

@@ -52,7 +52,7 @@ std::unique_ptr<HostedWorld> Hosting::make_world(std::uint32_t number) {
     auto made = std::make_unique<HostedWorld>();
     made->world.set_owner(&owner_);
     made->world.on_refresh([this, number](const physics::Refresh& wanted) {
-        if (doing_ == 0) tree.refreshing(part_, refresh_code(number, wanted));
+        if (edit_depth_ == 0) tree.refreshing(part_, refresh_code(number, wanted));
     });
     return made;
 }
@@ -66,7 +66,7 @@ void Hosting::refresh(std::uint64_t what) {
 
 void Hosting::require_idle() const {
     const auto calls = [](const auto& hosted) { return hosted && hosted->world.locked(); };
-    if (doing_ > 0 || std::ranges::any_of(worlds_, calls))
+    if (edit_depth_ > 0 || std::ranges::any_of(worlds_, calls))
         throw property::Error(property::ErrorKind::bad_structure,
                               "physics is destroyed by a function that a step or a query of a "
                               "world is calling, which must not do so (see physics_module.h)");

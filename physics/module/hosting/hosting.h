@@ -63,10 +63,10 @@ constexpr Handle unpack(std::uint64_t data) {
 
 struct HostedWorld {
     physics::World world;
-    Handle self;          // null for limbo
-    bool placed = false;  // true if it is below the root, so that it is stepped
-    bool unreported = false;
-    SlotValues<Look> looks;                                  // by shape slot
+    Handle self;              // null for limbo
+    bool placed = false;      // true if it is below the root, so that it is stepped
+    bool unreported = false;  // true if it made a step whose events were not reported yet
+    SlotValues<Look> looks;   // by shape slot
     SlotValues<std::optional<property::Color>> body_colors;  // by body slot
     SlotValues<Ties> ties;                                   // by joint slot
     // Only in limbo: velocities that were set, by body slot. Shapes that are added later move the
@@ -188,18 +188,18 @@ class Hosting {
     /// destroyed: then `destroy_postponed` calls `destroy` later.
     bool postpone(std::uint32_t world, std::function<void()> destroy);
     void destroy_postponed();  ///< calls those that are possible now
-    /// Tells of what was placed below the root since the last call and does nothing there, once for
-    /// each kind: bodies, fields and joints below no world, shapes on no body, joints that hold
-    /// nothing. Also of a joint with a lower limit above the upper one.
+    /// Reports instances that were placed below the root since the last call and have no effect
+    /// there, once for each kind: bodies, fields and joints below no world, shapes on no body,
+    /// joints that connect nothing. Also joints with a lower limit above the upper one.
     void report_strays();
-    /// Notes a joint that was placed, for `report_strays`.
-    void note_placed_joint(Handle self);
+    /// Adds a joint to those that `report_strays` checks.
+    void add_placed_joint(Handle self);
     std::function<void(const std::string&)> on_problem;
     /// Throws Error(rejected) while the world of `row` calls a function.
     void require_unlocked(Row row);
 
     // --- Events (room events)
-    void follow_listeners();
+    void update_callbacks();
     void report(HostedWorld& hosted);
 
     // --- Snapshots (room saving; `refresh`: hosting.cpp)
@@ -208,23 +208,24 @@ class Hosting {
     void refresh(std::uint64_t what);
     /// While an object of this class exists, reads are parts of an edit: a replay repeats them with
     /// the edit, so they are not reported to the timeline.
-    class Doing {
+    class EditScope {
       public:
-        explicit Doing(Hosting& hosting) : doing_(hosting.doing_) { ++doing_; }
-        ~Doing() { --doing_; }
-        Doing(const Doing&) = delete;
+        explicit EditScope(Hosting& hosting) : depth_(hosting.edit_depth_) { ++depth_; }
+        ~EditScope() { --depth_; }
+        EditScope(const EditScope&) = delete;
 
       private:
-        int& doing_;
+        int& depth_;
     };
 
-    /// As `Doing`, for creating and destroying objects in the worlds, which only the module may do.
+    /// As `EditScope`, for creating and destroying objects in the worlds, which only the module may
+    /// do.
     class Placing {
       public:
-        explicit Placing(Hosting& hosting) : doing_(hosting), acting_(hosting.owner_) {}
+        explicit Placing(Hosting& hosting) : edit_(hosting), acting_(hosting.owner_) {}
 
       private:
-        Doing doing_;
+        EditScope edit_;
         physics::Owner::Acting acting_;
     };
 
@@ -256,7 +257,8 @@ class Hosting {
 
     DeclaredEvents declared;
     /// Stores the events of the class of bodies, or of shapes.
-    void note_pair_events(const property::Class& defined, const property::Event* PairEvent::*of);
+    void register_pair_events(const property::Class& defined,
+                              const property::Event* PairEvent::*of);
 
   private:
     std::unique_ptr<HostedWorld> make_world(std::uint32_t number);
@@ -264,15 +266,15 @@ class Hosting {
     /// Creates the shape at `from` in another world, as part of `owner` (none: detached).
     Row migrate_shape(Row from, std::uint32_t to, const physics::Body& owner);
     physics::Shape copy_shape(const physics::Shape& shape, std::uint32_t to);
-    Row leave_shape(Row from, std::uint32_t to, const physics::Shape& fresh);
-    void note_departure(Row shape);
+    Row replace_shape(Row from, std::uint32_t to, const physics::Shape& fresh);
+    void store_departure(Row shape);
 
-    struct Party {
+    struct PairSide {
         Handle body, shape;
     };
-    Party party(HostedWorld& hosted, physics::BodyId body, physics::ShapeId shape) const;
+    PairSide pair_side(HostedWorld& hosted, physics::BodyId body, physics::ShapeId shape) const;
     template <class AddRest>
-    void emit_pair(const PairEvent& event, const Party& self, const Party& other,
+    void emit_pair(const PairEvent& event, const PairSide& self, const PairSide& other,
                    const AddRest& add_rest);
 
     property::SnapshotPart& part_;
@@ -280,7 +282,7 @@ class Hosting {
         "this world belongs to a property tree, which makes and ends what is in it: create or "
         "destroy the instance instead"};
     std::array<std::unique_ptr<HostedWorld>, max_worlds> worlds_;
-    int doing_ = 0;
+    int edit_depth_ = 0;  // number of living `EditScope`
     struct Postponed {
         std::uint32_t world;
         std::function<void()> destroy;
@@ -291,7 +293,7 @@ class Hosting {
         bool reported = false;
     };
     Strays outside_, stray_shapes_, stray_joints_, crossed_limits_;
-    void note_stray(Handle self, Strays& strays) const;
+    void add_stray(Handle self, Strays& strays) const;
     std::string crossed_limits(Handle joint) const;
     /// `problem_of`: what is wrong with an instance; empty: nothing.
     void report_first(Strays& strays, const std::function<std::string(Handle)>& problem_of);
@@ -300,7 +302,7 @@ class Hosting {
         bool hits = false, persisting = false, before_solve = false, mixing = false, filter = false;
         bool operator==(const Wanted&) const = default;
     };
-    void listen(HostedWorld& hosted, const Wanted& before);
+    void set_callbacks(HostedWorld& hosted, const Wanted& before);
     void call_before_solve(HostedWorld& hosted, physics::ContactEdit& contact);
     void call_mixing(HostedWorld& hosted, physics::ContactEdit& contact);
     bool call_filter(HostedWorld& hosted, const physics::Shape& a, const physics::Shape& b);

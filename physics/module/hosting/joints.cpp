@@ -15,7 +15,7 @@ Row Joints::create(Handle self, physics::JointType type) {
 
 Row Joints::place(Handle self, Row row) {
     const std::uint32_t number = hosting_.world_above(self);
-    hosting_.note_placed_joint(self);
+    hosting_.add_placed_joint(self);
     if (number == world_number(row)) return row;
     hosting_.require_unlocked(row);
     const Hosting::Placing placing(hosting_);
@@ -27,7 +27,7 @@ Row Joints::place(Handle self, Row row) {
 }
 
 void Joints::destroy(Row row) {
-    hosting_.hosted(row).ties.forget(slot_of(row));
+    hosting_.hosted(row).ties.reset(slot_of(row));
     if (hosting_.postpone(world_number(row), [this, row] { destroy(row); })) return;
     const Hosting::Placing placing(hosting_);
     at(row).destroy();

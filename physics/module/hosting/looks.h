@@ -29,13 +29,13 @@ class SlotValues {
         values_[slot] = value;
     }
     /// Resets the slot: another object will use it.
-    void forget(std::uint32_t slot) {
+    void reset(std::uint32_t slot) {
         if (slot < values_.size()) values_[slot] = T{};
     }
     /// Removes and returns the value of the slot, for an object that moves to another world.
     T take(std::uint32_t slot) {
         const T value = get(slot);
-        forget(slot);
+        reset(slot);
         return value;
     }
     bool empty() const { return values_.empty(); }

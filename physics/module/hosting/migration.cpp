@@ -91,7 +91,7 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         const Handle instance = unpack(shapes[i].user_data());
         const Row left = make_row(world_number(from), shapes[i].index());
-        const Row placed = leave_shape(left, to, copies[i]);
+        const Row placed = replace_shape(left, to, copies[i]);
         if (instance) tree.set_row(instance, placed);  // the capsule of a mover has none
     }
     if (const auto center = old.center_override()) fresh.set_center(center);
@@ -104,11 +104,11 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     if (const physics::Vec2 force = old.applied_force(); force != physics::Vec2{})
         fresh.apply_force(force);
     if (const float torque = old.applied_torque(); torque != 0) fresh.apply_torque(torque);
-    hosted(from).velocities.forget(slot_of(from));
+    hosted(from).velocities.reset(slot_of(from));
     const auto color = hosted(from).body_colors.take(slot_of(from));
     if (color) target.body_colors.set(fresh.index(), color);
     if (MoverRecord mover = hosted(from).movers.get(slot_of(from)); mover.slot != 0) {
-        hosted(from).movers.forget(slot_of(from));
+        hosted(from).movers.reset(slot_of(from));
         mover.result.on_ground = 0;
         mover.result.ground = mover.result.dropped = mover.events.bumped =
             mover.events.was_ground = {};
@@ -124,7 +124,7 @@ Row Hosting::migrate_shape(Row from, std::uint32_t to, const physics::Body& owne
     require_unlocked(from);
     physics::Shape fresh = copy_shape(shape(from), to);
     if (owner) fresh.attach(owner);
-    return leave_shape(from, to, fresh);
+    return replace_shape(from, to, fresh);
 }
 
 /// Creates a copy of the shape in another world, without a body.
@@ -137,8 +137,8 @@ physics::Shape Hosting::copy_shape(const physics::Shape& shape, std::uint32_t to
 }
 
 /// Destroys the shape at `from`, which `fresh` replaces. Returns the row of `fresh`.
-Row Hosting::leave_shape(Row from, std::uint32_t to, const physics::Shape& fresh) {
-    note_departure(from);
+Row Hosting::replace_shape(Row from, std::uint32_t to, const physics::Shape& fresh) {
+    store_departure(from);
     if (!hosted(from).looks.empty()) {
         const Look look = hosted(from).looks.take(slot_of(from));
         if (look.fill || look.border || !look.visible || look.orientation_mark)

@@ -51,7 +51,7 @@ void Movers::set(std::uint32_t slot, MoverRecord record) {
         records_.insert(records_.begin() + static_cast<std::ptrdiff_t>(at), record);
 }
 
-void Movers::forget(std::uint32_t slot) {
+void Movers::reset(std::uint32_t slot) {
     const std::size_t at = place_of(slot);
     if (at < records_.size() && records_[at].slot == slot)
         records_.erase(records_.begin() + static_cast<std::ptrdiff_t>(at));
@@ -64,7 +64,7 @@ bool is_within(float value, float least, float most) {
 }
 
 /// False if a deserialized setting is out of the range of its property.
-bool are_sound(const MoverSettings& s) {
+bool are_valid(const MoverSettings& s) {
     constexpr float largest = std::numeric_limits<float>::max();
     return is_within(s.radius, 0.01f, 500.0f) && is_within(s.height, 0.02f, 1000.0f) &&
            is_within(s.crouch_height, 0.02f, 1000.0f) && is_within(s.max_slope, 0.0f, 1.5f) &&
@@ -75,7 +75,7 @@ bool are_sound(const MoverSettings& s) {
 }
 
 /// False if a deserialized number is not finite or larger than any step makes it.
-bool is_sound(const MoverResult& result, const MoverEvents& events) {
+bool is_valid(const MoverResult& result, const MoverEvents& events) {
     const float numbers[] = {
         result.velocity_x, result.velocity_y, result.shown_x,      result.shown_y,  result.place_x,
         result.place_y,    result.normal_x,   result.normal_y,     result.ground_x, result.ground_y,
@@ -86,11 +86,11 @@ bool is_sound(const MoverResult& result, const MoverEvents& events) {
 
 }  // namespace
 
-bool are_sound(const std::vector<MoverRecord>& records) {
+bool are_valid(const std::vector<MoverRecord>& records) {
     std::uint64_t last = 0;
     for (const MoverRecord& record : records) {
         if (record.slot <= last || record.slot >= max_slots) return false;
-        if (!are_sound(record.settings) || !is_sound(record.result, record.events)) return false;
+        if (!are_valid(record.settings) || !is_valid(record.result, record.events)) return false;
         last = record.slot;
     }
     return true;

@@ -54,7 +54,7 @@ class Movers {
     /// The defaults, with slot 0, if the body is not a mover.
     MoverRecord get(std::uint32_t slot) const;
     void set(std::uint32_t slot, MoverRecord record);
-    void forget(std::uint32_t slot);
+    void reset(std::uint32_t slot);
     bool empty() const { return records_.empty(); }
     const std::vector<MoverRecord>& all() const { return records_; }
     void replace(std::vector<MoverRecord> records) { records_ = std::move(records); }
@@ -69,7 +69,7 @@ class Movers {
 physics::MoverDef definition(const MoverRecord& record, const physics::Body& body);
 
 /// True if all numbers are in their ranges and the slots are in order.
-bool are_sound(const std::vector<MoverRecord>& records);
+bool are_valid(const std::vector<MoverRecord>& records);
 
 /// The shape of a mover: the one that belongs to no instance. Empty if there is none.
 physics::Shape capsule_of(const physics::Body& body);

@@ -24,7 +24,7 @@ void Hosting::require_concrete(Handle self) const {
 // --- Worlds
 
 Row Hosting::create_world(Handle self) {
-    const Doing placing(*this);
+    const EditScope placing(*this);
     std::uint32_t number = first_world;
     while (number < max_worlds && worlds_[number] != nullptr) ++number;
     if (number == max_worlds)
@@ -33,20 +33,20 @@ Row Hosting::create_world(Handle self) {
             "there can be at most " + std::to_string(max_worlds - 1) + " worlds at a time");
     worlds_[number] = make_world(number);
     worlds_[number]->self = self;
-    listen(*worlds_[number], {});
+    set_callbacks(*worlds_[number], {});
     const Row row = make_row(number, 0);
     tree.set_row(tree.create(*classes.statistics, self, "step"), row);
     return row;
 }
 
 Row Hosting::place_world(Handle self, Row row) {
-    const Doing placing(*this);
+    const EditScope placing(*this);
     hosted(row).placed = tree.is_below(self, tree.root());
     return row;
 }
 
 void Hosting::destroy_world(Row row) {
-    const Doing placing(*this);
+    const EditScope placing(*this);
     if (world_number(row) == limbo) return;
     worlds_[world_number(row)].reset();
     std::erase_if(postponed_, [&](const auto& one) { return one.world == world_number(row); });
@@ -64,7 +64,7 @@ Row Hosting::create_body(Handle self) {
 Row Hosting::place_body(Handle self, Row row) {
     const Placing placing(*this);
     const std::uint32_t number = world_above(self);
-    if (number == limbo) note_stray(self, outside_);
+    if (number == limbo) add_stray(self, outside_);
     return number == world_number(row) ? row : migrate_body(row, number);
 }
 
@@ -74,9 +74,9 @@ void Hosting::destroy_body(Row row) {
     HostedWorld& in = hosted(row);
     const physics::Body gone = body(row);
     if (gone.is_touching()) in.departed_bodies[gone.id().generation] = unpack(gone.user_data());
-    in.body_colors.forget(slot_of(row));
-    in.velocities.forget(slot_of(row));
-    in.movers.forget(slot_of(row));
+    in.body_colors.reset(slot_of(row));
+    in.velocities.reset(slot_of(row));
+    in.movers.reset(slot_of(row));
     joints.disconnect_all(gone);
     physics::Body(gone).destroy();
 }
@@ -99,7 +99,7 @@ Row Hosting::place_shape(Handle self, Row row) {
     const Placing placing(*this);
     const Handle owner = body_above(self);
     if (!owner) {
-        note_stray(self, stray_shapes_);
+        add_stray(self, stray_shapes_);
         if (world_number(row) != limbo) return migrate_shape(row, limbo, {});
         shape(row).detach();
         return row;
@@ -115,14 +115,14 @@ Row Hosting::place_shape(Handle self, Row row) {
 void Hosting::destroy_shape(Row row) {
     if (postpone(world_number(row), [this, row] { destroy_shape(row); })) return;
     const Placing placing(*this);
-    note_departure(row);
-    hosted(row).looks.forget(slot_of(row));
+    store_departure(row);
+    hosted(row).looks.reset(slot_of(row));
     shape(row).destroy();
 }
 
 /// Stores the instances of a shape and its body that are removed during a touch, for the event of
 /// its end.
-void Hosting::note_departure(Row row) {
+void Hosting::store_departure(Row row) {
     const physics::Shape going = shape(row);
     if (!going.is_touching()) return;
     HostedWorld& in = hosted(row);
@@ -133,14 +133,14 @@ void Hosting::note_departure(Row row) {
 
 // --- What is outside
 
-void Hosting::note_stray(Handle self, Strays& strays) const {
+void Hosting::add_stray(Handle self, Strays& strays) const {
     if (!strays.reported && on_problem && tree.is_below(self, tree.root()))
         strays.placed.push_back(self);
 }
 
-void Hosting::note_placed_joint(Handle self) {
-    note_stray(self, world_above(self) == limbo ? outside_ : stray_joints_);
-    note_stray(self, crossed_limits_);
+void Hosting::add_placed_joint(Handle self) {
+    add_stray(self, world_above(self) == limbo ? outside_ : stray_joints_);
+    add_stray(self, crossed_limits_);
 }
 
 namespace {
@@ -242,7 +242,7 @@ Row Hosting::create_field(Handle self, const physics::FieldDef& def) {
 Row Hosting::place_field(Handle self, Row row) {
     const Placing placing(*this);
     const std::uint32_t number = world_above(self);
-    if (number == limbo) note_stray(self, outside_);
+    if (number == limbo) add_stray(self, outside_);
     if (number == world_number(row)) return row;
     require_unlocked(row);
     const Row placed = create_field(self, field(row).definition());

@@ -18,21 +18,21 @@ inline physics::Vec2 bounded(const physics::Vec2& point) {
     return {bounded(point.x, limit), bounded(point.y, limit)};
 }
 
-/// A setting of a joint. If no user has set it, it is measured when the joint begins to act. `Look`
-/// returns the value that would be measured now.
-template <physics::JointType type, auto Get, auto Set, auto Look>
+/// A setting of a joint. If no user has set it, it is measured when the joint begins to act.
+/// `Measured` returns the value that would be measured now.
+template <physics::JointType type, auto Get, auto Set, auto Measured>
 Binding measured_setting(Hosting& hosting) {
     using Native = typename Setter<Set>::Object;
     using Argument = typename Setter<Set>::Argument;
     hosting.joints.measures[static_cast<std::size_t>(type)] = [](Hosting& h, Row row,
                                                                  physics::World& in) {
-        (Native(&in, h.joints.at(row).id()).*Set)(bounded(Look(h, row)));
+        (Native(&in, h.joints.at(row).id()).*Set)(bounded(Measured(h, row)));
     };
     Binding binding = accessor(
         hosting,
         [](Hosting& h, Row row) {
             const bool known = h.joints.ties(row).source != Source::none;
-            return widened(known ? (h.joints.at<Native>(row).*Get)() : Look(h, row));
+            return widened(known ? (h.joints.at<Native>(row).*Get)() : Measured(h, row));
         },
         [](Hosting& h, Row row, const Value& value) {
             (h.joints.at<Native>(row).*Set)(from_value<Argument>(value));
@@ -67,12 +67,12 @@ property::Lifecycle joint_lifecycle(Hosting& hosting) {
 /// A property with a number that the joint measures unless it is set.
 Property measured_number(std::string name, std::string unit, std::string doc, Binding binding);
 /// A read-only number of a joint; 0 while it does not act.
-template <auto Ask>
+template <auto Get>
 Binding reading(Hosting& hosting) {
-    using Native = typename Getter<Ask>::Object;
+    using Native = typename Getter<Get>::Object;
     return accessor(hosting, [](Hosting& h, Row row) {
         const auto joint = h.joints.at<Native>(row);
-        return widened(joint.dormant() ? 0.0f : (joint.*Ask)());
+        return widened(joint.dormant() ? 0.0f : (joint.*Get)());
     });
 }
 

@@ -22,7 +22,7 @@ Binding setting_of(Hosting& hosting) {
     return accessor(
         hosting, [](Hosting& h, Row row) { return to_value(record_of(h, row).settings.*Member); },
         [](Hosting& h, Row row, const Value& value) {
-            const Hosting::Doing doing(h);
+            const Hosting::EditScope doing(h);
             MoverRecord record = record_of(h, row);
             record.settings.*Member = from_value<float>(value);
             h.hosted(row).movers.set(slot_of(row), record);
@@ -36,7 +36,7 @@ Binding switch_of(Hosting& hosting) {
         hosting,
         [](Hosting& h, Row row) { return to_value(record_of(h, row).settings.*Member != 0); },
         [](Hosting& h, Row row, const Value& value) {
-            const Hosting::Doing doing(h);
+            const Hosting::EditScope doing(h);
             MoverRecord record = record_of(h, row);
             record.settings.*Member = value.boolean();
             h.hosted(row).movers.set(slot_of(row), record);
@@ -238,7 +238,7 @@ Result jump(void* context, property::Tree&, Handle, Row row, std::span<const Val
 
 Result drop(void* context, property::Tree&, Handle, Row row, std::span<const Value>) {
     Hosting& h = *static_cast<Hosting*>(context);
-    const Hosting::Doing doing(h);
+    const Hosting::EditScope doing(h);
     HostedWorld& in = h.hosted(row);
     MoverRecord record = record_of(h, row);
     physics::Mover mover(definition(record, h.body(row)), h.body(row).position());

@@ -11,7 +11,7 @@ void move_movers(HostedWorld& hosted, float dt);
 /// Emits the events of the last step.
 void report_movers(Hosting& hosting, HostedWorld& hosted);
 
-/// Takes the height for standing or for crouching, if there is room for it, and the radius.
+/// Sets the radius, and the height for standing or for crouching if there is room for it.
 void adapt_capsule(HostedWorld& hosted, std::uint32_t slot);
 
 }  // namespace fettle::physics_module

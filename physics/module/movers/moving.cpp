@@ -12,7 +12,7 @@ using physics::Vec2;
 
 enum Happened : std::uint32_t { landed = 1, left_ground = 2, bumped = 4, crushed = 8 };
 
-Vec2 aside(const Vec2& up) {
+Vec2 right_of(const Vec2& up) {
     return {up.y, -up.x};
 }
 
@@ -51,7 +51,7 @@ float approached(float from, float to, float most) {
 /// The target velocity of this step.
 Vec2 wanted_velocity(const MoverRecord& record, const physics::Body& body, const Vec2& up,
                      float dt) {
-    const Vec2 right = aside(up);
+    const Vec2 right = right_of(up);
     const float limit = 1e4f;  // m/s
     const float walk = std::clamp(record.settings.walk, -limit, limit);
     const float climb = std::clamp(record.settings.climb, -limit, limit);
@@ -65,8 +65,8 @@ Vec2 wanted_velocity(const MoverRecord& record, const physics::Body& body, const
     return {std::clamp(wanted.x, -limit, limit), std::clamp(wanted.y, -limit, limit)};
 }
 
-void note_events(MoverEvents& events, const MoverResult& before, const physics::Moved& moved,
-                 float fall) {
+void store_events(MoverEvents& events, const MoverResult& before, const physics::Moved& moved,
+                  float fall) {
     events.happened = 0;
     if (moved.on_ground && before.on_ground == 0) {
         events.happened |= landed;
@@ -152,7 +152,7 @@ void move_one(HostedWorld& in, std::uint32_t slot, float dt) {
     }
     const physics::Moved moved = mover.move(in.world, wanted, dt);
     store(record.result, mover, moved);
-    note_events(record.events, before.result, moved, -wanted.dot(up));
+    store_events(record.events, before.result, moved, -wanted.dot(up));
 
     // In the air the velocity is absolute, and on the ground relative to it.
     Vec2 left = moved.velocity;

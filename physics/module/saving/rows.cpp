@@ -43,7 +43,7 @@ class Rows {
     }
 
     bool fits(Handle self, const Class& is, Row row) {
-        Seen& seen = note(self);
+        Seen& seen = record(self);
         if (is.is_a(*hosting_.classes.world))
             return slot_of(row) == 0 && world_number(row) != limbo &&
                    objects_.worlds[world_number(row)] != nullptr &&
@@ -52,18 +52,18 @@ class Rows {
             return slot_of(row) == 0 && objects_.worlds[world_number(row)] != nullptr;
         if (is.is_a(*hosting_.classes.body)) {
             seen.is_body = true;
-            return is_whose(bodies_, row, self, 0);
+            return claim(bodies_, row, self, 0);
         }
         const auto& lifecycle = is.lifecycle();
         if (is.is_a(*hosting_.classes.shape)) {
             const auto* kind = static_cast<const ShapeKind*>(lifecycle.context);
             return is.creatable() && kind != nullptr &&
-                   is_whose(shapes_, row, self, kind->geometry.index());
+                   claim(shapes_, row, self, kind->geometry.index());
         }
         if (const auto kind = kind_of(hosting_.field_kinds, lifecycle))
-            return is.creatable() && is_whose(fields_, row, self, *kind);
+            return is.creatable() && claim(fields_, row, self, *kind);
         if (const auto kind = kind_of(hosting_.joint_kinds, lifecycle))
-            return is.creatable() && is_whose(joints_, row, self, *kind);
+            return is.creatable() && claim(joints_, row, self, *kind);
         return true;  // of another module
     }
 
@@ -91,7 +91,7 @@ class Rows {
         std::uint32_t generation = 0;
         bool is_body = false;
     };
-    Seen& note(Handle self) {
+    Seen& record(Handle self) {
         if (self.index >= seen_.size()) seen_.resize(self.index + 1);
         return seen_[self.index] = {.generation = self.generation};
     }
@@ -100,7 +100,7 @@ class Rows {
                            seen_[handle.index].generation == handle.generation;
         return there ? &seen_[handle.index] : nullptr;
     }
-    static bool is_whose(ByRow& objects, Row row, Handle self, std::size_t kind) {
+    static bool claim(ByRow& objects, Row row, Handle self, std::size_t kind) {
         const auto found = objects.find(row);
         if (found == objects.end() || found->second.data != pack(self) ||
             found->second.kind != kind)
@@ -131,7 +131,7 @@ void check_rows(const Hosting& hosting, const RestoredObjects& objects,
         if (!rows.fits(self, is, row))
             from.fail(property::with_article(is.name()) + " has a row that is not its own");
     });
-    from.require(rows.all_claimed(), "an object of an instance that has another");
+    from.require(rows.all_claimed(), "an object whose instance has another object");
     for (const std::span<const Ties> all : objects.ties)
         for (const Ties& ties : all)
             from.require(rows.ties_bodies(ties), "a joint that ties no body");

@@ -53,7 +53,7 @@ bool is_color(const std::optional<property::Color>& color) {
            is_channel(color->a);
 }
 
-void save_beside(property::ByteWriter& to, const HostedWorld& hosted) {
+void save_module_data(property::ByteWriter& to, const HostedWorld& hosted) {
     to.put(hosted.self);
     to.put(std::uint8_t{hosted.placed});
     to.put(std::uint8_t{hosted.unreported});
@@ -85,7 +85,7 @@ ModuleData read_module_data(property::ByteReader& from) {
         from.require(is_optional(velocity) && (!velocity || velocity->is_finite()), "a velocity");
     for (const Ties& ties : data.ties)
         from.require(ties.source <= Source::given, "the source of a measured value");
-    from.require(are_sound(data.movers), "a mover");
+    from.require(are_valid(data.movers), "a mover");
     data.bodies = get_departed(from);
     data.shapes = get_departed(from);
     return data;
@@ -119,7 +119,7 @@ void Hosting::save(property::ByteWriter& to) const {
     for (std::uint32_t number = 0; number < max_worlds; ++number) {
         if (worlds_[number] == nullptr) continue;
         to.put(number);
-        save_beside(to, *worlds_[number]);
+        save_module_data(to, *worlds_[number]);
         const std::size_t block = to.begin_block();
         worlds_[number]->world.save(to.out());
         to.end_block(block);
@@ -154,7 +154,7 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
         }
         worlds->push_back(std::move(saved));
     }
-    from.require(found[limbo], "there is no place for what is in no world");
+    from.require(found[limbo], "the world for objects outside of worlds is missing");
     RestoredObjects objects;
     const bool connect_needed = from.boolean();
     for (const Saved& saved : *worlds) {
@@ -178,7 +178,7 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
             hosted->world.take(std::move(*saved.world));
             put_module_data(std::move(saved.data), *hosted);
             hosted->placed = tree.alive(hosted->self) && tree.is_below(hosted->self, tree.root());
-            listen(*hosted, wanted);
+            set_callbacks(*hosted, wanted);
         }
         joints.set_connect_needed(connect_needed);
     };

@@ -14,7 +14,7 @@ constexpr std::int64_t material_of_shape = -1;
 constexpr std::int64_t last_material = physics::surface_of_shape.material - 1;
 
 template <class Number>
-Value shown(Number given) {
+Value to_tree(Number given) {
     if constexpr (std::is_same_v<Number, std::uint16_t>)
         return given == physics::surface_of_shape.material ? material_of_shape
                                                            : static_cast<std::int64_t>(given);
@@ -23,7 +23,7 @@ Value shown(Number given) {
 }
 
 template <class Number>
-Number meant(const Value& value) {
+Number from_tree(const Value& value) {
     if constexpr (std::is_same_v<Number, std::uint16_t>)
         return value.integer() == material_of_shape ? physics::surface_of_shape.material
                                                     : static_cast<Number>(value.integer());
@@ -39,7 +39,7 @@ Binding of_segments(Hosting& hosting) {
         List list;
         std::size_t own = 0;
         for (const SegmentSurface& surface : h.shape(row).segment_surface_overrides()) {
-            list.push_back(shown<Number>(surface.*Member));
+            list.push_back(to_tree<Number>(surface.*Member));
             if (surface.*Member != physics::surface_of_shape.*Member) own = list.size();
         }
         list.resize(own);
@@ -58,7 +58,7 @@ Binding of_segments(Hosting& hosting) {
         surfaces.resize(count, physics::surface_of_shape);
         for (std::size_t i = 0; i < count; ++i)
             surfaces[i].*Member =
-                i < list.size() ? meant<Number>(list[i]) : physics::surface_of_shape.*Member;
+                i < list.size() ? from_tree<Number>(list[i]) : physics::surface_of_shape.*Member;
         chain.set_segment_surfaces(surfaces);
     };
     return accessor(hosting, get, set);

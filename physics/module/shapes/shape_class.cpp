@@ -219,7 +219,7 @@ void define_shape(Hosting& hosting) {
     const property::Class& defined = hosting.tree.define(std::move(shape));
     hosting.classes.shape = &defined;
     hosting.classes.abstract.push_back(&defined);
-    hosting.note_pair_events(defined, &PairEvent::of_shape);
+    hosting.register_pair_events(defined, &PairEvent::of_shape);
 }
 
 property::Lifecycle shape_lifecycle(ShapeKind& kind) {

@@ -16,7 +16,7 @@ using property::Record;
 /// Steps times bodies that are awake in them; the copy makes no step beyond.
 constexpr std::size_t most_work = 300'000;
 /// A body that stays this near to its place does not move, m and rad.
-constexpr double still = 1e-3;
+constexpr double least_motion = 1e-3;
 
 const std::vector<Field> ghost_fields = {
     {"body", Type::reference, "", "A body that will move.", "Body"},
@@ -28,17 +28,17 @@ const std::vector<Field> ghost_fields = {
     {"angle", Type::number, "rad", "Its angle at the end."},
 };
 
-/// The way of a body, one pose for each step.
-struct Way {
+/// The path of a body, one pose for each step.
+struct Path {
     std::uint32_t body;
     double first_angle;
     std::vector<physics::Vec2> points{};
 };
 
-bool moves(const Way& way, double angle) {
-    if (std::abs(angle - way.first_angle) > still) return true;
-    return std::ranges::any_of(way.points, [&](const physics::Vec2& point) {
-        return (widen(point) - widen(way.points.front())).length() > still;
+bool moves(const Path& path, double angle) {
+    if (std::abs(angle - path.first_angle) > least_motion) return true;
+    return std::ranges::any_of(path.points, [&](const physics::Vec2& point) {
+        return (widen(point) - widen(path.points.front())).length() > least_motion;
     });
 }
 
@@ -48,26 +48,26 @@ property::Result ghosts(Hosting& hosting, std::uint32_t number, double seconds) 
     physics::World copy = hosted.world.clone();
     // A joint that was made since the last step acts from the next one on.
     hosting.joints.connect_copy(number, copy);
-    std::vector<Way> ways;
+    std::vector<Path> paths;
     for (const physics::Body& body : copy.bodies())
         if (body.type() != physics::BodyType::static_body)
-            ways.push_back({body.index(), static_cast<double>(body.angle()), {body.position()}});
+            paths.push_back({body.index(), static_cast<double>(body.angle()), {body.position()}});
     const auto steps = static_cast<int>(std::ceil(seconds / hosting.last_dt - 1e-9));
     std::size_t work = 0;
     for (int i = 0; i < steps && work < most_work; ++i) {
         copy.step(static_cast<float>(hosting.last_dt));
         work += copy.statistics().awake_bodies + 1;
-        for (Way& way : ways) way.points.push_back(copy.state(way.body).position);
+        for (Path& path : paths) path.points.push_back(copy.state(path.body).position);
     }
     std::vector<Record> records;
-    for (const Way& way : ways) {
-        const auto angle = static_cast<double>(copy.state(way.body).angle);
-        const physics::BodyId id{way.body, copy.body_generation(way.body)};
+    for (const Path& path : paths) {
+        const auto angle = static_cast<double>(copy.state(path.body).angle);
+        const physics::BodyId id{path.body, copy.body_generation(path.body)};
         const Handle instance = hosting.instance_of(hosted.world.body(id).user_data());
-        if (!instance || !moves(way, angle)) continue;
+        if (!instance || !moves(path, angle)) continue;
         property::List points;
-        points.reserve(way.points.size());
-        for (const physics::Vec2& point : way.points) points.push_back(to_value(point));
+        points.reserve(path.points.size());
+        for (const physics::Vec2& point : path.points) points.push_back(to_value(point));
         records.push_back({&ghost_fields, {instance, Value(std::move(points)), angle}});
     }
     return records;

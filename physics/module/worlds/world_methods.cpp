@@ -251,7 +251,7 @@ Result contacts_of_world(HostedWorld& hosted, Arguments) {
     const Instances instances(hosted);
     std::vector<Record> records;
     for (const physics::Contact& contact : hosted.world.contacts()) {
-        // The library has the border as first party; here it is the second, so that a is a body.
+        // In the library the border is side a; here it is side b, so that a is a body.
         const bool swap = contact.body_a.index == 0;
         const auto body_a = swap ? contact.body_b : contact.body_a;
         const auto body_b = swap ? contact.body_a : contact.body_b;

@@ -156,7 +156,7 @@ void solve_directly(const SolverInput& input, const JointStep& joint_step,
         integrate_positions(blocks.bodies_of(blocks[0]), input.bodies.solver_bodies, h);
         solver.pass(DirectPass::relaxed);
         zero_locked(input);
-        strain_joints(input.joints);
+        add_strains(input.joints);
     }
     if (!solver.anything_bounces()) return;
     solver.pass(DirectPass::bounced);

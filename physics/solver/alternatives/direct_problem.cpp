@@ -241,7 +241,7 @@ double DirectProblem::work_of_factorization() const {
 }
 
 /// Number of factorizations that this problem may still make in a pass.
-int DirectProblem::affordable() const {
+int DirectProblem::factorizations_left() const {
     if (work_ == 0.0) return most_factorizations;
     return int(std::clamp(work_left_ / work_, 0.0, double(most_factorizations)));
 }
@@ -254,7 +254,7 @@ bool DirectProblem::solve_boxed(int most) {
         if (factor_.info() != Eigen::Success) return false;
         if (work_ == 0.0) {
             work_ = work_of_factorization();
-            budget_ = std::max(affordable(), 1);
+            budget_ = std::max(factorizations_left(), 1);
         }
         work_left_ -= work_;
         trial_ = factor_.solve(right_);
@@ -344,7 +344,7 @@ bool DirectProblem::solve_exactly() {
     least_left_ = worst_begin;
     if (bodies_.size() > most_bodies || search_failed_) return false;
     if (!analyzed_) analyze();
-    budget_ = affordable();
+    budget_ = factorizations_left();
     share_ = begin_;
     guess_states();
     for (int round = 0; round < most_rounds && budget_ > 0; ++round) {
@@ -425,10 +425,10 @@ bool DirectProblem::solve(std::span<DirectRow> all, std::span<const MassScale> s
     read(scales, solver_bodies, applied);
     bool solved = find_velocities();
     if (const double first = excess(scales, push_speed); first > 1.0) {
-        begin_again(1.0 / first);
+        restart(1.0 / first);
         solved = find_velocities();
         if (excess(scales, push_speed) > much_excess) {
-            begin_again(0.0);
+            restart(0.0);
             solved = find_velocities();
         }
     }

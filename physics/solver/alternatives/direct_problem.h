@@ -42,10 +42,10 @@ class DirectProblem {
     void analyze();
     void read(std::span<const MassScale> scales, std::span<const SolverBody> solver_bodies,
               bool applied);
-    void take_impulses_back(std::span<const MassScale> scales,
-                            std::span<const SolverBody> solver_bodies, bool applied);
+    void remove_impulses(std::span<const MassScale> scales,
+                         std::span<const SolverBody> solver_bodies, bool applied);
     double excess(std::span<const MassScale> scales, float push_speed) const;
-    void begin_again(double share);
+    void restart(double share);
     void write(std::span<const MassScale> scales, std::span<SolverBody> solver_bodies) const;
     bool find_velocities();
     bool solve_exactly();
@@ -69,7 +69,7 @@ class DirectProblem {
     State next_state(size_t i, double velocity);
     double step_length(const Eigen::VectorXd& direction);
     double work_of_factorization() const;
-    int affordable() const;
+    int factorizations_left() const;
 
     std::vector<uint32_t> bodies_, rows_;
     std::vector<Line> lines_;

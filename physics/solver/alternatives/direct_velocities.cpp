@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-// What an island gives to its problem, and what comes back: rows, impulses and velocities. Two
-// guards keep the energy of an island: errors of position and rotated impulses add no more than is
-// plausible.
+// Reads the rows, impulses and velocities of an island into its problem, and writes the results
+// back. Two guards keep the energy of an island: errors of position and rotated impulses add no
+// more than is plausible.
 
 namespace fettle::physics::detail {
 namespace {
@@ -31,7 +31,7 @@ void DirectProblem::read(std::span<const MassScale> scales,
         scaled_by(scales[j.b], j.on_b, line.on_b);
         if (applied) add(line, -row(i).impulse, before_);
     }
-    take_impulses_back(scales, solver_bodies, applied);
+    remove_impulses(scales, solver_bodies, applied);
     for (size_t i = 0; i < lines_.size(); ++i) {
         Line& line = lines_[i];
         const Jacobian& j = row(i).jacobian;
@@ -46,12 +46,13 @@ void DirectProblem::read(std::span<const MassScale> scales,
     }
 }
 
-/// `before_` takes back the impulses that acted along the rows as they were before the bodies moved
-/// along the rows as they are now. The difference is a velocity of second order in the rotation; it
-/// keeps the energy of a pendulum. A chain that is almost straight needs huge impulses, and there
-/// the difference would throw it. Then the impulses are taken back along the rows of before.
-void DirectProblem::take_impulses_back(std::span<const MassScale> scales,
-                                       std::span<const SolverBody> solver_bodies, bool applied) {
+/// Chooses `before_`, which removes the impulses of the previous pass from the velocities. They
+/// acted along the rows as these were before the bodies moved, and are removed along the rows as
+/// they are now. The difference is a velocity of second order in the rotation; it keeps the energy
+/// of a pendulum. A chain that is almost straight needs huge impulses, and there the difference
+/// would throw it. Then the impulses are removed along the earlier rows.
+void DirectProblem::remove_impulses(std::span<const MassScale> scales,
+                                    std::span<const SolverBody> solver_bodies, bool applied) {
     const auto visit = [&](auto&& component) {
         for (size_t i = 0; i < bodies_.size(); ++i) {
             const SolverBody& body = solver_bodies[bodies_[i]];
@@ -120,7 +121,7 @@ double DirectProblem::excess(std::span<const MassScale> scales, float push_speed
 
 /// The rows keep `share` of their corrections. The search begins without impulses: from there,
 /// sweeps without corrections do not add energy.
-void DirectProblem::begin_again(double share) {
+void DirectProblem::restart(double share) {
     for (size_t i = 0; i < lines_.size(); ++i) {
         DirectRow& r = row(i);
         r.push -= (1.0 - share) * r.correction;

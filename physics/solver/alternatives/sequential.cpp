@@ -16,8 +16,8 @@
 // move (in the project, the depth, because it moved bodies first). A point that would overlap gets
 // the impulse after which v_n = -s/h, or v_n = -e·v_n if it bounces, and friction up to μ times
 // that impulse. 3. Bodies move. 4. Points in order of s: half of each overlap is removed by a shift
-// along the normal, which the two bodies share by their inverse masses. Last, what still
-// overlaps a body that does not yield is put back in full.
+// along the normal, which the two bodies share by their inverse masses. Last, bodies that still
+// overlap a body that does not yield are moved out of it completely.
 //
 // There is no iteration and no warm start: a push that arrives at a point that was already
 // processed has an effect only in the next sub-step. So stacks of more than a few boxes tremble and
@@ -27,12 +27,13 @@
 namespace fettle::physics::detail {
 namespace {
 
-struct Turn {
+/// A point of a contact, and its place in the order of a pass.
+struct QueuedPoint {
     float severity;  ///< separation, m; the deepest come first
     uint32_t constraint;
     uint32_t point;
 
-    friend bool operator<(const Turn& a, const Turn& b) {
+    friend bool operator<(const QueuedPoint& a, const QueuedPoint& b) {
         if (a.severity != b.severity) return a.severity < b.severity;
         return a.constraint != b.constraint ? a.constraint < b.constraint : a.point < b.point;
     }
@@ -52,7 +53,7 @@ class SequentialPass {
           bodies_(input.bodies.solver_bodies),
           h_(h) {
         for (uint32_t i = 0; i < constraints_.size(); ++i) {
-            for (uint32_t k = 0; k < constraints_[i].count; ++k) turns_.push_back({0.0f, i, k});
+            for (uint32_t k = 0; k < constraints_[i].count; ++k) queue_.push_back({0.0f, i, k});
         }
     }
 
@@ -62,31 +63,32 @@ class SequentialPass {
             for (ConstraintPoint& p : c.points) p.normal_impulse = p.tangent_impulse = 0.0f;
         }
         for (ContactExtra& extra : extras_) extra.rolling_impulse = 0.0f;
-        for (Turn& turn : turns_) {
-            const Gap gap = gap_of(turn);
-            turn.severity = bounded(gap.separation + h_ * gap.velocity, 1e30f);
+        for (QueuedPoint& queued : queue_) {
+            const Gap gap = gap_of(queued);
+            queued.severity = bounded(gap.separation + h_ * gap.velocity, 1e30f);
         }
-        std::sort(turns_.begin(), turns_.end());
-        for (const Turn& turn : turns_) bounce(turn);
+        std::sort(queue_.begin(), queue_.end());
+        for (const QueuedPoint& queued : queue_) bounce(queued);
         for (const ContactConstraint& c : constraints_)
             if (c.extra != 0) extras_[c.extra - 1].record(c);
     }
 
     void remove_overlaps() {
         follow_curved_contacts(input_);
-        for (Turn& turn : turns_) turn.severity = bounded(gap_of(turn).separation, 1e30f);
-        std::sort(turns_.begin(), turns_.end());
-        for (const Turn& turn : turns_) push_apart(turn, 0.5f);
+        for (QueuedPoint& queued : queue_)
+            queued.severity = bounded(gap_of(queued).separation, 1e30f);
+        std::sort(queue_.begin(), queue_.end());
+        for (const QueuedPoint& queued : queue_) push_apart(queued, 0.5f);
         // A body that does not move does not yield. Without this, other bodies press a body on the
         // ground further in than half of its overlap is removed, and a heap sinks through.
-        for (const Turn& turn : turns_)
-            if (constraints_[turn.constraint].fixed != 0) push_apart(turn, 1.0f);
+        for (const QueuedPoint& queued : queue_)
+            if (constraints_[queued.constraint].fixed != 0) push_apart(queued, 1.0f);
     }
 
   private:
-    Gap gap_of(const Turn& turn) const {
-        const ContactConstraint& c = constraints_[turn.constraint];
-        const ConstraintPoint& p = c.points[turn.point];
+    Gap gap_of(const QueuedPoint& queued) const {
+        const ContactConstraint& c = constraints_[queued.constraint];
+        const ConstraintPoint& p = c.points[queued.point];
         const SolverBody &a = bodies_[c.a], &b = bodies_[c.b];
         const float opened = dot(c.normal, b.shift - a.shift) +
                              (p.normal_lever_b * b.turn - p.normal_lever_a * a.turn);
@@ -112,11 +114,11 @@ class SequentialPass {
         b.angular_velocity += b.inverse_inertia * lever_b * impulse;
     }
 
-    void bounce(const Turn& turn) {
-        ContactConstraint& c = constraints_[turn.constraint];
-        ConstraintPoint& p = c.points[turn.point];
+    void bounce(const QueuedPoint& queued) {
+        ContactConstraint& c = constraints_[queued.constraint];
+        ConstraintPoint& p = c.points[queued.point];
         ContactExtra* extra = c.extra != 0 ? &extras_[c.extra - 1] : nullptr;
-        const Gap gap = gap_of(turn);
+        const Gap gap = gap_of(queued);
         // If the shapes are apart, the gap may close, but not more.
         const float excess = gap.velocity + max(gap.separation, 0.0f) / h_;
         if (!(excess < 0.0f)) return;
@@ -154,9 +156,9 @@ class SequentialPass {
     }
 
     /// `part`: of the overlap that is removed.
-    void push_apart(const Turn& turn, float part) {
-        const ContactConstraint& c = constraints_[turn.constraint];
-        const float depth = -gap_of(turn).separation;
+    void push_apart(const QueuedPoint& queued, float part) {
+        const ContactConstraint& c = constraints_[queued.constraint];
+        const float depth = -gap_of(queued).separation;
         if (!(depth > 0.0f)) return;
         const Vec2 n = c.normal;
         const float inverse = n.x * n.x * (c.inverse_a.x + c.inverse_b.x) +
@@ -173,7 +175,7 @@ class SequentialPass {
     std::span<ContactExtra> extras_;
     std::span<SolverBody> bodies_;
     float h_;
-    std::vector<Turn> turns_;
+    std::vector<QueuedPoint> queue_;
 };
 
 }  // namespace
@@ -193,7 +195,7 @@ void solve_sequentially(const SolverInput& input, const JointStep& joint_step) {
         pass.remove_overlaps();
         pass_joints(&JointKind::relax, input.joints, bodies, joint_step, all);
         zero_locked(input);
-        strain_joints(input.joints);
+        add_strains(input.joints);
     }
 }
 

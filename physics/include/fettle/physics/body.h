@@ -62,15 +62,15 @@ class Body {
     /// has no effect.
     Vec2 velocity() const;
     void set_velocity(const Vec2& velocity);
-    /// Angular velocity, rad/s. A step limits it to 3 rad in each sub-step. It has no effect on
-    /// bodies on which `set_velocity` has none.
+    /// Angular velocity, rad/s. A step limits it to 3 rad in each sub-step. Setting it has no
+    /// effect on bodies on which `set_velocity` has none.
     float angular_velocity() const;
     void set_angular_velocity(float angular_velocity);
-    /// Sets both velocities so that steps of `dt` (s) in all bring it to `target`, if nothing
-    /// disturbs it: to be called before each step for a platform that follows a path, so that it
-    /// carries and pushes other bodies. The angle is not wrapped: a target of a whole turn more
-    /// turns it. Wakes it only if it is to move. No effect on bodies on which `set_velocity` has
-    /// none.
+    /// Sets both velocities so that the next steps, which last `dt` (s) in all, bring it to
+    /// `target`, if nothing disturbs it. Call it before each step for a platform that follows a
+    /// path; the platform then carries and pushes other bodies. The angle is not wrapped: a target
+    /// of a whole turn more turns it. Wakes it only if it is to move. No effect on bodies on which
+    /// `set_velocity` has none.
     void set_target(const Pose& target, float dt);
 
     Vec2 force() const;  ///< N, applied at the center of mass in every step until changed
@@ -102,10 +102,9 @@ class Body {
     std::string name() const;        ///< for messages and tools; need not be unique
     /// At most 63 bytes without a zero; throws std::invalid_argument for others.
     void set_name(std::string_view name);
-    /// Limit of the speed, m/s, above 0; infinity: only the limit of all bodies. As locked axes, it
-    /// also holds for the velocity that a kinematic body was given.
-    /// It holds in every sub-step. A world in which an awake body has one solves all contacts in
-    /// one part.
+    /// Limit of the speed, m/s, above 0; infinity: only the limit of all bodies. Like locked axes,
+    /// it also limits the velocity that a kinematic body was given. It holds in every sub-step. A
+    /// world in which an awake body has one solves all contacts in one part.
     float max_speed() const;
     void set_max_speed(float speed);
     /// Called once in every step in which it is awake, after gravity, forces, fields and damping
@@ -157,8 +156,8 @@ class Body {
     Aabb aabb() const;                            ///< of all shapes; the origin if there are none
     uint32_t rebuilds() const;  ///< how often mass, center and inertia were computed again
 
-    /// Pose before the last step, for drawing between steps. A teleport changes it too, so that
-    /// nothing is drawn on the way.
+    /// Pose before the last step, for drawing between steps. A teleport changes it too, so that the
+    /// body is not drawn between its old and its new place.
     Pose previous_pose() const;
     /// Pose at `fraction` (0: previous, 1: current) of the last step.
     Pose interpolated(float fraction) const;

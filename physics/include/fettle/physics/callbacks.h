@@ -63,7 +63,7 @@ struct ContactEdit {
 /// The motion of a body in a step, before contacts and joints act: for
 /// `Body::set_velocity_function`.
 struct VelocityEdit {
-    Body body = {};               ///< whose function is called
+    Body body = {};               ///< the body whose function is called
     float dt = 0.0f;              ///< s, length of the step
     Vec2 before = {};             ///< m/s, before the step
     float angular_before = 0.0f;  ///< rad/s
@@ -76,7 +76,7 @@ struct VelocityEdit {
 
 /// The pose of a body at the end of a step: for `Body::set_position_function`.
 struct PositionEdit {
-    Body body = {};    ///< whose function is called
+    Body body = {};    ///< the body whose function is called
     float dt = 0.0f;   ///< s, length of the step
     Pose before = {};  ///< before the step
     /// After the step; may be set. It is limited like all poses; NaN changes nothing. Setting it

@@ -116,7 +116,7 @@ class RotaryLimitJoint : public Joint {
     void set_reference_angle(float angle);
     float lower_angle() const;  ///< rad; -infinity (the default): no limit
     void set_lower_angle(float angle);
-    float upper_angle() const;  ///< rad; infinity (the default): no limit. Wins over `lower`
+    float upper_angle() const;  ///< rad; infinity (the default): no limit. Used if the limits cross
     void set_upper_angle(float angle);
 };
 

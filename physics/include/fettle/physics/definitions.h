@@ -28,8 +28,8 @@ enum class Solver : uint8_t {
 };
 
 #ifdef FETTLE_PHYSICS_DOUBLE
-// The type has another name for the linker, and so has what takes it. So a program does not link
-// with a library whose positions are of another precision.
+// The type, and each function with it as a parameter, has another name for the linker. So a program
+// does not link with a library whose positions have another precision.
 inline namespace double_positions {
 #endif
 
@@ -117,8 +117,8 @@ struct ShapeDef {
 };
 
 /// Surface of one segment of a chain, in place of that of the shape. The members mean what they
-/// mean in `ShapeDef`. A number that is `infinity` is that of the shape, and so is the material
-/// 65535.
+/// mean in `ShapeDef`. A number that is `infinity`, or a material that is 65535, stands for the
+/// value of the shape.
 struct SegmentSurface {
     float friction = 0.6f;            ///< Coulomb coefficient, at least 0
     float restitution = 0.0f;         ///< 0 … 1
@@ -128,7 +128,7 @@ struct SegmentSurface {
     friend bool operator==(const SegmentSurface&, const SegmentSurface&) = default;
 };
 
-/// A surface that is that of the shape in everything: the same as none.
+/// All values are those of the shape, as for a segment without a surface of its own.
 inline constexpr SegmentSurface surface_of_shape = {infinity, infinity, infinity, infinity, 65535};
 
 // Geometry, in body coordinates.
@@ -150,7 +150,7 @@ struct Box {
 
 /// If both ends are at the same point, the segment gets the minimal length.
 struct Segment {
-    Vec2 from = {-0.5f, 0.0f};  ///< its begin, m
+    Vec2 from = {-0.5f, 0.0f};  ///< its start, m
     Vec2 to = {0.5f, 0.0f};     ///< its end, m
     float rounding = 0.0f;      ///< radius: a capsule when positive
 };
@@ -230,7 +230,7 @@ struct JointDef {
 
 /// A soft pull of a point of a body towards a target, for dragging with a mouse.
 struct MouseJointDef {
-    BodyId body = {};                 ///< that is dragged; must be set
+    BodyId body = {};                 ///< the body that is dragged; must be set
     Position target = {};             ///< world, m
     std::optional<Vec2> anchor = {};  ///< body coordinates; none: the point at `target`
     float hertz = 5.0f;               ///< stiffness

@@ -89,8 +89,8 @@ struct ContactHitEvent {
 
 /// A shape has entered a sensor, or has left it.
 struct SensorEvent {
-    ShapeId sensor;       ///< which reports
-    ShapeId visitor;      ///< which has entered or left
+    ShapeId sensor;       ///< the sensor
+    ShapeId visitor;      ///< the shape that has entered or left
     BodyId sensor_body;   ///< of `sensor`
     BodyId visitor_body;  ///< of `visitor`
 
@@ -101,7 +101,7 @@ struct SensorEvent {
 /// A joint had more load than its `break_force` or `break_torque`; it no longer acts
 /// (`Joint::broken`).
 struct JointBreakEvent {
-    JointId joint;        ///< which bore the load
+    JointId joint;        ///< the joint with the load
     BodyId body_a;        ///< an invalid id means the world
     BodyId body_b;        ///< the same
     Vec2 force = {};      ///< N, on body b, mean over the step
@@ -110,7 +110,7 @@ struct JointBreakEvent {
 
 /// A joint had more load in this step than its `report_force` or `report_torque`.
 struct JointLoadEvent {
-    JointId joint;        ///< which bore the load
+    JointId joint;        ///< the joint with the load
     BodyId body_a;        ///< an invalid id means the world
     BodyId body_b;        ///< the same
     Vec2 force = {};      ///< N, on body b, mean over the step

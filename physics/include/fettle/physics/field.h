@@ -55,7 +55,7 @@ struct AttractorField {
     Position center = {};    ///< world, m
     float strength = 10.0f;  ///< m/s² at a distance of 1 m; negative repels
     int falloff = 2;         ///< 0 … 3
-    float core = 0.5f;       ///< m: nearer, the pull is proportional to the distance
+    float core = 0.5f;       ///< m: below this distance, the pull is proportional to the distance
 };
 
 /// A field of force: what it does, and where.

@@ -28,10 +28,10 @@ bool is_empty(const Called& called) {
 }
 }  // namespace detail
 
-/// A function that is kept: a lambda with what it captures, a pointer to a function, a
-/// `std::function`. It is used as `std::function` is, whose header alone takes as long to compile
-/// as all headers of this library. What it keeps must be copyable; two pointers, if they are
-/// trivially copyable, need no memory of their own.
+/// A copy of a function object, such as a lambda with its captures, a pointer to a function or a
+/// `std::function`. It is used like `std::function`, whose header alone takes as long to compile as
+/// all headers of this library. The function object must be copyable. If it is trivially copyable
+/// and no larger than two pointers, it needs no allocation.
 template <class Returned, class... Arguments>
 class Function<Returned(Arguments...)> {
   public:
@@ -44,79 +44,79 @@ class Function<Returned(Arguments...)> {
         Function(Called&& called) {  // NOLINT: converts
         using Kept = std::decay_t<Called>;
         if (detail::is_empty(called)) return;
-        if constexpr (lies_inside<Kept>)
-            ::new (room_.bytes) Kept(std::forward<Called>(called));
+        if constexpr (fits_inside<Kept>)
+            ::new (storage_.bytes) Kept(std::forward<Called>(called));
         else
-            room_.pointer = new Kept(std::forward<Called>(called));
+            storage_.pointer = new Kept(std::forward<Called>(called));
         actions_ = &actions_of<Kept>;
     }
     /// A copy.
     Function(const Function& other) : actions_(other.actions_) {
-        if (actions_ != nullptr) actions_->copy(other.room_, room_);
+        if (actions_ != nullptr) actions_->copy(other.storage_, storage_);
     }
     /// Takes over the other, which is empty then.
     Function(Function&& other) noexcept
-        : room_(other.room_), actions_(std::exchange(other.actions_, nullptr)) {}
+        : storage_(other.storage_), actions_(std::exchange(other.actions_, nullptr)) {}
     /// Takes over `other`, which may be a copy.
     Function& operator=(Function other) noexcept {
-        std::swap(room_, other.room_);
+        std::swap(storage_, other.storage_);
         std::swap(actions_, other.actions_);
         return *this;
     }
     ~Function() {
-        if (actions_ != nullptr) actions_->destroy(room_);
+        if (actions_ != nullptr) actions_->destroy(storage_);
     }
 
     explicit operator bool() const noexcept { return actions_ != nullptr; }  ///< false: empty
     /// Whether it is empty.
     friend bool operator==(const Function& function, std::nullptr_t) noexcept { return !function; }
-    /// Calls what it keeps. Throws std::logic_error if it is empty.
+    /// Calls the function object. Throws std::logic_error if it is empty.
     Returned operator()(Arguments... arguments) const {
         if (actions_ == nullptr) detail::refuse_empty_call();
-        return actions_->call(room_, std::forward<Arguments>(arguments)...);
+        return actions_->call(storage_, std::forward<Arguments>(arguments)...);
     }
 
   private:
-    union Room {
+    union Storage {
         void* pointer;
         alignas(void*) std::byte bytes[2 * sizeof(void*)];
     };
     struct Actions {
-        Returned (*call)(const Room&, Arguments&&...);
-        void (*copy)(const Room& from, Room& to);
-        void (*destroy)(Room&);
+        Returned (*call)(const Storage&, Arguments&&...);
+        void (*copy)(const Storage& from, Storage& to);
+        void (*destroy)(Storage&);
     };
     template <class Kept>
-    static constexpr bool lies_inside =
-        sizeof(Kept) <= sizeof(Room) &&
-        alignof(Kept) <= alignof(Room) && std::is_trivially_copyable_v<Kept>;
+    static constexpr bool fits_inside =
+        sizeof(Kept) <= sizeof(Storage) &&
+        alignof(Kept) <= alignof(Storage) && std::is_trivially_copyable_v<Kept>;
 
     template <class Kept>
-    static Kept& kept(const Room& room) {
-        if constexpr (lies_inside<Kept>)
-            return *std::launder(reinterpret_cast<Kept*>(const_cast<std::byte*>(room.bytes)));
+    static Kept& kept(const Storage& storage) {
+        if constexpr (fits_inside<Kept>)
+            return *std::launder(reinterpret_cast<Kept*>(const_cast<std::byte*>(storage.bytes)));
         else
-            return *static_cast<Kept*>(room.pointer);
+            return *static_cast<Kept*>(storage.pointer);
     }
     template <class Kept>
     static constexpr Actions actions_of = {
-        [](const Room& room, Arguments&&... arguments) -> Returned {
+        [](const Storage& storage, Arguments&&... arguments) -> Returned {
             if constexpr (std::is_void_v<Returned>)
-                static_cast<void>(kept<Kept>(room)(std::forward<Arguments>(arguments)...));
+                static_cast<void>(kept<Kept>(storage)(std::forward<Arguments>(arguments)...));
             else
-                return kept<Kept>(room)(std::forward<Arguments>(arguments)...);
+                return kept<Kept>(storage)(std::forward<Arguments>(arguments)...);
         },
-        [](const Room& from, Room& to) {
-            if constexpr (lies_inside<Kept>)
+        [](const Storage& from, Storage& to) {
+            if constexpr (fits_inside<Kept>)
                 to = from;
             else
                 to.pointer = new Kept(kept<Kept>(from));
         },
-        [](Room& room) {
-            if constexpr (!lies_inside<Kept>) delete static_cast<Kept*>(room.pointer);
+        [](Storage& storage) {
+            if constexpr (!fits_inside<Kept>) delete static_cast<Kept*>(storage.pointer);
         }};
 
-    Room room_ = {};
+    Storage storage_ = {};
     const Actions* actions_ = nullptr;
 };
 

@@ -24,9 +24,9 @@ struct FETTLE_PHYSICS_PRIVATE FormAccess;
 }  // namespace detail
 
 /// A geometry that is ready for the functions below: checked, with its hull, its normals and its
-/// convex parts. Every function takes a geometry as well, and then makes a form of it for the call;
-/// a form that is kept saves that work. Copies share their data. Throws std::invalid_argument like
-/// `Shape::set_geometry`.
+/// convex parts. Every function also accepts a geometry, and then makes a form of it for the call;
+/// a form that is used again saves that work. Copies share their data. Throws std::invalid_argument
+/// like `Shape::set_geometry`.
 class Form {
   public:
     /// Of any geometry.
@@ -42,9 +42,9 @@ class Form {
 
     Form(const Form& other) noexcept;      ///< shares its data
     Form& operator=(Form other) noexcept;  ///< shares its data
-    ~Form();                               ///< its data end with the last copy
+    ~Form();                               ///< the last copy frees its data
 
-    ShapeType type() const;  ///< which geometry it has
+    ShapeType type() const;  ///< the type of its geometry
     /// Its convex parts, counter-clockwise, body coordinates, without rounding: corners of a box or
     /// a polygon, ends of a segment, pieces of a concave polygon (at most sixteen vertices each),
     /// segments of a chain. Circle and ellipse: their center.

@@ -17,14 +17,14 @@ namespace fettle::physics {
 
 class World;
 
-/// How much a line of the log matters.
+/// Severity of a line of the log.
 enum class LogLevel : uint8_t {
     note,     ///< done in another way than requested, with the same results
-    warning,  ///< an argument of no meaning was ignored
+    warning,  ///< a meaningless argument was ignored
     error     ///< something was lost
 };
 
-/// Gets what the library notices and reports by neither a result nor an exception. `text` is one
+/// Gets the messages of the library that are neither a result nor an exception. `text` is one
 /// line and lives for the call. It is called on the thread that made the call of the library, so
 /// several threads may be in it at once. It may read the world, must not edit it, and what it
 /// throws is ignored.
@@ -38,8 +38,8 @@ void set_log(LogFunction function, void* user) noexcept;
 using FailureFunction = void (*)(void* user, const World& world, const char* what);
 
 /// While there is such a function, each world is checked by `World::validate` after each step,
-/// which takes several times as long as the step and calls the filter of the world: for finding an
-/// error of the library or writes into its memory. Null: no checks, as at first.
+/// which takes several times as long as the step and calls the filter of the world. Use it to find
+/// an error of the library, or code that writes into its memory. Null: no checks, as at first.
 void set_failure_function(FailureFunction function, void* user) noexcept;
 
 }  // namespace fettle::physics

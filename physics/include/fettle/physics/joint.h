@@ -18,7 +18,7 @@ class Joint {
   public:
     Joint() = default;  ///< empty: it refers to no joint
     inline Joint(World* world,
-                 JointId id);  ///< the joint with this id, of which no type is checked
+                 JointId id);  ///< the joint with this id; its type is not checked
 
     bool is_valid() const;  ///< whether its world and its joint exist
     explicit operator bool() const { return is_valid(); }  ///< as `is_valid`
@@ -32,10 +32,10 @@ class Joint {
     void set_body_a(const Body& body);  ///< keeps the anchor's body coordinates; must not be body b
     Body body_b() const;                ///< `Body()`: the world
     void set_body_b(const Body& body);
-    /// Ties two bodies at once, of which one may be the world.
+    /// Sets both bodies in one edit; one of them may be the world.
     void connect(const Body& a, const Body& b);
-    /// Takes both bodies off: the joint is dormant, and keeps its settings. It does nothing, and
-    /// outlives the bodies that it had.
+    /// Removes both bodies from the joint. It is dormant then: it does nothing, keeps its settings,
+    /// and outlives the bodies that it had.
     void disconnect();
     bool dormant() const;       ///< has no bodies; then both are the world
     Position anchor_a() const;  ///< body coordinates, m
@@ -63,8 +63,8 @@ class Joint {
     void set_report_torque(float torque);
     /// Stiffness of the joint itself, Hz: how fast it corrects an error of its position; limited to
     /// a quarter of the rate of sub-steps. 0 (the default): 60 Hz, and more where the joint
-    /// connects bodies of very different masses. The solver `direct` holds joints exactly, whatever
-    /// this is.
+    /// connects bodies of very different masses. The solver `direct` ignores it and holds joints
+    /// exactly.
     float constraint_hertz() const;
     void set_constraint_hertz(float hertz);
     /// 0 … 1000; 2 by default. Only with a `constraint_hertz`.
@@ -74,8 +74,8 @@ class Joint {
     void set_broken(bool broken);  ///< false repairs the joint
     Vec2 force() const;            ///< N, on body b in the last step
     float torque() const;          ///< N m, on body b; excludes the torque of the force
-    /// How far the anchors are from where the joint should hold them now, m: what a rigid part or a
-    /// limit has yielded. Springs and motors hold nothing. 0 for a dormant joint.
+    /// How far the anchors are from where the joint should hold them now, m: the error of its rigid
+    /// parts and its limits; springs and motors have none. 0 for a dormant joint.
     float separation() const;
     float angular_separation() const;  ///< rad
 
@@ -85,7 +85,7 @@ class Joint {
   protected:
     detail::WorldData& live() const;
     template <class Data>
-    Data& own() const;
+    Data& settings_as() const;
     /// Settings for an edit; wakes the bodies. `of` and `function`: type and method that the user
     /// called, for messages.
     template <class Data>
@@ -114,7 +114,7 @@ class MouseJoint : public Joint {
     Position target() const { return anchor_a(); }  ///< world, m
     void set_target(const Position& target);
     float hertz() const;          ///< stiffness; 5 by default
-    void set_hertz(float hertz);  ///< 0: slack
+    void set_hertz(float hertz);  ///< 0: no pull
     float damping_ratio() const;  ///< of the stiffness or spring, at least 0
     void set_damping_ratio(float ratio);
     float max_force() const;  ///< N
@@ -132,7 +132,7 @@ class DistanceJoint : public Joint {
     void set_min_length(float length);
     float max_length() const;  ///< m; infinity: no limit
     void set_max_length(float length);
-    float hertz() const;  ///< infinity (the default): a rod; 0: slack between the limits
+    float hertz() const;  ///< infinity (the default): a rod; 0: free between the limits
     void set_hertz(float hertz);
     float damping_ratio() const;  ///< of the spring; 1 comes to rest without swinging
     void set_damping_ratio(float ratio);
@@ -162,7 +162,7 @@ class RevoluteJoint : public Joint {
     void set_reference_angle(float angle);
     float lower_angle() const;  ///< rad; -infinity (the default): no limit
     void set_lower_angle(float angle);
-    float upper_angle() const;  ///< rad; infinity (the default): no limit. Wins over `lower`
+    float upper_angle() const;  ///< rad; infinity (the default): no limit. Used if the limits cross
     void set_upper_angle(float angle);
     float motor_speed() const;  ///< rad/s, of b relative to a
     void set_motor_speed(float speed);

@@ -36,7 +36,7 @@ struct DistanceJointDef {
                                             ///< current distance
     float min_length = 0.0f;                ///< m
     float max_length = infinity;            ///< m
-    float hertz = infinity;                 ///< infinity: a rod; 0: slack between the limits
+    float hertz = infinity;                 ///< infinity: a rod; 0: free between the limits
     float damping_ratio = 0.0f;             ///< of the spring, at least 0; 1: no swinging
     float lower_spring_force = -infinity;   ///< N; a negative force pulls
     float upper_spring_force = infinity;    ///< N; a positive force pushes

@@ -18,8 +18,8 @@ struct MoverDef {
     Vec2 up = {0.0f, 1.0f};     ///< direction from its feet to its head; of any length but 0
     float max_slope = 0.87f;    ///< rad, 0 … 1.5: steeper ground is a wall
     float step_height = 0.3f;   ///< m: it climbs steps up to this height
-    float snap = 0.25f;         ///< m: it stays on ground that falls away by at most this in a move
-    float skin = 0.01f;         ///< m, 0.001 … 0.1: distance that it keeps from everything
+    float snap = 0.25f;         ///< m: it follows ground that is lower by at most this after a move
+    float skin = 0.01f;         ///< m, 0.001 … 0.1: distance that it keeps from obstacles
     float mass = 80.0f;         ///< kg: its weight on dynamic bodies; 0: it has none
     float push_force = 600.0f;  ///< N: at most this pushes a dynamic body
     uint64_t category = 1;      ///< categories of the mover: as `ShapeDef::category`
@@ -36,22 +36,22 @@ struct MoverPlane {
     Vec2 normal = {};         ///< from the shape to the mover; its length is 1
     Position point = {};      ///< on the surface, world, m
     float separation = 0.0f;  ///< m; negative when they overlap
-    Shape shape;              ///< that bounds it
+    Shape shape;              ///< the shape with this surface
 };
 
 /// The state of a mover from one move to the next.
 struct MoverState {
     Position position = {};   ///< of its feet, m
     Vec2 ground_normal = {};  ///< zero in the air
-    ShapeId ground = {};      ///< on which it stands
-    ShapeId dropped = {};     ///< through which it falls until it is clear of it
+    ShapeId ground = {};      ///< the shape on which it stands
+    ShapeId dropped = {};     ///< the shape through which it falls until it no longer overlaps it
     bool on_ground = false;   ///< after the move: it stands
-    bool climbing = false;    ///< without steps, ground and rides
+    bool climbing = false;    ///< as `Mover::climbing`
 };
 
 /// The results of a move.
 struct Moved {
-    Vec2 motion = {};  ///< m, the ride on the ground included
+    Vec2 motion = {};  ///< m, with the motion of the ground
     /// The velocity that is left, m/s, relative to the ground: without the parts that obstacles
     /// stopped. On the ground it has no part along `up`.
     Vec2 velocity = {};
@@ -64,7 +64,7 @@ struct Moved {
     Vec2 wall_normal = {};      ///< of the last wall or ceiling that it hit
     Shape wall;                 ///< the last wall or ceiling that it hit
     bool stepped = false;       ///< it climbed a step
-    /// Obstacles press it from several sides and it has no place between them: it overlaps one.
+    /// True if it has no room between obstacles: it overlaps one.
     bool crushed = false;
 };
 
@@ -91,7 +91,7 @@ class Mover {
 
     const MoverDef& definition() const { return def_; }  ///< its settings
     /// The position stays. A mover that grows may overlap obstacles, which the next move corrects;
-    /// `fits` tells whether it will.
+    /// `fits` returns whether it has room.
     void set_definition(const MoverDef& def);
     const MoverState& state() const { return state_; }  ///< what it keeps from one move to the next
     /// For hosts that save movers. Ids of shapes that do not exist count as empty.
@@ -103,7 +103,7 @@ class Mover {
     ShapeId ground() const {
         return state_.ground;
     }  ///< the shape on which it stands; empty in the air
-    /// It climbs: `move` moves it freely, without steps, ground and rides.
+    /// True: `move` moves it freely; it climbs no steps, has no ground and is not carried by one.
     bool climbing() const { return state_.climbing; }
     void set_climbing(bool climbing) { state_.climbing = climbing; }
 

@@ -11,7 +11,7 @@ namespace fettle::physics {
 
 /// For a host that keeps data for every object of a world, such as an instance of a property tree.
 /// `World::set_owner` sets the owner of a world. From then on only the host may create and destroy
-/// objects in it: while no `Acting` lives, these calls throw `Locked` and change nothing:
+/// objects in it: while no `Acting` exists, these calls throw `Locked` and change nothing:
 ///
 /// - `create_...`, `clear`, `restore`, `take` (of both worlds) and assignment to the world;
 /// - `Body::add`, `Shape::attach`, `Shape::detach`, and `destroy` of everything;
@@ -28,13 +28,11 @@ class Owner {
     Owner(const Owner&) = delete;
     Owner& operator=(const Owner&) = delete;
 
-    /// While it lives, calls count as calls by the owner.
+    /// While an object of this class exists, calls count as calls by the owner.
     class Acting {
       public:
-        explicit Acting(Owner& owner) : owner_(owner) {
-            ++owner_.acting_;
-        }                                ///< calls count from now on
-        ~Acting() { --owner_.acting_; }  ///< and no longer
+        explicit Acting(Owner& owner) : owner_(owner) { ++owner_.acting_; }  ///< begins
+        ~Acting() { --owner_.acting_; }                                      ///< ends
         Acting(const Acting&) = delete;
         Acting& operator=(const Acting&) = delete;
 
@@ -51,7 +49,7 @@ class Owner {
         if (const auto call = unlocked_) call();  // a copy, because it may replace itself
     }
 
-    bool acts() const { return acting_ != 0; }      ///< whether an `Acting` lives
+    bool acts() const { return acting_ != 0; }      ///< whether an `Acting` exists
     const char* advice() const { return advice_; }  ///< the end of its messages
 
   private:

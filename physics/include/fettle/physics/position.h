@@ -15,7 +15,8 @@ using Vec2 = Vector2<float>;
 
 /// A point of the world, m, in double precision. The difference of two points is a `Vec2`: it is
 /// taken in double precision and then rounded, so it is precise wherever both points are. A `Vec2`
-/// converts to a point by itself. The other way is written, `Vec2(point)`, since it rounds.
+/// converts to a point by itself. The other direction is explicit, `Vec2(point)`, because it
+/// rounds.
 struct Position {
     double x = 0.0;  ///< to the right, m
     double y = 0.0;  ///< upwards, m
@@ -51,7 +52,7 @@ struct Position {
 
     /// The coordinate along an axis, 0 for x and 1 for y.
     constexpr double& operator[](int axis) { return axis == 0 ? x : y; }
-    /// The same, to be read.
+    /// The same, read-only.
     constexpr const double& operator[](int axis) const { return axis == 0 ? x : y; }
 
     /// The smaller coordinates.

@@ -24,7 +24,7 @@ struct QueryFilter {
 
 /// Where a ray or a cast shape meets a shape.
 struct RayHit {
-    Shape shape;          ///< that was found
+    Shape shape;          ///< the shape that was found
     Position point = {};  ///< world, m
     /// Outward normal of the surface. Opposite to the motion if a cast shape overlaps the shape at
     /// the start.
@@ -32,14 +32,14 @@ struct RayHit {
     float fraction = 0.0f;  ///< 0 at the start of the ray, 1 at its end
 };
 
-/// An object that can be called with what a query finds.
+/// An object that can be called with a result of a query.
 template <class Function, class Found>
 concept Visits = std::is_object_v<std::remove_reference_t<Function>> &&
     std::is_invocable_v<Function&, const Found&>;
 
-/// Refers to an object that a query calls with each find, without a copy of it: a lambda, in most
-/// cases. It returns nothing, or whether the query is to go on. It may read the world and make
-/// other queries of it, but must not edit it: callbacks.h.
+/// A reference to a function object, usually a lambda, that a query calls with each result. It
+/// returns nothing, or false to end the query. It may read the world and make other queries of it,
+/// but must not edit it: callbacks.h.
 template <class Found>
 class Visitor {
   public:
@@ -78,7 +78,7 @@ struct ExplosionDef {
 
 /// A point on a shape.
 struct PointHit {
-    Shape shape;            ///< that was found
+    Shape shape;            ///< the shape that was found
     Position point = {};    ///< on its surface; the query point if that is inside
     Vec2 normal = {};       ///< of the surface, outward; zero inside
     float distance = 0.0f;  ///< m; 0 inside
@@ -91,8 +91,8 @@ struct Separation {
     Position point_b = {};  ///< nearest to a
     Vec2 normal = {};       ///< from a to b; zero when they overlap
 };
-/// The shapes may be of different worlds. The coordinates of a detached shape are those of the
-/// world.
+/// Distance and nearest points of two shapes, which may be of different worlds. The coordinates of
+/// a detached shape are used as world coordinates.
 Separation distance(const Shape& a, const Shape& b);
 
 }  // namespace fettle::physics

@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-// Repeating what World::start_recording has recorded, for finding errors.
+// Repeats what World::start_recording has recorded, to find errors.
 
 FETTLE_PHYSICS_BEGIN
 
@@ -34,7 +34,7 @@ struct ReplayedStep {
     bool same = true;
 };
 
-/// Repeats a recording step by step. Callbacks are not called: their recorded answers are used. A
+/// Repeats a recording step by step. Callbacks are not called: their recorded results are used. A
 /// recording can be replayed by the version of the library that made it, as a saved world can be
 /// restored.
 ///

@@ -31,15 +31,15 @@ class Shape {
     friend bool operator==(const Shape&, const Shape&) = default;
     void destroy();  ///< its body stays, with less mass
 
-    ShapeType type() const;  ///< which geometry it has
+    ShapeType type() const;  ///< the type of its geometry
     Body body() const;       ///< an invalid body when detached
     void attach(
         const Body& body);  ///< to a body of the same world; it leaves the one that it was on
     void detach();          ///< from its body: then it takes no part in steps and queries
 
     Geometry geometry() const;                    ///< body coordinates
-    void set_geometry(const Geometry& geometry);  ///< may change the type (see Owner); polygon
-                                                  ///< vertices are the hull
+    void set_geometry(const Geometry& geometry);  ///< may change the type (see Owner); a polygon
+                                                  ///< becomes the hull of its vertices
 
     float radius() const;  ///< circle
     void set_radius(float radius);
@@ -93,7 +93,7 @@ class Shape {
     /// The surfaces of all segments, in order, as `set_segment_surfaces` takes them:
     /// `surface_of_shape` for a segment that has none. Empty if no segment has one.
     std::vector<SegmentSurface> segment_surface_overrides() const;
-    /// Sets the surfaces of all segments, in order; no surface at all: each has that of the shape.
+    /// Sets the surfaces of all segments, in order. An empty span: each has that of the shape.
     /// Throws std::invalid_argument for another number of surfaces than segments.
     void set_segment_surfaces(std::span<const SegmentSurface> surfaces);
 

@@ -21,7 +21,7 @@ class PrismaticJoint : public Joint {
     float lower_translation() const;  ///< m; -infinity (the default): no limit
     void set_lower_translation(float translation);
     float upper_translation()
-        const;  ///< m; infinity (the default): no limit. If the limits cross, this one is used
+        const;  ///< m; infinity (the default): no limit. Used if the limits cross
     void set_upper_translation(float translation);
     float motor_speed() const;  ///< m/s, of b relative to a along the axis
     void set_motor_speed(float speed);
@@ -49,7 +49,8 @@ class PinSlotJoint : public Joint {
     float translation() const;        ///< m, of anchor b from anchor a along the axis now
     float lower_translation() const;  ///< m; -infinity (the default): no limit
     void set_lower_translation(float translation);
-    float upper_translation() const;  ///< m; infinity (the default): no limit. Wins over `lower`
+    float upper_translation()
+        const;  ///< m; infinity (the default): no limit. Used if the limits cross
     void set_upper_translation(float translation);
     float motor_speed() const;  ///< m/s, of b relative to a along the axis
     void set_motor_speed(float speed);
@@ -89,7 +90,8 @@ class WheelJoint : public Joint {
     void set_damping_ratio(float ratio);
     float lower_translation() const;  ///< m; -infinity (the default): no limit
     void set_lower_translation(float translation);
-    float upper_translation() const;  ///< m; infinity (the default): no limit. Wins over `lower`
+    float upper_translation()
+        const;  ///< m; infinity (the default): no limit. Used if the limits cross
     void set_upper_translation(float translation);
     float motor_speed() const;  ///< rad/s, of the wheel relative to the vehicle
     void set_motor_speed(float speed);

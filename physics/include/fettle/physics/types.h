@@ -126,7 +126,7 @@ struct BodyState {
 };
 static_assert(sizeof(BodyState) == sizeof(Position) + 24);
 
-/// For limits that are none, and for masses that do not move.
+/// Stands for no limit, and for a mass that nothing moves.
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
 
 namespace detail {

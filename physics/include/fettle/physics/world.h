@@ -60,10 +60,10 @@ struct Capacity {
 /// Methods that are not `const` throw `Locked` inside a function that the world is calling. So do
 /// copying, saving and `validate` inside a step: callbacks.h describes what such a function may do.
 ///
-/// Without enough memory, methods throw std::bad_alloc. Creating a body, or a shape that is no
-/// outline, has changed nothing then, nor has a query, a copy or a restored state. Any other edit,
-/// or a step, may have been made in part: then the world is damaged, and throws `Damaged`
-/// (damaged.h) until it gets another state.
+/// Without enough memory, methods throw std::bad_alloc. If creating a body or a shape (but not a
+/// chain or a concave polygon), a query, copying or restoring fails so, nothing has changed. Any
+/// other edit, or a step, may have been made in part: then the world is damaged, and its methods
+/// throw `Damaged` (damaged.h) until it gets another state.
 ///
 ///     World world;
 ///     Body ground = world.create_body({.type = BodyType::static_body});
@@ -84,11 +84,11 @@ class World {
     World(World&& other);
     /// The same. The world that was here before is destroyed with its objects.
     World& operator=(World&& other);
-    World& operator=(const World&) = delete;  ///< copying has a name: `clone`, or `restore`
+    World& operator=(const World&) = delete;  ///< use `clone` or `restore`
 
-    /// A copy: a snapshot with the same ids and the same future, bit for bit, without callbacks,
-    /// owner and threads. Objects that either world creates from then on have different ids.
-    /// Handles keep referring to their original world.
+    /// A copy: a snapshot with the same ids, whose future steps have the same results, bit for bit.
+    /// It has no callbacks, owner and threads. Objects that either world creates from then on have
+    /// different ids. Handles keep referring to their original world.
     [[nodiscard]] World clone() const;
     /// Takes the state of a copy, in place: handles that were valid at the time of the copy are
     /// valid again, and handles to later objects stay invalid forever.
@@ -178,7 +178,7 @@ class World {
     void set_scheduler(TaskScheduler* scheduler, int threads);
 
     /// Records the changes of the world, for a bug report: `sink` gets its state now, and then in
-    /// every step the edits since the last one, the answers of callbacks, and the hash. `Replay`
+    /// every step the edits since the last one, the results of callbacks, and the hash. `Replay`
     /// (recording.h) repeats the recording. Bytes come in order and are to be appended to a file or
     /// to memory; if the program ends unexpectedly, what was recorded can be replayed up to there.
     /// A recorded step takes as long as saving the world twice. Throws std::invalid_argument if the
@@ -207,7 +207,7 @@ class World {
     /// contacts at a time and in no order. They must be safe to run so; they may read the world,
     /// but must not destroy it, and `after_step` throws Locked in them. The values that they set
     /// are used in the order of the contacts: if the values depend only on the arguments, so do the
-    /// results. False, as at first: on the thread of the caller, one after the other.
+    /// results. False (the default): on the thread of the caller, one after the other.
     void set_parallel_callbacks(bool parallel);
     bool parallel_callbacks() const;  ///< whether they may run so
 
@@ -228,8 +228,8 @@ class World {
     /// range.
     Body create_body(const BodyDef& def = {});
     Shape create_shape(const Geometry& geometry, const ShapeDef& def = {});  ///< detached
-    /// A dormant joint, to be set and then connected; what other functions measure at creation is
-    /// not measured.
+    /// A dormant joint, to be set and then connected. It measures nothing: settings that other
+    /// functions derive from the current poses have fixed defaults.
     Joint create_joint(JointType type, uint64_t user_data = 0);
     /// A dormant joint with the settings and user data of another one, of any world.
     Joint create_joint(const Joint& like);
@@ -295,7 +295,7 @@ class World {
     Vec2 velocity(uint32_t index) const;
     /// Returns false and does nothing if the body does not move by itself.
     bool set_velocity(uint32_t index, const Vec2& velocity);
-    /// Writes a number; `Written`: whether it was accepted.
+    /// Writes a number, if that is possible without the setter of `Body`: see `Written`.
     template <BodyNumber number>
     Written write(uint32_t index, float value);
     /// Writes the velocity of the center of mass, m/s.
@@ -381,7 +381,7 @@ class World {
     /// Shapes that overlap `shape`, which may be of another world; shapes of its own body are
     /// ignored.
     std::vector<Shape> query_overlap(const Shape& shape, const QueryFilter& filter = {}) const;
-    /// The same for a geometry that is in no world; a `Form` that is kept saves making it.
+    /// The same for a geometry that is in no world; a `Form` that is used again saves work.
     std::vector<Shape> query_overlap(const Form& form, const Pose& pose = {},
                                      const QueryFilter& filter = {}) const;
     /// The first shape that `shape` meets along `motion`; at fraction 0 if they overlap at the
@@ -393,9 +393,9 @@ class World {
     /// The shape nearest to a point, at most `reach` (m) away. The border is ignored.
     std::optional<PointHit> closest(const Position& point, float reach = infinity,
                                     const QueryFilter& filter = {}) const;
-    // The same for a visitor, which gets each find at once, in no particular order, and ends the
-    // query by false. No memory is allocated for the finds; `visit_overlap` allocates for its
-    // shape.
+    // The same for a visitor, which is called with each result at once, in no particular order, and
+    // ends the query by false. No memory is allocated for the results; `visit_overlap` allocates
+    // for its shape.
     /// As `query_point`.
     void visit_point(const Position& point, Visitor<Shape> visitor,
                      const QueryFilter& filter = {}) const;
@@ -446,7 +446,7 @@ class World {
 
     detail::Owned<detail::WorldData> data_;
     detail::Columns* columns_ = nullptr;  ///< base of `*data_`
-    detail::WorldLink* link_ = nullptr;   ///< link that handles hold
+    detail::WorldLink* link_ = nullptr;   ///< the link in handles
 };
 
 inline Body::Body(World* world, BodyId id)

@@ -22,8 +22,8 @@ namespace fettle::physics_module {
 /// Registers the classes World, Body, Shape, Joint and Field and all classes that derive from them,
 /// creates `game.world`, and steps every world below the root. Before `attach`, and after the tree
 /// is destroyed, methods that need a tree throw std::logic_error. The destructor of a module that
-/// ends before the tree deletes its instances, with everything below them; its classes can have no
-/// others then. Where instances cannot be deleted (in a formula or a lifecycle function, for
+/// ends before the tree deletes all instances of its classes, with everything below them, and ends
+/// these classes. Where instances cannot be deleted (in a formula or a lifecycle function, for
 /// example), and in a function that a step or a query of a world calls, it cannot refuse, so the
 /// program ends (std::terminate).
 class PhysicsModule : public module::Module {
@@ -48,8 +48,9 @@ class PhysicsModule : public module::Module {
     /// Makes an update of physics that a recording contains: `World::refresh`.
     void refresh(std::uint64_t what) override;
 
-    /// Gets notes about objects that have no effect, each once: bodies, fields and joints below no
-    /// world, shapes on no body, joints that hold nothing.
+    /// `listener` is called with a message about objects that have no effect, once for each kind:
+    /// bodies, fields and joints below no world, shapes on no body, joints that connect nothing.
+    /// Also about joints with a lower limit above the upper one.
     void on_problem(std::function<void(const std::string&)> listener);
 
     /// Saves every world, bit for bit.
@@ -66,11 +67,10 @@ class PhysicsModule : public module::Module {
     // bodies, shapes, joints and fields, attaching a shape to another body, giving a shape another
     // type of geometry or a field another type of force (the class of the instance says which it
     // is), `clear`, `restore`, `take`, assigning a world and `set_user_data` throw physics::Locked
-    // (physics/owner.h). All
-    // other methods may be called except `World::set_owner`, which the module uses, and, while a
-    // handler listens, the setters of the world's callbacks. An instance that is deleted inside a
-    // function that its world calls is removed from the tree at once, and from the world at the end
-    // of that step or query.
+    // (physics/owner.h). All other methods may be called except `World::set_owner`, which the
+    // module uses, and, while a handler listens, the setters of the world's callbacks. An instance
+    // that is deleted inside a function that its world calls is removed from the tree at once, and
+    // from the world at the end of that step or query.
 
     /// The world of a World instance. For any other instance, the nearest world above it; if there
     /// is none, the world that contains all objects without a world.

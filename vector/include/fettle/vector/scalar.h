@@ -1,6 +1,6 @@
 #pragma once
-// Three functions of <cmath>, which takes longer to compile than all that uses them here: since
-// C++17 it has the special functions of mathematics.
+// Replacements for three functions of <cmath>. This header takes longer to compile than all code
+// that uses them here, because since C++17 it contains the special functions of mathematics.
 
 #if !defined(__GNUC__) && !defined(__clang__)
 #include <cmath>
@@ -21,13 +21,13 @@ T square_root(T x) {
 #endif
 }
 
-/// Without the sign.
+/// The absolute value; 0 for -0.
 template <class T>
 constexpr T absolute(T x) {
     return x < 0 ? -x : x + T(0);  // the sum of -0 and 0 is 0
 }
 
-/// False for infinities and for what is not a number: their difference to themselves is not 0.
+/// False for infinities and NaN: their difference to themselves is not 0.
 template <class T>
 constexpr bool finite(T x) {
     return x - x == 0;

@@ -6,14 +6,14 @@
 
 namespace fettle {
 
-template <class T>
 /// A type of numbers that a vector is made of.
+template <class T>
 concept Number = std::is_arithmetic_v<T>;
 
 /// A vector or a point in the plane, with components of type `T`. The physics library uses
 /// `Vector2<float>` and the property tree `Vector2<double>`; both call it `Vec2`. The components
-/// are 0 unless given. The equations stand here in full and in one order, so every compiler
-/// computes the same bits.
+/// are 0 unless given. Every equation is written out with a fixed order of its operations, so every
+/// compiler computes the same bits.
 template <class T>
 struct Vector2 {
     T x = 0;  ///< to the right
@@ -54,13 +54,13 @@ struct Vector2 {
     T length() const { return detail::square_root(length_squared()); }  ///< at least 0
     /// The vector of length 1 in this direction; a zero vector stays as it is.
     Vector2 normalized() const {
-        const T of_this = length();
-        return of_this > 0 ? *this / of_this : *this;
+        const T norm = length();
+        return norm > 0 ? *this / norm : *this;
     }
 
     /// The component along an axis, 0 for x and 1 for y.
     constexpr T& operator[](int axis) { return axis == 0 ? x : y; }
-    /// The same, to be read.
+    /// The same, read-only.
     constexpr const T& operator[](int axis) const { return axis == 0 ? x : y; }
 
     /// x and y one after the other, for interfaces in C.
@@ -76,7 +76,7 @@ struct Vector2 {
     constexpr Vector2 times(Vector2 b) const { return {x * b.x, y * b.y}; }
     /// The quotients of the components.
     constexpr Vector2 over(Vector2 b) const { return {x / b.x, y / b.y}; }
-    /// Without the signs of the components.
+    /// The absolute values of the components.
     Vector2 abs() const { return {detail::absolute(x), detail::absolute(y)}; }
     /// True if no component is below that of `low` or above that of `high`.
     constexpr bool within(Vector2 low, Vector2 high) const {

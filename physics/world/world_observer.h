@@ -36,13 +36,13 @@ struct BodyFunctions {
     bool moves = false;  ///< it was awake at the beginning of the step
 };
 
-/// Gets the changes of a world. If `step_begins` or `step_ends` throws, it gets no more.
-class Witness {
+/// Receives the changes of a world. If `step_begins` or `step_ends` throws, it is removed.
+class WorldObserver {
   public:
-    Witness() = default;
-    Witness(const Witness&) = delete;
-    Witness& operator=(const Witness&) = delete;
-    virtual ~Witness();
+    WorldObserver() = default;
+    WorldObserver(const WorldObserver&) = delete;
+    WorldObserver& operator=(const WorldObserver&) = delete;
+    virtual ~WorldObserver();
     /// A method that edits was called, and is about to check its arguments.
     virtual void edit_called(const char* of, const char* function) = 0;
     virtual void step_begins(const WorldState& state, const Callbacks& callbacks,

@@ -11,9 +11,9 @@
 namespace fettle::physics::detail {
 
 /// Locks the world while a query may call `QueryFilter::accept` or a visitor.
-class Asking {
+class QueryLock {
   public:
-    Asking(const WorldData& data, const QueryFilter& filter, bool visits = false) {
+    QueryLock(const WorldData& data, const QueryFilter& filter, bool visits = false) {
         if (visits || filter.accept)
             lock_.emplace(data.self, WorldLock::During::query, visits ? in_visitor : in_accept);
     }
@@ -25,10 +25,10 @@ class Asking {
     std::optional<WorldLock> lock_;
 };
 
-/// Whether the filter of a query accepts the shape.
+/// True if the filter of a query accepts the shape.
 bool is_accepted(const WorldData& data, const QueryFilter& filter, uint32_t shape);
 
-/// Calls a visitor; whether the query is to go on.
+/// Calls a visitor; returns true if the query continues.
 template <class Found>
 bool goes_on(const WorldData& data, const Visitor<Found>& visitor, const Found& found) {
     const bool going = visitor(found);
@@ -36,8 +36,8 @@ bool goes_on(const WorldData& data, const Visitor<Found>& visitor, const Found& 
     return going;
 }
 
-/// Gives finds to a visitor.
-inline auto telling(const WorldData& data, const Visitor<Shape>& visitor) {
+/// Passes the shapes that a query finds to a visitor.
+inline auto to_visitor(const WorldData& data, const Visitor<Shape>& visitor) {
     return [&](const Shape& shape) { return goes_on(data, visitor, shape); };
 }
 
@@ -49,6 +49,7 @@ class FoundShapes {
     ~FoundShapes() { ids().resize(begin_); }
     FoundShapes(const FoundShapes&) = delete;
     FoundShapes& operator=(const FoundShapes&) = delete;
+    /// False if the shape was found before.
     bool add(ShapeId id) {
         std::vector<ShapeId>& all = ids();
         if (std::find(all.begin() + ptrdiff_t(begin_), all.end(), id) != all.end()) return false;

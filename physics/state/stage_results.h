@@ -6,7 +6,7 @@
 
 #include <vector>
 
-// Notes of one stage of a step for later stages.
+// Results of one stage of a step for later stages.
 
 namespace fettle::physics::detail {
 
@@ -19,7 +19,7 @@ struct FastBody {
     bool joined = false;        ///< a fixed shape stopped it, and it has joints
 };
 
-/// The motion of a body that commands its own motion, and its boxes on the way: `boxes` of them,
+/// The motion of an awake kinematic body, and its boxes on the way: `boxes` of them,
 /// after those of the bodies listed before it.
 struct DrivenBody {
     uint32_t body = none;
@@ -50,7 +50,7 @@ struct CollidedPiece {
 /// Bodies that need more work after they have moved.
 struct FinishedPiece {
     std::vector<int32_t> placed;  ///< leaves of the shapes that left their fat boxes
-    std::vector<uint32_t> moved;  ///< those not yet listed as moved
+    std::vector<uint32_t> moved;  ///< the shapes among them that are not yet listed as moved
     std::vector<FastBody> fast;
     uint32_t sleep_candidates = 0;
 
