@@ -150,8 +150,8 @@ class Loop {
     };
     void require_unpinned() const;
     void announce_next();
-    bool live_next();
-    bool prelude(double dt, double real_dt, Stopwatch& watch);
+    bool begin_next();
+    bool before_steps(double dt, double real_dt, Stopwatch& watch);
     void repeat_after_return(double real_dt);
     bool make_step(Stopwatch& watch);
     void wait(double seconds);

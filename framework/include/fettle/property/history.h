@@ -46,7 +46,7 @@ struct UndoResult {
 /// and line. Other writes include writer and step, if they are among the last 250 000 writes.
 struct Provenance {
     bool known = false;  ///< whether the writer is known
-    Cause cause;         ///< of its first write
+    Cause cause;         ///< of the last write
 };
 
 }  // namespace fettle::property
