@@ -43,7 +43,7 @@ bool Transition::watched(Handle self, const Node& node, const Property& property
 
 void Transition::finish() {
     const Tree::CauseScope scope(tree_, Writer::restore);
-    changes_.writes.went(left_, changes_.author.step);
+    changes_.writes.note_jump(left_, changes_.author.step);
     changes_.forget_fresh();
     drop_queued();
     end_instances();

@@ -25,7 +25,7 @@ bool is_part(std::string_view name, std::string_view longer) {
            (longer[more - 1] == '_' && same_but_for_case(name, longer.substr(more)));
 }
 
-/// "ball" and "all": most words of three letters are as near to many others.
+/// "ball" and "all": a word of three letters is similar to many words, so this is no typing error.
 bool unlike(std::string_view a, std::string_view b) {
     return std::min(a.size(), b.size()) == 3 && a.size() != b.size() && lower(a[0]) != lower(b[0]);
 }

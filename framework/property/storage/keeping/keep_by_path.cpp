@@ -83,7 +83,7 @@ Rows possible_together(KeepRun& run, const Rows& rows, Check check) {
 /// An invalid row must not prevent the others from being kept. It is found by splitting the
 /// rows into halves.
 void keep_by_path(KeepRun& run, const Rows& rows) {
-    const std::size_t told_before = run.report.problems.size();
+    const std::size_t reported_before = run.report.problems.size();
     Rows done;
     try {
         for (JournalRow* row : rows)
@@ -108,7 +108,7 @@ void keep_by_path(KeepRun& run, const Rows& rows) {
         run.state.kept.read_again();
         if (done.size() == 1)
             return run.row_report.refuse(*done.front(), run.row_paths, error.reason());
-        run.report.problems.resize(told_before);
+        run.report.problems.resize(reported_before);
         const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
         keep_by_path(run, {rows.begin(), middle});
         keep_by_path(run, {middle, rows.end()});

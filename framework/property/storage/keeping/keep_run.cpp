@@ -99,7 +99,8 @@ void KeepRun::take_out(const Rows& rows, std::vector<std::string> (KeptTweaks::*
             paths.push_back(row->instance);
         }
     const std::vector<std::string> before = (state.kept.*take)(paths);
-    for (std::size_t i = 0; i < paths.size(); ++i) taken_out(state, *deletions[i], before[i]);
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        store_removed_text(state, *deletions[i], before[i]);
 }
 
 }  // namespace fettle::property

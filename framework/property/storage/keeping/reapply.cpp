@@ -242,7 +242,7 @@ class Reapplying {
 
 TweakReport Tweaks::State::reapply(std::string_view pattern) {
     TweakReport report;
-    rest = 0;
+    barriers_to_retry = 0;
     barrier();
     refresh_earlier();
     const Rows rows = matching(pattern, true);

@@ -23,7 +23,7 @@ void require_nothing_moved_out(const RowPaths& paths, const JournalRow& row) {
                     "what is " + path + " now is a part of it in the file, and would go with it");
 }
 
-void taken_out(Tweaks::State& state, const JournalRow& row, const std::string& text) {
+void store_removed_text(Tweaks::State& state, const JournalRow& row, const std::string& text) {
     if (row.run != 0) return;
     std::string& all = state.entry_of(row).taken_out;
     if (all.empty() || row.state != JournalRow::State::kept)
@@ -70,10 +70,10 @@ bool SceneKeeping::loadable() const {
 Rows SceneKeeping::keep(const Rows& rows) {
     const std::string before = text();
     const bool was_loadable = loadable();
-    const std::size_t told_before = report_.count();
+    const std::size_t reported_before = report_.count();
     Rows done = edited(rows, false);
     if (!was_loadable || loadable()) return done;
-    report_.forget_since(told_before);
+    report_.forget_since(reported_before);
     set_text(before);
     return edited(rows, true);
 }
@@ -85,7 +85,7 @@ Rows SceneKeeping::edited(const Rows& rows, bool each) {
     Rows done = report_.tried_together(
         without_moves(rows), paths_, [&] { set_text(at_first); },
         [&](const JournalRow& row) {
-            as_before_if_it_fails([&] {
+            restore_text_on_error([&] {
                 edit_scene(row, moves);
                 if (each) check_scene(state_.tree, edit_.document());
             });
@@ -101,14 +101,14 @@ Rows SceneKeeping::edited(const Rows& rows, bool each) {
     } catch (const Error&) {  // one of the rows has an error, so each is tried alone
         set_text(before);
         for (JournalRow* row : moves)
-            if (report_.tried(*row, [&] { as_before_if_it_fails([&] { rename({row}, true); }); }))
+            if (report_.tried(*row, [&] { restore_text_on_error([&] { rename({row}, true); }); }))
                 done.push_back(row);
     }
     return done;
 }
 
 template <class Edit>
-void SceneKeeping::as_before_if_it_fails(Edit edit) {
+void SceneKeeping::restore_text_on_error(Edit edit) {
     const std::string before = text();
     try {
         edit();
@@ -136,7 +136,7 @@ void SceneKeeping::edit_scene(const JournalRow& row, const Rows& moves) {
             return edit_.add_child(steps, paths_.home_scene(row, in_file));
         case Kind::deleted:
             require_nothing_moved_out(paths_, row);
-            return taken_out(state_, row, edit_.remove(steps, row.instance));
+            return store_removed_text(state_, row, edit_.remove(steps, row.instance));
         case Kind::restored:
             edit_.put_back(steps, row.was);
             return edit_.name_as_in(

@@ -51,7 +51,7 @@ GameSaves::~GameSaves() {
 void GameSaves::save(const std::string& slot) {
     tree().require_changeable("save the game");
     Saves::check_slot(slot);
-    // Each packs the whole game.
+    // Each save copies the state of the whole game, so their number is limited.
     const std::size_t most = options_.space == 0 ? max_requests : max_limited_requests;
     if (requests_ == most)
         throw Error(ErrorKind::rejected,
@@ -61,11 +61,11 @@ void GameSaves::save(const std::string& slot) {
     // between is a different one.
     const std::size_t request = requested_[slot] = ++requests_;
     tree().at_barrier([alive = alive_, slot, request] {
-        if (*alive != nullptr) (*alive)->take(slot, request);
+        if (*alive != nullptr) (*alive)->save_at_barrier(slot, request);
     });
 }
 
-void GameSaves::take(const std::string& slot, std::size_t request) {
+void GameSaves::save_at_barrier(const std::string& slot, std::size_t request) {
     const auto last = requested_.find(slot);
     const bool is_last = last != requested_.end() && last->second == request;
     if (is_last) requested_.erase(last);

@@ -31,7 +31,7 @@ void Tweaks::State::refresh_earlier() {
 
 void Tweaks::State::set_state(JournalRow& row, RowState state) {
     row.state = state;
-    rest = 0;
+    barriers_to_retry = 0;
     if (row.run == JournalRow::elsewhere) return;
     if (row.run != 0) return earlier.changed.push_back(&row);
     Entry& its = entry_of(row);
@@ -49,7 +49,7 @@ std::size_t Tweaks::State::drop_left_aside(std::string_view text) {
         } catch (const Error&) {
             return false;
         }
-        rest = 0;
+        barriers_to_retry = 0;
         if (row.run != JournalRow::elsewhere) earlier.removed.push_back(std::move(row));
         return true;
     });

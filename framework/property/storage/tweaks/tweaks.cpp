@@ -177,7 +177,7 @@ void Tweaks::State::touch(Entry& entry) {
     entry.row.step = static_cast<std::int64_t>(tree.step());
     entry.row.time = seconds_now();
     index(entry);
-    rest = 0;
+    barriers_to_retry = 0;
     if (entry.dirty) return;
     entry.dirty = true;
     dirty.push_back(&entry);
@@ -253,7 +253,7 @@ void Tweaks::State::name_deleted(Image& image, const Value& value) const {
 void Tweaks::State::born(Handle instance) {
     if (attached(instance)) rename_mentions(path_of_deleted(instance), tree.path(instance));
     if (is_in_fresh.insert(instance.key()).second) fresh.push_back(instance);
-    rest = 0;
+    barriers_to_retry = 0;
 }
 
 void Tweaks::State::dying(Handle instance) {
@@ -433,8 +433,8 @@ Tweaks::Tweaks(Tree& tree, const std::filesystem::path& game,
     : state_(std::make_unique<State>(tree, game, std::move(warn), std::move(options))) {}
 Tweaks::~Tweaks() {
     if (state_->tree_life.expired()) return;  // the paths of edited instances are unknown
-    state_->rest = 0;
-    if (state_->journal) state_->journal->be_patient();
+    state_->barriers_to_retry = 0;
+    if (state_->journal) state_->journal->wait_longer();
     barrier();
     state_->report_lost();
 }

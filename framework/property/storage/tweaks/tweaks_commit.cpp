@@ -16,7 +16,7 @@ namespace {
 
 // Number of barriers after a failed commit (full disk) before the next attempt. A new edit tries at
 // once.
-constexpr int barriers_of_rest = 60;
+constexpr int barriers_before_retry = 60;
 // Maximum bytes of the texts for people, such as the text of a formula.
 constexpr std::size_t longest_shown = 5000;
 // Occurs in every JSON text with a reference to a deleted instance.
@@ -33,8 +33,8 @@ void Tweaks::State::barrier() {
     if (fresh.empty() && dirty.empty() && earlier.changed.empty() && earlier.renamed.empty() &&
         earlier.removed.empty())
         return;
-    if (rest > 0) {
-        --rest;
+    if (barriers_to_retry > 0) {
+        --barriers_to_retry;
         return;
     }
     settle_fresh();
@@ -255,7 +255,7 @@ void Tweaks::State::commit() {
         if (journal && !nothing && !journal->commit(changes))
             return;  // another run is writing; the next barrier tries again
     } catch (const std::exception& error) {
-        rest = barriers_of_rest;
+        barriers_to_retry = barriers_before_retry;
         const std::string reason = exception_text(error);
         if (last_failure == reason) return;
         last_failure = reason;

@@ -34,9 +34,8 @@ struct Tweaks::State : EditObserver {
         JournalRow row;
         Image was, now;     // for a value
         std::string scene;  // for a new or restored instance
-        // For a new instance: what its scene consists of, as it was made, and as persons have
-        // edited it since. A new scene of the instance would also contain what the simulation
-        // has changed.
+        // For a new instance: the values of its scene when it was made, with later edits by people.
+        // A scene written now would also contain changes by the simulation.
         SceneValues values;
         Handle handle;
         Symbol property;
@@ -93,7 +92,7 @@ struct Tweaks::State : EditObserver {
     void make_void(const std::string& path, const std::string& home, Entry& deletion);
     void revive(Entry& deletion);
 
-    // entry_index.cpp: an edit of one instance does not look at all tweaks
+    // entry_index.cpp: finds the tweaks of an instance without a search through all of them
     /// Must be called after the path of an entry or the texts that may name instances have changed.
     void index(Entry& entry);
     /// The entries at that path and below it, but for restorations, in order.
@@ -186,8 +185,8 @@ struct Tweaks::State : EditObserver {
     std::unordered_map<std::uint64_t, Entry*> created, deleted, restorations, moved_entries;
     EarlierRows earlier;
     std::int64_t last_number = 0;
-    std::string last_failure;  // reported once
-    int rest = 0;              // barriers until a failed commit is repeated
+    std::string last_failure;   // reported once
+    int barriers_to_retry = 0;  // barriers before a failed commit is tried again
 };
 
 /// Selects tweaks by a pattern.
