@@ -410,7 +410,7 @@ std::vector<Completion> complete(Machine& machine, std::string_view input, std::
         machine, "completion",
         [&](lua_State* L) {
             add_all(L, machine, before, scanned, out);
-            found = out.take(most);
+            found = out.best(most);
         },
         false);
     machine.errors.caught.reset();

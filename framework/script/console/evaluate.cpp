@@ -74,8 +74,8 @@ std::string unit_of(const Machine& machine, std::string_view command) {
     return component ? read->unit : std::string();
 }
 
-// `quit` without brackets calls nothing: its help is more useful than "function". Empty if the only
-// result is no function that has help.
+// The help for a function that is the only result, as of `quit` without parentheses: it is more
+// useful than the text "function". Empty if the result is not a function with help.
 std::vector<std::string> help_of_function(lua_State* L, Machine& machine,
                                           std::string_view command) {
     if (lua_type(L, 1) != LUA_TFUNCTION) return {};

@@ -124,7 +124,7 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
     for (const auto& [path, handle] : sorted) {
         std::vector<std::string> row = {path, tree.class_of(handle).name()};
         for (const Property* property : shared) {
-            // Half a vector would be useless.
+            // A vector is not cut, because half a vector is useless.
             const std::size_t width = property->type == Type::vec2 ? line_width : 28;
             row.push_back(cut(listed_value(tree, handle, *property, false), width));
         }

@@ -95,7 +95,7 @@ void Connections::push(lua_State* L, property::Handle instance, Subscription sub
                 .scene = machine_.globals.entering,
                 .function = subscription.function,
                 .always = noting_};
-    // What a person connects in the console belongs to no moment of the game.
+    // A handler that a person connects in the console is in no snapshot.
     if (machine_.recording.writer == property::Writer::script)
         entry.connect =
             std::make_shared<const Subscription::Connect>(std::move(subscription.connect));

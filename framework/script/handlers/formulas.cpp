@@ -53,7 +53,7 @@ class ScriptFormula {
         if (!machine.budget.counting())
             counted.emplace(machine.budget, Limits{.instructions = machine.options.console_budget,
                                                    .memory = machine.options.console_memory,
-                                                   .who = "a formula"});
+                                                   .subject = "a formula"});
         Value result;
         const bool ok = protected_run(
             machine, "formula",

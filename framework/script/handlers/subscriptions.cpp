@@ -77,7 +77,7 @@ void take_answer(lua_State* L, property::Question& question) {
     }
 }
 
-bool came_with_moment(const Existence& existence) {
+bool caused_by_restore(const Existence& existence) {
     return existence.cause.writer == property::Writer::restore;
 }
 
@@ -143,7 +143,7 @@ property::ChangeHandler change_handler(Machine& machine, const Function& functio
 property::ExistenceHandler existence_handler(Machine& machine, const char* name,
                                              const Function& function, Handle scene) {
     return [&machine, function, name, scene](const Existence& existence) {
-        if (gone(machine, scene) || came_with_moment(existence)) return;
+        if (gone(machine, scene) || caused_by_restore(existence)) return;
         protected_run(machine, std::string("handler of ") + name + " of " + existence.path,
                       [&](lua_State* L) {
                           function->push(L);
@@ -299,10 +299,9 @@ int subscribe_property(lua_State* L) {
 
 namespace {
 
-/// The target of a path. While the game is loaded again, this may be an instance that is not in its
-/// place yet.
+/// The target of a path. During a reload, this may be an instance that is not in its place yet.
 property::Place place_of_path(const Machine& machine, const std::string& path) {
-    if (machine.declarations.again())
+    if (machine.declarations.reloading())
         if (const auto waiting = machine.declarations.waiting_at(path)) return *waiting;
     return property::resolve(machine.tree, path);
 }

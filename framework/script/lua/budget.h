@@ -19,12 +19,12 @@ namespace fettle::script {
 struct Machine;
 
 struct Limits {
-    std::uint64_t instructions = 0;  // 0: no limit, also of time
-    std::size_t memory = 0;          // bytes that may be added
-    std::size_t whole = 0;           // the limit for messages, if a part of it is in use already
-    const char* who = "a command";   // name of the limited code, for messages
-    std::string raised_by{};         // path of the property that raises the limit; "": none
-    double seconds = 5;              // if instructions are limited: one can take long
+    std::uint64_t instructions = 0;     // 0: no limit, also of time
+    std::size_t memory = 0;             // bytes that may be added
+    std::size_t whole = 0;              // the limit for messages, if a part of it is in use already
+    const char* subject = "a command";  // name of the limited code, for messages
+    std::string raised_by{};            // path of the property that raises the limit; "": none
+    double seconds = 5;                 // if instructions are limited: one can take long
 };
 
 class Budget {
@@ -44,7 +44,7 @@ class Budget {
         // Values at the beginning, to compute the memory that was added since.
         std::size_t memory = 0, lua_before = 0, outer_limit = 0;
         std::size_t whole = 0;  // for messages
-        const char* who = "";
+        const char* subject = "";
         std::string raised_by;
         std::int64_t weight_before = 0;
         std::size_t instances_before = 0, watchers_before = 0;
@@ -147,7 +147,7 @@ class Budget {
     struct Refused {
         Arena::Refusal what{};  // size 0: no refusal
         std::size_t limit = 0;
-        const char* who = "";
+        const char* subject = "";
         char file[LUA_IDSIZE] = {};
         int line = 0;
     } refused_;

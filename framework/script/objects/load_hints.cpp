@@ -1,5 +1,5 @@
-// What is checked once when the game is loaded: functions that nothing calls, names that are not
-// what they seem.
+// Checks that are made once, when the game is loaded: functions that nothing calls, and misleading
+// names.
 
 #include <algorithm>
 #include <cctype>

@@ -135,13 +135,13 @@ void Merge::match_below(Handle made, Handle living) {
             match(child, living, name);
             continue;
         }
-        // Its class makes this child, for both.
+        // The class makes this child for both instances.
         const Handle there = tree_.child(living, name);
         if (there && &tree_.class_of(there) == &tree_.class_of(child)) stand_for(child, there);
     }
 }
 
-/// The game has deleted the instance, which stays so.
+/// The game has deleted the declared instance, so it is not made again.
 void Merge::mark_gone(Handle made) {
     const auto entry = next_by_handle_.find(made.key());
     const Declared* const before =

@@ -70,7 +70,7 @@ void destroy_made(Machine& machine, const Declarations::All& all) {
 
 }  // namespace
 
-/// What a failed reload brings back.
+/// The state that a failed reload restores.
 struct TopLevel::Kept {
     int globals = LUA_NOREF;
     int loaded = LUA_NOREF;
@@ -177,7 +177,7 @@ Reloaded TopLevel::reload(const std::function<bool()>& run) {
     set_aside(kept);
     const int before = copy_of_globals(machine_);
     begin_noting();
-    machine_.classes.begin_again();
+    machine_.classes.begin_reload();
     machine_.declarations.begin(true);
     machine_.random.restore(random_);
     Reloaded result;
@@ -200,7 +200,7 @@ Reloaded TopLevel::reload(const std::function<bool()>& run) {
     } else {
         result.error = std::exchange(machine_.errors.caught, {});
         destroy_made(machine_, machine_.declarations.end());
-        machine_.classes.end_again(false);
+        machine_.classes.end_reload(false);
         bring_back(kept, made);
         luaL_unref(L, LUA_REGISTRYINDEX, before);
     }
@@ -225,7 +225,7 @@ void TopLevel::take(Noted made, Reloaded& result) {
     }
     replace_timers(made.timers);
     merge.finish();
-    machine_.classes.end_again(true);
+    machine_.classes.end_reload(true);
     noted_ = std::move(made);
 }
 
