@@ -270,7 +270,7 @@ void Input::State::update_actions() {
     update_action(move, true);
 }
 
-void Input::State::update_action(Action& action, bool tells_press) {
+void Input::State::update_action(Action& action, bool reports_press) {
     // The largest value of each direction, so that two keys for one direction do not add up.
     Vec2 most(0, 0), least(0, 0);
     double strength = 0;
@@ -288,7 +288,7 @@ void Input::State::update_action(Action& action, bool tells_press) {
     const bool held = action.strength >= held_from;
     if (held == action.held) return;
     action.held = held;
-    if (!action.instance || (held && !tells_press)) return;
+    if (!action.instance || (held && !reports_press)) return;
     Edge& edge = held ? action.pressed : action.released;
     edge.for_step = edge.for_update = true;
     calls.push_back({.callback = held ? "action_pressed" : "action_released",

@@ -65,7 +65,7 @@ class Witnessed {
     const int uncaught_ = std::uncaught_exceptions();
 };
 
-/// Actions that were pressed are so during one step.
+/// During one step, `pressed` is true for the actions that were pressed before it.
 class StepInput {
   public:
     explicit StepInput(Input& input) : input_(input) { input_.begin_step(); }
@@ -134,7 +134,7 @@ Loop::~Loop() {
 
 void Loop::step_modules(double dt) {
     const Pin pin(*this, "step");
-    // By index and with copies, here and below: what is called may add modules and layers.
+    // By index and with copies, here and below: a called function may add modules and layers.
     for (std::size_t i = 0; i < modules_.size(); ++i) {
         const auto step = modules_[i].step;
         step(dt);
@@ -233,15 +233,16 @@ void Loop::announce_next() {
 }
 
 /// Begins the next step or turn. False if there is none.
-bool Loop::live_next() {
+bool Loop::begin_next() {
     announce_next();
     if (stopped()) return false;
     ++lived_;
     return true;
 }
 
-/// Menus and transitions follow in each frame, before its steps. If time went back at the barrier
-/// behind them, they follow what is there now, as they did when the next step was first made.
+/// Menus and transitions are advanced in each frame, before its steps. If time went back at the
+/// barrier after that, they are advanced again, with the restored state, as they were when the next
+/// step was first made.
 void Loop::repeat_after_return(double real_dt) {
     if (!timeline_.take_return()) return;
     if (Foreground* const menus = services_.input.foreground())
@@ -251,7 +252,7 @@ void Loop::repeat_after_return(double real_dt) {
 }
 
 /// Input, barrier, update and barrier. False if the frame ends here.
-bool Loop::prelude(double dt, double real_dt, Stopwatch& watch) {
+bool Loop::before_steps(double dt, double real_dt, Stopwatch& watch) {
     services_.clock.real += real_dt;
     (void)timeline_.take_return();
     const bool looked_at = property::take_prepared(tree_);
@@ -341,12 +342,12 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
     const auto limit = static_cast<std::uint64_t>(std::max<std::int64_t>(step_limit, 0));
     if (will_step && !halted_ && lived_ < limit) announce_next();
     // `dt` of update is at most the time that this frame may simulate.
-    if (prelude(std::min(passed, clock.max_steps * clock.dt), seconds, watch)) {
+    if (before_steps(std::min(passed, clock.max_steps * clock.dt), seconds, watch)) {
         if (clock.paused) {
             // A step is due as soon as the game is resumed, and the picture shows the last step.
             owed_ = clock.dt;
             if (clock.step_once) {
-                if (live_next()) make_step(watch);
+                if (begin_next()) make_step(watch);
                 tree_.set(time_, "step_once", false);
             } else {
                 wait(seconds);
@@ -382,7 +383,7 @@ void Loop::catch_up(std::uint64_t limit, Stopwatch& watch) {
             owed_ -= dropped * clock.dt;
             break;
         }
-        if (!live_next()) break;
+        if (!begin_next()) break;
         owed_ = std::max(0.0, owed_ - clock.dt);
         if (!make_step(watch)) break;
     }
@@ -395,8 +396,8 @@ void Loop::turn() {
     const Witnessed witnessed(witness_, [](Witness& w) { w.turn_begins(); });
     Stopwatch watch;
     Clock& clock = services_.clock;
-    if (!live_next()) return;
-    if (!prelude(clock.paused ? 0 : clock.dt, clock.dt, watch)) return;
+    if (!begin_next()) return;
+    if (!before_steps(clock.paused ? 0 : clock.dt, clock.dt, watch)) return;
     if (!clock.paused || clock.step_once) {
         const bool once = clock.step_once;
         make_step(watch);

@@ -70,7 +70,7 @@ struct Audio::State {
     };
     property::Handle play(property::Handle source, const Play& how);
     void stop(property::Handle voice, double fade);
-    void pass(property::Handle voice, double dt);
+    void advance_voice(property::Handle voice, double dt);
     /// False if the game shows an earlier step than the newest.
     bool at_present() const { return clock.step >= clock.newest; }
     /// Whether the voice sounds in a paused game, too.

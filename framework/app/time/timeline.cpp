@@ -57,7 +57,7 @@ bool Timeline::on() const {
 }
 
 void Timeline::clear() {
-    require_between_steps("the past cannot be forgotten");
+    require_between_steps("the past cannot be cleared");
     forget_all();
 }
 
@@ -124,7 +124,8 @@ void Timeline::begin_step() {
 
 void Timeline::modules_step(double dt) {
     if (!place_.stepping) return;
-    // A step that failed is followed by the next one unless one went back in between.
+    // The changes of a step that failed belong to the next step, unless the game went back in
+    // between.
     open_ = std::move(failure_.broken);
     for (Piece& piece : tail_.before) open_.before.push_back(std::move(piece));
     open_.bytes += tail_.bytes;
@@ -193,7 +194,7 @@ void Timeline::note(Step& of, Piece& piece) {
         }
 }
 
-/// The next changes of the parts are those from here on.
+/// Drops the changes of the parts up to now, so that the next changes begin here.
 void Timeline::skip_changes() {
     for (property::SnapshotPart* part : tree_.parts()) (void)part->changes();
 }

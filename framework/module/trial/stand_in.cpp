@@ -134,13 +134,13 @@ void StandIn::make_instances(const std::vector<InstanceDescription>& from) {
         made.push_back(instance);
         handles_[each.handle.key()] = instance;
     }
-    for (std::size_t i = 0; i < from.size(); ++i) give_values(from[i], made[i]);
+    for (std::size_t i = 0; i < from.size(); ++i) set_values(from[i], made[i]);
 }
 
-void StandIn::give_values(const InstanceDescription& from, Handle to) {
+void StandIn::set_values(const InstanceDescription& from, Handle to) {
     const auto& properties = tree_.class_of(to).properties();
     for (const ValueDescription& each : from.values)
-        give(to, *properties.at(each.property), translated(each.value), each.overridden);
+        set_value(to, *properties.at(each.property), translated(each.value), each.overridden);
     for (const auto& [name, value] : from.ad_hoc) {
         try {
             tree_.set_or_add(to, name, translated(value));
@@ -152,7 +152,7 @@ void StandIn::give_values(const InstanceDescription& from, Handle to) {
             tree_.on(to, *event, [](const property::Occurrence&) {});
 }
 
-void StandIn::give(Handle to, const Property& property, const Value& value, bool overridden) {
+void StandIn::set_value(Handle to, const Property& property, const Value& value, bool overridden) {
     const auto found = by_context_.find(property.binding.context);
     if (property.binding.kind == BindingKind::stored || found == by_context_.end()) {
         try {
