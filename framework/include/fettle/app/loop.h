@@ -177,7 +177,7 @@ class Loop {
     Timeline timeline_;
     Witness* witness_ = nullptr;
     const char* pinned_ = nullptr;  // the running function that must not destroy the loop
-    double owed_ = 0;               // s of simulation time that are due
+    double due_seconds_ = 0;        // s of simulation time that are due
     std::uint64_t lived_ = 0;
     std::uint64_t announced_ = 0;
     bool halted_ = false;

@@ -221,7 +221,7 @@ class Timeline {
     bool too_much(const Step& step) const;
     void restart();
     void note_jump();
-    void settle();
+    void save_changes();
     void travel(std::int64_t step);
     void replay(const Keyframe& frame, std::int64_t step,
                 const std::function<void(std::int64_t)>& look);

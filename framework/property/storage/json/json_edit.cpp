@@ -191,7 +191,7 @@ void JsonEdit::add(const Node& container, const std::string& item, const Node* a
     set(std::move(text));
 }
 
-/// The first comma behind `at` that is not in a comment; the end of the text if there is none.
+/// The first comma after `at` that is not in a comment; the end of the text if there is none.
 std::size_t JsonEdit::comma_behind(std::size_t at) const {
     const std::string& text = document_.source();
     while (at < text.size() && text[at] != ',') {
@@ -206,7 +206,7 @@ std::size_t JsonEdit::comma_behind(std::size_t at) const {
     return at;
 }
 
-/// Including a comma behind it.
+/// Including a comma after it.
 bool JsonEdit::alone_on_its_lines(const Node& child) const {
     const std::string& text = document_.source();
     const std::size_t end = line_end(child.end);

@@ -132,7 +132,7 @@ void SceneKeeping::edit_scene(const JournalRow& row, const Rows& moves) {
                              });
         case Kind::created:
             check_made(state_, paths_, row);
-            require_left(paths_.home(row), moves);
+            require_name_free(paths_.home(row), moves);
             return edit_.add_child(steps, paths_.home_scene(row, in_file));
         case Kind::deleted:
             require_nothing_moved_out(paths_, row);
@@ -169,7 +169,7 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
             throw Error(ErrorKind::rejected, "another parent cannot be kept: move it in the file");
         if (row.inside.empty()) require_named_by_file(row);
         moves.push_back({i, row.instance, path_below(parent, split_path(row.now).second)});
-        require_left(moves.back().to, rows);
+        require_name_free(moves.back().to, rows);
         if (state_.deleted_by_path(moves.back().to))
             throw Error(ErrorKind::rejected,
                         "a script gives the name to what was deleted: choose another one");
@@ -181,7 +181,7 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
         edit_.rename(steps, split_path(step.to).second);
     }
     const std::string top = paths_.home_of_top(*rows.front());
-    const InstanceMoves homes = whole_moves(moves);
+    const InstanceMoves homes = combined_moves(moves);
     InstanceMoves in_file;  // from the top of the scene
     for (const MoveStep& move : moves)
         if (is_at_or_below(move.from, top) && move.from != top)
@@ -195,7 +195,7 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
 }
 
 /// Throws Error if another instance has that home path and `moves` do not give it another name.
-void SceneKeeping::require_left(const std::string& home, const Rows& moves) const {
+void SceneKeeping::require_name_free(const std::string& home, const Rows& moves) const {
     const std::string path = without_marks(home), other = paths_.moved_from(path);
     if (other.empty() ||
         std::ranges::any_of(moves, [&](const JournalRow* each) { return each->instance == path; }))
@@ -207,7 +207,7 @@ void SceneKeeping::require_left(const std::string& home, const Rows& moves) cons
 /// Removes the marks from paths: the moved instance has its new name in the file, so the new
 /// instance can have the old one.
 void SceneKeeping::remove_marks() {
-    if (!may_hold_marks(text())) return;
+    if (!may_have_marked_path(text())) return;
     set_text(scene_with_paths(state_.tree, text(), [](const std::string& path) {
         return std::optional(without_marks(path));
     }));

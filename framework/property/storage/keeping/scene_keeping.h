@@ -40,7 +40,7 @@ class SceneKeeping {
     template <class Edit>
     void restore_text_on_error(Edit edit);
     void edit_scene(const JournalRow& row, const Rows& moves);
-    void require_left(const std::string& home, const Rows& moves) const;
+    void require_name_free(const std::string& home, const Rows& moves) const;
     NewPath named_in_file(const JournalRow& row) const;
     void remove_marks();
     void rename(const Rows& rows, bool check);

@@ -53,7 +53,7 @@ bool is_marked(const std::string& home) {
     return home.find(mark_in_paths) != std::string::npos;
 }
 
-bool may_hold_marks(std::string_view json) {
+bool may_have_marked_path(std::string_view json) {
     return json.find(mark_in_json) != std::string_view::npos;
 }
 
@@ -85,7 +85,7 @@ std::string InstanceMoves::moved_out_of(const std::string& home) const {
     return {};
 }
 
-InstanceMoves whole_moves(const std::vector<MoveStep>& moves) {
+InstanceMoves combined_moves(const std::vector<MoveStep>& moves) {
     std::unordered_map<std::string, std::string> targets;
     for (const MoveStep& move : moves) targets[move.from] = move.to;
     std::size_t depth = 0;

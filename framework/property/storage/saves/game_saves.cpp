@@ -124,9 +124,9 @@ void GameSaves::load(const std::string& slot) {
     tree().require_changeable("load a game");
     Saves::check_slot(slot);
     const auto requested = requested_.find(slot);
-    const bool to_come = requested != requested_.end();
-    if (to_come) loaded_[requested->second] = slot;
-    const Snapshot found = to_come ? Snapshot() : saved(slot);
+    const bool is_requested = requested != requested_.end();
+    if (is_requested) loaded_[requested->second] = slot;
+    const Snapshot found = is_requested ? Snapshot() : saved(slot);
     if (!found.empty()) try {
             tree().check(found);
         } catch (const Error& error) {

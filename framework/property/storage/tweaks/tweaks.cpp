@@ -92,15 +92,15 @@ void Tweaks::State::take_earlier(std::vector<JournalRow> rows) {
             earlier.rows.push_back(std::move(row));
             continue;
         }
-        if (earlier.left_aside.empty()) first = problem;
-        earlier.left_aside.push_back(std::move(row));
+        if (earlier.invalid.empty()) first = problem;
+        earlier.invalid.push_back(std::move(row));
     }
-    const std::size_t odd = earlier.left_aside.size();
-    if (odd == 1)
+    const std::size_t invalid_count = earlier.invalid.size();
+    if (invalid_count == 1)
         warn("1 row that an earlier run has left is not a tweak, and is left aside: " + first +
              "; drop_tweaks(\"**\") removes it");
-    else if (odd > 1)
-        warn(std::to_string(odd) +
+    else if (invalid_count > 1)
+        warn(std::to_string(invalid_count) +
              " rows that earlier runs have left are not tweaks, and are left aside, the first: " +
              first + "; drop_tweaks(\"**\") removes them");
 }
@@ -270,7 +270,7 @@ void Tweaks::State::dying(Handle instance) {
         tree.each_below(instance, [&](Handle each) {
             holds_new = holds_new || is_in_fresh.contains(each.key());
         });
-    if (holds_new) settle_fresh();
+    if (holds_new) make_fresh_entries();
     if (attached(instance)) note_deletion(instance, tree.parent(instance), tree.path(instance));
 }
 
@@ -452,7 +452,7 @@ bool Tweaks::are_of(const Tree& tree) const {
 void Tweaks::barrier() {
     if (state_->tree_life.expired()) return;
     try {
-        state_->kept.settle();
+        state_->kept.retry_waiting();
         state_->barrier();
     } catch (const std::exception& error) {
         state_->warn("tweaks cannot be journaled: " + exception_text(error));

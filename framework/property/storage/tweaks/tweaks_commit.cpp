@@ -37,8 +37,8 @@ void Tweaks::State::barrier() {
         --barriers_to_retry;
         return;
     }
-    settle_fresh();
-    settle_reapplied();
+    make_fresh_entries();
+    reopen_undone_rows();
     for (Entry* entry : dirty) {
         refresh(*entry);
         index(*entry);
@@ -50,7 +50,7 @@ void Tweaks::State::barrier() {
 
 /// Makes tweaks of the instances created since the last call. `moving`: an instance that was just
 /// moved below another parent, and existed before the new ones.
-void Tweaks::State::settle_fresh(Handle moving) {
+void Tweaks::State::make_fresh_entries(Handle moving) {
     const std::vector<Handle> born = std::move(fresh);
     fresh.clear();
     std::unordered_set<std::uint64_t> seen;  // restored instances are in the list twice
@@ -62,14 +62,14 @@ void Tweaks::State::settle_fresh(Handle moving) {
         for (Handle at = tree.parent(instance); at && at != moving && !inside; at = tree.parent(at))
             inside = is_in_fresh.contains(at.key());
         const bool was_there = deleted.contains(instance.key()) || created.contains(instance.key());
-        if (!inside || was_there) settle_one(instance);
+        if (!inside || was_there) make_fresh_entry(instance);
     }
     is_in_fresh.clear();
 }
 
-void Tweaks::State::settle_one(Handle instance) {
+void Tweaks::State::make_fresh_entry(Handle instance) {
     const std::string path = tree.path(instance);
-    if (settle_undeleted(instance)) return;
+    if (undelete_if_deleted(instance)) return;
     const auto known = created.find(instance.key());
     // The deletion or creation was undone. Instances made below it since then have their own tweaks
     // again and are not part of its scene.
@@ -115,7 +115,7 @@ void Tweaks::State::note_values(Entry& made, std::vector<std::string>* warnings)
 }
 
 /// Whether the deletion of the instance was undone, so that no new entry is needed.
-bool Tweaks::State::settle_undeleted(Handle instance) {
+bool Tweaks::State::undelete_if_deleted(Handle instance) {
     const auto found = deleted.find(instance.key());
     if (found == deleted.end() || found->second->gone) return false;
     return undelete(*found->second);

@@ -23,7 +23,7 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     const bool known = created.contains(instance.key()) || moved_entries.contains(instance.key());
     const bool into_new = is_fresh(instance), out_of_new = old_parent && is_fresh(old_parent);
     if (out_of_new && !known) return;
-    if (into_new || out_of_new) settle_fresh(instance);
+    if (into_new || out_of_new) make_fresh_entries(instance);
     if (!was && is) return born(instance);
     if (!was) return;
     if (!is) return note_deletion(instance, old_parent, old_path);
@@ -175,7 +175,7 @@ void Tweaks::State::steps_renamed(const std::filesystem::path& file,
     }
 }
 
-void Tweaks::State::file_says(const JournalRow& row) {
+void Tweaks::State::set_former_value(const JournalRow& row) {
     const auto found = by_key.find(key_of(Kind::value, row.instance, row.property));
     if (found == by_key.end()) return;
     found->second->was = read_image(row.now);

@@ -57,8 +57,8 @@ struct Tweaks::State : EditObserver {
         std::vector<JournalRow*> renamed;  // of `rows`: with other names or places in files
         /// Rows that were applied again, and the tweaks of this run that they became.
         std::vector<std::pair<JournalRow*, Entry*>> reapplied;
-        std::vector<JournalRow> left_aside;  // invalid rows
-        std::vector<JournalRow> removed;     // dropped rows of `left_aside`
+        std::vector<JournalRow> invalid;  // rows that could not be read
+        std::vector<JournalRow> removed;  // dropped rows of `invalid`
     };
 
     static std::string key_of(Kind kind, const std::string& instance, const std::string& property) {
@@ -67,7 +67,7 @@ struct Tweaks::State : EditObserver {
 
     State(Tree& tree, const std::filesystem::path& game, Journal::Warn warn, TweakOptions options);
     ~State() override;
-    std::size_t drop_left_aside(std::string_view pattern);
+    std::size_t drop_invalid(std::string_view pattern);
     void take_earlier(std::vector<JournalRow> rows);
     void refresh_earlier();
 
@@ -119,14 +119,14 @@ struct Tweaks::State : EditObserver {
     void homes_changed(const NewPath& now_at);
     void steps_renamed(const std::filesystem::path& file, const SceneOrigins::Names& names);
     /// A row of an earlier run was kept: the tweak of this run about the same value starts from it.
-    void file_says(const JournalRow& row);
+    void set_former_value(const JournalRow& row);
     void note_origin(Entry& entry, Handle instance) const;
 
     // tweaks_commit.cpp: rows
     void barrier();
-    void settle_fresh(Handle moving = {});
-    void settle_one(Handle instance);
-    bool settle_undeleted(Handle instance);
+    void make_fresh_entries(Handle moving = {});
+    void make_fresh_entry(Handle instance);
+    bool undelete_if_deleted(Handle instance);
     bool undelete(Entry& deletion);
     void note_values(Entry& made, std::vector<std::string>* warnings);
     void restored(Handle instance, Entry& deletion);
@@ -162,7 +162,7 @@ struct Tweaks::State : EditObserver {
         return *entries[static_cast<std::size_t>(row.number) - 1];
     }
     Entry* entry_about(const JournalRow& row, Handle instance) const;
-    void settle_reapplied();
+    void reopen_undone_rows();
 
     Tree& tree;
     std::weak_ptr<const Tree*> tree_life;
