@@ -53,7 +53,7 @@ class Reload {
         try {
             change_to(fresh, now);
         } catch (...) {
-            s_.give_up();
+            s_.abandon();
             throw;
         }
         return std::move(report_);

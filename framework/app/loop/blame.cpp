@@ -35,7 +35,7 @@ constexpr std::array<Color, 8> colors{{{0.95f, 0.45f, 0.35f, 1},
 constexpr std::string_view physics = "physics", unknown = "unknown", others = "others";
 
 /// Sets `latest` to the last write of the properties of an instance, unless `latest` is later.
-void look_at(const Tree& tree, Handle instance, property::Provenance& latest) {
+void find_latest_write(const Tree& tree, Handle instance, property::Provenance& latest) {
     const auto look = [&](const property::Property& each) {
         if (each.read_only || each.transient) return;
         const property::Provenance who = tree.who(instance, each);
@@ -58,8 +58,8 @@ bool is_moved(const Tree& tree, Handle instance) {
 
 std::string writer_of(const Tree& tree, Handle instance, double dt) {
     property::Provenance latest;
-    look_at(tree, instance, latest);
-    tree.each_below(instance, [&](Handle below) { look_at(tree, below, latest); });
+    find_latest_write(tree, instance, latest);
+    tree.each_below(instance, [&](Handle below) { find_latest_write(tree, below, latest); });
     const auto second = static_cast<std::uint64_t>(std::max(1.0, 1 / std::max(dt, 1e-6)));
     const bool recent = latest.known && latest.cause.step + second > tree.step() &&
                         latest.cause.step <= tree.step();

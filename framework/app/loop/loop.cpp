@@ -338,14 +338,14 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
         smooth(clock.timings.wait, before->ms.wait, seconds);
     const std::int64_t begun_at = clock.step;
     const double passed = clock.paused ? 0 : seconds * clock.scale;
-    const bool will_step = clock.paused ? clock.step_once : owed_ + passed >= clock.dt;
+    const bool will_step = clock.paused ? clock.step_once : due_seconds_ + passed >= clock.dt;
     const auto limit = static_cast<std::uint64_t>(std::max<std::int64_t>(step_limit, 0));
     if (will_step && !halted_ && lived_ < limit) announce_next();
     // `dt` of update is at most the time that this frame may simulate.
     if (before_steps(std::min(passed, clock.max_steps * clock.dt), seconds, watch)) {
         if (clock.paused) {
             // A step is due as soon as the game is resumed, and the picture shows the last step.
-            owed_ = clock.dt;
+            due_seconds_ = clock.dt;
             if (clock.step_once) {
                 if (begin_next()) make_step(watch);
                 tree_.set(time_, "step_once", false);
@@ -355,12 +355,13 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
             services_.input.forget_presses();
         } else {
             if (clock.step_once) tree_.set(time_, "step_once", false);
-            owed_ += passed;
+            due_seconds_ += passed;
             catch_up(limit, watch);
         }
     }
-    clock.alpha =
-        clock.paused || halted_ || lived_ >= limit ? 1.0 : std::clamp(owed_ / clock.dt, 0.0, 1.0);
+    clock.alpha = clock.paused || halted_ || lived_ >= limit
+                      ? 1.0
+                      : std::clamp(due_seconds_ / clock.dt, 0.0, 1.0);
     end_frame(watch, seconds, 1000 * seconds);
     if (!clock.paused || clock.step != begun_at) log_frame(watch);
 }
@@ -375,16 +376,16 @@ void Loop::catch_up(std::uint64_t limit, Stopwatch& watch) {
     Clock& clock = services_.clock;
     // The tolerance makes sixty steps of sixty frames of 1/60 s, whose sum is slightly below one
     // second.
-    const auto due = [&] { return owed_ >= clock.dt * (1 - 1e-9); };
+    const auto due = [&] { return due_seconds_ >= clock.dt * (1 - 1e-9); };
     for (int made = 0; due() && !clock.paused && lived_ < limit; ++made) {
         if (made == clock.max_steps) {
-            const double dropped = std::floor(owed_ / clock.dt);
+            const double dropped = std::floor(due_seconds_ / clock.dt);
             clock.dropped_steps += static_cast<std::int64_t>(dropped);
-            owed_ -= dropped * clock.dt;
+            due_seconds_ -= dropped * clock.dt;
             break;
         }
         if (!begin_next()) break;
-        owed_ = std::max(0.0, owed_ - clock.dt);
+        due_seconds_ = std::max(0.0, due_seconds_ - clock.dt);
         if (!make_step(watch)) break;
     }
 }
@@ -452,7 +453,7 @@ bool Loop::retry() {
 
 void Loop::resume() {
     halted_ = false;
-    owed_ = 0;
+    due_seconds_ = 0;
 }
 
 std::uint64_t Loop::hash() const {

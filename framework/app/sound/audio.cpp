@@ -179,7 +179,7 @@ void Audio::State::cross_fade(Handle voice, double fade) {
     }
 }
 
-void Audio::State::set_given(Handle voice, const Play& how) {
+void Audio::State::set_named_values(Handle voice, const Play& how) {
     const auto set = [&](const Property* property, const Value& to) {
         if (!to.is_nil()) tree.set(voice, *property, to);
     };
@@ -191,7 +191,7 @@ void Audio::State::set_given(Handle voice, const Play& how) {
 
 /// Music that fades out goes on from its present loudness and its present time.
 void Audio::State::fade_in_again(Handle voice, const Play& how, double fade) {
-    set_given(voice, how);
+    set_named_values(voice, how);
     tree.set(voice, *of_voice.playing, true);
     tree.set(voice, *of_voice.fade_time, fade);
     tree.set(voice, *of_voice.fade_to, 1.0);
@@ -220,7 +220,7 @@ Handle Audio::State::play(Handle source, const Play& how) {
     const Handle voice = tree.create(*classes.voice, source);
     try {
         tree.set(voice, *of_voice.order, order);
-        set_given(voice, how);
+        set_named_values(voice, how);
         if (clock.paused) tree.set(voice, *of_voice.pauses, false);
         if (fade > 0) {
             tree.set(voice, *of_voice.fade_time, fade);

@@ -101,7 +101,7 @@ struct Audio::State {
   private:
     void make_room(property::Handle voice);
     /// Writes what the call of `play` names.
-    void set_given(property::Handle voice, const Play& how);
+    void set_named_values(property::Handle voice, const Play& how);
     void fade_in_again(property::Handle voice, const Play& how, double fade);
     void cross_fade(property::Handle voice, double fade);
     std::optional<property::Vec2> place(property::Handle voice, property::Handle source) const;

@@ -189,7 +189,7 @@ void Timeline::exchange_with(Other& other) {
 
 void Timeline::switch_to(const std::string& branch) {
     require_between_steps("the game cannot go to another branch");
-    settle();
+    save_changes();
     const auto found = other_branch(branch);
     tree_.forget_writers_after(static_cast<std::uint64_t>(std::max<std::int64_t>(found->fork, 0)));
     exchange_with(*found);
@@ -207,7 +207,7 @@ void Timeline::switch_to(const std::string& branch) {
 void Timeline::review_branch(const std::string& branch, std::int64_t from,
                              const std::function<void(std::int64_t step)>& look) {
     require_between_steps("the past cannot be shown");
-    settle();
+    save_changes();
     const Other& other = *other_branch(branch);
     auto frame = std::prev(other.keyframes.end());
     while (frame != other.keyframes.begin() && frame->step > from) --frame;

@@ -171,7 +171,7 @@ void Timeline::note_failure() {
 bool Timeline::go_before_failure() {
     const std::int64_t failed = std::exchange(failure_.step, -1);
     if (place_.in_step || failed < 0 || clock_.step != failed || !keeps()) return false;
-    settle();
+    save_changes();
     if (place_.here == failed) {  // a handler failed after the modules had stepped
         bool edited = false;
         for (std::size_t i = failure_.pieces; i < tail_.before.size(); ++i)
@@ -245,9 +245,9 @@ void Timeline::take_keyframe() {
 Timeline::Room Timeline::room_of_packed() {
     Room found;
     for (Keyframe& frame : keyframes_)
-        if (auto plain = frame.payload->settle()) found.buffer = std::move(*plain);
+        if (auto plain = frame.payload->spare_buffer()) found.buffer = std::move(*plain);
     for (Other& other : others_)
-        for (Keyframe& frame : other.keyframes) (void)frame.payload->settle();
+        for (Keyframe& frame : other.keyframes) (void)frame.payload->spare_buffer();
     // Memory that is far larger than the current states is not used again.
     if (!keyframes_.empty() && found.buffer.touched / 4 > keyframes_.back().payload->plain_size())
         found = {};

@@ -38,14 +38,14 @@ void Timeline::require_between_steps(const char* what) const {
 
 void Timeline::go_to(std::int64_t step) {
     require_between_steps("the game cannot go back in time");
-    settle();
+    save_changes();
     require(step);
     travel(step);
 }
 
 void Timeline::go_near(std::int64_t step) {
     require_between_steps("the game cannot go back in time");
-    settle();
+    save_changes();
     if (keeps()) travel(std::clamp(step, oldest(), newest()));
 }
 
@@ -55,7 +55,7 @@ void Timeline::rewind(double seconds) {
     if (std::isnan(seconds))
         throw property::Error(property::ErrorKind::out_of_range,
                               "rewind: nan: expected a time in seconds");
-    settle();
+    save_changes();
     const double steps = std::clamp(std::round(seconds / clock_.dt), -1e15, 1e15);
     if (!keeps()) return;
     const std::int64_t to = clock_.step - static_cast<std::int64_t>(steps);
@@ -75,7 +75,7 @@ const Timeline::Keyframe& Timeline::start_of(std::int64_t from) const {
 
 void Timeline::review(std::int64_t from, const std::function<void(std::int64_t step)>& look) {
     require_between_steps("the past cannot be shown");
-    settle();
+    save_changes();
     if (!keeps()) return;
     const Keyframe& frame = start_of(from);
     replay(frame, place_.here, [&](std::int64_t step) {
@@ -90,7 +90,7 @@ void Timeline::review(std::int64_t from, std::int64_t to,
             if (step <= to) look(step);
         });
     require_between_steps("the past cannot be shown");
-    settle();
+    save_changes();
     if (!keeps()) return;
     const Keyframe& frame = start_of(from);
     for (const Keyframe& each : keyframes_)
@@ -101,7 +101,7 @@ void Timeline::review(std::int64_t from, std::int64_t to,
 void Timeline::repeat_with(std::int64_t from, const std::function<void()>& change,
                            const std::function<void(std::int64_t step)>& look) {
     require_between_steps("the past cannot be shown");
-    settle();
+    save_changes();
     require(from);
     const std::int64_t here = place_.here;
     const Keyframe& frame = start_of(from);
@@ -167,7 +167,7 @@ void Timeline::redo(const Step& step) {
 }
 
 /// Saves the changes since the step that the tree is at, so that they can be restored later.
-void Timeline::settle() {
+void Timeline::save_changes() {
     note_jump();
     if (log_ == nullptr) return;
     Step& since = place_.here == newest() ? tail_ : edits_;
@@ -187,8 +187,8 @@ void Timeline::travel(std::int64_t step) {
     place_.returned = step < newest();
 }
 
-/// Restores the keyframe and repeats the steps behind it up to `step`; calls `look`, if given,
-/// after each, the first time for the keyframe itself.
+/// Restores the keyframe and repeats the steps after it up to `step`. Calls `look`, unless it is
+/// empty, for the keyframe and after each step.
 void Timeline::replay(const Keyframe& frame, std::int64_t step,
                       const std::function<void(std::int64_t)>& look) {
     const Snapshot from(frame.payload->payload(), frame.memories);

@@ -246,10 +246,10 @@ class SfmlWindow : public Window {
         if (icon_) sfml::set_icon(window_, *icon_);
         if (state_.cursor != Cursor::arrow) show_cursor();
         window_.setMouseCursorGrabbed(state_.grab_mouse);
-        reported_size_ = {0, 0};  // the game learns the size of a window that was opened again
+        reported_size_ = {0, 0};  // so that the size of a window that was opened again is reported
         opened_ = std::nullopt;
         reopened_ = true;
-        keyboard_elsewhere_ = true;
+        awaits_keyboard_ = true;
         buttons_before_ = buttons_;
     }
     /// SFML only reports gamepads that are plugged in while the window is open, so the others are
@@ -292,10 +292,10 @@ class SfmlWindow : public Window {
         return buttons_.erase(event.name) == 0;
     }
     bool poll_missed_key_release(InputEvent& event) {
-        if (!keyboard_elsewhere_) return false;
+        if (!awaits_keyboard_) return false;
         const auto released = std::ranges::find_if_not(down_, sfml::is_down);
         if (released == down_.end()) {
-            keyboard_elsewhere_ = !window_.hasFocus();
+            awaits_keyboard_ = !window_.hasFocus();
             return false;
         }
         event = {};
@@ -354,7 +354,7 @@ class SfmlWindow : public Window {
     std::set<std::string> down_;
     std::set<std::string> buttons_;         // of the mouse, held
     std::set<std::string> buttons_before_;  // held since before the window was opened again
-    bool keyboard_elsewhere_ = false;  // the window was opened and has not had the keyboard yet
+    bool awaits_keyboard_ = false;  // the window was opened and has not had the keyboard yet
     bool keep_frame_ = false;
 };
 

@@ -138,7 +138,7 @@ void ScriptClasses::connect(const Class& of, const std::string& name) {
             lua_pushvalue(L, -3);
             lua_call(L, 2, 0);
             if (property::Question* question = property::Question::current())
-                take_answer(L, *question);
+                read_answers(L, *question);
         });
     };
     if (name == "deleted") {

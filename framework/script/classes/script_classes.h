@@ -147,7 +147,7 @@ class ScriptClasses {
     void require_state(const property::Class& of, const std::string& where,
                        const std::string& name) const;
     void enter_state(lua_State* L, property::Handle self);
-    bool take_assigned_state(property::Handle self);
+    bool enter_assigned_state(property::Handle self);
     /// Calls the function of that name of all placed instances; `push` adds its argument.
     template <class Push>
     bool call_all(const char* name, Push push);

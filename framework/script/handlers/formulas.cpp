@@ -88,7 +88,7 @@ int formula(lua_State* L) {
     if (machine.recording.active && mentions_it(source.text)) {
         // Typed into the console: the formula keeps what is selected now.
         source.text = with_selected(machine, source.text);
-        hold_selected(L, machine, 1);
+        bind_selected(L, machine, 1);
     }
     push_formula(L, source);
     return 1;

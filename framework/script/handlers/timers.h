@@ -63,11 +63,11 @@ class Timers {
     /// Ends a timer, or a coroutine if it waits.
     void end(const Noted& noted);
     /// The timer `by` is due when `old` would be, which ends. If `old` has ended, so does `by`.
-    void take_place(const Noted& old, const Noted& by);
+    void replace(const Noted& old, const Noted& by);
     /// From now on no restore starts this timer again, because a reload has replaced its code.
     void retire(const Noted& noted) { retired_.insert(noted.id); }
     /// Makes the timers of `from` those of `to`.
-    void give_owner(property::Handle from, property::Handle to);
+    void change_owner(property::Handle from, property::Handle to);
 
     // Snapshots. Functions are restored. A waiting coroutine keeps its current state and its
     // remaining time; one that began later than the restored step does not continue.
@@ -147,7 +147,7 @@ class Timers {
     bool fire(const Timer& timer);
     bool ended(const Timer& timer) const;
     void forget(const Timer& timer);
-    int take_thread();
+    int idle_thread();
     /// Resumes a thread that may wait again.
     void resume(lua_State* L, lua_State* thread, int arguments, Lifetime lifetime);
 

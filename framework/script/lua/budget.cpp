@@ -224,7 +224,7 @@ std::string Budget::out_of_memory(const Refused& refused) {
 }
 
 /// Describes a refusal without allocating memory.
-Budget::Refused Budget::refused_here(const Arena::Refusal& refusal) const {
+Budget::Refused Budget::describe(const Arena::Refusal& refusal) const {
     const bool whole = machine_.arena.limit() >= machine_.options.memory_limit;
     Refused refused = {.what = refusal,
                        .limit = whole ? machine_.options.memory_limit : now_.memory,
@@ -251,7 +251,7 @@ bool Budget::memory_refused(const Arena::Refusal& refusal) {
         arm(machine_.lua.running);
         return false;
     }
-    refused_ = refused_here(refusal);
+    refused_ = describe(refusal);
     const bool own_limit = machine_.arena.limit() < machine_.options.memory_limit;
     if (!now_.active || !refusal.final || !(own_limit || now_.counting)) return true;
     stop(machine_.lua.running,

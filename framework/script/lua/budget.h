@@ -106,7 +106,7 @@ class Budget {
     bool memory_refused(const Arena::Refusal& refusal);
     /// "not enough memory: ..." with the exceeded limit.
     std::string out_of_memory(const Arena::Refusal& refusal) const {
-        return out_of_memory(refused_here(refusal));
+        return out_of_memory(describe(refusal));
     }
     /// The message for the latest refusal that did not stop the script: its place and the limit; ""
     /// if there was none.
@@ -128,7 +128,7 @@ class Budget {
     static void hook(lua_State* L, lua_Debug* frame);
     struct Refused;
     static std::string out_of_memory(const Refused& refused);
-    Refused refused_here(const Arena::Refusal& refusal) const;
+    Refused describe(const Arena::Refusal& refusal) const;
     void refuse_grown_stack(lua_State* L);
     void notice_growth();
     void mark_next();

@@ -80,7 +80,7 @@ void raise_text(lua_State* L, const char* message) {
 
 namespace {
 
-/// What the running function does, behind "cannot": "call undo", "assign to a store".
+/// What the running function does, after "cannot": "call undo", "assign to a store".
 std::string running_action(lua_State* L) {
     lua_Debug frame;
     if (lua_getstack(L, 0, &frame) == 0) return "call this";

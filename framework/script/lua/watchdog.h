@@ -3,9 +3,9 @@
 // handler, main.lua. A hook that counts instructions would make all scripts 2.4 times slower, so
 // none is set in normal operation. A thread checks ten times a second whether the host is still in
 // the same call; if that takes too long, it sends the host's thread a signal, whose handler sets
-// the hook, and the next instruction of Lua asks whether the call may go on. A signal is
-// necessary because a running Lua state can be used only on its own thread. The thread starts with
-// the first call.
+// the hook, which runs before the next instruction of Lua and ends the call or lets it continue. A
+// signal is necessary because a running Lua state can be used only on its own thread. The thread
+// starts with the first call.
 
 #include <pthread.h>
 #include <atomic>

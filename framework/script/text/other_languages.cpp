@@ -109,7 +109,7 @@ std::string written(std::string_view here) {
     return here.empty() ? std::string() : " (write " + std::string(here) + ")";
 }
 
-/// The first text between single quotes behind `from`.
+/// The first text between single quotes after `from`.
 std::string_view quoted(std::string_view text, std::size_t from) {
     const std::size_t open = text.find('\'', from);
     if (open == std::string_view::npos) return {};
@@ -174,7 +174,7 @@ std::string hint_for_value(std::string_view message) {
         const bool global = message.find("(global '") != std::string_view::npos;
         return written((global ? "" : "it:") + std::string(name) + "() to call it");
     }
-    // Lua calls what stands behind `in`.
+    // Lua calls the value after `in`.
     if (message.find("(for iterator 'for iterator')") != std::string_view::npos &&
         message.find("attempt to call a nil value") == std::string_view::npos)
         return written("for _, each in ipairs(list) do, or pairs(table)");

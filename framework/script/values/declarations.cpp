@@ -163,7 +163,7 @@ const Value* Declarations::seen(Handle instance, std::string_view name) const {
     return last != nullptr && !last->added ? &last->before : nullptr;
 }
 
-std::optional<property::Place> Declarations::waiting_at(const std::string& path) const {
+std::optional<property::Place> Declarations::find_future(const std::string& path) const {
     for (const Declared& each : all_) {
         if (!tree_.alive(each.instance)) continue;
         const std::string future = future_path(each.instance);

@@ -94,7 +94,7 @@ class Declarations {
     const Place& place_of(property::Handle instance) const { return places_.at(instance.key()); }
     std::vector<Call> calls;
     /// The instance that will have this path, or the property of one.
-    std::optional<property::Place> waiting_at(const std::string& path) const;
+    std::optional<property::Place> find_future(const std::string& path) const;
 
   private:
     enum class Phase : std::uint8_t { none, first, reload };

@@ -183,7 +183,7 @@ bool is_named_wrongly(const property::Tree& tree, Handle instance, Handle parent
 
 void place(Machine& machine, Handle instance, Handle parent, std::string_view name,
            property::PlainNames* plain_names) {
-    // The tree would put a number behind a wrong name of its own; as a given name it is an error.
+    // The tree would put a number after a wrong name of its own; as a given name it is an error.
     std::string own;
     if (name.empty() && machine.tree.alive(instance) && machine.tree.alive(parent)) {
         own = machine.tree.name(instance);
