@@ -70,7 +70,7 @@ std::string writer_of(const Tree& tree, Handle instance, double dt) {
     return has_place ? cause.where : std::string(writer_name(cause.writer));
 }
 
-/// The writers in order of how many instances they wrote; those beyond the colors are "others".
+/// The writers and the number of instances that each wrote last, the largest number first.
 using Legend = std::vector<std::pair<std::string, std::size_t>>;
 Legend legend_of(const std::vector<Blamed>& all) {
     std::map<std::string, std::size_t> counts;

@@ -244,7 +244,7 @@ bool ErrorScreen::handle(const InputEvent& event) {
             if (event.name == "down") ++scroll_;
             if (event.name == "page_up") scroll_ = std::max(0, scroll_ - 10);
             if (event.name == "page_down") scroll_ += 10;
-            // A held key goes on.
+            // These keys repeat while they are held.
             if (!running_ && actions_.travel && (event.name == "left" || event.name == "right")) {
                 actions_.travel(event.name == "left" ? -steps_a_key : steps_a_key);
                 return true;

@@ -88,14 +88,14 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
     runtime_.add_library("sounds", Audio::library());
     services_.audio.random = [this] { return runtime_life_.expired() ? 0.5 : runtime_.random(); };
     runtime_.on_rewind([this](double seconds) { timeline_.rewind(seconds); });
-    // The destructor removes this function, and `ordered` with it. Then a jump that waits for the
+    // The destructor removes this function, and `life` with it. Then a jump that waits for the
     // barrier is dropped.
-    services_.clock.travel.go_to = [this, ordered = std::make_shared<char>()](std::int64_t step) {
+    services_.clock.travel.go_to = [this, life = std::make_shared<char>()](std::int64_t step) {
         // The caller can catch this error. At the barrier, fewer steps may be kept, so the loop
         // goes to the nearest.
         timeline_.require(step);
-        tree_.at_barrier([this, step, held = std::weak_ptr(ordered)] {
-            if (!held.expired()) timeline_.go_near(step);
+        tree_.at_barrier([this, step, watched_life = std::weak_ptr(life)] {
+            if (!watched_life.expired()) timeline_.go_near(step);
         });
     };
     services_.clock.travel.branches = [this] { return timeline_.branches(); };
@@ -103,12 +103,13 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
                                                 const std::string& name) {
         timeline_.name_branch(branch, name);
     };
-    const auto at_barrier = [this, ordered = std::make_shared<char>()](auto what) {
-        return [this, what, ordered](const std::string& branch) {
+    const auto at_barrier = [this, life = std::make_shared<char>()](auto what) {
+        return [this, what, life](const std::string& branch) {
             timeline_.require_branch(branch);
-            tree_.at_barrier([this, what, branch, held = std::weak_ptr(ordered)] {
+            tree_.at_barrier([this, what, branch, watched_life = std::weak_ptr(life)] {
                 // It may have been dropped since.
-                if (!held.expired() && timeline_.has_branch(branch)) (timeline_.*what)(branch);
+                if (!watched_life.expired() && timeline_.has_branch(branch))
+                    (timeline_.*what)(branch);
             });
         };
     };
@@ -255,8 +256,8 @@ void Loop::repeat_after_return(double real_dt) {
 bool Loop::before_steps(double dt, double real_dt, Stopwatch& watch) {
     services_.clock.real += real_dt;
     (void)timeline_.take_return();
-    const bool looked_at = property::take_prepared(tree_);
-    tree_.locate_writes(services_.view.show.blame || looked_at);
+    const bool wants_places = property::take_prepared(tree_);
+    tree_.locate_writes(services_.view.show.blame || wants_places);
     if (halted_) {
         services_.input.drop();
         barrier();  // edits from the console still take effect

@@ -75,7 +75,7 @@ void StandIn::define(const ClassDescription& from) {
     for (std::size_t i = 0; i < descriptor.properties.size(); ++i) {
         Property& property = descriptor.properties[i];
         const BindingDescription& binding = from.bindings[i];
-        if (binding.again) {
+        if (binding.is_inherited) {
             property = {.name = property.name,
                         .type = property.type,
                         .default_value = property.default_value,
@@ -99,10 +99,10 @@ void StandIn::define(const ClassDescription& from) {
     descriptor.makes_base_rows = descriptor.lifecycle.any();
     const Class& made = tree_.define(std::move(descriptor));
     for (std::size_t i = 0; i < from.bindings.size(); ++i) {
-        if (from.bindings[i].again) continue;
+        if (from.bindings[i].is_inherited) continue;
         const Property& property = *made.property(from.descriptor.properties[i].name);
         if (const auto kept = by_context_.find(property.binding.context); kept != by_context_.end())
-            kept->second->otherwise = property.default_value;
+            kept->second->default_value = property.default_value;
     }
 }
 
@@ -112,9 +112,9 @@ std::unique_ptr<BridgedClass> StandIn::bridge(const ClassDescription& from, Host
     auto made = std::make_unique<BridgedClass>(host, in_c.get());
     for (std::size_t i = 0; i < from.bindings.size(); ++i) {
         const Property& property = *made->declared().property(from.descriptor.properties[i].name);
-        if (made->find(property) == nullptr || from.bindings[i].again) continue;
+        if (made->find(property) == nullptr || from.bindings[i].is_inherited) continue;
         StandInValues& kept = values_[before + i];
-        kept.otherwise = property.default_value;
+        kept.default_value = property.default_value;
         by_context_[property.binding.context] = &kept;
     }
     return made;
