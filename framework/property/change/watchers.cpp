@@ -184,10 +184,10 @@ class Interest {
         if (patterns_++ == 0) return watcher.pattern->matches(tree_, instance_, property_);
         if (patterns_ == 2) {
             names_ = names_above(tree_, instance_);
-            hangs_ = !names_.empty() || instance_ == tree_.root();
+            is_attached_ = !names_.empty() || instance_ == tree_.root();
             names_.push_back(property_.name);
         }
-        return hangs_ && watcher.pattern->matches(names_);
+        return is_attached_ && watcher.pattern->matches(names_);
     }
 
   private:
@@ -196,7 +196,7 @@ class Interest {
     const Property& property_;
     std::vector<std::string> names_;
     int patterns_ = 0;  // tested so far; the path is computed at the second one
-    bool hangs_ = false;
+    bool is_attached_ = false;
 };
 
 }  // namespace

@@ -224,9 +224,9 @@ void History::write_cell(Handle instance, Symbol name, const CellState& state, U
         }
         if (property == nullptr) return;
         // A formula that fails does not override the default, but it has to be removed as well.
-        const bool stands =
+        const bool is_set =
             tree_.overridden(instance, *property) || tree_.formula(instance, *property) != nullptr;
-        if (!state.overridden && stands)
+        if (!state.overridden && is_set)
             tree_.reset(instance, *property);
         else if (state.overridden && !(state.formula && state.value.is_nil()))
             tree_.set(instance, *property, state.value);

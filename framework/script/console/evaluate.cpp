@@ -425,7 +425,7 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
         if (!ok) {
             evaluation.error = std::move(machine.errors.caught);
             machine.errors.caught.reset();
-            if (machine.life.in_tree && machine.budget.out_of_room())
+            if (machine.life.in_tree && machine.budget.memory_exceeded())
                 if (const std::size_t count = made.destroy(); count > 0)
                     evaluation.error->message +=
                         "; these " + std::to_string(count) + " instances are deleted again";

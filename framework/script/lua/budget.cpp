@@ -256,7 +256,7 @@ bool Budget::memory_refused(const Arena::Refusal& refusal) {
     if (!now_.active || !refusal.final || !(own_limit || now_.counting)) return true;
     stop(machine_.lua.running,
          refusal.by_system ? "stopped: " + out_of_memory(refused_) : too_much_memory());
-    now_.out_of_room = true;
+    now_.memory_exceeded = true;
     return true;
 }
 
@@ -292,13 +292,13 @@ void Budget::notice_growth() {
         std::max<std::int64_t>(0, machine_.tree.weight() - now_.weight_before));
     if (grown + added(arena.bytes(), now_.lua_before) > now_.memory) {
         stop(machine_.lua.running, too_much_memory());
-        now_.out_of_room = true;
+        now_.memory_exceeded = true;
         return;
     }
     if (passed_limit)
         if (const std::string why = passed_limit(); !why.empty()) {
             stop(machine_.lua.running, "stopped: " + why);
-            now_.out_of_room = true;
+            now_.memory_exceeded = true;
             return;
         }
     arena.set_limit(std::min(now_.outer_limit, now_.lua_before + now_.memory - grown));
@@ -328,7 +328,7 @@ void Budget::limit_tree() {
                  megabytes(limits.tree) + "; " + instances_and_memory() +
                  (limits.tree_setting.empty() ? ""
                                               : " (" + limits.tree_setting + " raises the limit)"));
-        now_.out_of_room = true;
+        now_.memory_exceeded = true;
     });
 }
 

@@ -36,7 +36,7 @@ class Budget {
         bool active = false;
         bool counting = false;  // whether instructions and time are limited
         bool stopping = false;
-        bool out_of_room = false;
+        bool memory_exceeded = false;
         std::int64_t left = 0;
         std::uint64_t instructions = 0;
         double seconds = 0;
@@ -87,7 +87,7 @@ class Budget {
     bool counting() const { return now_.counting; }
     bool stopping() const { return now_.stopping; }
     /// Whether it is stopping because the tree or Lua used too much memory.
-    bool out_of_room() const { return now_.stopping && now_.out_of_room; }
+    bool memory_exceeded() const { return now_.stopping && now_.memory_exceeded; }
     /// Reason with position: "console:3: stopped ...".
     const std::string& reason() const { return now_.reason; }
     const std::string& file() const { return now_.file; }

@@ -49,7 +49,7 @@ class JsonEdit {
 
   private:
     void add(const Node& container, const std::string& item, const Node* after);
-    std::size_t comma_behind(std::size_t at) const;
+    std::size_t comma_after(std::size_t at) const;
     bool alone_on_its_lines(const Node& child) const;
     void add_first(const Node& container, const std::string& item);
     void set(std::string text);

@@ -26,8 +26,9 @@ std::vector<std::string> names_in(const std::string& path) {
     return names;
 }
 
-/// Must be called before the first file is read.
-GameFiles& kept_below(GameFiles& files, const std::filesystem::path& folder) {
+/// Makes `files` stay below the folder, and returns it. Must be called before the first file is
+/// read.
+GameFiles& limit_to_folder(GameFiles& files, const std::filesystem::path& folder) {
     files.stay_below(folder);
     return files;
 }
@@ -68,7 +69,7 @@ Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal:
       tree_life(its_tree.lifetime()),
       folder(game_folder(game)),
       warn(std::move(its_warn)),
-      files(options.files != nullptr ? *options.files : kept_below(own_files, folder)),
+      files(options.files != nullptr ? *options.files : limit_to_folder(own_files, folder)),
       kept(its_tree, files, folder / (game_name(game) + ".tweaks.json"), warn) {
     if (options.earlier) {
         std::vector<JournalRow> rows;
@@ -192,8 +193,8 @@ void Tweaks::State::note_origin(Entry& entry, Handle instance) const {
 
 void Tweaks::State::edited(Handle instance, const Property& property, const CellState& before) {
     if (property.transient || !attached(instance)) return;
-    if (is_fresh(instance)) return edited_again(instance, property);
-    if (!deleted.empty()) back_in_time(instance);
+    if (is_fresh(instance)) return update_restored_values(instance, property);
+    if (!deleted.empty()) undelete_above(instance);
     if (Entry* creation = created_above(instance)) {
         creation->inside.emplace_back(instance, property.symbol);
         return touch(*creation);
@@ -213,7 +214,7 @@ void Tweaks::State::edited(Handle instance, const Property& property, const Cell
 }
 
 /// After an undo of a deletion, the values edited before it are current again.
-void Tweaks::State::edited_again(Handle instance, const Property& property) {
+void Tweaks::State::update_restored_values(Handle instance, const Property& property) {
     if (tree.cause().writer != Writer::undo) return;
     for (const auto& each : entries)
         if (each->row.kind == Kind::value && each->handle == instance &&
@@ -225,7 +226,7 @@ void Tweaks::State::edited_again(Handle instance, const Property& property) {
 
 /// An edited instance cannot be deleted: the game went back in time or loaded a save. So its
 /// deletion is undone.
-void Tweaks::State::back_in_time(Handle instance) {
+void Tweaks::State::undelete_above(Handle instance) {
     for (Handle at = instance; at; at = tree.parent(at)) {
         const auto found = deleted.find(at.key());
         if (found == deleted.end() || found->second->gone) continue;
@@ -373,7 +374,7 @@ void Tweaks::State::revive(Entry& deletion) {
         if (its.gone && its.deletion == &deletion) {
             its.gone = false;
             its.deletion = nullptr;
-            find_again(its);
+            refresh_path(its);
             touch(its);
         }
         if (!its.gone && its.with == &deletion) {

@@ -62,7 +62,7 @@ bool Tweaks::State::deleted_by_path(const std::string& home) const {
 }
 
 /// Called when a deletion is undone: the instance may have another path now.
-void Tweaks::State::find_again(Entry& its) {
+void Tweaks::State::refresh_path(Entry& its) {
     if (!tree.alive(its.handle) || !attached(its.handle)) return;
     const std::string path = tree.path(its.handle);
     if (its.row.kind == Kind::moved) {
@@ -289,12 +289,12 @@ void Tweaks::State::rename_mentions(const std::string& from, const std::string& 
             values_named_again.emplace_back(&its, to);
         }
     }
-    for (const auto& [its, path] : values_named_again) name_again(*its, path);
+    for (const auto& [its, path] : values_named_again) add_reference_tweaks(*its, path);
 }
 
 /// Adds tweaks for references to a restored instance: new instances were kept with null in their
 /// places.
-void Tweaks::State::name_again(Entry& made, const std::string& path) {
+void Tweaks::State::add_reference_tweaks(Entry& made, const std::string& path) {
     const NewPath none = [&](const std::string& named) -> std::optional<std::string> {
         if (is_at_or_below(named, path)) return std::string();
         return std::nullopt;

@@ -86,8 +86,8 @@ struct Tweaks::State : EditObserver {
     void name_deleted(Image& image, const Value& value) const;
     void note_deletion(Handle instance, Handle parent, const std::string& path);
     bool taken_out_of_creation(Handle instance, Handle parent);
-    void edited_again(Handle instance, const Property& property);
-    void back_in_time(Handle instance);
+    void update_restored_values(Handle instance, const Property& property);
+    void undelete_above(Handle instance);
     Entry& add_deletion(Handle instance, const std::string& path, const std::string& home);
     void make_void(const std::string& path, const std::string& home, Entry& deletion);
     void revive(Entry& deletion);
@@ -111,7 +111,7 @@ struct Tweaks::State : EditObserver {
     bool is_home(const Entry& move) const;
     /// Whether the kept-tweaks file, and no scene, deletes the instance with that home path.
     bool deleted_by_path(const std::string& home) const;
-    void find_again(Entry& its);
+    void refresh_path(Entry& its);
     static bool is_removed(const JournalRow& row);
     /// The journal gets the row of an earlier run with its new names.
     void renamed_earlier(JournalRow& row);
@@ -144,7 +144,7 @@ struct Tweaks::State : EditObserver {
     static bool is_of_deleted(const std::string& path) { return path.starts_with(R"(game["\000)"); }
     /// Replaces a path in all references of tweaks.
     void rename_mentions(const std::string& from, const std::string& to);
-    void name_again(Entry& made, const std::string& path);
+    void add_reference_tweaks(Entry& made, const std::string& path);
     void commit();
     void report_lost() const;
 
