@@ -111,7 +111,7 @@ std::vector<Connections::Noted> Connections::end_noting() {
     return std::exchange(noted_, {});
 }
 
-void Connections::connect_again(const Noted& noted, property::Handle instance) {
+void Connections::reconnect(const Noted& noted, property::Handle instance) {
     const auto found = connections_.find(noted.id);
     if (found == connections_.end()) return;  // the script has stopped it
     Entry& entry = found->second;

@@ -38,7 +38,8 @@ class Connections {
     ~Connections();
 
     /// Connects and pushes a script object for it. While a game is loaded again, the instance may
-    /// only stand for another one: see `connect_again`. It ends with the scene whose `enter` runs.
+    /// be a placeholder for another one: see `reconnect`. It ends with the scene whose `enter`
+    /// runs.
     void push(lua_State* L, property::Handle instance, Subscription subscription);
     /// Stores a connection that no script can stop and that is in no snapshot.
     void keep(property::Connection connection);
@@ -57,7 +58,7 @@ class Connections {
     };
     std::vector<Noted> end_noting();
     /// Moves a connection to another instance; its number stays.
-    void connect_again(const Noted& noted, property::Handle instance);
+    void reconnect(const Noted& noted, property::Handle instance);
     /// Ends a connection of code that was replaced by a reload: no rewind connects it again.
     void retire(std::uint64_t id);
 

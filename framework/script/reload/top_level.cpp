@@ -219,7 +219,7 @@ void TopLevel::take(Noted made, Reloaded& result) {
         const Handle now = merge.result_of(each.instance);
         if (now == each.instance) continue;
         if (machine_.tree.alive(now))
-            machine_.connections.connect_again(each, now);
+            machine_.connections.reconnect(each, now);
         else
             machine_.connections.stop(each.id);
     }
