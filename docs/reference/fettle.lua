@@ -3082,7 +3082,7 @@ function ab(path, value, seconds) end
 ---@return Connection
 function after(seconds, action, options) end
 
----In the console the word stands for the command; what is typed behind it is put behind the command. Without a command the word means itself again.
+---In the console the word stands for the command; what is typed after it is put after the command. Without a command the word means itself again.
 ---@param word string
 ---@param command? string
 function alias(word, command) end

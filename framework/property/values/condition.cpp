@@ -338,7 +338,7 @@ class Parser {
                 if (!words_.is("]")) words_.fail("expected ], got " + words_.found());
             } else {
                 if (words_.kind != Token::name)
-                    words_.fail("expected a name behind the dot, got " + words_.found());
+                    words_.fail("expected a name after the dot, got " + words_.found());
                 made.parts.push_back({std::string(words_.word)});
             }
             words_.next();

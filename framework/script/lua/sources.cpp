@@ -75,7 +75,7 @@ void name_foreign_letters(lua_State* L, std::string_view code, const char* name)
     const std::string word(code.substr(begin, end - begin));
     std::string text = message.substr(0, near) + " near '" + word + "'";
     if (begin > 0 && code[begin - 1] == '.')
-        text += " (write [\"" + word + "\"]: a name behind a point has the letters a to z)";
+        text += " (write [\"" + word + "\"]: a name after a dot has the letters a to z)";
     lua_pop(L, 1);
     push_text(L, text);
 }

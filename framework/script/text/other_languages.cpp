@@ -197,7 +197,7 @@ std::string hint_for_syntax(std::string_view message, std::string_view line, std
     if (block && (rest.starts_with('{') || rest.starts_with(':')))
         return written(std::string(opens) + " ... end");
     if (rest.starts_with('{') && line.substr(0, column).find(')') != std::string_view::npos)
-        return written("the lines of a function without { }, and end behind them");
+        return written("the lines of a function without { }, and end after them");
     // An entry that follows another one without a comma begins with one of these.
     const bool entry =
         is_word(rest[0]) || std::string_view("{[\"'").find(rest[0]) != std::string_view::npos;
