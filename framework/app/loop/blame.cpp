@@ -38,9 +38,9 @@ constexpr std::string_view physics = "physics", unknown = "unknown", others = "o
 void find_latest_write(const Tree& tree, Handle instance, property::Provenance& latest) {
     const auto look = [&](const property::Property& each) {
         if (each.read_only || each.transient) return;
-        const property::Provenance who = tree.who(instance, each);
-        if (!who.known || who.cause.writer == Writer::simulation) return;
-        if (!latest.known || who.cause.step >= latest.cause.step) latest = who;
+        const property::Provenance provenance = tree.who(instance, each);
+        if (!provenance.known || provenance.cause.writer == Writer::simulation) return;
+        if (!latest.known || provenance.cause.step >= latest.cause.step) latest = provenance;
     };
     for (const property::Property* each : tree.class_of(instance).properties()) look(*each);
     for (const property::Property* each : tree.ad_hoc(instance)) look(*each);
@@ -168,7 +168,7 @@ void Blame::draw(property::Painter& painter, double alpha) const {
 
 void Blame::draw_legend(Surface& surface, const ClipRectangle& room) const {
     constexpr float row = 20, margin = 8, square = 14, gap = 10, text_size = 15;
-    constexpr SurfaceColor ink{235, 237, 242, 255}, unseen{0, 0, 0, 0};
+    constexpr SurfaceColor text_color{235, 237, 242, 255}, unseen{0, 0, 0, 0};
     const float rows = std::floor((room.height - 4 * margin) / row);
     const float text_room = room.width - 4 * margin - square - gap;
     if (rows < 1 || text_room <= 0) return;
@@ -207,7 +207,7 @@ void Blame::draw_legend(Surface& surface, const ClipRectangle& room) const {
         };
         fill(surface, left, y + 3, square, square,
              {byte(color.r), byte(color.g), byte(color.b), 255});
-        surface.text(left + square + gap, y + 1, lines[i], text_size, ink, Face::plain);
+        surface.text(left + square + gap, y + 1, lines[i], text_size, text_color, Face::plain);
     }
 }
 

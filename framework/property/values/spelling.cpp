@@ -119,8 +119,9 @@ std::string with_article(std::string_view noun) {
         return at < noun.size() && std::string_view("aeiou").find(lower(noun[at])) != noun.npos;
     };
     // "a Unit" and "a User", but "an Umbrella".
-    const bool you = !noun.empty() && lower(noun[0]) == 'u' && !vowel_at(1) && vowel_at(2);
-    return (vowel_at(0) && !you ? "an " : "a ") + std::string(noun);
+    const bool sounds_like_y =
+        !noun.empty() && lower(noun[0]) == 'u' && !vowel_at(1) && vowel_at(2);
+    return (vowel_at(0) && !sounds_like_y ? "an " : "a ") + std::string(noun);
 }
 
 }  // namespace fettle::property

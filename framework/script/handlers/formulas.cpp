@@ -179,9 +179,9 @@ property::Formula formula_of(lua_State* L, Machine& machine) {
 void push_formula_function(lua_State* L, const property::Tree& tree, Handle instance,
                            const Property& property) {
     const property::Formula* found = tree.formula(instance, property);
-    const auto* ours = found != nullptr ? found->function.target<ScriptFormula>() : nullptr;
-    if (ours != nullptr)
-        ours->function()->push(L);
+    const auto* formula = found != nullptr ? found->function.target<ScriptFormula>() : nullptr;
+    if (formula != nullptr)
+        formula->function()->push(L);
     else
         lua_pushnil(L);
 }

@@ -48,16 +48,16 @@ struct Watchdog::Thread {
     // slept, a debugger stopped it) does not count.
     void run() {
         std::uint64_t seen = 0;
-        double lasted = 0;
+        double seconds = 0;
         std::unique_lock lock(mutex);
         while (!wake.wait_for(lock, tick, [this] { return ends; })) {
             const std::uint64_t now = watchdog.serial_.load(std::memory_order_acquire);
-            lasted = now == seen && now % 2 == 1
-                         ? lasted + std::chrono::duration<double>(tick).count()
-                         : 0;
+            seconds = now == seen && now % 2 == 1
+                          ? seconds + std::chrono::duration<double>(tick).count()
+                          : 0;
             seen = now;
-            if (lasted < limit || now % 2 == 0) continue;
-            watchdog.seconds_.store(lasted, std::memory_order_relaxed);
+            if (seconds < limit || now % 2 == 0) continue;
+            watchdog.seconds_.store(seconds, std::memory_order_relaxed);
             watchdog.due_.store(true, std::memory_order_relaxed);
             pthread_kill(watchdog.host_.load(std::memory_order_relaxed), signal_number);
         }
@@ -125,7 +125,7 @@ void Watchdog::check(lua_State* L) {
     if (in_go_on_ || depth_ == 0 || thread_ == nullptr || machine_.budget.counting() ||
         machine_.budget.stopping())
         return;
-    const double lasted = seconds_.load(std::memory_order_relaxed);
+    const double seconds = seconds_.load(std::memory_order_relaxed);
     bool goes_on = false;
     if (go_on_) {
         in_go_on_ = true;
@@ -149,13 +149,13 @@ void Watchdog::check(lua_State* L) {
             }
         } aside(machine_, *this, L);
         const auto go_on = go_on_;  // a copy, because the call may replace it
-        goes_on = go_on(L, lasted);
+        goes_on = go_on(L, seconds);
     }
     // If the runtime was destroyed meanwhile, the call could not be ended later.
     if (goes_on && machine_.life.orphan == nullptr) return;
     char text[80];
     std::snprintf(text, sizeof text, "stopped: it ran for %.1f seconds and did not come back",
-                  lasted);
+                  seconds);
     stopped_ = true;
     machine_.budget.stop(L, text);
 }
