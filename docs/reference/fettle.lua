@@ -2359,7 +2359,7 @@ Mouse = {}
 ---@field button_14 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "14". · true or false · default false · not saved
 ---@field button_15 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "15". · true or false · default false · not saved
 ---@field button_16 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "16". · true or false · default false · not saved
----@field connected boolean Whether there is such a gamepad. One that goes lets go of everything first. · true or false · default false · not saved
+---@field connected boolean Whether there is such a gamepad. Before it disconnects, all its buttons and axes are released. · true or false · default false · not saved
 ---@field dpad_down boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "dpad_down". · true or false · default false · not saved
 ---@field dpad_left boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "dpad_left". · true or false · default false · not saved
 ---@field dpad_right boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "dpad_right". · true or false · default false · not saved
@@ -3082,7 +3082,7 @@ function ab(path, value, seconds) end
 ---@return Connection
 function after(seconds, action, options) end
 
----In the console the word stands for the command; what is typed behind it is put behind the command. Without a command the word means itself again.
+---In the console the word stands for the command; what is typed after it is put after the command. Without a command the word means itself again.
 ---@param word string
 ---@param command? string
 function alias(word, command) end

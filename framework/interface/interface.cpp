@@ -22,7 +22,7 @@ struct Interface::State {
           binding(widgets, preferences),
           player(widgets, layout, binding),
           picture(widgets, layout, binding, player) {
-        widgets.answers = {
+        widgets.callbacks = {
             .lay_out =
                 [this] {
                     if (!framed) player.begin_on(screen_of_view());
@@ -39,7 +39,7 @@ struct Interface::State {
     }
     void follow_preferences() {
         if (!preferences.differs()) return;
-        preferences.give_back();
+        preferences.restore_changed();
         binding.follow_properties();
     }
     Widgets widgets;
@@ -129,10 +129,10 @@ ServiceParts service_parts(Preferences& preferences, Player& player) {
 
 Interface::Interface(property::Media& media) : state_(std::make_unique<State>(media)) {}
 
-// The tree may outlive the interface, and must not read memory of widgets then.
+// The tree may outlive the interface, so its classes, which read the memory of this object, end.
 Interface::~Interface() {
     if (state_->tree_life.expired()) return;
-    state_->widgets.answers = {};
+    state_->widgets.callbacks = {};
     for (const char* name : {"Widget", "Theme", "Interface"})
         property::end_class(*state_->tree, state_->tree->class_named(name));
 }

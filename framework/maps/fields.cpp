@@ -68,9 +68,9 @@ void Place::fail(const std::string& message) const {
     maps::fail(file, what.empty() ? message : what + ": " + message);
 }
 
-double Place::number(const char* key, double otherwise) const {
+double Place::number(const char* key, double default_value) const {
     const auto found = json.find(key);
-    if (found == json.end()) return otherwise;
+    if (found == json.end()) return default_value;
     double value = 0;
     if (found->is_number())
         value = found->get<double>();
@@ -80,10 +80,10 @@ double Place::number(const char* key, double otherwise) const {
     return value;
 }
 
-std::int64_t Place::integer(const char* key, std::int64_t otherwise, std::int64_t min,
+std::int64_t Place::integer(const char* key, std::int64_t default_value, std::int64_t min,
                             std::int64_t max) const {
     const auto found = json.find(key);
-    if (found == json.end()) return otherwise;
+    if (found == json.end()) return default_value;
     std::int64_t value = 0;
     bool known = true;
     if (found->is_number_unsigned())
@@ -99,9 +99,9 @@ std::int64_t Place::integer(const char* key, std::int64_t otherwise, std::int64_
     return value;
 }
 
-bool Place::boolean(const char* key, bool otherwise) const {
+bool Place::boolean(const char* key, bool default_value) const {
     const auto found = json.find(key);
-    if (found == json.end()) return otherwise;
+    if (found == json.end()) return default_value;
     if (found->is_boolean()) return found->get<bool>();
     if (*found == "1" || *found == "true") return true;
     if (*found == "0" || *found == "false") return false;
@@ -109,17 +109,17 @@ bool Place::boolean(const char* key, bool otherwise) const {
          found->dump().substr(0, 60));
 }
 
-std::string Place::text(const char* key, const std::string& otherwise) const {
+std::string Place::text(const char* key, const std::string& default_value) const {
     const auto found = json.find(key);
-    if (found == json.end() || found->is_null()) return otherwise;
+    if (found == json.end() || found->is_null()) return default_value;
     if (!found->is_string())
         fail("\"" + std::string(key) + "\": expected a text, got " + found->dump().substr(0, 60));
     return found->get<std::string>();
 }
 
-Color Place::color(const char* key, Color otherwise) const {
+Color Place::color(const char* key, Color default_value) const {
     const std::string written = text(key);
-    return written.empty() ? otherwise : parse_color(*this, written);
+    return written.empty() ? default_value : parse_color(*this, written);
 }
 
 const Json& Place::list(const char* key) const {

@@ -22,13 +22,13 @@ struct Place {
     Place at(const Json& member) const { return {file, member, what}; }
 
     bool has(const char* key) const { return json.contains(key); }
-    double number(const char* key, double otherwise) const;
+    double number(const char* key, double default_value) const;
     /// Throws for numbers out of the range.
-    std::int64_t integer(const char* key, std::int64_t otherwise, std::int64_t min,
+    std::int64_t integer(const char* key, std::int64_t default_value, std::int64_t min,
                          std::int64_t max) const;
-    bool boolean(const char* key, bool otherwise) const;
-    std::string text(const char* key, const std::string& otherwise = {}) const;
-    property::Color color(const char* key, property::Color otherwise) const;
+    bool boolean(const char* key, bool default_value) const;
+    std::string text(const char* key, const std::string& default_value = {}) const;
+    property::Color color(const char* key, property::Color default_value) const;
     /// An empty list if there is none. Throws if the member is not a list.
     const Json& list(const char* key) const;
     Properties properties() const;

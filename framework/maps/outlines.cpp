@@ -124,7 +124,8 @@ std::size_t next_edge(const Edge& arriving, const std::vector<std::size_t>& leav
     const Point back = arriving.from - arriving.to;
     const auto angle_class = [&](const Point& d) {
         const std::int64_t side = cross(back, d);
-        // 0: clockwise from `back` by less than a half turn; 1: a half turn; 2: more.
+        // 0: clockwise from `back` by less than a half turn; 1: a half turn; 2: more; 3: `back`
+        // itself.
         if (side == 0) return dot(back, d) > 0 ? 3 : 1;
         return side < 0 ? 0 : 2;
     };

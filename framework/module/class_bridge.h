@@ -50,7 +50,7 @@ class BridgedClass {
     }
     /// Makes the row of an instance that is being created.
     fettle_row create(property::Handle self);
-    /// Makes a row in the module for an instance that already exists in the tree.
+    /// Makes a row in the new module for an instance that already exists in the tree.
     void revive(property::Handle self);
     /// Destroys the row of the instance and keeps the instance.
     void retire(property::Handle self);

@@ -129,7 +129,7 @@ void bind_column(property::Property& property, BridgedProperty& kept) {
                     " does not lie in a column of that native type");
     const std::size_t stride = kept.native.stride;
     if (stride != 0 && (stride < size_of(native) || stride > property::largest_stride))
-        throw wrong("its column goes on by " + std::to_string(stride) + " bytes: expected " +
+        throw wrong("its column has a stride of " + std::to_string(stride) + " bytes, expected " +
                     std::to_string(size_of(native)) + " to " +
                     std::to_string(property::largest_stride));
     property.single_precision |= native == Native::f32 || native == Native::vec2f;

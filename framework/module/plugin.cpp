@@ -85,7 +85,7 @@ void Plugin::State::close_native() {
     open.native = {};
 }
 
-void Plugin::State::give_up() {
+void Plugin::State::abandon() {
     host.define_class = nullptr;
     host.adopt = nullptr;
     host.unknown = nullptr;
@@ -184,7 +184,7 @@ void Plugin::attach(property::Tree& tree) {
         s.attach_native();
     } catch (...) {  // an error that did not occur in the trial
         const std::string reason = property::exception_text();
-        s.give_up();
+        s.abandon();
         s.leave_tree();
         throw LoadError(s.file, "module " + s.name + ": " + reason);
     }

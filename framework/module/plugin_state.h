@@ -43,10 +43,10 @@ struct Plugin::State {
     void close_native();
     /// Ends a module that a failure left half attached. Its instances stay, with the defaults as
     /// values. A later reload may bring the module back.
-    void give_up();
+    void abandon();
     /// Ends the classes, so that the tree does not use this object any more, and forgets the tree.
     void leave_tree();
-    /// Throws std::runtime_error after `give_up`.
+    /// Throws std::runtime_error after `abandon`.
     void require_loaded() const;
     /// Whether the module saves its own rows in snapshots.
     bool saves() const { return open.native.save != nullptr && open.native.restore != nullptr; }

@@ -53,14 +53,14 @@ class Reload {
         try {
             change_to(fresh, now);
         } catch (...) {
-            s_.give_up();
+            s_.abandon();
             throw;
         }
         return std::move(report_);
     }
 
   private:
-    /// From here on there is no way back to the old module, whose rows are destroyed.
+    /// Ends the old module and destroys its rows. After that, the reload cannot be undone.
     void change_to(OpenModule& fresh, const std::function<void(std::string_view)>& now) {
         for (auto saved = saved_.rbegin(); saved != saved_.rend(); ++saved)
             saved->owner->retire(saved->instance);
@@ -71,7 +71,7 @@ class Reload {
         for (Saved& saved : saved_)
             if (!saved.revived) revive(saved);
         s_.host.adopt = nullptr;
-        give_back();
+        restore_values();
         now(in_its_test);
         s_.check_native();
         s_.version = text_or_empty(s_.open.native.version);
@@ -163,15 +163,15 @@ class Reload {
     }
 
     /// Some values may be refused until others are set, so refused values are tried a second time.
-    void give_back() {
+    void restore_values() {
         for (const bool last : {false, true})
             for (Saved& saved : saved_)
                 std::erase_if(saved.values, [&](const auto& pair) {
-                    return give_back(saved.instance, *pair.first, pair.second, last);
+                    return restore_values(saved.instance, *pair.first, pair.second, last);
                 });
     }
 
-    bool give_back(Handle instance, const Property& property, const Value& value, bool last) {
+    bool restore_values(Handle instance, const Property& property, const Value& value, bool last) {
         try {
             if (!(tree_.peek(instance, property) == value))
                 write_back(property, tree_.row(instance), value);

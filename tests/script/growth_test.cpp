@@ -183,7 +183,7 @@ for i = 1, 600 do bottom = bottom:add(Object {}) end
     s.console("world.p.top = nil");
     s.run("world.p:move(bottom)");
     CHECK_THAT(s.console("undo"),
-               contains("cannot be brought back: what it hung under hangs deeper"));
+               contains("cannot be brought back: its former parent is too deep in the tree now"));
 }
 
 TEST_CASE("access to a child by index does not depend on the number of children") {

@@ -104,7 +104,7 @@ class Canvas : public property::Painter, public Surface {
     bool in_gradient(const property::Paint& paint, const Draw& draw) {
         if (state().gradient == nullptr || shading_ || !(paint.fill.a > 0)) return false;
         draw_collected();
-        if (shade_.full()) flush();  // what waits refers to textures that are forgotten now
+        if (shade_.full()) flush();  // the batch may refer to textures that `begin` frees
         shading_ = true;
         if (shade_.begin(*state().gradient, state().gradient_across)) {
             draw(property::Paint{paint.fill, {0, 0, 0, 0}, 0});

@@ -23,9 +23,9 @@ class Pictures {
     };
     enum class Kind : std::uint8_t { sharp, smooth, sharp_multiplied, smooth_multiplied };
 
-    /// Copies the picture into a texture unless that was done before. `multiplied`: colors are
-    /// multiplied by their opacity.
-    Place place(const property::Picture& picture, bool smooth, bool multiplied);
+    /// Copies the picture into a texture unless that was done before. `is_premultiplied`: colors
+    /// are multiplied by their opacity.
+    Place place(const property::Picture& picture, bool smooth, bool is_premultiplied);
     /// Whether the texture has the white patch of the atlas, so that figures without a texture can
     /// be drawn with it.
     bool has_white(const sf::Texture* texture) const;

@@ -28,7 +28,7 @@ namespace {
 
 using State = Input::State;
 
-constexpr double held_from = 0.5;  // strength
+constexpr double held_threshold = 0.5;  // strength
 
 List default_move() {
     return {List{"a", "d", "s", "w"}, List{"left", "right", "down", "up"}, "gamepad.left",
@@ -95,7 +95,7 @@ Vec2 direction_of(const State& s, const ActionDirection& from) {
 // --- Descriptors
 
 template <class Get>
-Property seen_property(State& state, const char* name, Type type, const char* doc, Get get) {
+Property computed_property(State& state, const char* name, Type type, const char* doc, Get get) {
     return {.name = name,
             .type = type,
             .doc = doc,
@@ -106,12 +106,12 @@ Property seen_property(State& state, const char* name, Type type, const char* do
 }
 
 std::vector<Property> action_properties(State& state) {
-    return {seen_property(state, "pressed", Type::boolean,
-                          "Whether it began to be held: true in one step, and in one update.",
-                          [](State& s, Row row) { return bool{s.actions[row].pressed.seen}; }),
-            seen_property(state, "released", Type::boolean,
-                          "Whether it ceased to be held: true in one step, and in one update.",
-                          [](State& s, Row row) { return bool{s.actions[row].released.seen}; }),
+    return {computed_property(state, "pressed", Type::boolean,
+                              "Whether it began to be held: true in one step, and in one update.",
+                              [](State& s, Row row) { return bool{s.actions[row].pressed.seen}; }),
+            computed_property(state, "released", Type::boolean,
+                              "Whether it ceased to be held: true in one step, and in one update.",
+                              [](State& s, Row row) { return bool{s.actions[row].released.seen}; }),
             {.name = "held",
              .type = Type::boolean,
              .default_value = false,
@@ -124,14 +124,14 @@ std::vector<Property> action_properties(State& state) {
                  }),
              .transient = true,
              .simulated = true},
-            seen_property(state, "strength", Type::number,
-                          "How far the strongest of its switches is down, 0 to 1: triggers and "
-                          "sticks have values in between.",
-                          [](State& s, Row row) -> double { return s.actions[row].strength; }),
-            seen_property(state, "direction", Type::vec2,
-                          "The direction of its sticks and sets of four keys, right and up "
-                          "positive, of length 1 at most.",
-                          [](State& s, Row row) -> Vec2 { return s.actions[row].direction; })};
+            computed_property(state, "strength", Type::number,
+                              "How far the strongest of its switches is down, 0 to 1: triggers and "
+                              "sticks have values in between.",
+                              [](State& s, Row row) -> double { return s.actions[row].strength; }),
+            computed_property(state, "direction", Type::vec2,
+                              "The direction of its sticks and sets of four keys, right and up "
+                              "positive, of length 1 at most.",
+                              [](State& s, Row row) -> Vec2 { return s.actions[row].direction; })};
 }
 
 property::ClassDescriptor action_descriptor(State& state) {
@@ -270,7 +270,7 @@ void Input::State::update_actions() {
     update_action(move, true);
 }
 
-void Input::State::update_action(Action& action, bool tells_press) {
+void Input::State::update_action(Action& action, bool reports_press) {
     // The largest value of each direction, so that two keys for one direction do not add up.
     Vec2 most(0, 0), least(0, 0);
     double strength = 0;
@@ -285,10 +285,10 @@ void Input::State::update_action(Action& action, bool tells_press) {
         strength = std::max(strength, strength_of(*this, each));
     action.direction = direction;
     action.strength = std::max({strength, direction.length(), action.forced ? 1.0 : 0.0});
-    const bool held = action.strength >= held_from;
+    const bool held = action.strength >= held_threshold;
     if (held == action.held) return;
     action.held = held;
-    if (!action.instance || (held && !tells_press)) return;
+    if (!action.instance || (held && !reports_press)) return;
     Edge& edge = held ? action.pressed : action.released;
     edge.for_step = edge.for_update = true;
     calls.push_back({.callback = held ? "action_pressed" : "action_released",

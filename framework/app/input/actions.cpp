@@ -59,8 +59,9 @@ const std::vector<std::string>& all_names() {
                                 script::hint_at(meant, plain, all_names()));
 }
 
-/// The gamepad of "gamepad.a" (0) or "gamepad_2.a" (2), and the rest of the name.
-std::optional<int> take_gamepad(std::string_view& name) {
+/// Returns the number of the gamepad in "gamepad.a" (0) or "gamepad_2.a" (2), and removes that part
+/// of the name. Empty if the name is not of a gamepad.
+std::optional<int> read_gamepad(std::string_view& name) {
     const std::size_t dot = name.find('.');
     if (dot == std::string_view::npos || !name.starts_with("gamepad")) return std::nullopt;
     const std::string_view number = name.substr(7, dot - 7);
@@ -121,7 +122,7 @@ std::optional<ActionSwitch> switch_named(std::string_view name) {
         if (!button) return std::nullopt;
         return ActionSwitch{.kind = Kind::mouse, .index = *button};
     }
-    const auto gamepad = take_gamepad(name);
+    const auto gamepad = read_gamepad(name);
     return gamepad ? gamepad_switch(name, *gamepad) : std::nullopt;
 }
 
@@ -131,7 +132,7 @@ void add_name(ActionBindings& bindings, const std::string& name) {
         return;
     }
     std::string_view part = name;
-    const auto gamepad = take_gamepad(part);
+    const auto gamepad = read_gamepad(part);
     const auto stick = gamepad ? index_among(gamepad_stick_names, part) : std::nullopt;
     if (!stick) refuse_name(name);
     bindings.directions.push_back({.gamepad = *gamepad, .stick = *stick});

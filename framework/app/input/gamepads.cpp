@@ -27,7 +27,7 @@ bool is_trigger(std::size_t target) {
     return target >= static_cast<std::size_t>(PadTarget::left_trigger);
 }
 
-/// The component of the directional pad that a hat's direction is, and its sign.
+/// The component of the directional pad that a direction of the hat moves, and the sign of it.
 struct HatPart {
     int component = 0;
     double sign = 1;
@@ -45,8 +45,8 @@ HatPart hat_part(int direction) {
     }
 }
 
-/// The value of an axis as an entry of a mapping sees it.
-double seen(const PadSource& source, double value) {
+/// The value of an axis in an entry of a mapping, which may invert it or use one half of it.
+double mapped(const PadSource& source, double value) {
     if (source.inverted) value = -value;
     return source.half == 0 ? value : std::max(0.0, value * source.half);
 }
@@ -139,7 +139,7 @@ void Input::State::move_raw_axis(Gamepad& gamepad, std::size_t axis, double valu
         const PadSource& source = gamepad.mapping.targets[i];
         if (!is_this(source)) continue;
         used = true;
-        const double now = seen(source, value);
+        const double now = mapped(source, value);
         if (is_trigger(i)) {
             const double pulled = source.half == 0 ? 0.5 * (now + 1) : now;
             tree.set(gamepad.instance, target_properties[i], pulled);
@@ -154,7 +154,7 @@ void Input::State::move_raw_axis(Gamepad& gamepad, std::size_t axis, double valu
         const PadSource& source = gamepad.mapping.buttons[i];
         if (!is_this(source)) continue;
         used = true;
-        tree.set(gamepad.instance, gamepad_button_names[i], seen(source, value) > 0.5);
+        tree.set(gamepad.instance, gamepad_button_names[i], mapped(source, value) > 0.5);
     }
     constexpr std::size_t hat_x = 6, hat_y = 7;
     if (used || (axis != hat_x && axis != hat_y)) return;

@@ -58,7 +58,7 @@ std::optional<EventKind> release_of(EventKind press) {
     }
 }
 
-/// Whether events have turned the axis round, so that up is positive.
+/// Whether the sign of the axis is inverted in events, so that up is positive.
 bool points_up(std::size_t axis) {
     return axis == 1 || axis == 4 || axis == 7;
 }
@@ -249,7 +249,7 @@ void Input::point(const InputEvent& event, bool notify) {
     s.silent = false;
 }
 
-/// A key that is held down moves on in menus; the game does not get it.
+/// Reports the repetition of a key that is held down to the foreground; the game does not get it.
 void Input::repeat_key(std::string_view name) {
     State& s = *state_;
     const bool taken = std::any_of(s.keys.begin(), s.keys.end(), [&](const State::Switch& key) {

@@ -196,7 +196,9 @@ Property connected(State& state) {
         .name = "connected",
         .type = Type::boolean,
         .default_value = false,
-        .doc = "Whether there is such a gamepad. One that goes lets go of everything first.",
+        .doc =
+            "Whether there is such a gamepad. Before it disconnects, all its buttons and axes are "
+            "released.",
         .binding = accessor(
             state, [](State& s, Row row) { return bool{s.gamepads[row].connected}; },
             [](State& s, Row row, const Value& now) { s.connect(s.gamepads[row], now.boolean()); }),

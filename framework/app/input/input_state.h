@@ -178,7 +178,7 @@ struct Input::State {
     property::Row add_action(property::Handle instance);
 
   private:
-    void update_action(Action& action, bool tells_press);
+    void update_action(Action& action, bool reports_press);
     void press_hat_buttons(Gamepad& gamepad);
     int number_of(const Gamepad& gamepad) const {
         return static_cast<int>(&gamepad - gamepads.data()) + 1;

@@ -35,12 +35,12 @@ constexpr std::array<Color, 8> colors{{{0.95f, 0.45f, 0.35f, 1},
 constexpr std::string_view physics = "physics", unknown = "unknown", others = "others";
 
 /// Sets `latest` to the last write of the properties of an instance, unless `latest` is later.
-void look_at(const Tree& tree, Handle instance, property::Provenance& latest) {
+void find_latest_write(const Tree& tree, Handle instance, property::Provenance& latest) {
     const auto look = [&](const property::Property& each) {
         if (each.read_only || each.transient) return;
-        const property::Provenance who = tree.who(instance, each);
-        if (!who.known || who.cause.writer == Writer::simulation) return;
-        if (!latest.known || who.cause.step >= latest.cause.step) latest = who;
+        const property::Provenance provenance = tree.who(instance, each);
+        if (!provenance.known || provenance.cause.writer == Writer::simulation) return;
+        if (!latest.known || provenance.cause.step >= latest.cause.step) latest = provenance;
     };
     for (const property::Property* each : tree.class_of(instance).properties()) look(*each);
     for (const property::Property* each : tree.ad_hoc(instance)) look(*each);
@@ -58,8 +58,8 @@ bool is_moved(const Tree& tree, Handle instance) {
 
 std::string writer_of(const Tree& tree, Handle instance, double dt) {
     property::Provenance latest;
-    look_at(tree, instance, latest);
-    tree.each_below(instance, [&](Handle below) { look_at(tree, below, latest); });
+    find_latest_write(tree, instance, latest);
+    tree.each_below(instance, [&](Handle below) { find_latest_write(tree, below, latest); });
     const auto second = static_cast<std::uint64_t>(std::max(1.0, 1 / std::max(dt, 1e-6)));
     const bool recent = latest.known && latest.cause.step + second > tree.step() &&
                         latest.cause.step <= tree.step();
@@ -70,7 +70,7 @@ std::string writer_of(const Tree& tree, Handle instance, double dt) {
     return has_place ? cause.where : std::string(writer_name(cause.writer));
 }
 
-/// The writers in order of how many instances they wrote; those beyond the colors are "others".
+/// The writers and the number of instances that each wrote last, the largest number first.
 using Legend = std::vector<std::pair<std::string, std::size_t>>;
 Legend legend_of(const std::vector<Blamed>& all) {
     std::map<std::string, std::size_t> counts;
@@ -168,7 +168,7 @@ void Blame::draw(property::Painter& painter, double alpha) const {
 
 void Blame::draw_legend(Surface& surface, const ClipRectangle& room) const {
     constexpr float row = 20, margin = 8, square = 14, gap = 10, text_size = 15;
-    constexpr SurfaceColor ink{235, 237, 242, 255}, unseen{0, 0, 0, 0};
+    constexpr SurfaceColor text_color{235, 237, 242, 255}, unseen{0, 0, 0, 0};
     const float rows = std::floor((room.height - 4 * margin) / row);
     const float text_room = room.width - 4 * margin - square - gap;
     if (rows < 1 || text_room <= 0) return;
@@ -207,7 +207,7 @@ void Blame::draw_legend(Surface& surface, const ClipRectangle& room) const {
         };
         fill(surface, left, y + 3, square, square,
              {byte(color.r), byte(color.g), byte(color.b), 255});
-        surface.text(left + square + gap, y + 1, lines[i], text_size, ink, Face::plain);
+        surface.text(left + square + gap, y + 1, lines[i], text_size, text_color, Face::plain);
     }
 }
 

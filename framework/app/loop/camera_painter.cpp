@@ -8,7 +8,8 @@ using property::Vec2;
 
 namespace {
 
-/// The map of points that `map` is. It is taken around `from`, where the numbers are smallest.
+/// The transform that maps points as the function `map` does. It is computed from the points around
+/// `from`, whose numbers are the smallest, so that the least precision is lost.
 template <class Map>
 Transform transform_of(const Vec2& from, double unit, Map map) {
     const Vec2 to = map(from);

@@ -223,7 +223,7 @@ void Cameras::set_zoom(property::Row row, double zoom) {
 }
 
 void Cameras::advance(double dt) {
-    // By index: what a write calls may make cameras.
+    // By index: a function that a write calls may make cameras.
     for (std::size_t i = 0; i < rows_.size(); ++i)
         if (const Handle camera = rows_[i].self;
             camera && tree_.alive(camera) && tree_.is_below(camera, tree_.root()))

@@ -20,8 +20,8 @@ class Cameras {
     /// One step of the simulation, `dt` seconds long: cameras follow and keep to their limits.
     void advance(double dt);
     /// Draws the game as the view shows it, then the pictures of the cameras, then what is on the
-    /// screen. `game` draws all of it with a painter; without cameras it is called once. `alpha`
-    /// of the way from the last step but one to the last; `now`: s, simulation time.
+    /// screen. `game` draws all of it with a painter; without cameras it is called once. `alpha`:
+    /// position between the last two steps, 0 to 1; `now`: s, simulation time.
     void draw(property::Painter& painter, const View& view, double alpha, double now,
               const std::function<void(property::Painter&)>& game) const;
 

@@ -68,7 +68,7 @@ std::map<std::string, std::string> uniforms_in(const std::string& code) {
             ++i;
         if (i >= words.size()) break;
         const std::string type = words[i];
-        // Names are at the beginning, and behind a comma that is not between parentheses.
+        // Names are at the beginning, and after a comma that is not between parentheses.
         int depth = 0;
         bool named = false;
         for (++i; i < words.size() && words[i] != ";"; ++i) {

@@ -24,7 +24,7 @@ constexpr float small_margin = 16;  // px, below another layer
 constexpr float keys_height = 44;   // px, of the bar with the keys
 
 /// Width of the text in a part of the surface, px.
-float room_in(const ClipRectangle& part) {
+float text_width(const ClipRectangle& part) {
     return std::max(100.0f, part.width - 2 * margin);
 }
 
@@ -244,7 +244,7 @@ bool ErrorScreen::handle(const InputEvent& event) {
             if (event.name == "down") ++scroll_;
             if (event.name == "page_up") scroll_ = std::max(0, scroll_ - 10);
             if (event.name == "page_down") scroll_ += 10;
-            // A held key goes on.
+            // These keys repeat while they are held.
             if (!running_ && actions_.travel && (event.name == "left" || event.name == "right")) {
                 actions_.travel(event.name == "left" ? -steps_a_key : steps_a_key);
                 return true;
@@ -286,7 +286,7 @@ ClipRectangle ErrorScreen::free_part(const Surface& surface) const {
 /// for.
 void ErrorScreen::draw_text(Surface& surface, float bottom) {
     const ClipRectangle part = free_part(surface);
-    const float room = room_in(part);
+    const float room = text_width(part);
     bottom = std::min(bottom, part.top + part.height);
     const std::vector<Line> all = broken(surface, lines(), room);
     scroll_ = std::clamp(scroll_, 0, static_cast<int>(all.size()) - 1);
@@ -321,7 +321,7 @@ void ErrorScreen::draw_over(Surface& surface, float bottom) const {
         {.text = heading_over_, .size = 14, .color = pale},
         {.text = e.message, .size = 17, .color = red, .face = Face::bold, .above = 4}};
     if (!e.source_line.empty()) add_source(all, e);
-    const float room = room_in(free_part(surface));
+    const float room = text_width(free_part(surface));
     const std::vector<Line> lines = broken(surface, all, room);
     float needed = 24;
     for (const Line& line : lines) needed += line.above + 1.32f * line.size;
@@ -342,7 +342,7 @@ void ErrorScreen::draw_strip(Surface& surface, float bottom) const {
     fill(surface, 0, top, surface.width(), 38, {18, 20, 26, 255});
     fill(surface, 0, top, 5, 38 + keys_height, red);
     const std::string_view message = error_->message;
-    const float room = room_in(free_part(surface));
+    const float room = text_width(free_part(surface));
     surface.text(margin, top + 10,
                  message.substr(0, fitting(surface, message, room, 16, Face::bold)), 16, red,
                  Face::bold);

@@ -132,7 +132,7 @@ View View::drawn(double alpha, double now) const {
         seen.center = center_before_ + alpha * (center_after_ - center_before_);
     if (shake_left > 0 && shake_length > 0) {
         const double size = shake_amount * std::min(1.0, shake_left / shake_length);
-        // Two vibrations whose periods do not fit together.
+        // Two vibrations without a common period, so that the motion does not repeat.
         seen.center += size * Vec2(std::sin(71 * now), std::sin(97 * now + 1));
     }
     return seen;

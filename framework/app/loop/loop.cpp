@@ -65,7 +65,7 @@ class Witnessed {
     const int uncaught_ = std::uncaught_exceptions();
 };
 
-/// Actions that were pressed are so during one step.
+/// During one step, `pressed` is true for the actions that were pressed before it.
 class StepInput {
   public:
     explicit StepInput(Input& input) : input_(input) { input_.begin_step(); }
@@ -88,14 +88,14 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
     runtime_.add_library("sounds", Audio::library());
     services_.audio.random = [this] { return runtime_life_.expired() ? 0.5 : runtime_.random(); };
     runtime_.on_rewind([this](double seconds) { timeline_.rewind(seconds); });
-    // The destructor removes this function, and `ordered` with it. Then a jump that waits for the
+    // The destructor removes this function, and `life` with it. Then a jump that waits for the
     // barrier is dropped.
-    services_.clock.travel.go_to = [this, ordered = std::make_shared<char>()](std::int64_t step) {
+    services_.clock.travel.go_to = [this, life = std::make_shared<char>()](std::int64_t step) {
         // The caller can catch this error. At the barrier, fewer steps may be kept, so the loop
         // goes to the nearest.
         timeline_.require(step);
-        tree_.at_barrier([this, step, held = std::weak_ptr(ordered)] {
-            if (!held.expired()) timeline_.go_near(step);
+        tree_.at_barrier([this, step, watched_life = std::weak_ptr(life)] {
+            if (!watched_life.expired()) timeline_.go_near(step);
         });
     };
     services_.clock.travel.branches = [this] { return timeline_.branches(); };
@@ -103,12 +103,13 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
                                                 const std::string& name) {
         timeline_.name_branch(branch, name);
     };
-    const auto at_barrier = [this, ordered = std::make_shared<char>()](auto what) {
-        return [this, what, ordered](const std::string& branch) {
+    const auto at_barrier = [this, life = std::make_shared<char>()](auto what) {
+        return [this, what, life](const std::string& branch) {
             timeline_.require_branch(branch);
-            tree_.at_barrier([this, what, branch, held = std::weak_ptr(ordered)] {
+            tree_.at_barrier([this, what, branch, watched_life = std::weak_ptr(life)] {
                 // It may have been dropped since.
-                if (!held.expired() && timeline_.has_branch(branch)) (timeline_.*what)(branch);
+                if (!watched_life.expired() && timeline_.has_branch(branch))
+                    (timeline_.*what)(branch);
             });
         };
     };
@@ -134,7 +135,7 @@ Loop::~Loop() {
 
 void Loop::step_modules(double dt) {
     const Pin pin(*this, "step");
-    // By index and with copies, here and below: what is called may add modules and layers.
+    // By index and with copies, here and below: a called function may add modules and layers.
     for (std::size_t i = 0; i < modules_.size(); ++i) {
         const auto step = modules_[i].step;
         step(dt);
@@ -233,15 +234,16 @@ void Loop::announce_next() {
 }
 
 /// Begins the next step or turn. False if there is none.
-bool Loop::live_next() {
+bool Loop::begin_next() {
     announce_next();
     if (stopped()) return false;
     ++lived_;
     return true;
 }
 
-/// Menus and transitions follow in each frame, before its steps. If time went back at the barrier
-/// behind them, they follow what is there now, as they did when the next step was first made.
+/// Menus and transitions are advanced in each frame, before its steps. If time went back at the
+/// barrier after that, they are advanced again, with the restored state, as they were when the next
+/// step was first made.
 void Loop::repeat_after_return(double real_dt) {
     if (!timeline_.take_return()) return;
     if (Foreground* const menus = services_.input.foreground())
@@ -251,11 +253,11 @@ void Loop::repeat_after_return(double real_dt) {
 }
 
 /// Input, barrier, update and barrier. False if the frame ends here.
-bool Loop::prelude(double dt, double real_dt, Stopwatch& watch) {
+bool Loop::before_steps(double dt, double real_dt, Stopwatch& watch) {
     services_.clock.real += real_dt;
     (void)timeline_.take_return();
-    const bool looked_at = property::take_prepared(tree_);
-    tree_.locate_writes(services_.view.show.blame || looked_at);
+    const bool wants_places = property::take_prepared(tree_);
+    tree_.locate_writes(services_.view.show.blame || wants_places);
     if (halted_) {
         services_.input.drop();
         barrier();  // edits from the console still take effect
@@ -337,16 +339,16 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
         smooth(clock.timings.wait, before->ms.wait, seconds);
     const std::int64_t begun_at = clock.step;
     const double passed = clock.paused ? 0 : seconds * clock.scale;
-    const bool will_step = clock.paused ? clock.step_once : owed_ + passed >= clock.dt;
+    const bool will_step = clock.paused ? clock.step_once : due_seconds_ + passed >= clock.dt;
     const auto limit = static_cast<std::uint64_t>(std::max<std::int64_t>(step_limit, 0));
     if (will_step && !halted_ && lived_ < limit) announce_next();
     // `dt` of update is at most the time that this frame may simulate.
-    if (prelude(std::min(passed, clock.max_steps * clock.dt), seconds, watch)) {
+    if (before_steps(std::min(passed, clock.max_steps * clock.dt), seconds, watch)) {
         if (clock.paused) {
             // A step is due as soon as the game is resumed, and the picture shows the last step.
-            owed_ = clock.dt;
+            due_seconds_ = clock.dt;
             if (clock.step_once) {
-                if (live_next()) make_step(watch);
+                if (begin_next()) make_step(watch);
                 tree_.set(time_, "step_once", false);
             } else {
                 wait(seconds);
@@ -354,12 +356,13 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
             services_.input.forget_presses();
         } else {
             if (clock.step_once) tree_.set(time_, "step_once", false);
-            owed_ += passed;
+            due_seconds_ += passed;
             catch_up(limit, watch);
         }
     }
-    clock.alpha =
-        clock.paused || halted_ || lived_ >= limit ? 1.0 : std::clamp(owed_ / clock.dt, 0.0, 1.0);
+    clock.alpha = clock.paused || halted_ || lived_ >= limit
+                      ? 1.0
+                      : std::clamp(due_seconds_ / clock.dt, 0.0, 1.0);
     end_frame(watch, seconds, 1000 * seconds);
     if (!clock.paused || clock.step != begun_at) log_frame(watch);
 }
@@ -374,16 +377,16 @@ void Loop::catch_up(std::uint64_t limit, Stopwatch& watch) {
     Clock& clock = services_.clock;
     // The tolerance makes sixty steps of sixty frames of 1/60 s, whose sum is slightly below one
     // second.
-    const auto due = [&] { return owed_ >= clock.dt * (1 - 1e-9); };
+    const auto due = [&] { return due_seconds_ >= clock.dt * (1 - 1e-9); };
     for (int made = 0; due() && !clock.paused && lived_ < limit; ++made) {
         if (made == clock.max_steps) {
-            const double dropped = std::floor(owed_ / clock.dt);
+            const double dropped = std::floor(due_seconds_ / clock.dt);
             clock.dropped_steps += static_cast<std::int64_t>(dropped);
-            owed_ -= dropped * clock.dt;
+            due_seconds_ -= dropped * clock.dt;
             break;
         }
-        if (!live_next()) break;
-        owed_ = std::max(0.0, owed_ - clock.dt);
+        if (!begin_next()) break;
+        due_seconds_ = std::max(0.0, due_seconds_ - clock.dt);
         if (!make_step(watch)) break;
     }
 }
@@ -395,8 +398,8 @@ void Loop::turn() {
     const Witnessed witnessed(witness_, [](Witness& w) { w.turn_begins(); });
     Stopwatch watch;
     Clock& clock = services_.clock;
-    if (!live_next()) return;
-    if (!prelude(clock.paused ? 0 : clock.dt, clock.dt, watch)) return;
+    if (!begin_next()) return;
+    if (!before_steps(clock.paused ? 0 : clock.dt, clock.dt, watch)) return;
     if (!clock.paused || clock.step_once) {
         const bool once = clock.step_once;
         make_step(watch);
@@ -451,7 +454,7 @@ bool Loop::retry() {
 
 void Loop::resume() {
     halted_ = false;
-    owed_ = 0;
+    due_seconds_ = 0;
 }
 
 std::uint64_t Loop::hash() const {

@@ -51,7 +51,8 @@ Services::Services(property::Tree& tree, property::Assets* game_assets)
     tree.add_part(clock_part_);
 }
 
-// The tree would go on to read the values, if only to notify watchers of the end of an instance.
+// Deletes the instances, because the tree would otherwise still read their values, for example to
+// notify watchers that an instance was deleted.
 Services::~Services() {
     if (tree_life_.expired()) return;
     tree_.remove_part(clock_part_);

@@ -104,7 +104,7 @@ Property derived(Property property, std::vector<std::string> sources) {
     return property;
 }
 
-std::vector<Property> where(View& view) {
+std::vector<Property> place_properties(View& view) {
     return {
         {.name = "center",
          .type = Type::vec2,
@@ -172,7 +172,7 @@ std::vector<Property> where(View& view) {
 }
 
 /// The properties for following an instance, with their places in the view.
-std::vector<Property> following(View& view) {
+std::vector<Property> bound_following_properties(View& view) {
     std::vector<Property> made = following_properties();
     const auto put = [&made](std::string_view name, property::Binding binding) {
         std::ranges::find(made, name, &Property::name)->binding = std::move(binding);
@@ -206,7 +206,7 @@ std::vector<Property> following(View& view) {
     return made;
 }
 
-std::vector<Property> looks(View& view) {
+std::vector<Property> picture_properties(View& view) {
     return {
         {.name = "fit",
          .type = Type::text,
@@ -342,9 +342,10 @@ std::vector<property::Method> conversions(View& view) {
 }  // namespace
 
 property::Handle define_view(property::Tree& tree, View& view) {
-    std::vector<Property> properties = where(view);
-    for (Property& property : following(view)) properties.push_back(std::move(property));
-    for (Property& property : looks(view)) properties.push_back(std::move(property));
+    std::vector<Property> properties = place_properties(view);
+    for (Property& property : bound_following_properties(view))
+        properties.push_back(std::move(property));
+    for (Property& property : picture_properties(view)) properties.push_back(std::move(property));
     std::vector<property::Method> methods = conversions(view);
     methods.push_back(shake_method());
     const property::Class& view_class =

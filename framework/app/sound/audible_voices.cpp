@@ -78,8 +78,8 @@ std::vector<AudibleVoice> Audio::State::audible_voices(bool halted) const {
     for (const Handle voice : by_age()) {
         const Handle source = source_of(voice);
         if (!source || value(voice, *of_voice.over).boolean()) continue;
-        const bool stands = halted || (paused && !(at_present() && ignores_pause(voice)));
-        const bool plays = !stands && value(voice, *of_voice.playing).boolean();
+        const bool frozen = halted || (paused && !(at_present() && ignores_pause(voice)));
+        const bool plays = !frozen && value(voice, *of_voice.playing).boolean();
         AudibleVoice one{
             .id = voice.key(),
             .time = number(voice, *of_voice.time),

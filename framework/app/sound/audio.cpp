@@ -54,7 +54,7 @@ void Audio::renew(const std::string& name) {
 void Audio::step(double dt) {
     state_->waited = 0;
     for (const Handle voice : state_->by_age())
-        if (state_->tree.alive(voice)) state_->pass(voice, dt);
+        if (state_->tree.alive(voice)) state_->advance_voice(voice, dt);
 }
 
 /// The log of the timeline keeps each write until the game goes on, so the writes are rare. Between
@@ -66,7 +66,7 @@ void Audio::wait(double seconds) {
     if (s.waited < pause_interval) return;
     const double dt = std::exchange(s.waited, 0);
     for (const Handle voice : s.by_age())
-        if (s.tree.alive(voice) && s.ignores_pause(voice)) s.pass(voice, dt);
+        if (s.tree.alive(voice) && s.ignores_pause(voice)) s.advance_voice(voice, dt);
 }
 
 Audio::State::State(Audio& the_audio, Tree& the_tree, const View& the_view, const Clock& the_clock,
@@ -179,7 +179,7 @@ void Audio::State::cross_fade(Handle voice, double fade) {
     }
 }
 
-void Audio::State::set_given(Handle voice, const Play& how) {
+void Audio::State::set_named_values(Handle voice, const Play& how) {
     const auto set = [&](const Property* property, const Value& to) {
         if (!to.is_nil()) tree.set(voice, *property, to);
     };
@@ -191,7 +191,7 @@ void Audio::State::set_given(Handle voice, const Play& how) {
 
 /// Music that fades out goes on from its present loudness and its present time.
 void Audio::State::fade_in_again(Handle voice, const Play& how, double fade) {
-    set_given(voice, how);
+    set_named_values(voice, how);
     tree.set(voice, *of_voice.playing, true);
     tree.set(voice, *of_voice.fade_time, fade);
     tree.set(voice, *of_voice.fade_to, 1.0);
@@ -220,7 +220,7 @@ Handle Audio::State::play(Handle source, const Play& how) {
     const Handle voice = tree.create(*classes.voice, source);
     try {
         tree.set(voice, *of_voice.order, order);
-        set_given(voice, how);
+        set_named_values(voice, how);
         if (clock.paused) tree.set(voice, *of_voice.pauses, false);
         if (fade > 0) {
             tree.set(voice, *of_voice.fade_time, fade);
@@ -244,8 +244,9 @@ void Audio::State::stop(Handle voice, double fade) {
 
 // --- Time
 
-/// A voice that is over lives one step longer, so that handlers of its event can read it.
-void Audio::State::pass(Handle voice, double dt) {
+/// Advances a voice by `dt` seconds. A voice that is over lives one step longer, so that handlers
+/// of its event can read it.
+void Audio::State::advance_voice(Handle voice, double dt) {
     const Handle source = source_of(voice);
     if (!source) return;
     if (value(voice, *of_voice.over).boolean()) return tree.destroy(voice);

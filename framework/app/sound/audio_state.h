@@ -70,7 +70,7 @@ struct Audio::State {
     };
     property::Handle play(property::Handle source, const Play& how);
     void stop(property::Handle voice, double fade);
-    void pass(property::Handle voice, double dt);
+    void advance_voice(property::Handle voice, double dt);
     /// False if the game shows an earlier step than the newest.
     bool at_present() const { return clock.step >= clock.newest; }
     /// Whether the voice sounds in a paused game, too.
@@ -101,7 +101,7 @@ struct Audio::State {
   private:
     void make_room(property::Handle voice);
     /// Writes what the call of `play` names.
-    void set_given(property::Handle voice, const Play& how);
+    void set_named_values(property::Handle voice, const Play& how);
     void fade_in_again(property::Handle voice, const Play& how, double fade);
     void cross_fade(property::Handle voice, double fade);
     std::optional<property::Vec2> place(property::Handle voice, property::Handle source) const;

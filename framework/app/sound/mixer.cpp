@@ -11,9 +11,9 @@ constexpr double frame_time = 1.0 / Mixer::rate;
 /// Loudness follows a change with this time constant, so that nothing clicks.
 constexpr float loudness_step = 1.0f / (0.003f * Mixer::rate);
 constexpr float inaudible = 1e-4f;
-/// A voice that ends in the tree while this much of it is left plays to its end: the device is a
-/// little behind the tree.
-constexpr double rest = 0.15;  // s
+/// If a voice ends in the tree and less than this time is left of it, it is played to its end: the
+/// sound device is a little behind the tree.
+constexpr double longest_tail = 0.15;  // s
 
 /// Leaves quiet sounds as they are and bends loud ones, so that many voices are not cut off.
 float limited(float level) {
@@ -72,7 +72,8 @@ void Mixer::Playing::add_to(std::span<float> mix) {
 
 Mixer::Playing Mixer::begun(AudibleVoice state) {
     Playing voice;
-    // A voice that has just begun is a step old. It sounds from its beginning, which is loud often.
+    // A voice that has just begun is a step old. It is played from its beginning, because that is
+    // often the loudest part.
     const bool new_one = state.time < 0.1 * std::max(1.0, state.rate);
     voice.position = new_one ? 0 : state.time;
     if (new_one && state.rate > 0) voice.loudness = state.loudness;
@@ -85,7 +86,7 @@ Mixer::Playing Mixer::begun(AudibleVoice state) {
 
 void Mixer::release(Playing& voice) {
     const double left = (voice.state.duration - voice.position) / voice.speed;
-    const bool ends = !voice.state.loops && voice.state.rate > 0 && left < rest;
+    const bool ends = !voice.state.loops && voice.state.rate > 0 && left < longest_tail;
     voice.state.id = 0;
     voice.released = !ends;
 }

@@ -133,8 +133,8 @@ Stereo SoundReader::frame(std::uint64_t index) {
 void SoundReader::load(std::uint64_t index) {
     std::vector<std::int16_t>& values = block_.values;
     const std::size_t channels = block_.channels;
-    const bool goes_on = count_ > 0 && index == next_;
-    if (goes_on) {
+    const bool continues = count_ > 0 && index == next_;
+    if (continues) {
         values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(channels));
         first_ = next_ - 1;
     } else {

@@ -19,7 +19,7 @@ inline constexpr std::array<std::string_view, 5> sound_endings{".wav", ".ogg", "
 /// A Sound is kept decoded; a larger one must be played as Music.
 inline constexpr std::size_t greatest_decoded = std::size_t{64} << 20;  // bytes
 
-/// One moment of a sound, -1 to 1.
+/// One sample of both channels, -1 to 1.
 struct Stereo {
     float left = 0, right = 0;
 };

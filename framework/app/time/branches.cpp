@@ -1,4 +1,5 @@
-// Branches of the past: later steps that were left when the game went on from an earlier step.
+// Branches of the past: steps that are no longer part of the past of the running game, because it
+// went back to an earlier step and continued from there.
 
 #include <fettle/app/timeline.h>
 
@@ -57,7 +58,7 @@ void Timeline::keep_branch() {
     for (Other& other : others_)
         if (other.fork > place_.here) {
             other.fork = place_.here;
-            weigh(other);
+            count_bytes(other);
         }
     Other left{.name = clock_.branch,
                .named = std::exchange(named_, false),
@@ -65,20 +66,21 @@ void Timeline::keep_branch() {
                .keyframes = keyframes_,
                .steps = steps_,
                .tail = std::move(tail_)};
-    weigh(left);
+    count_bytes(left);
     clock_.branch = new_branch_name();
     others_.push_back(std::move(left));
     while (std::cmp_greater(others_.size(), clock_.branch_limit)) drop_branch();
 }
 
-void Timeline::weigh(Other& branch) const {
+void Timeline::count_bytes(Other& branch) const {
     branch.bytes = branch.tail.bytes;
     for (auto each = branch.steps.rbegin();
          each != branch.steps.rend() && (*each)->number > branch.fork; ++each)
         branch.bytes += (*each)->bytes;
 }
 
-/// Branches get shorter and end as the past does.
+/// Drops the steps of branches that are older than the limit of the past, and branches that have no
+/// later step.
 void Timeline::trim_branches() {
     const std::int64_t first = oldest();
     for (Other& other : others_) {
@@ -87,7 +89,7 @@ void Timeline::trim_branches() {
             while (!other.steps.empty() &&
                    other.steps.front()->number <= other.keyframes.front().step)
                 other.steps.pop_front();
-            if (other.keyframes.front().step > other.fork) weigh(other);
+            if (other.keyframes.front().step > other.fork) count_bytes(other);
         }
     }
     std::erase_if(others_, [&](const Other& other) { return other.newest() <= first; });
@@ -170,7 +172,7 @@ void Timeline::exchange_with(Other& other) {
     }
     clock_.oldest = keyframes_.front().step;
     clock_.newest = newest();
-    // Where another branch leaves the one that is now present.
+    // The last common step of each other branch and the one that is now present.
     for (Other& each : others_) {
         if (&each != &other) {
             std::int64_t common = std::min(each.fork, other.fork);
@@ -181,13 +183,13 @@ void Timeline::exchange_with(Other& other) {
             }
             each.fork = common;
         }
-        weigh(each);
+        count_bytes(each);
     }
 }
 
 void Timeline::switch_to(const std::string& branch) {
-    require_between_steps("another branch cannot be gone to");
-    settle();
+    require_between_steps("the game cannot go to another branch");
+    save_changes();
     const auto found = other_branch(branch);
     tree_.forget_writers_after(static_cast<std::uint64_t>(std::max<std::int64_t>(found->fork, 0)));
     exchange_with(*found);
@@ -204,12 +206,12 @@ void Timeline::switch_to(const std::string& branch) {
 
 void Timeline::review_branch(const std::string& branch, std::int64_t from,
                              const std::function<void(std::int64_t step)>& look) {
-    require_between_steps("the past cannot be looked at");
-    settle();
+    require_between_steps("the past cannot be shown");
+    save_changes();
     const Other& other = *other_branch(branch);
     auto frame = std::prev(other.keyframes.end());
     while (frame != other.keyframes.begin() && frame->step > from) --frame;
-    look_elsewhere(*frame, [&] { repeat_steps(*frame, other.steps, from, other.newest(), look); });
+    run_in_past(*frame, [&] { repeat_steps(*frame, other.steps, from, other.newest(), look); });
 }
 
 }  // namespace fettle::app

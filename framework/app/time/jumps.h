@@ -22,12 +22,12 @@ class Timeline::Jumps : public property::Observer {
         arrived = true;
     }
     void wrote_plain(const property::PlainWrites&) override {
-        // Single writes are not needed here.
+        // Overrides a slow default: single writes are not needed here.
     }
 
-    bool jumped = false;
-    bool travelling = false;
-    bool arrived = false;
+    bool jumped = false;      // other code has restored a snapshot
+    bool travelling = false;  // the timeline itself is restoring one
+    bool arrived = false;     // a snapshot was restored since `travelling` was set
 
   private:
     property::Tree& tree_;

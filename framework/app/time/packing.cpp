@@ -96,7 +96,7 @@ std::size_t PackedBytes::memory() const {
     return touched_ + (packed ? packed_.capacity() + next_.capacity() : prepare_);
 }
 
-std::optional<PackedBytes::Buffer> PackedBytes::settle() {
+std::optional<PackedBytes::Buffer> PackedBytes::spare_buffer() {
     if (plain_.empty() || !is_packed_.load(std::memory_order_acquire)) return std::nullopt;
     const std::size_t touched = std::exchange(touched_, 0);
     if (next_.empty()) return Buffer{std::exchange(plain_, {}), touched};

@@ -40,7 +40,7 @@ class PackedBytes {
     std::size_t memory() const;
     /// Once the state is packed, returns memory for the next state: the unpacked buffer or a larger
     /// one. Returns nothing before that, and nothing on later calls.
-    std::optional<Buffer> settle();
+    std::optional<Buffer> spare_buffer();
 
     // --- Called by the packing thread
     void pack();

@@ -98,7 +98,7 @@ void Recorder::line(const std::string& text) {
     }
     write(text);
     write("\n");
-    // A file that is being written goes on.
+    // Only the text in memory is limited: a file that is being written gets all lines.
     if (text_.size() > greatest_text) {
         incomplete_ = "only the first " + std::to_string(greatest_text >> 20) +
                       " MB of a recording are kept, and this run is longer";

@@ -73,14 +73,14 @@ void StateHash::add(const property::Value& value, const property::Tree& tree) {
 namespace {
 
 /// The saved values of a class that the tree itself stores, and a hash of their names.
-struct StoredValues {
+struct SavedProperties {
     bool service = false;
     std::uint64_t names = 0;
     std::vector<const property::Property*> properties;
 };
 
-StoredValues stored_values(const property::Class& of) {
-    StoredValues values;
+SavedProperties saved_properties(const property::Class& of) {
+    SavedProperties values;
     values.service = !of.creatable();
     StateHash names;
     names.add(std::string_view(of.name()));
@@ -96,7 +96,7 @@ StoredValues stored_values(const property::Class& of) {
 }  // namespace
 
 void StateHash::add_stored_values(const property::Tree& tree) {
-    std::unordered_map<const property::Class*, StoredValues> classes;
+    std::unordered_map<const property::Class*, SavedProperties> classes;
     const auto add_value = [&](property::Handle instance, const property::Property& property) {
         // This settles the value; a formula with an error has its last valid value.
         (void)tree.problem(instance, property);
@@ -105,10 +105,10 @@ void StateHash::add_stored_values(const property::Tree& tree) {
     tree.each_below(tree.root(), [&](property::Handle instance) {
         const property::Class& of = tree.class_of(instance);
         const auto [known, is_new] = classes.try_emplace(&of);
-        if (is_new) known->second = stored_values(of);
+        if (is_new) known->second = saved_properties(of);
         // Services are skipped, because they may differ between programs (a console). Ad hoc
         // properties that a game added to them are included.
-        if (const StoredValues& values = known->second; !values.service) {
+        if (const SavedProperties& values = known->second; !values.service) {
             add(std::string_view(tree.name(instance)));
             add(values.names);
             for (const property::Property* property : values.properties)

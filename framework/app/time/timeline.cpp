@@ -57,7 +57,7 @@ bool Timeline::on() const {
 }
 
 void Timeline::clear() {
-    require_between_steps("the past cannot be forgotten");
+    require_between_steps("the past cannot be cleared");
     forget_all();
 }
 
@@ -124,7 +124,8 @@ void Timeline::begin_step() {
 
 void Timeline::modules_step(double dt) {
     if (!place_.stepping) return;
-    // A step that failed is followed by the next one unless one went back in between.
+    // The changes of a step that failed belong to the next step, unless the game went back in
+    // between.
     open_ = std::move(failure_.broken);
     for (Piece& piece : tail_.before) open_.before.push_back(std::move(piece));
     open_.bytes += tail_.bytes;
@@ -170,7 +171,7 @@ void Timeline::note_failure() {
 bool Timeline::go_before_failure() {
     const std::int64_t failed = std::exchange(failure_.step, -1);
     if (place_.in_step || failed < 0 || clock_.step != failed || !keeps()) return false;
-    settle();
+    save_changes();
     if (place_.here == failed) {  // a handler failed after the modules had stepped
         bool edited = false;
         for (std::size_t i = failure_.pieces; i < tail_.before.size(); ++i)
@@ -193,7 +194,7 @@ void Timeline::note(Step& of, Piece& piece) {
         }
 }
 
-/// The next changes of the parts are those from here on.
+/// Drops the changes of the parts up to now, so that the next changes begin here.
 void Timeline::skip_changes() {
     for (property::SnapshotPart* part : tree_.parts()) (void)part->changes();
 }
@@ -244,9 +245,9 @@ void Timeline::take_keyframe() {
 Timeline::Room Timeline::room_of_packed() {
     Room found;
     for (Keyframe& frame : keyframes_)
-        if (auto plain = frame.payload->settle()) found.buffer = std::move(*plain);
+        if (auto plain = frame.payload->spare_buffer()) found.buffer = std::move(*plain);
     for (Other& other : others_)
-        for (Keyframe& frame : other.keyframes) (void)frame.payload->settle();
+        for (Keyframe& frame : other.keyframes) (void)frame.payload->spare_buffer();
     // Memory that is far larger than the current states is not used again.
     if (!keyframes_.empty() && found.buffer.touched / 4 > keyframes_.back().payload->plain_size())
         found = {};

@@ -37,25 +37,25 @@ void Timeline::require_between_steps(const char* what) const {
 }
 
 void Timeline::go_to(std::int64_t step) {
-    require_between_steps("the past cannot be gone back to");
-    settle();
+    require_between_steps("the game cannot go back in time");
+    save_changes();
     require(step);
     travel(step);
 }
 
 void Timeline::go_near(std::int64_t step) {
-    require_between_steps("the past cannot be gone back to");
-    settle();
+    require_between_steps("the game cannot go back in time");
+    save_changes();
     if (keeps()) travel(std::clamp(step, oldest(), newest()));
 }
 
 void Timeline::rewind(double seconds) {
-    require_between_steps("the past cannot be gone back to");
+    require_between_steps("the game cannot go back in time");
     clock_.require_usable();
     if (std::isnan(seconds))
         throw property::Error(property::ErrorKind::out_of_range,
                               "rewind: nan: expected a time in seconds");
-    settle();
+    save_changes();
     const double steps = std::clamp(std::round(seconds / clock_.dt), -1e15, 1e15);
     if (!keeps()) return;
     const std::int64_t to = clock_.step - static_cast<std::int64_t>(steps);
@@ -74,8 +74,8 @@ const Timeline::Keyframe& Timeline::start_of(std::int64_t from) const {
 }
 
 void Timeline::review(std::int64_t from, const std::function<void(std::int64_t step)>& look) {
-    require_between_steps("the past cannot be looked at");
-    settle();
+    require_between_steps("the past cannot be shown");
+    save_changes();
     if (!keeps()) return;
     const Keyframe& frame = start_of(from);
     replay(frame, place_.here, [&](std::int64_t step) {
@@ -89,24 +89,24 @@ void Timeline::review(std::int64_t from, std::int64_t to,
         return review(from, [&](std::int64_t step) {
             if (step <= to) look(step);
         });
-    require_between_steps("the past cannot be looked at");
-    settle();
+    require_between_steps("the past cannot be shown");
+    save_changes();
     if (!keeps()) return;
     const Keyframe& frame = start_of(from);
     for (const Keyframe& each : keyframes_)
         if (each.step > place_.here && each.jumped_to) to = std::min(to, each.step - 1);
-    look_elsewhere(frame, [&] { repeat_steps(frame, steps_, from, to, look); });
+    run_in_past(frame, [&] { repeat_steps(frame, steps_, from, to, look); });
 }
 
 void Timeline::repeat_with(std::int64_t from, const std::function<void()>& change,
                            const std::function<void(std::int64_t step)>& look) {
-    require_between_steps("the past cannot be looked at");
-    settle();
+    require_between_steps("the past cannot be shown");
+    save_changes();
     require(from);
     const std::int64_t here = place_.here;
     const Keyframe& frame = start_of(from);
     from = std::max(from, frame.step);
-    look_elsewhere(frame, [&] {
+    run_in_past(frame, [&] {
         for (const auto& each : steps_)
             if (each->number > frame.step && each->number <= from) redo(*each);
         change();
@@ -119,9 +119,9 @@ void Timeline::repeat_with(std::int64_t from, const std::function<void()>& chang
     });
 }
 
-/// Restores a keyframe, calls `repeat`, and returns to where the tree was, also if `repeat` throws;
-/// then throws its exception.
-void Timeline::look_elsewhere(const Keyframe& frame, const std::function<void()>& repeat) {
+/// Restores a keyframe, calls `repeat`, and restores the state in which the tree was, also if
+/// `repeat` throws; then throws its exception.
+void Timeline::run_in_past(const Keyframe& frame, const std::function<void()>& repeat) {
     const std::int64_t here = place_.here;
     auto back = std::prev(keyframes_.end());
     while (back != keyframes_.begin() && back->step > here) --back;
@@ -157,7 +157,8 @@ void Timeline::redo(const Piece& piece) {
     for (const auto& [part, changes] : piece.changes) part->redo(changes);
 }
 
-/// Functions that the modules ask see the time and random numbers of the step.
+/// The changes before the modules are made first: functions that the modules call during the step,
+/// such as `accept`, see the time and random numbers of that step.
 void Timeline::redo(const Step& step) {
     for (const Piece& piece : step.before) redo(piece);
     tree_.set_step(static_cast<std::uint64_t>(step.number));
@@ -166,7 +167,7 @@ void Timeline::redo(const Step& step) {
 }
 
 /// Saves the changes since the step that the tree is at, so that they can be restored later.
-void Timeline::settle() {
+void Timeline::save_changes() {
     note_jump();
     if (log_ == nullptr) return;
     Step& since = place_.here == newest() ? tail_ : edits_;
@@ -186,8 +187,8 @@ void Timeline::travel(std::int64_t step) {
     place_.returned = step < newest();
 }
 
-/// Restores the keyframe and repeats the steps behind it up to `step`; calls `look`, if given,
-/// after each, the first time for the keyframe itself.
+/// Restores the keyframe and repeats the steps after it up to `step`. Calls `look`, unless it is
+/// empty, for the keyframe and after each step.
 void Timeline::replay(const Keyframe& frame, std::int64_t step,
                       const std::function<void(std::int64_t)>& look) {
     const Snapshot from(frame.payload->payload(), frame.memories);

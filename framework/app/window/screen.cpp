@@ -177,7 +177,7 @@ class SfmlWindow : public Window {
     Clipboard& clipboard() override { return clipboard_; }
 
     bool poll(InputEvent& event) override {
-        if (poll_gamepads(event) || poll_let_go(event)) return true;
+        if (poll_gamepads(event) || poll_missed_release(event)) return true;
         do {
             if (!sfml::poll(window_, event)) return poll_size(event);
         } while (is_size_of_opening(event) || is_known_release(event));
@@ -246,13 +246,14 @@ class SfmlWindow : public Window {
         if (icon_) sfml::set_icon(window_, *icon_);
         if (state_.cursor != Cursor::arrow) show_cursor();
         window_.setMouseCursorGrabbed(state_.grab_mouse);
-        reported_size_ = {0, 0};  // the game learns the size of a window that was opened again
+        reported_size_ = {0, 0};  // so that the size of a window that was opened again is reported
         opened_ = std::nullopt;
         reopened_ = true;
-        keyboard_elsewhere_ = true;
+        awaits_keyboard_ = true;
         buttons_before_ = buttons_;
     }
-    /// The library reports gamepads only that are plugged in while the window is open.
+    /// SFML only reports gamepads that are plugged in while the window is open, so the others are
+    /// reported here.
     bool poll_gamepads(InputEvent& event) {
         while (next_gamepad_ < sf::Joystick::Count) {
             const unsigned gamepad = next_gamepad_++;
@@ -265,22 +266,23 @@ class SfmlWindow : public Window {
         }
         return false;
     }
-    /// A release while the window is opened again is reported to neither window: that of a key
-    /// before the window has the keyboard, that of a mouse button outside of the window.
-    bool poll_let_go(InputEvent& event) {
-        return poll_let_go_button(event) || poll_let_go_key(event);
+    /// Reports releases that happened while the window was opened again. The system reports them to
+    /// neither window: the release of a key before the window has the keyboard, and that of a mouse
+    /// button outside of the window.
+    bool poll_missed_release(InputEvent& event) {
+        return poll_missed_button_release(event) || poll_missed_key_release(event);
     }
-    bool poll_let_go_button(InputEvent& event) {
-        const auto let_go = std::ranges::find_if_not(buttons_before_, sfml::is_button_down);
-        if (let_go == buttons_before_.end()) return false;
+    bool poll_missed_button_release(InputEvent& event) {
+        const auto released = std::ranges::find_if_not(buttons_before_, sfml::is_button_down);
+        if (released == buttons_before_.end()) return false;
         const sf::Vector2i at = sf::Mouse::getPosition(window_);
         event = {};
         event.kind = EventKind::mouse_released;
-        event.name = *let_go;
+        event.name = *released;
         event.x = static_cast<float>(at.x);
         event.y = static_cast<float>(at.y);
-        buttons_.erase(*let_go);
-        buttons_before_.erase(let_go);
+        buttons_.erase(*released);
+        buttons_before_.erase(released);
         return true;
     }
     /// True for a release that was reported already, or whose press was not reported.
@@ -289,17 +291,17 @@ class SfmlWindow : public Window {
         buttons_before_.erase(event.name);
         return buttons_.erase(event.name) == 0;
     }
-    bool poll_let_go_key(InputEvent& event) {
-        if (!keyboard_elsewhere_) return false;
-        const auto let_go = std::ranges::find_if_not(down_, sfml::is_down);
-        if (let_go == down_.end()) {
-            keyboard_elsewhere_ = !window_.hasFocus();
+    bool poll_missed_key_release(InputEvent& event) {
+        if (!awaits_keyboard_) return false;
+        const auto released = std::ranges::find_if_not(down_, sfml::is_down);
+        if (released == down_.end()) {
+            awaits_keyboard_ = !window_.hasFocus();
             return false;
         }
         event = {};
         event.kind = EventKind::key_released;
-        event.name = *let_go;
-        down_.erase(let_go);
+        event.name = *released;
+        down_.erase(released);
         return true;
     }
     void show_cursor() {
@@ -351,8 +353,8 @@ class SfmlWindow : public Window {
     Pacer pacer_;
     std::set<std::string> down_;
     std::set<std::string> buttons_;         // of the mouse, held
-    std::set<std::string> buttons_before_;  // held since the window was another one
-    bool keyboard_elsewhere_ = false;  // the window was opened and has not had the keyboard yet
+    std::set<std::string> buttons_before_;  // held since before the window was opened again
+    bool awaits_keyboard_ = false;  // the window was opened and has not had the keyboard yet
     bool keep_frame_ = false;
 };
 

@@ -15,8 +15,8 @@ namespace {
 /// The value without the last digits, in which sums of steps are not exact: 0.6 and not
 /// 0.6000000000000001.
 double rounded(double value, double step) {
-    constexpr double digits = 1e9;  // of a step that are kept
-    const double scale = digits * std::pow(10, std::ceil(-std::log10(step)));
+    constexpr double parts = 1e9;  // of a step: smaller differences are not kept
+    const double scale = parts * std::pow(10, std::ceil(-std::log10(step)));
     const double scaled = std::round(value * scale);
     return std::abs(scaled) < 1e15 ? scaled / scale + 0.0 : value;  // no -0
 }

@@ -78,7 +78,7 @@ void Binding::write(const Place& place, const Value& value) {
         tree.set(place.instance, *place.property,
                  property::with_part(whole, place.part, value, "bind"));
     }
-    preferences_.note(place);
+    preferences_.store(place);
 }
 
 /// Converts the value of the property to a value of the widget.

@@ -34,7 +34,7 @@ void remove(List& list, const std::string& path) {
     if (const auto known = entry_of(list, path); known != list.end()) list.erase(known);
 }
 
-/// A saved game may hold any list.
+/// Whether the list has this entry. The list may be of a saved game, and so hold anything.
 bool holds(const List& list, const Value& entry) {
     return std::find(list.begin(), list.end(), entry) != list.end();
 }
@@ -52,7 +52,7 @@ void Preferences::attach(property::Tree& tree, Handle service) {
     tree.observe(*this);
 }
 
-bool Preferences::is_players(const Place& place) const {
+bool Preferences::can_be_preference(const Place& place) const {
     if (place.property == nullptr) return false;
     const std::string path = tree_->path(place.instance);
     return std::any_of(std::begin(players_roots), std::end(players_roots),
@@ -61,8 +61,8 @@ bool Preferences::is_players(const Place& place) const {
                        });
 }
 
-void Preferences::note(const Place& place) {
-    if (!is_players(place)) return;
+void Preferences::store(const Place& place) {
+    if (!can_be_preference(place)) return;
     put(tree_->path(place.instance) + property::path_suffix(place.property->name),
         tree_->get(place.instance, *place.property));
 }
@@ -113,7 +113,7 @@ bool Preferences::differs() const {
     return !waiting_.empty() || !(tree_->get(service_, saved_name) == Value(now_));
 }
 
-void Preferences::give_back() {
+void Preferences::restore_changed() {
     if (!tree_->alive(service_)) return;
     List due = std::exchange(waiting_, {});
     if (std::exchange(jumped_, false)) {
@@ -126,7 +126,8 @@ void Preferences::give_back() {
     save();
 }
 
-/// False if there is no such property now. A value that no longer fits is a preference no longer.
+/// False if there is no such property now. A value that the property does not accept any more is
+/// removed from the preferences.
 bool Preferences::write(const std::string& path, const Value& value) {
     try {
         const Place place = property::resolve(*tree_, path);

@@ -1,6 +1,6 @@
 #pragma once
 // Preferences: values of properties that the player has set, such as a volume or a key. They belong
-// to the player and not to a moment of the game, so they stay when time jumps.
+// to the player and not to the state of the game, so they stay when time jumps.
 
 #include <functional>
 #include <memory>
@@ -13,9 +13,10 @@
 
 namespace fettle::interface {
 
-/// The preferences are stored twice: here as they are now, and in a property of the tree as they
-/// were at the moment of the tree. After a jump, a comparison of the two shows which values the
-/// player has changed since that moment. Other writes to the same properties are state of the game.
+/// The preferences are stored twice: here as they are now, and in a property of the tree. A jump
+/// restores the property and not the copy here, so a comparison of the two shows which values the
+/// player has changed since the restored step. Other writes to the same properties are state of the
+/// game.
 class Preferences : public property::Observer {
   public:
     /// The name of the property in the tree.
@@ -31,25 +32,27 @@ class Preferences : public property::Observer {
         problem_ = std::move(listener);
     }
 
-    /// Whether a widget that writes the property sets a preference: those of `audio` and of
-    /// `input.actions` are the player's.
-    bool is_players(const property::Place& place) const;
-    /// Notes the value of the property as the player's choice.
-    void note(const property::Place& place);
-    /// Writes the property, and notes it. nil: it is a preference no longer. Throws Error.
+    /// Whether a widget that writes the property sets a preference: true for the properties of
+    /// `audio` and of `input.actions`, and of all below them.
+    bool can_be_preference(const property::Place& place) const;
+    /// Stores the present value of the property as a preference, if it can be one.
+    void store(const property::Place& place);
+    /// Writes the property, and stores the value as a preference. With nil, the property is not
+    /// written and is no longer a preference. Throws Error.
     void prefer(const std::string& path, const property::Value& value);
     /// A preference of an earlier run, to be written when its property exists.
     void begin_with(const std::string& path, const property::Value& value);
 
-    /// True if time has jumped to a moment with other preferences, or if there are some of an
-    /// earlier run.
+    /// True if time has jumped to a step with other preferences, or if some of an earlier run are
+    /// not written yet.
     bool differs() const;
-    /// Writes those that the player has changed since the moment of the tree.
-    void give_back();
+    /// Writes the preferences that the player has changed since the restored step, and those of an
+    /// earlier run whose property exists now.
+    void restore_changed();
 
     void restored() override { jumped_ = true; }
     void wrote_plain(const property::PlainWrites&) override {
-        // Single writes are not needed here.
+        // Only jumps matter here.
     }
 
   private:
@@ -61,7 +64,7 @@ class Preferences : public property::Observer {
     std::weak_ptr<const property::Tree*> life_;
     property::Handle service_{};
     property::List now_;      // lists of a path and a value
-    property::List waiting_;  // those whose property does not exist yet
+    property::List waiting_;  // of an earlier run, not written yet
     bool jumped_ = false;
     std::function<void(const std::string&, const property::Value&)> changed_;
     std::function<void(const std::string&)> problem_;

@@ -16,7 +16,7 @@ namespace {
 constexpr int deepest = 100;  // widgets in each other; those below are not shown
 
 /// `z` of the instance and of all above it.
-double height_of(const property::Tree& tree, Handle instance) {
+double z_of(const property::Tree& tree, Handle instance) {
     static const property::Symbol name("z");
     double z = 0;
     for (; instance; instance = tree.parent(instance))
@@ -132,7 +132,7 @@ const Theme& Layout::theme_of(const Widget& widget, const Theme& above) {
 /// Later ones are drawn over earlier ones, unless their `z` says otherwise.
 void Layout::sort_tops() {
     std::vector<double> order;
-    for (const Row top : tops_) order.push_back(height_of(widgets_.tree(), widgets_[top].self));
+    for (const Row top : tops_) order.push_back(z_of(widgets_.tree(), widgets_[top].self));
     if (order == order_) return;
     std::vector<std::size_t> by(tops_.size());
     std::iota(by.begin(), by.end(), 0);

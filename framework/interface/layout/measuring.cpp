@@ -28,7 +28,7 @@ Vec2 Layout::measure(Row row, double width) {
 namespace {
 
 /// Whether it may be narrower than its text in a row that is too narrow.
-bool gives_way(const Widget& widget) {
+bool may_shrink(const Widget& widget) {
     const bool text =
         widget.kind == Kind::button || widget.kind == Kind::toggle || widget.kind == Kind::label;
     return text && !(widget.placing.size.x > 0);
@@ -112,7 +112,7 @@ double Layout::widest_text(Widget& row, double width, double needed) {
         Widget& one = widgets_[child];
         if (growth(one, 0) > 0) continue;
         const double wanted = measure(child, width).x;
-        if (gives_way(one))
+        if (may_shrink(one))
             texts.push_back(wanted);
         else
             room -= wanted;
@@ -143,7 +143,7 @@ Vec2 Layout::natural_line(Widget& widget, double width, int along) {
     Vec2 wanted(0, 0);
     const auto add = [&](Row child, double given) {
         Vec2 one = measure(child, given);
-        if (along == 0 && gives_way(widgets_[child])) {
+        if (along == 0 && may_shrink(widgets_[child])) {
             one.x = std::min(one.x, std::max(given, widgets_[child].placing.min_size.x));
             widgets_[child].arranged.wanted.x = one.x;
         }
@@ -161,7 +161,7 @@ Vec2 Layout::natural_line(Widget& widget, double width, int along) {
     const double widest = along == 0 ? widest_text(widget, left, needed) : width;
     for (const Row child : widget.arranged.children)
         if (along == 1 || growth(widgets_[child], along) == 0) {
-            const bool narrower = gives_way(widgets_[child]) && widest < left;
+            const bool narrower = may_shrink(widgets_[child]) && widest < left;
             add(child, narrower ? widest : left);
         }
     const double rest = left;

@@ -1,6 +1,6 @@
 #pragma once
-// Members of a row as properties. The rows are in the memory of this part, because the layout must
-// follow at once when one of them changes.
+// Members of a row as properties. The rows are in the memory of this module, because a change of
+// one of them must mark the layout as outdated at once.
 
 #include <optional>
 #include <string>
@@ -12,56 +12,56 @@
 namespace fettle::interface {
 
 template <class T>
-property::Value held(const T& v) {
+property::Value to_value(const T& v) {
     return {v};
 }
 template <class T>
-property::Value held(const std::optional<T>& v) {
-    return v ? held(*v) : property::Value();
+property::Value to_value(const std::optional<T>& v) {
+    return v ? to_value(*v) : property::Value();
 }
 
-inline void take(bool& to, const property::Value& v) {
+inline void assign(bool& to, const property::Value& v) {
     to = v.boolean();
 }
-inline void take(double& to, const property::Value& v) {
+inline void assign(double& to, const property::Value& v) {
     to = v.as_double();
 }
-inline void take(std::int64_t& to, const property::Value& v) {
+inline void assign(std::int64_t& to, const property::Value& v) {
     to = v.integer();
 }
-inline void take(property::Vec2& to, const property::Value& v) {
+inline void assign(property::Vec2& to, const property::Value& v) {
     to = v.vec2();
 }
-inline void take(std::string& to, const property::Value& v) {
+inline void assign(std::string& to, const property::Value& v) {
     to = v.text();
 }
-inline void take(property::Color& to, const property::Value& v) {
+inline void assign(property::Color& to, const property::Value& v) {
     to = v.color();
 }
-inline void take(property::Handle& to, const property::Value& v) {
+inline void assign(property::Handle& to, const property::Value& v) {
     to = v.is_nil() ? property::Handle{} : v.reference();
 }
-inline void take(property::List& to, const property::Value& v) {
+inline void assign(property::List& to, const property::Value& v) {
     to = v.list();
 }
 template <class T>
-void take(std::optional<T>& to, const property::Value& v) {
+void assign(std::optional<T>& to, const property::Value& v) {
     if (v.is_nil()) {
         to.reset();
         return;
     }
     T value{};
-    take(value, v);
+    assign(value, v);
     to = std::move(value);
 }
 
 template <class T>
-struct Kept {
+struct FieldType {
     using Plain = T;
     static constexpr bool nullable = false;
 };
 template <class T>
-struct Kept<std::optional<T>> {
+struct FieldType<std::optional<T>> {
     using Plain = T;
     static constexpr bool nullable = true;
 };
@@ -102,17 +102,17 @@ template <auto... Members, class Owner>
 property::Property field(Owner& owner, property::Property described) {
     using Element = typename Owner::Element;
     using Field =
-        Kept<std::remove_cvref_t<decltype(value_in<Members...>(std::declval<Element&>()))>>;
+        FieldType<std::remove_cvref_t<decltype(value_in<Members...>(std::declval<Element&>()))>>;
     described.type = type_of<typename Field::Plain>;
     described.nullable = Field::nullable;
     if (described.type == property::Type::color) described.range = {0, 1};
     Element plain{};
     if (described.type != property::Type::reference)
-        described.default_value = held(value_in<Members...>(plain));
+        described.default_value = to_value(value_in<Members...>(plain));
     described.binding = property::accessor(
-        owner, [](Owner& in, property::Row row) { return held(value_in<Members...>(in[row])); },
+        owner, [](Owner& in, property::Row row) { return to_value(value_in<Members...>(in[row])); },
         [](Owner& in, property::Row row, const property::Value& value) {
-            take(value_in<Members...>(in[row]), value);
+            assign(value_in<Members...>(in[row]), value);
             in.changed(row);
         });
     return described;

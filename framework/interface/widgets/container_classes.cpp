@@ -9,7 +9,7 @@ using property::Value;
 
 namespace {
 
-Property again(const char* name, const Value& default_value) {
+Property with_default(const char* name, const Value& default_value) {
     return {.name = name, .type = default_value.type(), .default_value = default_value};
 }
 
@@ -72,13 +72,13 @@ property::ClassDescriptor list_descriptor(Widgets& widgets) {
 
 std::vector<property::ClassDescriptor> container_classes(Widgets& widgets) {
     std::vector<property::ClassDescriptor> all;
-    all.push_back({.name = "Panel",
-                   .base = "Widget",
-                   .doc =
-                       "A box with a background. Each of its widgets is at its own anchor, so it "
-                       "mostly holds one column or row.",
-                   .properties = joined({again("anchor", "center")}, container_properties(widgets)),
-                   .events = {cancelled()}});
+    all.push_back(
+        {.name = "Panel",
+         .base = "Widget",
+         .doc = "A box with a background. Each of its widgets is at its own anchor, so it "
+                "mostly holds one column or row.",
+         .properties = joined({with_default("anchor", "center")}, container_properties(widgets)),
+         .events = {cancelled()}});
     all.push_back({.name = "Row",
                    .base = "Widget",
                    .doc = "Widgets side by side.",

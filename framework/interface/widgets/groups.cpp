@@ -31,8 +31,9 @@ Property computed(Widgets& widgets, const char* name, Type type, const char* uni
 
 Properties computed_properties(Widgets& widgets) {
     return {
-        computed(widgets, "hovered", Type::boolean, "", "Whether the mouse is over it.",
-                 [](Widgets& w, Row row) { return w.answers.hovered && w.answers.hovered(row); }),
+        computed(
+            widgets, "hovered", Type::boolean, "", "Whether the mouse is over it.",
+            [](Widgets& w, Row row) { return w.callbacks.hovered && w.callbacks.hovered(row); }),
         computed(widgets, "focused", Type::boolean, "", "Whether it has the keyboard.",
                  [](Widgets& w, Row row) { return w.board.focus == w[row].self; }),
         computed(widgets, "held", Type::boolean, "", "Whether the player holds it down.",
@@ -40,18 +41,18 @@ Properties computed_properties(Widgets& widgets) {
         computed(widgets, "shown", Type::boolean, "",
                  "Whether it is on the screen: it and all widgets around it are visible.",
                  [](Widgets& w, Row row) {
-                     if (w.answers.lay_out) w.answers.lay_out();
+                     if (w.callbacks.lay_out) w.callbacks.lay_out();
                      return w[row].arranged.shown;
                  }),
         computed(widgets, "screen_position", Type::vec2, "px",
                  "Where its top left corner is on the screen.",
                  [](Widgets& w, Row row) {
-                     if (w.answers.lay_out) w.answers.lay_out();
+                     if (w.callbacks.lay_out) w.callbacks.lay_out();
                      return property::Vec2(w[row].arranged.box.lower * w.scale);
                  }),
         computed(widgets, "screen_size", Type::vec2, "px", "Its width and height on the screen.",
                  [](Widgets& w, Row row) {
-                     if (w.answers.lay_out) w.answers.lay_out();
+                     if (w.callbacks.lay_out) w.callbacks.lay_out();
                      return property::Vec2(w[row].arranged.box.size() * w.scale);
                  }),
     };

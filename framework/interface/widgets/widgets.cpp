@@ -133,7 +133,7 @@ void Widgets::define_service(ServiceParts more) {
                   .doc = "The widget that has the keyboard; nil: none.",
                   .reference_class = "Widget"},
                  [](Widgets& w, Row) { return Value(w.board.focus); },
-                 [](Widgets& w, Row, const Value& v) { take(w.board.focus, v); }),
+                 [](Widgets& w, Row, const Value& v) { assign(w.board.focus, v); }),
              of_board(
                  {.name = "focus_shown",
                   .type = Type::boolean,
@@ -141,7 +141,7 @@ void Widgets::define_service(ServiceParts more) {
                   .doc = "Whether that widget has a ring: after a key or a gamepad's button, not "
                          "after a click."},
                  [](Widgets& w, Row) { return Value(w.board.focus_shown); },
-                 [](Widgets& w, Row, const Value& v) { take(w.board.focus_shown, v); }),
+                 [](Widgets& w, Row, const Value& v) { assign(w.board.focus_shown, v); }),
              of_board(
                  {.name = "focus_beneath",
                   .type = Type::reference,
@@ -149,14 +149,14 @@ void Widgets::define_service(ServiceParts more) {
                   .hidden = true,
                   .reference_class = "Widget"},
                  [](Widgets& w, Row) { return Value(w.board.focus_beneath); },
-                 [](Widgets& w, Row, const Value& v) { take(w.board.focus_beneath, v); }),
+                 [](Widgets& w, Row, const Value& v) { assign(w.board.focus_beneath, v); }),
              of_board(
                  {.name = "held",
                   .type = Type::reference,
                   .doc = "The widget that the player holds down; nil: none.",
                   .reference_class = "Widget"},
                  [](Widgets& w, Row) { return Value(w.board.held); },
-                 [](Widgets& w, Row, const Value& v) { take(w.board.held, v); })},
+                 [](Widgets& w, Row, const Value& v) { assign(w.board.held, v); })},
         .methods = std::move(more.methods)};
     for (Property& each : more.properties) described.properties.push_back(std::move(each));
     service_ = tree_->create(tree_->define(std::move(described)), tree_->root(), "interface");

@@ -22,7 +22,7 @@ struct Board {
     bool focus_shown = true;
 };
 
-/// Members that other rooms add to the instance `interface`.
+/// Members that other folders add to the instance `interface`.
 struct ServiceParts {
     std::vector<property::Property> properties{};
     std::vector<property::Method> methods{};
@@ -31,9 +31,10 @@ struct ServiceParts {
 class Widgets {
   public:
     using Element = Widget;
-    /// Functions of the rooms above this one, which properties and methods call.
-    struct Answers {
-        std::function<void()> lay_out;  // if it is necessary
+    /// Functions of the layout and of the player's actions, which properties and methods of widgets
+    /// call. Empty before the interface is attached and after its end.
+    struct Callbacks {
+        std::function<void()> lay_out;  // arranges the widgets if `stale`
         std::function<bool(property::Row)> hovered;
     };
 
@@ -60,7 +61,7 @@ class Widgets {
     bool stale = true;  // the layout
     bool moved = true;  // widgets were created, moved or deleted since the layout noted their order
     double scale = 1;   // px of the screen for one px of the layout
-    Answers answers;
+    Callbacks callbacks;
 
   private:
     property::ClassDescriptor base_descriptor();

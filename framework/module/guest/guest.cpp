@@ -18,7 +18,7 @@ struct Guest {
     std::unique_ptr<Module> module;
     std::string name;
     property::Tree tree;
-    std::function<void()> put_into_place;  // second part of `restore`: writes the checked data
+    std::function<void()> finish_restore;  // second part of `restore`: writes the checked data
 };
 
 Guest& guest_of(void* context) {
@@ -75,10 +75,10 @@ fettle_status restore(void* context, const void* data, size_t size, std::uint32_
             property::ByteReader reader(
                 std::span(static_cast<const std::byte*>(data), data == nullptr ? 0 : size),
                 guest.name);
-            guest.put_into_place = part == nullptr ? nullptr : part->restore(reader, {});
-        } else if (guest.put_into_place) {
-            guest.put_into_place();
-            guest.put_into_place = nullptr;
+            guest.finish_restore = part == nullptr ? nullptr : part->restore(reader, {});
+        } else if (guest.finish_restore) {
+            guest.finish_restore();
+            guest.finish_restore = nullptr;
         }
     });
 }

@@ -115,7 +115,7 @@ fettle_property ClassInC::in_c(const Property& property, const BindingDescriptio
     to.name = property.name.c_str();
     to.type = static_cast<std::uint32_t>(property.type);
     to.default_value = outgoing_.put(property.default_value);
-    if (binding.again) return to;
+    if (binding.is_inherited) return to;
     to.flags = flags_of(property);
     to.unit = property.unit.c_str();
     if (property.range.bounded()) {

@@ -75,7 +75,7 @@ void StandIn::define(const ClassDescription& from) {
     for (std::size_t i = 0; i < descriptor.properties.size(); ++i) {
         Property& property = descriptor.properties[i];
         const BindingDescription& binding = from.bindings[i];
-        if (binding.again) {
+        if (binding.is_inherited) {
             property = {.name = property.name,
                         .type = property.type,
                         .default_value = property.default_value,
@@ -99,10 +99,10 @@ void StandIn::define(const ClassDescription& from) {
     descriptor.makes_base_rows = descriptor.lifecycle.any();
     const Class& made = tree_.define(std::move(descriptor));
     for (std::size_t i = 0; i < from.bindings.size(); ++i) {
-        if (from.bindings[i].again) continue;
+        if (from.bindings[i].is_inherited) continue;
         const Property& property = *made.property(from.descriptor.properties[i].name);
         if (const auto kept = by_context_.find(property.binding.context); kept != by_context_.end())
-            kept->second->otherwise = property.default_value;
+            kept->second->default_value = property.default_value;
     }
 }
 
@@ -112,9 +112,9 @@ std::unique_ptr<BridgedClass> StandIn::bridge(const ClassDescription& from, Host
     auto made = std::make_unique<BridgedClass>(host, in_c.get());
     for (std::size_t i = 0; i < from.bindings.size(); ++i) {
         const Property& property = *made->declared().property(from.descriptor.properties[i].name);
-        if (made->find(property) == nullptr || from.bindings[i].again) continue;
+        if (made->find(property) == nullptr || from.bindings[i].is_inherited) continue;
         StandInValues& kept = values_[before + i];
-        kept.otherwise = property.default_value;
+        kept.default_value = property.default_value;
         by_context_[property.binding.context] = &kept;
     }
     return made;
@@ -134,13 +134,13 @@ void StandIn::make_instances(const std::vector<InstanceDescription>& from) {
         made.push_back(instance);
         handles_[each.handle.key()] = instance;
     }
-    for (std::size_t i = 0; i < from.size(); ++i) give_values(from[i], made[i]);
+    for (std::size_t i = 0; i < from.size(); ++i) set_values(from[i], made[i]);
 }
 
-void StandIn::give_values(const InstanceDescription& from, Handle to) {
+void StandIn::set_values(const InstanceDescription& from, Handle to) {
     const auto& properties = tree_.class_of(to).properties();
     for (const ValueDescription& each : from.values)
-        give(to, *properties.at(each.property), translated(each.value), each.overridden);
+        set_value(to, *properties.at(each.property), translated(each.value), each.overridden);
     for (const auto& [name, value] : from.ad_hoc) {
         try {
             tree_.set_or_add(to, name, translated(value));
@@ -152,7 +152,7 @@ void StandIn::give_values(const InstanceDescription& from, Handle to) {
             tree_.on(to, *event, [](const property::Occurrence&) {});
 }
 
-void StandIn::give(Handle to, const Property& property, const Value& value, bool overridden) {
+void StandIn::set_value(Handle to, const Property& property, const Value& value, bool overridden) {
     const auto found = by_context_.find(property.binding.context);
     if (property.binding.kind == BindingKind::stored || found == by_context_.end()) {
         try {

@@ -32,9 +32,9 @@ class StandIn {
     void define(const ClassDescription& from);
     std::unique_ptr<BridgedClass> bridge(const ClassDescription& from, HostTable& host);
     void make_instances(const std::vector<InstanceDescription>& from);
-    void give_values(const InstanceDescription& from, property::Handle to);
-    void give(property::Handle to, const property::Property& property, const property::Value& value,
-              bool overridden);
+    void set_values(const InstanceDescription& from, property::Handle to);
+    void set_value(property::Handle to, const property::Property& property,
+                   const property::Value& value, bool overridden);
     /// The value with references to the instances of this tree.
     property::Value translated(const property::Value& value) const;
 

@@ -8,7 +8,7 @@ using property::Value;
 
 const Value& StandInValues::at(std::uint64_t key) const {
     const auto found = all.find(key);
-    return found == all.end() ? otherwise : found->second;
+    return found == all.end() ? default_value : found->second;
 }
 
 void StandInValues::set(std::uint64_t key, const Value& value) {

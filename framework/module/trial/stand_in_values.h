@@ -21,7 +21,7 @@ struct StandInRows {
 /// The values of a property that the tree does not store, by row; of one that belongs to the
 /// structure of the tree, by `Handle::key`.
 struct StandInValues {
-    property::Value otherwise;  // of rows without an entry in `all`
+    property::Value default_value;  // of rows without an entry in `all`
     std::unordered_map<std::uint64_t, property::Value> all;
     std::unordered_set<std::uint64_t> overridden;
     // Only of a column in C: the memory of all rows.

@@ -34,8 +34,8 @@ BindingDescription described(const Property& property, const Class& of,
     BindingDescription to;
     const Property* inherited =
         of.base() == nullptr ? nullptr : of.base()->property(property.symbol);
-    to.again = inherited != nullptr && inherited->binding.kind == binding.kind &&
-               inherited->binding.context == binding.context;
+    to.is_inherited = inherited != nullptr && inherited->binding.kind == binding.kind &&
+                      inherited->binding.context == binding.context;
     to.kind = binding.kind == BindingKind::column ? BindingKind::accessor : binding.kind;
     to.set = binding.set != nullptr || binding.node_set != nullptr ||
              binding.kind == BindingKind::column;
@@ -216,7 +216,7 @@ void fields(Bytes& bytes, property::Event& e) {
 
 template <class Bytes>
 void fields(Bytes& bytes, BindingDescription& b) {
-    bytes(b.kind), bytes(b.set), bytes(b.reset), bytes(b.overridden), bytes(b.again);
+    bytes(b.kind), bytes(b.set), bytes(b.reset), bytes(b.overridden), bytes(b.is_inherited);
     bytes(b.declared_binding), bytes(b.declared_native);
 }
 

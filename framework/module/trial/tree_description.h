@@ -19,7 +19,7 @@ class BridgedClass;
 struct BindingDescription {
     property::BindingKind kind = property::BindingKind::stored;  ///< a column counts as an accessor
     bool set = false, reset = false, overridden = false;         ///< whether it has the function
-    bool again = false;  ///< a base class declares the property, this one gives another default
+    bool is_inherited = false;  ///< a base class declares it, this one gives another default
     /// As the module has declared it (`fettle_property`); only for the module that is reloaded.
     std::uint32_t declared_binding = 0, declared_native = 0;
 };

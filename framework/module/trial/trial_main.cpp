@@ -53,7 +53,7 @@ std::vector<std::byte> all_bytes() {
     }
 }
 
-/// Opens the module and attaches it to the tree, tests it and makes a step.
+/// Opens the module, attaches it to the tree and runs its own test.
 void attach(Plugin::State& state, const Trial& trial) {
     write_phase(while_opened);
     state.open = state.open_file(trial.copy);

@@ -14,18 +14,18 @@ namespace fettle::property {
 struct Observers {
     Lifetime& lifetime;
     std::vector<Observer*> all{};   // null: the observer left during a call
-    int telling = 0;                // number of nested calls that are running
+    int running_calls = 0;          // number of nested calls that are running
     std::vector<WriteLog*> logs{};  // also receive the numbering of children
 
     /// Calls `what(observer)` for each observer. Observers may be added and removed meanwhile.
     template <class What>
     void notify(What what) {
-        struct Telling {
+        struct RunningCall {
             Observers& observers;
             Pin pin{observers.lifetime, "an observer"};
-            explicit Telling(Observers& o) : observers(o) { ++observers.telling; }
-            ~Telling() {
-                if (--observers.telling == 0) std::erase(observers.all, nullptr);
+            explicit RunningCall(Observers& o) : observers(o) { ++observers.running_calls; }
+            ~RunningCall() {
+                if (--observers.running_calls == 0) std::erase(observers.all, nullptr);
             }
         } now(*this);
         for (std::size_t i = 0; i < all.size(); ++i)

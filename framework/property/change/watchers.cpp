@@ -184,10 +184,10 @@ class Interest {
         if (patterns_++ == 0) return watcher.pattern->matches(tree_, instance_, property_);
         if (patterns_ == 2) {
             names_ = names_above(tree_, instance_);
-            hangs_ = !names_.empty() || instance_ == tree_.root();
+            is_attached_ = !names_.empty() || instance_ == tree_.root();
             names_.push_back(property_.name);
         }
-        return hangs_ && watcher.pattern->matches(names_);
+        return is_attached_ && watcher.pattern->matches(names_);
     }
 
   private:
@@ -196,7 +196,7 @@ class Interest {
     const Property& property_;
     std::vector<std::string> names_;
     int patterns_ = 0;  // tested so far; the path is computed at the second one
-    bool hangs_ = false;
+    bool is_attached_ = false;
 };
 
 }  // namespace
@@ -219,7 +219,7 @@ std::uint32_t Watchers::interest(const Property& property) const {
 namespace {
 
 // Keeps the watchers registered up to `until`, in the order of registration.
-void put_in_order(std::vector<Watcher*>& list, WatcherId until) {
+void keep_registered_until(std::vector<Watcher*>& list, WatcherId until) {
     std::erase_if(list, [until](const Watcher* watcher) { return watcher->id > until; });
     const auto older = [](const Watcher* a, const Watcher* b) { return a->id < b->id; };
     if (!std::is_sorted(list.begin(), list.end(), older))
@@ -245,7 +245,7 @@ void Watchers::of_change(const Change& change, WatcherId until, List& out) const
             return false;
         });
     }
-    put_in_order(out, until);
+    keep_registered_until(out, until);
 }
 
 Watchers::List Watchers::of_event(Handle instance, const Event& event, WatcherId until) const {
@@ -261,7 +261,7 @@ Watchers::List Watchers::of_event(std::uint32_t index, const Class& instance_cla
             out.push_back(watcher);
         return false;
     });
-    put_in_order(out, until);
+    keep_registered_until(out, until);
     return out;
 }
 
@@ -269,7 +269,7 @@ Watchers::List Watchers::of_creation(const Class& instance_class, WatcherId unti
     List out;
     created_.append_to(out);
     std::erase_if(out, [&](const Watcher* each) { return !instance_class.is_a(*each->of); });
-    put_in_order(out, until);
+    keep_registered_until(out, until);
     return out;
 }
 
@@ -285,7 +285,7 @@ std::vector<WatcherId> Watchers::of_deletion(Handle instance, const Class& insta
             if (instance_class.is_a(*watcher->of)) out.push_back(watcher);
             return false;
         });
-    put_in_order(out, last_id_);
+    keep_registered_until(out, last_id_);
     std::vector<WatcherId> ids;
     for (const Watcher* watcher : out) ids.push_back(watcher->id);
     return ids;

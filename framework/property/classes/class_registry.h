@@ -32,7 +32,8 @@ class ClassRegistry {
         return of.own_properties_;
     }
     /// `stored`: properties whose values the tree keeps. `observed`: properties that have shadows
-    /// while they are watched, and properties inherited from a module with a new default.
+    /// while they are watched. `initial`: properties inherited from a native class with another
+    /// default in this class.
     static const std::vector<const Property*>& stored(const Class& of) { return of.stored_; }
     static const std::vector<const Property*>& observed(const Class& of) { return of.observed_; }
     static const std::vector<const Property*>& initial(const Class& of) { return of.initial_; }

@@ -265,9 +265,9 @@ class DescriptorCheck {
         const std::size_t min_stride = binding.stride == 0 ? 0 : size_of(binding.native);
         if (binding.stride < min_stride || binding.stride > largest_stride)
             refuse(ErrorKind::bad_structure, member,
-                   "its column goes on by " + std::to_string(binding.stride) +
-                       " bytes a row, expected " + std::to_string(size_of(binding.native)) +
-                       " to " + std::to_string(largest_stride));
+                   "its column has a stride of " + std::to_string(binding.stride) +
+                       " bytes, expected " + std::to_string(size_of(binding.native)) + " to " +
+                       std::to_string(largest_stride));
         if (property.type != type_of(binding.native) || property.any_type)
             refuse(ErrorKind::wrong_type, member,
                    "its column holds values of type " +

@@ -34,7 +34,7 @@ bool Formulas::fails_by_another(const Entry& e) const {
 
 void Formulas::report_problems() {
     if (!std::exchange(problems_changed_, false)) return;
-    std::vector<FormulaProblem> news;
+    std::vector<FormulaProblem> new_problems;
     std::unordered_set<std::string> circles;
     for (const std::shared_ptr<Entry>& e : order_) {
         if (e->removed) continue;
@@ -45,9 +45,9 @@ void Formulas::report_problems() {
         std::string problem = without_numbers(e->error);
         if (std::exchange(reported_[e->cell], problem) == problem) continue;
         if (e->cycle.empty() ? fails_by_another(*e) : !circles.insert(e->error).second) continue;
-        news.push_back({e->instance, tree_.path(e->instance, *e->property), e->error});
+        new_problems.push_back({e->instance, tree_.path(e->instance, *e->property), e->error});
     }
-    for (const FormulaProblem& problem : news)
+    for (const FormulaProblem& problem : new_problems)
         if (const auto sink = problem_sink; sink && !changes_.lifetime.ending) sink(problem);
 }
 

@@ -154,7 +154,7 @@ bool Formulas::settled(const Entry& e) const {
     return e.state == State::clean && (!e.volatile_sources || e.checked == changes_.epoch());
 }
 
-Formulas::Finding Formulas::look_at_sources(const Entry& e, Entry*& unsettled) const {
+Formulas::Finding Formulas::check_sources(const Entry& e, Entry*& unsettled) const {
     for (const Dependency& d : e.dependencies) {
         if (d.formula) {
             Entry* source = entry(d.cell);
@@ -187,7 +187,7 @@ void Formulas::settle_known(Entry& top) {
         Entry& e = *way.back();
         if (!settled(e)) {
             Entry* source = nullptr;
-            const Finding finding = look_at_sources(e, source);
+            const Finding finding = check_sources(e, source);
             if (finding == Finding::unsettled_source && !source->queued && !source->running) {
                 source->queued = true;
                 way.push_back(source);

@@ -126,7 +126,7 @@ class Formulas {
     bool settled(const Entry& e) const;
     /// Whether the sources of the last run changed, or must be settled first.
     enum class Finding : std::uint8_t { unchanged, changed, unsettled_source };
-    Finding look_at_sources(const Entry& e, Entry*& unsettled) const;
+    Finding check_sources(const Entry& e, Entry*& unsettled) const;
     void settle(Entry& e);
     void settle_known(Entry& e);
     void run(Entry& e);

@@ -1,5 +1,5 @@
 #pragma once
-// Operations that are running and must not be disturbed.
+// Operations that are running, and checks that refuse calls which would disturb them.
 
 #include <cstdint>
 #include <string_view>

@@ -79,7 +79,7 @@ void History::make_void(Transaction& transaction) {
 void History::add(EditStep step, const std::string& name) {
     const bool single = depth_ == 0;
     if (single) begin(name, false);
-    if (open_.steps.empty()) {  // the place stays that at which the edit began
+    if (open_.steps.empty()) {  // `cause.where` stays the place at which the edit began
         open_.cause.writer = tree_.cause().writer;
         open_.cause.step = tree_.cause().step;
     }

@@ -73,8 +73,8 @@ class Transactions {
     void each(const std::function<void(const Transaction&)>& visit) const;
     /// Approximate memory of all transactions.
     std::size_t bytes() const;
-    /// Forgets the oldest transactions until at most `most` bytes are left; older copies keep them.
-    /// Calls `forgotten` for each. Returns whether there were any.
+    /// Forgets the oldest transactions until at most `limit` bytes are left; older copies keep
+    /// them. Calls `forgotten` for each. Returns whether there were any.
     bool trim(std::size_t limit, const std::function<void(const Transaction&)>& forgotten);
 
   private:

@@ -224,9 +224,9 @@ void History::write_cell(Handle instance, Symbol name, const CellState& state, U
         }
         if (property == nullptr) return;
         // A formula that fails does not override the default, but it has to be removed as well.
-        const bool stands =
+        const bool is_set =
             tree_.overridden(instance, *property) || tree_.formula(instance, *property) != nullptr;
-        if (!state.overridden && stands)
+        if (!state.overridden && is_set)
             tree_.reset(instance, *property);
         else if (state.overridden && !(state.formula && state.value.is_nil()))
             tree_.set(instance, *property, state.value);
@@ -334,18 +334,21 @@ void History::revive(ExistenceEdit& existence, UndoResult& result) {
     if (!std::all_of(
             existence.deleted.begin(), existence.deleted.end(),
             [this](const DeletedInstance& deleted) { return nodes_.keeps(deleted.handle); })) {
-        result.notes.emplace_back("an instance cannot be brought back: its place was given away");
+        result.notes.emplace_back(
+            "an instance cannot be brought back: its slot is no longer reserved");
         return;
     }
     if (const Handle parent = existence.deleted.front().position.parent;
         parent && !tree_.alive(parent)) {
-        result.notes.push_back("\"" + existence.deleted.front().position.name.text() +
-                               "\" cannot be brought back: what it hung under is gone");
+        result.notes.push_back(
+            "\"" + existence.deleted.front().position.name.text() +
+            "\" cannot be brought back: its former parent does not exist any more");
         return;
     }
     if (would_be_too_deep(existence)) {
-        result.notes.push_back("\"" + existence.deleted.front().position.name.text() +
-                               "\" cannot be brought back: what it hung under hangs deeper now");
+        result.notes.push_back(
+            "\"" + existence.deleted.front().position.name.text() +
+            "\" cannot be brought back: its former parent is too deep in the tree now");
         return;
     }
     for (const DeletedInstance& deleted : existence.deleted) {

@@ -9,7 +9,7 @@
 namespace fettle::property {
 namespace {
 
-// The number behind the last underscore, if the same text results when the number is written again.
+// The number after the last underscore, if the same text results when the number is written again.
 std::uint32_t trailing_number(std::string_view text, std::string_view& base) {
     base = text;
     const std::size_t underscore = text.rfind('_');

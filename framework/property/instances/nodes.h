@@ -136,7 +136,7 @@ class Nodes {
     /// Appends the node to the children of `parent`. The name must be free.
     void link(std::uint32_t index, std::uint32_t parent, NodeName name);
     void unlink(std::uint32_t index);
-    /// Puts a child behind its sibling `before`; 0: at the front.
+    /// Puts a child after its sibling `before`; 0: at the front.
     void reorder(std::uint32_t index, std::uint32_t before);
     std::uint32_t child(std::uint32_t parent, NodeName name) const;
     /// Number of direct children. It is counted on the first call and cached.
@@ -188,7 +188,7 @@ class Nodes {
     }
     std::uint32_t& counter(std::uint32_t parent, Symbol stem);
     std::uint32_t next_generation(std::uint32_t index, std::uint32_t after);
-    bool links_hold() const;
+    bool are_links_valid() const;
     void child_leaves(std::uint32_t index);
     bool index_names();
 

@@ -117,13 +117,13 @@ Nodes Nodes::load(ByteReader& from, const std::vector<std::uint16_t>& classes) {
         from.require(last < max_number, "a number that no name can have");
         read.counters_[key >> 32 << 32 | names(stem, from).id()] = last;
     }
-    from.require(read.links_hold(), "parents and children do not agree");
+    from.require(read.are_links_valid(), "parents and children do not agree");
     from.require(read.index_names(), "two children of one name");
     return read;
 }
 
 /// Whether every child is in the list of its parent exactly once and every parent exists.
-bool Nodes::links_hold() const {
+bool Nodes::are_links_valid() const {
     const auto inside = [this](std::uint32_t index) {
         return index < end() && nodes_[index].alive();
     };

@@ -151,7 +151,7 @@ void StoredColumns::remove(std::uint32_t row) {
     // The memory of texts and lists is freed at once.
     for (Column& column : columns_) {
         if (auto* values = std::get_if<std::vector<Value>>(&column)) (*values)[row] = Value();
-        if (auto* few = std::get_if<Sparse>(&column)) few->erase(row);
+        if (auto* sparse_values = std::get_if<Sparse>(&column)) sparse_values->erase(row);
     }
     free_.push_back(row);
 }
@@ -187,9 +187,10 @@ double StoredColumns::default_of(std::uint32_t index) const {
 }
 
 double StoredColumns::sparse(std::uint32_t index, std::uint32_t row) const {
-    const auto& few = std::get<Sparse>(columns_[index]);
-    if (!few.empty())
-        if (const auto found = few.find(row); found != few.end()) return found->second;
+    const auto& sparse_values = std::get<Sparse>(columns_[index]);
+    if (!sparse_values.empty())
+        if (const auto found = sparse_values.find(row); found != sparse_values.end())
+            return found->second;
     return default_of(index);
 }
 

@@ -62,9 +62,9 @@ const Snapshot::Memories& Snapshot::memories() const {
 
 std::vector<std::byte> Snapshot::take_payload() && {
     if (data_ == nullptr) return {};
-    const std::shared_ptr<Data> mine = std::exchange(data_, nullptr);
-    if (mine.use_count() > 1) return mine->payload;
-    return std::move(mine->payload);
+    const std::shared_ptr<Data> data = std::exchange(data_, nullptr);
+    if (data.use_count() > 1) return data->payload;
+    return std::move(data->payload);
 }
 
 std::uint64_t Snapshot::step() const {

@@ -12,8 +12,8 @@ Transition::Transition(Tree::State& state)
       tree_(state.tree),
       changes_(state.changes),
       restored_(*state.restored_event),
-      left_(state.changes.author.step) {
-    lived_.reserve(nodes_.alive());
+      step_before_(state.changes.author.step) {
+    former_.reserve(nodes_.alive());
     for (std::uint32_t i = 1; i < nodes_.end(); ++i)
         if (nodes_[i].alive()) note(i);
 }
@@ -22,7 +22,7 @@ void Transition::note(std::uint32_t index) {
     const Node& node = nodes_[index];
     const Handle self = nodes_.handle(index);
     const Class& of = instances_.classes[node.class_id];
-    lived_.push_back({self, &of, node.name, node.fresh != 0});
+    former_.push_back({self, &of, node.name, node.fresh != 0});
     const bool broad = changes_.watchers.any_broad();
     if (!node.watched && !broad && !changes_.watchers.any_deleted()) return;
     for (const Property* property : tree_.properties(self))
@@ -43,17 +43,17 @@ bool Transition::watched(Handle self, const Node& node, const Property& property
 
 void Transition::finish() {
     const Tree::CauseScope scope(tree_, Writer::restore);
-    changes_.writes.went(left_, changes_.author.step);
+    changes_.writes.note_jump(step_before_, changes_.author.step);
     changes_.forget_fresh();
     drop_queued();
     end_instances();
-    watch_again();
+    restore_watchers();
     notify_created();
     notify_changed();
     if (restored_.listeners != 0)
         tree_.emit(instances_.root, restored_,
                    {Value(static_cast<std::int64_t>(changes_.author.step)),
-                    Value(static_cast<std::int64_t>(left_))});
+                    Value(static_cast<std::int64_t>(step_before_))});
     changes_.notify([](Observer& o) { o.restored(); });
 }
 
@@ -67,41 +67,41 @@ void Transition::drop_queued() {
     changes_.queue.undelivered.clear();
 }
 
-bool Transition::lives_on(const Lived& lived) const {
-    const Node* const node = nodes_.find(lived.instance);
-    return node != nullptr && &instances_.class_of(*node) == lived.of;
+bool Transition::still_exists(const Former& former) const {
+    const Node* const node = nodes_.find(former.instance);
+    return node != nullptr && &instances_.class_of(*node) == former.of;
 }
 
 /// The data of an instance that existed before.
-const Transition::Lived& Transition::before(Handle instance) const {
+const Transition::Former& Transition::before(Handle instance) const {
     return *std::lower_bound(
-        lived_.begin(), lived_.end(), instance.index,
-        [](const Lived& l, std::uint32_t index) { return l.instance.index < index; });
+        former_.begin(), former_.end(), instance.index,
+        [](const Former& l, std::uint32_t index) { return l.instance.index < index; });
 }
 
 void Transition::end_instances() {
     const Cause cause = tree_.cause();
     for (Existence& gone : deletion_notices_) {
-        const Lived& was = before(gone.instance);
-        if (lives_on(was)) continue;
+        const Former& was = before(gone.instance);
+        if (still_exists(was)) continue;
         instances_.tombstones.add({gone.instance, was.of, was.name.text(), gone.path, cause});
         gone.cause = cause;
         changes_.queue_deletion_notice(std::move(gone), was.fresh);
     }
     // An instance without a deletion report gets a tombstone without a path.
     std::size_t latest = 0;
-    for (const Lived& lived : lived_) {
-        if (lives_on(lived) || ++latest > 1024) continue;
+    for (const Former& former : former_) {
+        if (still_exists(former) || ++latest > 1024) continue;
         const auto reported =
             std::any_of(deletion_notices_.begin(), deletion_notices_.end(),
-                        [&](const Existence& gone) { return gone.instance == lived.instance; });
+                        [&](const Existence& gone) { return gone.instance == former.instance; });
         if (!reported)
-            instances_.tombstones.add(
-                {lived.instance, lived.of, lived.name.text(), "the " + lived.of->name(), cause});
+            instances_.tombstones.add({former.instance, former.of, former.name.text(),
+                                       "the " + former.of->name(), cause});
     }
 }
 
-void Transition::watch_again() {
+void Transition::restore_watchers() {
     for (const std::uint32_t index : changes_.watchers.watched_slots()) {
         const bool lives = index < nodes_.end() && nodes_[index].alive();
         changes_.watchers.retire_others(lives ? nodes_.handle(index) : Handle{index, 0});
@@ -123,8 +123,8 @@ void Transition::notify_created() {
     for (std::uint32_t i = 1; i < nodes_.end(); ++i) {
         if (!nodes_[i].alive()) continue;
         const Handle self = nodes_.handle(i);
-        while (next < lived_.size() && lived_[next].instance.index < i) ++next;
-        if (next < lived_.size() && lived_[next].instance == self && lives_on(lived_[next]))
+        while (next < former_.size() && former_[next].instance.index < i) ++next;
+        if (next < former_.size() && former_[next].instance == self && still_exists(former_[next]))
             continue;
         changes_.queue_creation(self, instances_.class_of(nodes_[i]));
     }
@@ -144,7 +144,7 @@ std::span<const Transition::Known> Transition::known_of(Handle instance) const {
 void Transition::notify_changed() {
     const Cause cause = tree_.cause();
     for (const Known& known : known_) {
-        if (!lives_on(before(known.instance))) continue;
+        if (!still_exists(before(known.instance))) continue;
         const Node* const node = nodes_.find(known.instance);
         const Property* property = tree_.find(known.instance, known.property->symbol);
         const Value now =
@@ -153,17 +153,17 @@ void Transition::notify_changed() {
             changes_.queue_change(known.instance, *known.property, known.value, now, cause);
     }
     // Ad-hoc properties that had been removed exist again; their old values are unknown.
-    for (const Lived& lived : lived_) {
-        const Node* node = nodes_.find(lived.instance);
-        if (!lives_on(lived) || !node->has_ad_hoc) continue;
-        const std::span<const Known> of_it = known_of(lived.instance);
-        for (const Property* property : tree_.ad_hoc(lived.instance)) {
+    for (const Former& former : former_) {
+        const Node* node = nodes_.find(former.instance);
+        if (!still_exists(former) || !node->has_ad_hoc) continue;
+        const std::span<const Known> of_it = known_of(former.instance);
+        for (const Property* property : tree_.ad_hoc(former.instance)) {
             const bool value_known =
                 std::any_of(of_it.begin(), of_it.end(),
                             [&](const Known& known) { return known.property == property; });
-            if (value_known || !watched(lived.instance, *node, *property)) continue;
-            changes_.queue_change(lived.instance, *property, Value(),
-                                  instances_.read(lived.instance.index, *node, *property), cause);
+            if (value_known || !watched(former.instance, *node, *property)) continue;
+            changes_.queue_change(former.instance, *property, Value(),
+                                  instances_.read(former.instance.index, *node, *property), cause);
         }
     }
 }

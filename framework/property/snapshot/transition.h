@@ -22,7 +22,7 @@ class Transition {
         const Property* property;
         Value value;
     };
-    struct Lived {
+    struct Former {
         Handle instance;
         const Class* of;
         NodeName name;
@@ -30,13 +30,13 @@ class Transition {
     };
     void note(std::uint32_t index);
     /// Whether it is there still, as one of the same class.
-    bool lives_on(const Lived& lived) const;
-    const Lived& before(Handle instance) const;
+    bool still_exists(const Former& former) const;
+    const Former& before(Handle instance) const;
     std::span<const Known> known_of(Handle instance) const;
     bool watched(Handle self, const Node& node, const Property& property) const;
     void drop_queued();
     void end_instances();
-    void watch_again();
+    void restore_watchers();
     void notify_created();
     void notify_changed();
 
@@ -46,9 +46,9 @@ class Transition {
     Changes& changes_;
     const Event& restored_;
     std::vector<Known> known_;
-    std::vector<Lived> lived_;                 // all instances before the restore
+    std::vector<Former> former_;               // all instances before the restore
     std::vector<Existence> deletion_notices_;  // of instances whose deletion is watched
-    std::uint64_t left_ = 0;                   // step before the restore
+    std::uint64_t step_before_ = 0;            // step before the restore
 };
 
 }  // namespace fettle::property

@@ -231,7 +231,7 @@ void TreeImage::check_instances(const ByteReader& from) const {
         now_.classes.require_living(of);
         // Modules that save their rows themselves check which instances are theirs.
         from.require(
-            of.creatable() || of.snapshots() == Snapshots::natively || lived_before(i, node),
+            of.creatable() || of.snapshots() == Snapshots::natively || existed_before(i, node),
             "it is of a game with other services or modules");
         if (node.parent == 0) continue;
         const Class& above = now_.classes[nodes_[node.parent].class_id];
@@ -335,7 +335,7 @@ void TreeImage::read_ad_hoc(ByteReader& from) {
             refuse_changed("an instance of " + of.name() + " has a property called \"" + own.name +
                            "\", which is now a method of " + of.name());
         if (const Property* property = of.property(own.name))
-            take_over(*property, std::move(own));
+            set_from_ad_hoc(*property, std::move(own));
         else
             ad_hoc_.push_back(std::move(own));
     }
@@ -345,7 +345,7 @@ void TreeImage::read_ad_hoc(ByteReader& from) {
 
 /// The class has declared a property that was ad-hoc at the time of the snapshot. The property of
 /// the class gets the value.
-void TreeImage::take_over(const Property& property, AdHoc own) {
+void TreeImage::set_from_ad_hoc(const Property& property, AdHoc own) {
     const Node& node = nodes_[own.index];
     if (property.binding.kind != BindingKind::stored) {
         remarks_.push_back(property.owner->name() + "." + property.name + ": the saved value " +

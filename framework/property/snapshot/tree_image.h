@@ -66,7 +66,7 @@ class TreeImage {
     void add_columns();
     void read_ad_hoc(ByteReader& from);
     void read_values(ByteReader& from);
-    void take_over(const Property& property, AdHoc own);
+    void set_from_ad_hoc(const Property& property, AdHoc own);
     void read_formulas(ByteReader& from, const Memory& memory);
     const Formula* formula_of_game(const Formulas::Image& image) const;
     static const Class& maker_of(const Class& of);
@@ -82,7 +82,7 @@ class TreeImage {
     std::string end_row(Handle self);
     /// Whether the slot had the same instance before, with the same class: in another tree the
     /// same handle may belong to an instance of another class.
-    bool lived_before(std::uint32_t index, const Node& node) const;
+    bool existed_before(std::uint32_t index, const Node& node) const;
 
     Tree::State& state_;
     Instances& now_;

@@ -27,7 +27,7 @@ void TreeImage::each(const std::function<void(Handle, const Class&, Row)>& visit
             visit(nodes_.handle(i), now_.classes[nodes_[i].class_id], nodes_[i].row);
 }
 
-bool TreeImage::lived_before(std::uint32_t index, const Node& node) const {
+bool TreeImage::existed_before(std::uint32_t index, const Node& node) const {
     return index < before_.size() && before_[index].generation == node.generation &&
            before_[index].class_id == node.class_id;
 }
@@ -64,7 +64,7 @@ void TreeImage::put_nodes() {
         node.watched = node.fresh = node.has_formula = node.has_dependents = false;
         if (!node.alive()) continue;
         const Class& of = now_.classes[node.class_id];
-        const bool lived = lived_before(i, node);
+        const bool lived = existed_before(i, node);
         // These rows are made again, or are those of the running game.
         if (makes_rows(of)) node.row = lived ? now_.nodes[i].row : 0;
         if (makes_rows(of) && !lived && of.lifecycle().create) s.underway.unmade.insert(i);

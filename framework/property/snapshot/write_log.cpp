@@ -305,7 +305,7 @@ class WriteLog::Player {
             const auto did = from_.get<Did>();
             auto times = did == Did::plain ? from_.get<std::uint32_t>() : 1u;
             for (; times > 0; --times) try {
-                    again(did);
+                    repeat_entry(did);
                 } catch (const Error& error) {
                     // A write that is refused now was refused then too; the log itself is valid.
                     if (error.kind() == ErrorKind::damaged) throw;
@@ -315,7 +315,7 @@ class WriteLog::Player {
 
   private:
     void refresh();
-    void again(Did did);
+    void repeat_entry(Did did);
     void value(Did did, Handle instance, Symbol name);
     void structure(Did did, Handle instance);
     void create(Handle instance);
@@ -329,8 +329,8 @@ class WriteLog::Player {
             s_.put_ad_hoc(instance, s_.ad_hoc_property(name), now);
         }
     }
-    /// True if the property must not be written again: this would press a key, or change a setting
-    /// that the player has changed since.
+    /// True if the property must not be written again: this would press a key, or change a
+    /// setting that the player has changed since.
     bool is_of_the_present(Handle instance, const Property& property) const {
         return belongs_to_the_present(tree_.class_of(instance), property);
     }
@@ -349,7 +349,7 @@ void WriteLog::Player::refresh() {
         if (snapshots.number_of(*part) == number) return part->refresh(what);
 }
 
-void WriteLog::Player::again(Did did) {
+void WriteLog::Player::repeat_entry(Did did) {
     if (did == Did::refreshed) return refresh();
     if (did == Did::plain) {
         const auto done = from_.get<PlainWrite>();

@@ -39,7 +39,7 @@ void Structure::destroy_one(std::uint32_t index, const Cause& cause, bool rememb
         }
     };
     of_module([&] { changes.queue_deletion(self, of, cause); });
-    // A deletion that a journey in time repeats has its tombstone already, with the true cause.
+    // When a past step is repeated, the deletion has its tombstone already, with its first cause.
     if (remember && !changes.replaying)
         instances.tombstones.add({self, &of, nodes[index].name.text(), tree.path(self), cause});
     if (nodes[index].has_formula)

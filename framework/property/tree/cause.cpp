@@ -11,7 +11,7 @@ std::uint64_t Tree::step() const {
 void Tree::set_step(std::uint64_t step) {
     state_->require_changeable("set the step");
     state_->changes.report_plain_writes();
-    if (!state_->changes.replaying) state_->changes.writes.begins(step);
+    if (!state_->changes.replaying) state_->changes.writes.begin_step(step);
     state_->changes.author.step = step;
     ++state_->changes.invalidations;  // the property of the clock changes without a report
 }

@@ -24,8 +24,9 @@ Watcher watcher_of(WatchKind kind, Handler& handler, WatchOptions& options) {
     return watcher;
 }
 
-// The watchers of a dying instance were told of its deletion already, and nothing would end a new
-// one: it would hear what happens to the next instance in the slot.
+// The watchers of an instance that is being deleted have been notified of it already. A watcher
+// that is added now would not be removed, and would receive changes of the next instance in the
+// slot.
 void watch_instance(const Tree::State& state, Watcher& watcher, Handle instance) {
     if (state.instances.nodes[instance.index].dying)
         state.underway.require_staying(state.instances, instance, "watch it");
@@ -176,7 +177,7 @@ void Tree::observe(Observer& observer) {
 
 void Tree::unobserve(Observer& observer) {
     state_->changes.report_plain_writes();
-    if (state_->changes.observers.telling == 0)
+    if (state_->changes.observers.running_calls == 0)
         std::erase(state_->changes.observers.all, &observer);
     else  // positions must not change during a call of the observers
         std::ranges::replace(state_->changes.observers.all, &observer, nullptr);

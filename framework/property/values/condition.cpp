@@ -338,7 +338,7 @@ class Parser {
                 if (!words_.is("]")) words_.fail("expected ], got " + words_.found());
             } else {
                 if (words_.kind != Token::name)
-                    words_.fail("expected a name behind the dot, got " + words_.found());
+                    words_.fail("expected a name after the dot, got " + words_.found());
                 made.parts.push_back({std::string(words_.word)});
             }
             words_.next();
@@ -393,18 +393,18 @@ std::size_t Condition::weight() const {
 }
 
 std::string Condition::unknown(const Tree& tree) const {
-    const auto stranger = std::ranges::find(program_->reads, false, &Lookup::known);
-    if (stranger == program_->reads.end()) return {};
+    const auto first_unknown = std::ranges::find(program_->reads, false, &Lookup::known);
+    if (first_unknown == program_->reads.end()) return {};
     std::vector<std::string> names;
     for (const Class* of : tree.classes()) {
         names.push_back(of->name());
         for (const Property* property : of->properties())
             if (property->owner == of && !property->hidden) names.push_back(property->name);
     }
-    const bool whole =
-        stranger->parts.empty() || std::ranges::find(names, stranger->name) == names.end();
-    return "nothing has \"" + stranger->text() + "\"" +
-           (whole ? suggestion(stranger->name, names) : std::string());
+    const bool whole = first_unknown->parts.empty() ||
+                       std::ranges::find(names, first_unknown->name) == names.end();
+    return "nothing has \"" + first_unknown->text() + "\"" +
+           (whole ? suggestion(first_unknown->name, names) : std::string());
 }
 
 }  // namespace fettle::property

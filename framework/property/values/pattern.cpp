@@ -45,7 +45,7 @@ std::vector<std::string> split(std::string_view text) {
         std::string segment;
         if (text[at] == '[') {
             if (at + 1 >= text.size() || text[at + 1] != '"')
-                fail("a quoted name was expected behind \"[\"");
+                fail("a quoted name was expected after \"[\"");
             for (at += 2; at < text.size() && text[at] != '"'; ++at) {
                 segment += text[at] == '\\' ? unescaped(text, at) : text[at];
             }
@@ -61,7 +61,7 @@ std::vector<std::string> split(std::string_view text) {
         if (at < text.size() && text[at] == '.') {
             if (++at == text.size()) fail("it ends with a dot");
         } else if (at < text.size() && text[at] != '[') {
-            fail("\".\" was expected behind \"]\"");
+            fail("\".\" was expected after \"]\"");
         }
     }
     if (segments.empty()) fail("it is empty");

@@ -25,7 +25,7 @@ bool is_part(std::string_view name, std::string_view longer) {
            (longer[more - 1] == '_' && same_but_for_case(name, longer.substr(more)));
 }
 
-/// "ball" and "all": most words of three letters are as near to many others.
+/// "ball" and "all": a word of three letters is similar to many words, so this is no typing error.
 bool unlike(std::string_view a, std::string_view b) {
     return std::min(a.size(), b.size()) == 3 && a.size() != b.size() && lower(a[0]) != lower(b[0]);
 }
@@ -119,8 +119,9 @@ std::string with_article(std::string_view noun) {
         return at < noun.size() && std::string_view("aeiou").find(lower(noun[at])) != noun.npos;
     };
     // "a Unit" and "a User", but "an Umbrella".
-    const bool you = !noun.empty() && lower(noun[0]) == 'u' && !vowel_at(1) && vowel_at(2);
-    return (vowel_at(0) && !you ? "an " : "a ") + std::string(noun);
+    const bool sounds_like_y =
+        !noun.empty() && lower(noun[0]) == 'u' && !vowel_at(1) && vowel_at(2);
+    return (vowel_at(0) && !sounds_like_y ? "an " : "a ") + std::string(noun);
 }
 
 }  // namespace fettle::property

@@ -45,7 +45,7 @@ void WritesLog::take_back(PlainWrite& entry) {
         entry.instance = {};
 }
 
-void WritesLog::went(std::uint64_t from, std::uint64_t to) {
+void WritesLog::note_jump(std::uint64_t from, std::uint64_t to) {
     arrival_step_ = to;
     if (from == to) return;
     if (latest_step_ > from) {
@@ -56,7 +56,7 @@ void WritesLog::went(std::uint64_t from, std::uint64_t to) {
     arrived_ = reported_;
 }
 
-void WritesLog::begins(std::uint64_t step) {
+void WritesLog::begin_step(std::uint64_t step) {
     if (latest_step_ < step || step == 0) return;
     for (Run& run : runs_)
         if (run.step >= step) run.lost = true;

@@ -81,17 +81,20 @@ class WritesLog {
         if (full_.size() >= max_count) full_.clear();
         full_[{instance.index, property}] = {instance.generation, cause, std::move(left)};
     }
-    /// The tree went from its state at the step `from` to that at `to`. Writes at `from` since the
-    /// last call are dropped if later steps are known: looking at the past does not change it.
-    void went(std::uint64_t from, std::uint64_t to);
-    /// The step begins. Entries of it and of later ones are of a future that does not come.
-    void begins(std::uint64_t step);
-    /// The past is another one after `step`, when a person may have written, and its writers are
-    /// not known.
+    /// Must be called after the tree has gone from its state at step `from` to that at step `to`.
+    /// If `from` was not the latest step, the writes since the last call are marked as lost,
+    /// because they are not in the kept past.
+    void note_jump(std::uint64_t from, std::uint64_t to);
+    /// Must be called at the beginning of a step. If the game went back before it, the entries of
+    /// this step and of later ones are marked as lost: they are on the abandoned timeline.
+    void begin_step(std::uint64_t step);
+    /// Must be called when the state of another past is restored that is the same up to `step`. The
+    /// writer of later entries becomes `restore`, because the real ones are unknown. A person may
+    /// have written at `step` itself, so its entries are included.
     void forget_after(std::uint64_t step);
     /// Among the writes up to the step `now`. The writer is `restore` if there are only later ones.
     Provenance find(Handle instance, Symbol property, std::uint64_t now) const;
-    /// The value that the write left; nil if it is not known.
+    /// The value after the write; nil if it is not known.
     Value left_by(Handle instance, Symbol property, const Cause& write) const;
 
   private:
@@ -106,7 +109,7 @@ class WritesLog {
         std::uint64_t end;  // number of all writes up to its end
         std::uint64_t step;
         Writer writer;
-        bool lost = false;  // what it wrote is not in the tree
+        bool lost = false;  // its writes are not in the present timeline
     };
 
     struct FullWrite {

@@ -24,8 +24,9 @@ class FunctionRef {
     std::size_t holds() const { return holds_; }
     void set_holds(std::size_t bytes) { holds_ = bytes; }
 
-    /// Where a function of Fettle was given to a timer, as in `after(1, world.b.delete)`: its
-    /// errors have no place of their own. "" for a function of a script.
+    /// The place in a script where a function of Fettle was given to a timer, as in `after(1,
+    /// world.b.delete)`, because errors of such a function contain no place. "" for a function of a
+    /// script.
     const std::string& given_at() const { return given_at_; }
     void set_given_at(std::string place) { given_at_ = std::move(place); }
 

@@ -52,9 +52,10 @@ std::string Context::text(Machine& machine) const {
 
 namespace {
 
-/// A handler of a game may hold an instance that was made after the step to which the game went
-/// back. The game goes on then, and the log gets one note for each place. A command, the top level
-/// and a test fail by such an error as by any other.
+/// Reports an error as a note if its cause is an instance that a restore has removed: a handler may
+/// refer to an instance that was made after the step to which the game went back. The game
+/// continues, and each place in a script is reported once. In a command, the top level and a test,
+/// such an error is an ordinary error. Returns whether it was reported.
 bool report_gone(Machine& machine, const Context& context, const ScriptError& error) {
     if (machine.lua.gone.empty() || context.what == "chunk" || context.what == "load" ||
         context.what == "fettle_test_turn" || !error.message.ends_with(machine.lua.gone))

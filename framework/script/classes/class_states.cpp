@@ -224,7 +224,7 @@ void ScriptClasses::change_state(lua_State* L, Handle self, const std::string& n
 }
 
 /// Enters a state that was assigned. An unknown one is an error, and the state stays.
-bool ScriptClasses::take_assigned_state(Handle self) {
+bool ScriptClasses::enter_assigned_state(Handle self) {
     property::Tree& tree = machine_.tree;
     const Value current = tree.get(self, current_name), entered = tree.get(self, entered_name);
     if (current == entered) return true;
@@ -249,7 +249,7 @@ bool ScriptClasses::step_states(double dt) {
     bool ok = true;
     for (const Handle self : stepped) {
         if (!tree.alive(self) || !tree.is_below(self, tree.root())) continue;
-        ok &= take_assigned_state(self);
+        ok &= enter_assigned_state(self);
         if (machine_.watchdog.stopped()) return ok;
         if (!tree.alive(self)) continue;
         const Class& of = tree.class_of(self);

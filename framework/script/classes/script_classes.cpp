@@ -138,13 +138,13 @@ void ScriptClasses::connect(const Class& of, const std::string& name) {
             lua_pushvalue(L, -3);
             lua_call(L, 2, 0);
             if (property::Question* question = property::Question::current())
-                take_answer(L, *question);
+                read_answers(L, *question);
         });
     };
     if (name == "deleted") {
         machine_.connections.keep(
             machine_.tree.watch_deleted(of, [run](const property::Existence& existence) {
-                if (came_with_moment(existence)) return;
+                if (caused_by_restore(existence)) return;
                 run(*existence.instance_class, existence.instance,
                     [&](lua_State* L) { push_existence(L, existence); });
             }));
@@ -250,7 +250,7 @@ const Class& ScriptClasses::define(Definition definition) {
     if (existing) {
         if (!scripted(*existing))
             throw Error(ErrorKind::bad_name, definition.name + ": is a class of the framework");
-        if (existing->base() == definition.base && machine_.declarations.again()) {
+        if (existing->base() == definition.base && machine_.declarations.reloading()) {
             info(*existing).defaults.clear();
             property::redefine(machine_.tree, *existing, std::move(definition.properties));
             machine_.members.clear();

@@ -44,8 +44,8 @@ class ScriptClasses {
         std::string doc;
         std::vector<property::Property> properties;  // an inherited name sets another default
     };
-    /// Defines a class. If it exists: while a game is loaded again, it gets these properties;
-    /// otherwise they must be the same.
+    /// Defines a class. If it exists: during a reload it gets these properties; otherwise they must
+    /// be the same.
     const property::Class& define(Definition definition);
     bool scripted(const property::Class& of) const;
 
@@ -86,7 +86,7 @@ class ScriptClasses {
     /// An instance whose `ready` was not called yet.
     struct Waiting {
         property::Handle instance;
-        bool announce;  // true: no other code emits its `ready`
+        bool announce;  // true: `ready` must be emitted here, because no other code does it
     };
     /// What was added and became ready since the last call, in order; the first call starts
     /// recording.
@@ -101,11 +101,11 @@ class ScriptClasses {
     /// Removes all functions and keeps the classes, before a game is loaded.
     void forget_functions();
 
-    // While a game is loaded again. `begin_again` removes all functions and states. `end_again`
-    // keeps those that were defined since, or brings the old ones and the old properties back.
-    void begin_again();
-    void end_again(bool keep);
-    /// Properties whose default has changed since `begin_again`.
+    // For a reload. `begin_reload` removes all functions and states. `end_reload` keeps those that
+    // were defined since (`keep`), or restores the old ones and the old properties.
+    void begin_reload();
+    void end_reload(bool keep);
+    /// Properties whose default has changed since `begin_reload`.
     struct NewDefault {
         const property::Property* property;
         property::Value before;
@@ -124,7 +124,7 @@ class ScriptClasses {
         std::vector<std::pair<const property::Property*, property::Value>> defaults;
     };
 
-    /// What `end_again` may bring back.
+    /// The former definition of a class, which `end_reload` may restore.
     struct Earlier {
         int functions = LUA_NOREF, states = LUA_NOREF;
         std::vector<std::string> function_names;
@@ -137,7 +137,7 @@ class ScriptClasses {
     const property::Class* definer(const property::Class& of, std::string_view name);
     void connect(const property::Class& of, const std::string& name);
     void observe(const property::Class& of);
-    /// Whether the instance is new here.
+    /// Adds the instance to those that are stepped. False if it is one of them already.
     bool adopt(property::Handle instance);
     void forget_ended();
     void wait_for(property::Handle instance, bool announce);
@@ -147,7 +147,7 @@ class ScriptClasses {
     void require_state(const property::Class& of, const std::string& where,
                        const std::string& name) const;
     void enter_state(lua_State* L, property::Handle self);
-    bool take_assigned_state(property::Handle self);
+    bool enter_assigned_state(property::Handle self);
     /// Calls the function of that name of all placed instances; `push` adds its argument.
     template <class Push>
     bool call_all(const char* name, Push push);

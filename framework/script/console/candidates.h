@@ -43,7 +43,7 @@ class Candidates {
     /// `text`: what is typed for it; "" for its label.
     void add_as(std::string_view label, std::string_view text, std::size_t from, Describe describe,
                 Group group) {
-        // Thousands are compared, and few fit.
+        // First, because thousands of names are compared and few of them fit.
         const std::optional<int> fits = fuzzy_score(typed_, label);
         if (!fits) return;
         entries_.push_back({.score = *fits + (expected_ ? 10'000 : 0),
@@ -61,8 +61,8 @@ class Candidates {
 
     /// The best ones, `most` at most. Of those with the same label, the best one, or else the
     /// first.
-    std::vector<Completion> take(std::size_t most) {
-        // Of many, few are listed: a heap need not order the others.
+    std::vector<Completion> best(std::size_t most) {
+        // A heap, because only the few entries that are listed have to be ordered.
         std::vector<Entry*> heap;
         for (Entry& entry : entries_) heap.push_back(&entry);
         const auto worse = [](const Entry* a, const Entry* b) {
@@ -76,15 +76,15 @@ class Candidates {
         std::unordered_set<std::string> labels;
         for (; !heap.empty() && result.size() < most; heap.pop_back()) {
             std::ranges::pop_heap(heap, worse);
-            Entry& best = *heap.back();
-            if (!labels.insert(best.label).second) continue;
+            Entry& entry = *heap.back();
+            if (!labels.insert(entry.label).second) continue;
             Completion& taken = result.emplace_back(
-                Completion{.text = best.text.empty() ? best.label : std::move(best.text),
-                           .label = std::move(best.label),
+                Completion{.text = entry.text.empty() ? entry.label : std::move(entry.text),
+                           .label = std::move(entry.label),
                            .detail = {},
                            .doc = {},
-                           .replace_from = best.from});
-            if (best.describe) best.describe(taken);
+                           .replace_from = entry.from});
+            if (entry.describe) entry.describe(taken);
         }
         return result;
     }

@@ -307,7 +307,7 @@ void add_enumerators(const Property& property, bool quoted, Candidates& out) {
             out.add(word, described(property.name), Group::value);
 }
 
-// Completes the quoted name behind `path[`: names of children, and of the entries of a table. The
+// Completes the quoted name after `path[`: names of children, and of the entries of a table. The
 // brackets give way to a dot where the name allows one.
 void add_in_brackets(lua_State* L, Machine& machine, std::string_view before, Candidates& out) {
     const std::size_t start = path_start(before, before.size());
@@ -410,7 +410,7 @@ std::vector<Completion> complete(Machine& machine, std::string_view input, std::
         machine, "completion",
         [&](lua_State* L) {
             add_all(L, machine, before, scanned, out);
-            found = out.take(most);
+            found = out.best(most);
         },
         false);
     machine.errors.caught.reset();

@@ -74,8 +74,8 @@ std::string unit_of(const Machine& machine, std::string_view command) {
     return component ? read->unit : std::string();
 }
 
-// `quit` without brackets calls nothing: its help is more useful than "function". Empty if the only
-// result is no function that has help.
+// The help for a function that is the only result, as of `quit` without parentheses: it is more
+// useful than the text "function". Empty if the result is not a function with help.
 std::vector<std::string> help_of_function(lua_State* L, Machine& machine,
                                           std::string_view command) {
     if (lua_type(L, 1) != LUA_TFUNCTION) return {};
@@ -175,13 +175,13 @@ Compiled compile(lua_State* L, std::string_view command) {
     if (load_text(L, command, chunk_name) == LUA_OK) return Compiled::statements;
     if (ends_early(L)) return Compiled::incomplete;
     Sources& sources = machine_of(L).sources;
-    sources.note_stop(L, command, chunk_name);
+    sources.set_stop(L, command, chunk_name);
     // A text that does not begin as a statement was meant as an expression.
     if (sources.stop.message.empty() || sources.stop.place > 0) return Compiled::wrong;
     lua_pop(L, 1);
     (void)load_text(L, expression, chunk_name);
     if (ends_early(L)) return Compiled::incomplete;
-    sources.note_stop(L, expression, chunk_name);
+    sources.set_stop(L, expression, chunk_name);
     sources.stop.column -= std::min(expression_begin.size(), sources.stop.column);
     return Compiled::wrong;
 }
@@ -264,7 +264,7 @@ std::vector<std::string_view> arguments_of(std::string_view text) {
     return all;
 }
 
-// Handles `who world.gravity`, `plot it.mass, it.angle`: the words behind the function are its
+// Handles `who world.gravity`, `plot it.mass, it.angle`: the words after the function are its
 // arguments, as texts. Leaves the results on the stack. Returns false if the command has another
 // form.
 bool call_with_words(lua_State* L, std::string_view command) {
@@ -425,7 +425,7 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
         if (!ok) {
             evaluation.error = std::move(machine.errors.caught);
             machine.errors.caught.reset();
-            if (machine.life.in_tree && machine.budget.out_of_room())
+            if (machine.life.in_tree && machine.budget.memory_exceeded())
                 if (const std::size_t count = made.destroy(); count > 0)
                     evaluation.error->message +=
                         "; these " + std::to_string(count) + " instances are deleted again";

@@ -137,9 +137,10 @@ int search(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string text = string_at(L, 1);
     FoldedLines folded;
-    std::vector<std::string> lines = property::Condition::is_meant(text)
-                                         ? lines_of(machine.tree, those_for_which(L, text), folded)
-                                         : find_lines(machine.tree, text, folded);
+    std::vector<std::string> lines =
+        property::Condition::is_meant(text)
+            ? lines_of(machine.tree, instances_matching(L, text), folded)
+            : find_lines(machine.tree, text, folded);
     print_folded(machine, std::move(lines), std::move(folded));
     return 0;
 }

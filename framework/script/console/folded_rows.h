@@ -20,8 +20,8 @@ struct Rows {
     const char* what = "rows";  // "instances"
 };
 
-/// Folds the lines of all rows but the shown ones behind "… 77 more (107 WHAT)". The rows are the
-/// last of the lines.
+/// Moves the lines of all rows but the first `shown` ones to `folded`, and adds the line "… 77 more
+/// (107 WHAT)" instead. The rows are the last of the lines.
 void fold_rows(std::vector<std::string>& lines, const Rows& rows, FoldedLines& folded);
 
 }  // namespace fettle::script

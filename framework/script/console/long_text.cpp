@@ -78,7 +78,7 @@ std::vector<std::string> instance_lines(const property::Tree& tree, Handle handl
     return lines;
 }
 
-bool worth_a_column(const Property& property) {
+bool may_be_column(const Property& property) {
     return !property.hidden && property.type != Type::list && property.type != Type::reference &&
            property.name != "class";  // has a column of its own
 }
@@ -100,7 +100,7 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
 
     std::vector<const Property*> shared, others;
     for (const Property* property : tree.class_of(sorted.front().second).properties()) {
-        if (!worth_a_column(*property)) continue;
+        if (!may_be_column(*property)) continue;
         bool everywhere = true, special = false;
         for (const auto& [path, handle] : sorted) {
             const Property* same = tree.find(handle, property->symbol);
@@ -124,7 +124,7 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
     for (const auto& [path, handle] : sorted) {
         std::vector<std::string> row = {path, tree.class_of(handle).name()};
         for (const Property* property : shared) {
-            // Half a vector would be useless.
+            // A vector is not cut, because half a vector is useless.
             const std::size_t width = property->type == Type::vec2 ? line_width : 28;
             row.push_back(cut(listed_value(tree, handle, *property, false), width));
         }

@@ -95,7 +95,7 @@ void Connections::push(lua_State* L, property::Handle instance, Subscription sub
                 .scene = machine_.globals.entering,
                 .function = subscription.function,
                 .always = noting_};
-    // What a person connects in the console belongs to no moment of the game.
+    // A handler that a person connects in the console is in no snapshot.
     if (machine_.recording.writer == property::Writer::script)
         entry.connect =
             std::make_shared<const Subscription::Connect>(std::move(subscription.connect));
@@ -111,7 +111,7 @@ std::vector<Connections::Noted> Connections::end_noting() {
     return std::exchange(noted_, {});
 }
 
-void Connections::connect_again(const Noted& noted, property::Handle instance) {
+void Connections::reconnect(const Noted& noted, property::Handle instance) {
     const auto found = connections_.find(noted.id);
     if (found == connections_.end()) return;  // the script has stopped it
     Entry& entry = found->second;

@@ -29,17 +29,19 @@ struct Subscription {
     Connect connect;
 };
 
-/// Which handlers there are is state, as timers are: after a rewind, those of that moment are
-/// connected. What a person connects in the console belongs to the present.
+/// The handlers are part of snapshots, as timers are: after a rewind, those that were connected at
+/// that step are connected again. A handler that a person connects in the console is in no
+/// snapshot.
 class Connections {
   public:
     explicit Connections(Machine& machine) : machine_(machine) {}
     ~Connections();
 
     /// Connects and pushes a script object for it. While a game is loaded again, the instance may
-    /// only stand for another one: see `connect_again`. It ends with the scene whose `enter` runs.
+    /// be a placeholder for another one: see `reconnect`. It ends with the scene whose `enter`
+    /// runs.
     void push(lua_State* L, property::Handle instance, Subscription subscription);
-    /// Stores a connection that no script can stop, and that no moment has of its own.
+    /// Stores a connection that no script can stop and that is in no snapshot.
     void keep(property::Connection connection);
     void stop(std::uint64_t id);
     bool active(std::uint64_t id) const;
@@ -48,7 +50,7 @@ class Connections {
     /// Ends all connections, before a game is loaded.
     void clear();
 
-    // Those that the top level of a game makes: a reload ends them.
+    // Notes the connections that the top level of a game makes: a reload ends them.
     void begin_noting() { noting_ = true; }
     struct Noted {
         std::uint64_t id = 0;
@@ -56,8 +58,8 @@ class Connections {
     };
     std::vector<Noted> end_noting();
     /// Moves a connection to another instance; its number stays.
-    void connect_again(const Noted& noted, property::Handle instance);
-    /// Ends a connection of code that is no longer there: no rewind brings it back.
+    void reconnect(const Noted& noted, property::Handle instance);
+    /// Ends a connection of code that was replaced by a reload: no rewind connects it again.
     void retire(std::uint64_t id);
 
     // Snapshots.
@@ -87,9 +89,10 @@ class Connections {
     /// Estimated bytes, without the functions; these are counted where they were added.
     static std::size_t bytes_of(const Image& image);
     static std::size_t bytes_of(const Changes& changes);
-    /// The instances with handlers that are part of a moment, in the order of `before`, each once.
+    /// The instances with handlers that are in snapshots, in the order of `before`, each once.
     std::vector<property::Handle> instances() const;
-    /// Whether that note about the pattern of a watcher was not given before.
+    /// Whether this note about the pattern of a watcher has not been given before. From now on it
+    /// counts as given.
     bool notes(const std::string& note) { return reported_mistakes_.insert(note).second; }
     static bool before(property::Handle a, property::Handle b) {
         return a.index != b.index ? a.index < b.index : a.generation < b.generation;
@@ -101,8 +104,8 @@ class Connections {
         property::Connection connection{};
         property::Handle instance{}, scene{};
         std::weak_ptr<FunctionRef> function{};
-        std::shared_ptr<const Subscription::Connect> connect{};  // null: no part of a moment
-        bool always = false;  // of the top level: there from the beginning of the game
+        std::shared_ptr<const Subscription::Connect> connect{};  // null: in no snapshot
+        bool always = false;  // made by the top level, so it exists from the beginning of the game
     };
     std::uint64_t insert(Entry entry);
     void connect(const Made& made);

@@ -53,7 +53,7 @@ class ScriptFormula {
         if (!machine.budget.counting())
             counted.emplace(machine.budget, Limits{.instructions = machine.options.console_budget,
                                                    .memory = machine.options.console_memory,
-                                                   .who = "a formula"});
+                                                   .subject = "a formula"});
         Value result;
         const bool ok = protected_run(
             machine, "formula",
@@ -88,7 +88,7 @@ int formula(lua_State* L) {
     if (machine.recording.active && mentions_it(source.text)) {
         // Typed into the console: the formula keeps what is selected now.
         source.text = with_selected(machine, source.text);
-        hold_selected(L, machine, 1);
+        bind_selected(L, machine, 1);
     }
     push_formula(L, source);
     return 1;
@@ -179,9 +179,9 @@ property::Formula formula_of(lua_State* L, Machine& machine) {
 void push_formula_function(lua_State* L, const property::Tree& tree, Handle instance,
                            const Property& property) {
     const property::Formula* found = tree.formula(instance, property);
-    const auto* ours = found != nullptr ? found->function.target<ScriptFormula>() : nullptr;
-    if (ours != nullptr)
-        ours->function()->push(L);
+    const auto* formula = found != nullptr ? found->function.target<ScriptFormula>() : nullptr;
+    if (formula != nullptr)
+        formula->function()->push(L);
     else
         lua_pushnil(L);
 }

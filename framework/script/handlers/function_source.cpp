@@ -79,7 +79,7 @@ class FunctionFinder {
             if (text_[i] != '\\') continue;
             ++i;
             if (i >= text_.size() || text_[i] != 'z') continue;
-            // It skips the white space behind it, also line ends.
+            // It skips the white space after it, also line ends.
             while (i + 1 < text_.size() &&
                    std::isspace(static_cast<unsigned char>(text_[i + 1])) != 0)
                 ++i;

@@ -26,7 +26,7 @@ std::string with_selected(Machine& machine, std::string_view source) {
     return with_it_named(source, machine.tree.path(it));
 }
 
-void hold_selected(lua_State* L, Machine& machine, int index) {
+void bind_selected(lua_State* L, Machine& machine, int index) {
     if (!machine.tree.alive(machine.globals.it)) return;
     index = lua_absindex(L, index);
     for (int i = 1; const char* name = lua_getupvalue(L, index, i); ++i) {
@@ -130,7 +130,7 @@ Observed observe(lua_State* L, int index, const char* what) {
                         ": needs a path or an expression as text, or a "
                         "function that returns the value");
     std::string text = function_source(L, machine, index).text;
-    if (mentions_it(text)) hold_selected(L, machine, index);
+    if (mentions_it(text)) bind_selected(L, machine, index);
     if (text.empty()) text = "a function";
     lua_pushvalue(L, index);
     return observed(machine, one_line(text), formula_of(L, machine));

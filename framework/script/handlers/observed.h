@@ -17,7 +17,7 @@ struct Machine;
 std::string with_selected(Machine& machine, std::string_view source);
 /// From now on, `it` in the function at `index` is the instance that is selected now, even if
 /// another one is selected later.
-void hold_selected(lua_State* L, Machine& machine, int index);
+void bind_selected(lua_State* L, Machine& machine, int index);
 
 /// A path or an expression as a value to observe. Throws Error for a text that does not compile.
 Observed observe(Machine& machine, std::string_view expression);

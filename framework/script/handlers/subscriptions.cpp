@@ -67,7 +67,7 @@ void push_occurrence(lua_State* L, const Occurrence& occurrence) {
 
 /// Reads the answers from the record at the top of the stack, which was the argument of the
 /// handler.
-void take_answer(lua_State* L, property::Question& question) {
+void read_answers(lua_State* L, property::Question& question) {
     const auto& fields = question.event().fields;
     for (std::size_t i = 0; i < fields.size(); ++i) {
         push_text(L, fields[i].name);
@@ -77,7 +77,7 @@ void take_answer(lua_State* L, property::Question& question) {
     }
 }
 
-bool came_with_moment(const Existence& existence) {
+bool caused_by_restore(const Existence& existence) {
     return existence.cause.writer == property::Writer::restore;
 }
 
@@ -122,13 +122,13 @@ WatchOptions options_here(lua_State* L) {
 
 /// Whether the scene whose `enter` connected a handler does not live any more, for example after a
 /// rewind. False for a null handle.
-bool gone(const Machine& machine, Handle scene) {
+bool has_ended(const Machine& machine, Handle scene) {
     return scene && !machine.tree.alive(scene);
 }
 
 property::ChangeHandler change_handler(Machine& machine, const Function& function, Handle scene) {
     return [&machine, function, scene](const Change& change) {
-        if (gone(machine, scene)) return;
+        if (has_ended(machine, scene)) return;
         protected_run(machine, Context("watcher", change.instance, change.property),
                       [&](lua_State* L) {
                           function->push(L);
@@ -143,7 +143,7 @@ property::ChangeHandler change_handler(Machine& machine, const Function& functio
 property::ExistenceHandler existence_handler(Machine& machine, const char* name,
                                              const Function& function, Handle scene) {
     return [&machine, function, name, scene](const Existence& existence) {
-        if (gone(machine, scene) || came_with_moment(existence)) return;
+        if (has_ended(machine, scene) || caused_by_restore(existence)) return;
         protected_run(machine, std::string("handler of ") + name + " of " + existence.path,
                       [&](lua_State* L) {
                           function->push(L);
@@ -156,7 +156,7 @@ property::ExistenceHandler existence_handler(Machine& machine, const char* name,
 property::EventHandler event_handler(Machine& machine, const Event& event, const Function& function,
                                      Handle scene) {
     return [&machine, function, &event, scene](const Occurrence& occurrence) {
-        if (gone(machine, scene)) return;
+        if (has_ended(machine, scene)) return;
         const Context context("handler of " + event.name, occurrence.instance);
         protected_run(machine, context, [&](lua_State* M) {
             push_occurrence(M, occurrence);
@@ -166,7 +166,7 @@ property::EventHandler event_handler(Machine& machine, const Event& event, const
             property::Question* question = property::Question::current();
             if (question == nullptr) return;
             try {
-                take_answer(M, *question);
+                read_answers(M, *question);
             } catch (const Error& refused) {
                 // No line of the script is running, so the message gets the position of the
                 // handler.
@@ -299,11 +299,10 @@ int subscribe_property(lua_State* L) {
 
 namespace {
 
-/// The target of a path. While the game is loaded again, this may be an instance that is not in its
-/// place yet.
+/// The target of a path. During a reload, this may be an instance that is not in its place yet.
 property::Place place_of_path(const Machine& machine, const std::string& path) {
-    if (machine.declarations.again())
-        if (const auto waiting = machine.declarations.waiting_at(path)) return *waiting;
+    if (machine.declarations.reloading())
+        if (const auto waiting = machine.declarations.find_future(path)) return *waiting;
     return property::resolve(machine.tree, path);
 }
 

@@ -24,11 +24,11 @@ int subscribe_event(lua_State* L);
 /// Pushes the record that is the argument of an event handler.
 void push_occurrence(lua_State* L, const property::Occurrence& occurrence);
 /// Reads the answers of a handler to a question from the record at the top of the Lua stack.
-void take_answer(lua_State* L, property::Question& question);
-/// True if the instance appeared or vanished because time jumped to another moment. Handlers are
-/// not called then: they would change the state of that moment, for example by an explosion for
-/// each enemy that does not exist yet.
-bool came_with_moment(const property::Existence& existence);
+void read_answers(lua_State* L, property::Question& question);
+/// True if the instance was created or deleted by the restore of a snapshot. Handlers are not
+/// called then: they would change the restored state, for example by an explosion for each enemy
+/// that does not exist yet.
+bool caused_by_restore(const property::Existence& existence);
 void push_existence(lua_State* L, const property::Existence& existence);
 /// The handler at the top of the Lua stack, for an event of an instance, or of all instances of a
 /// class.

@@ -20,8 +20,8 @@ Timers::Queue Timers::image() const {
 
 void Timers::restore(const Queue& image, double to, std::uint64_t next) {
     park();
-    // What a reload began later than the moment stands for what it replaced: it goes on for the
-    // rest of its time.
+    // A timer that a reload began after the restored step replaces one of the old code: it
+    // continues for the rest of its time.
     Queue after_reload;
     for (const auto& [key, timer] : queue_)
         if (timer.top && key.second >= next && !ended(timer))
@@ -122,7 +122,8 @@ void Timers::redo(const Changes& changes, double to) {
             continue;
         }
         if (retired_.contains(change.key.second)) continue;
-        // One of a reload went on from an earlier moment, where it did not belong yet.
+        // A timer of a reload was continued in the state of an earlier step, in which it had not
+        // begun.
         if (const auto early = due_.find(change.key.second); early != due_.end())
             erase(queue_.find(Key{early->second, early->first}));
         insert(change.key, *change.added);

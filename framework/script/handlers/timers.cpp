@@ -152,7 +152,7 @@ void Timers::end(const Noted& noted) {
     forget(timer);
 }
 
-void Timers::take_place(const Noted& old, const Noted& by) {
+void Timers::replace(const Noted& old, const Noted& by) {
     const auto due = due_.find(old.id);
     const auto mine = due_.find(by.id);
     if (const auto before = real_.find(old.id); before != real_.end()) {
@@ -171,7 +171,7 @@ void Timers::take_place(const Noted& old, const Noted& by) {
     insert({when, by.id}, timer);
 }
 
-void Timers::give_owner(Handle from, Handle to) {
+void Timers::change_owner(Handle from, Handle to) {
     for (auto& [key, timer] : queue_)
         for (Handle* const each : {&timer.owner, &timer.scene})
             if (*each == from) *each = to;
@@ -294,7 +294,7 @@ bool Timers::run_real(std::uint64_t id) {
     return true;
 }
 
-int Timers::take_thread() {
+int Timers::idle_thread() {
     if (!idle_.empty()) {
         const int reference = idle_.back();
         idle_.pop_back();
@@ -353,7 +353,7 @@ bool Timers::fire(const Timer& timer) {
             resume(L, thread, 0, {timer.owner, timer.scene, timer.begun, timer.real});
             return;
         }
-        const int reference = take_thread();
+        const int reference = idle_thread();
         push_registry(L, reference);
         lua_State* thread = lua_tothread(L, -1);
         timer.function->push(L);

@@ -31,8 +31,8 @@ class Timers {
     /// A timer that `enter` of a scene adds ends with the scene, too.
     /// Returns the timer's number.
     std::uint64_t add(lua_State* L, double seconds, double interval, property::Handle owner = {});
-    /// The same in real time, in `seconds`: it goes on while the game is paused, and no moment of
-    /// the game contains it.
+    /// The same in real time, in `seconds`: it continues while the game is paused, and is in no
+    /// snapshot.
     std::uint64_t add_real(lua_State* L, double seconds, double interval, property::Handle owner);
     /// Runs the function at the top of the stack `L` as a coroutine that ends with `owner`, which
     /// is its argument, and replaces it by the thread. Raises its error.
@@ -50,7 +50,7 @@ class Timers {
     void clear();
     std::size_t size() const { return queue_.size() + parked_.size() + real_.size(); }
 
-    // Those that the top level of a game starts: a reload replaces them.
+    // Notes the timers that the top level of a game starts: a reload replaces them.
     void begin_noting() { noting_top_ = true; }
     struct Noted {
         std::uint64_t id = 0;
@@ -63,14 +63,14 @@ class Timers {
     /// Ends a timer, or a coroutine if it waits.
     void end(const Noted& noted);
     /// The timer `by` is due when `old` would be, which ends. If `old` has ended, so does `by`.
-    void take_place(const Noted& old, const Noted& by);
-    /// No moment brings back a timer of code that is no longer there.
+    void replace(const Noted& old, const Noted& by);
+    /// From now on no restore starts this timer again, because a reload has replaced its code.
     void retire(const Noted& noted) { retired_.insert(noted.id); }
     /// Makes the timers of `from` those of `to`.
-    void give_owner(property::Handle from, property::Handle to);
+    void change_owner(property::Handle from, property::Handle to);
 
     // Snapshots. Functions are restored. A waiting coroutine keeps its current state and its
-    // remaining time; one that began later than the moment is not continued from there.
+    // remaining time; one that began later than the restored step does not continue.
     struct Timer {
         double interval = -1;
         std::shared_ptr<FunctionRef> function;  // null: a waiting thread
@@ -98,11 +98,11 @@ class Timers {
     };
     Queue image() const;
     std::uint64_t next_number() const { return next_id_; }
-    /// Goes to the simulation time `to`. `next`: the number of the next timer at that moment; if it
-    /// is unknown, the largest.
+    /// Restores the timers of the simulation time `to`. `next`: the number of the next timer at
+    /// that time; the largest number if it is unknown.
     void restore(const Queue& image, double to, std::uint64_t next);
-    /// The same for a moment from a file, which holds no functions: what the top level of the game
-    /// began, and coroutines, go on for the rest of their time, and other timers end.
+    /// The same for a snapshot from a file, which contains no functions: timers of the top level of
+    /// the game, and coroutines, continue for the rest of their time, and other timers end.
     void restore_from_file(double to);
     Changes take_changes();
     /// Timers that `restore_from_file` would end: their number, and where the functions of the
@@ -118,8 +118,9 @@ class Timers {
     void redo(const Changes& changes, double to);
 
   private:
-    /// A coroutine that waits while time is gone back in. The next step continues it, if it had
-    /// begun at that moment, and ends it otherwise; until then one may return to a later moment.
+    /// A waiting coroutine after the game went back in time. Until the next step, the game may
+    /// return to a later step. The next step continues the coroutine if it had begun at the current
+    /// step, and ends it otherwise.
     struct Parked {
         double rest = 0;  // s
         std::uint64_t id = 0;
@@ -146,7 +147,7 @@ class Timers {
     bool fire(const Timer& timer);
     bool ended(const Timer& timer) const;
     void forget(const Timer& timer);
-    int take_thread();
+    int idle_thread();
     /// Resumes a thread that may wait again.
     void resume(lua_State* L, lua_State* thread, int arguments, Lifetime lifetime);
 
@@ -169,8 +170,8 @@ class Timers {
     std::unordered_set<std::uint64_t> retired_;
     std::vector<Parked> parked_;
     Reals real_;
-    double parked_until_ = 0;        // s, the time of the moment that was gone to
-    std::uint64_t parked_from_ = 0;  // the number of the next timer at that moment
+    double parked_until_ = 0;        // s, simulation time of the restored step
+    std::uint64_t parked_from_ = 0;  // the number of the next timer at the restored step
     std::vector<int> idle_;          // finished threads, for reuse
     std::uint64_t next_id_ = 1;
     bool noting_top_ = false;

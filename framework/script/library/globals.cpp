@@ -121,7 +121,7 @@ std::string path_of_instance(const property::Tree& tree, std::string_view name) 
 
 /// What became of a child that game had at first, such as `world`; "" if there was none of that
 /// name.
-std::string fate_of_child(const Machine& machine, std::string_view name) {
+std::string former_child_text(const Machine& machine, std::string_view name) {
     const property::Tree& tree = machine.tree;
     for (const auto& [was, child] : machine.globals.first_children) {
         if (was != name) continue;
@@ -179,10 +179,10 @@ int read_global(lua_State* L) {
         lua_pushnil(L);
         return 1;
     }
-    const std::string fate = fate_of_child(machine, name);
+    const std::string former = former_child_text(machine, name);
     throw Error(ErrorKind::unknown_name,
                 std::string(name) + ": no such name" +
-                    (fate.empty() ? hint_for(L, machine, name) : " any more: " + fate));
+                    (former.empty() ? hint_for(L, machine, name) : " any more: " + former));
 }
 
 // Names that a game cannot give another meaning.

@@ -24,12 +24,12 @@ void push_last_result(lua_State* L, Machine& machine);
 /// `_`.
 bool push_known_global(lua_State* L, Machine& machine, std::string_view name);
 
-/// Reads or writes a variable that `state` declared; they return false for any other name.
+/// Read and write a variable that `state` declared. Return false for any other name.
 bool read_stated(lua_State* L, Machine& machine, std::string_view name);
 bool write_stated(lua_State* L, Machine& machine, std::string_view name, int value);
 
-/// What is said about variables that `state` declares with a value of another type than the one
-/// that a reload or a loaded game has brought. `only`: of this one.
+/// Messages about variables whose current value, from before a reload or from a saved game, has
+/// another type than the value that `state` declares. `only`: only about this variable.
 std::vector<std::string> stated_problems(const Machine& machine, std::string_view only = {});
 
 /// Makes the table at the top of the stack the environment of all scripts.

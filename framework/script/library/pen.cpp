@@ -47,8 +47,8 @@ struct PenBox {
     bool on_screen = false;  // inside pen.screen(...)
 };
 
-// Instructions that drawing a figure costs an untrusted game, and a pair of corners of a polygon
-// that is not convex.
+// Instructions that are charged to an untrusted game for a figure, and for each pair of corners of
+// a polygon that is not convex.
 constexpr std::uint64_t figure_charge = 1000, pair_charge = 1;
 
 Painter& painter(lua_State* L) {

@@ -1,7 +1,7 @@
 // What happens in go_to_scene is state of the tree: a transition is the instance `game.transition`,
 // so that a rewind into it finds it as it was. Without a transition, the scene is replaced at the
-// next barrier, and until then that instance, of the kind "none", says by what: a rewind may come
-// to a step with a barrier that is still due.
+// next barrier. Until then that instance, of the kind "none", contains the name of the new scene,
+// because a rewind may return to a step before that barrier.
 
 #include <algorithm>
 #include <cmath>

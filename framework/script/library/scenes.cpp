@@ -100,8 +100,8 @@ Handle load_scene_file(Machine& machine, const char* what, const std::string& fi
     const fs::path path = fs::weakly_canonical(named);
     std::vector<std::string> warnings;
     std::vector<property::SceneInstance> instances;
-    // While the game is loaded again, the instance waits for its place.
-    const bool waits = parent && machine.declarations.again();
+    // During a reload, the instance gets its place later.
+    const bool waits = parent && machine.declarations.reloading();
     const Handle loaded =
         property::load_scene_text(machine.tree, text, path.string(), waits ? Handle{} : parent,
                                   waits ? "" : name, &warnings, &instances);

@@ -6,7 +6,7 @@
 
 namespace fettle::script {
 
-void* Arena::take(std::size_t size) {
+void* Arena::allocate_block(std::size_t size) {
     if (size > small) return std::malloc(size);
     const std::size_t list = list_of(size);
     if (Free* block = lists_[list]) {
@@ -17,7 +17,7 @@ void* Arena::take(std::size_t size) {
     if (fresh_left_ < rounded) {
         // The rest of the old chunk is used for smaller blocks.
         if (fresh_left_ >= granule) {
-            give(fresh_, fresh_left_ / granule * granule);
+            free_block(fresh_, fresh_left_ / granule * granule);
             fresh_left_ = 0;
         }
         try {
@@ -34,12 +34,12 @@ void* Arena::take(std::size_t size) {
     return block;
 }
 
-void Arena::give(void* block, std::size_t size) {
+void Arena::free_block(void* block, std::size_t size) {
     if (size > small) {
         std::free(block);
         return;
     }
-    give_small(block, size);
+    free_small(block, size);
 }
 
 bool Arena::refuse(std::size_t growth, std::size_t size) {
@@ -70,12 +70,12 @@ void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t
         }
         old_size = 0;  // for a new object, Lua passes its kind instead of a size
     } else if (new_size == 0 && old_size <= small) {
-        arena.give_small(block, old_size);
+        arena.free_small(block, old_size);
         arena.bytes_ -= old_size;
         return nullptr;
     }
     if (new_size == 0) {
-        if (block) arena.give(block, old_size);
+        if (block) arena.free_block(block, old_size);
         arena.bytes_ -= old_size;
         return nullptr;
     }
@@ -94,7 +94,7 @@ void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t
     } else if (block && list_of(old_size) == list_of(new_size) && new_size <= small) {
         result = block;
     } else {
-        result = arena.take(new_size);
+        result = arena.allocate_block(new_size);
         if (!result) {
             // Lua requires that shrinking never fails.
             if (block && new_size <= old_size) return block;
@@ -103,7 +103,7 @@ void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t
         }
         if (block) {
             std::memcpy(result, block, old_size < new_size ? old_size : new_size);
-            arena.give(block, old_size);
+            arena.free_block(block, old_size);
         }
     }
     arena.bytes_ += new_size;

@@ -31,7 +31,7 @@ class Arena {
         bool by_system = false;
         bool final = false;
     };
-    /// Called for every refusal. If it returns false, the arena exceeds the limit and gives the
+    /// Called for every refusal. If it returns false, the arena exceeds the limit and allocates the
     /// memory, unless the system has none.
     std::function<bool(const Refusal& refusal)> on_refusal;
     /// Called for every large block.
@@ -48,9 +48,9 @@ class Arena {
     };
     static std::size_t list_of(std::size_t size) { return (size + granule - 1) / granule; }
 
-    void* take(std::size_t size);
-    void give(void* block, std::size_t size);
-    void give_small(void* block, std::size_t size) {
+    void* allocate_block(std::size_t size);
+    void free_block(void* block, std::size_t size);
+    void free_small(void* block, std::size_t size) {
         auto* node = static_cast<Free*>(block);
         Free*& head = lists_[list_of(size)];
         node->next = head;

@@ -56,12 +56,12 @@ std::optional<Limits> Budget::of_call() const {
     const std::int64_t grown = machine_.tree.weight() - first_weight_;
     const std::size_t used =
         machine_.arena.bytes() + static_cast<std::size_t>(std::max<std::int64_t>(0, grown));
-    return Limits{
-        .instructions = limits.instructions,
-        .memory = whole - std::min(whole, used),
-        .whole = whole,
-        .who = "the scripts of a game",
-        .seconds = machine_.watchdog.limited() ? machine_.watchdog.patience() : Limits{}.seconds};
+    return Limits{.instructions = limits.instructions,
+                  .memory = whole - std::min(whole, used),
+                  .whole = whole,
+                  .subject = "the scripts of a game",
+                  .seconds = machine_.watchdog.limited() ? machine_.watchdog.limit_seconds()
+                                                         : Limits{}.seconds};
 }
 
 Budget::Scope::Scope(Budget& budget, const Limits& limits)
@@ -80,7 +80,7 @@ Budget::Scope::Scope(Budget& budget, const Limits& limits)
     now.outer_limit = machine.arena.limit();
     now.memory = std::min(limits.memory, now.outer_limit);
     now.whole = limits.whole;
-    now.who = limits.who;
+    now.subject = limits.subject;
     now.raised_by = limits.raised_by;
     now.lua_before = machine.arena.bytes();
     now.weight_before = machine.tree.weight();
@@ -118,7 +118,7 @@ void Budget::hook(lua_State* L, lua_Debug*) {
     if (!now.counting && !now.stopping) {
         // A coroutine that outlives its command, or a call that takes long.
         lua_sethook(L, nullptr, 0, 0);
-        guard(L, [&] { machine.watchdog.look(L); });
+        guard(L, [&] { machine.watchdog.check_if_due(L); });
         if (!now.stopping) return;
     }
     if (!now.stopping) {
@@ -185,7 +185,7 @@ void Budget::raise_stop(lua_State* L) {
 void Budget::charge(lua_State* L, std::uint64_t instructions) {
     stop_if_interrupted(L);
     if (!now_.counting && !now_.stopping) {
-        machine_.watchdog.look(L);
+        machine_.watchdog.check_if_due(L);
         check(L);
         return;
     }
@@ -219,16 +219,16 @@ std::string Budget::out_of_memory(const Refused& refused) {
     return "not enough memory: " + std::to_string(refused.what.size) +
            " bytes more were asked for, and " +
            (refused.what.by_system ? std::string("the system has none to give")
-                                   : refused.who + std::string(" may use ") +
+                                   : refused.subject + std::string(" may use ") +
                                          std::to_string(refused.limit >> 20) + " MB");
 }
 
 /// Describes a refusal without allocating memory.
-Budget::Refused Budget::refused_here(const Arena::Refusal& refusal) const {
+Budget::Refused Budget::describe(const Arena::Refusal& refusal) const {
     const bool whole = machine_.arena.limit() >= machine_.options.memory_limit;
     Refused refused = {.what = refusal,
                        .limit = whole ? machine_.options.memory_limit : now_.memory,
-                       .who = whole ? "the scripts of a game" : now_.who};
+                       .subject = whole ? "the scripts of a game" : now_.subject};
     lua_Debug frame;
     for (int level = 0; lua_getstack(machine_.lua.running, level, &frame); ++level) {
         lua_getinfo(machine_.lua.running, "Sl", &frame);
@@ -251,12 +251,12 @@ bool Budget::memory_refused(const Arena::Refusal& refusal) {
         arm(machine_.lua.running);
         return false;
     }
-    refused_ = refused_here(refusal);
+    refused_ = describe(refusal);
     const bool own_limit = machine_.arena.limit() < machine_.options.memory_limit;
     if (!now_.active || !refusal.final || !(own_limit || now_.counting)) return true;
     stop(machine_.lua.running,
          refusal.by_system ? "stopped: " + out_of_memory(refused_) : too_much_memory());
-    now_.out_of_room = true;
+    now_.memory_exceeded = true;
     return true;
 }
 
@@ -292,13 +292,13 @@ void Budget::notice_growth() {
         std::max<std::int64_t>(0, machine_.tree.weight() - now_.weight_before));
     if (grown + added(arena.bytes(), now_.lua_before) > now_.memory) {
         stop(machine_.lua.running, too_much_memory());
-        now_.out_of_room = true;
+        now_.memory_exceeded = true;
         return;
     }
     if (passed_limit)
         if (const std::string why = passed_limit(); !why.empty()) {
             stop(machine_.lua.running, "stopped: " + why);
-            now_.out_of_room = true;
+            now_.memory_exceeded = true;
             return;
         }
     arena.set_limit(std::min(now_.outer_limit, now_.lua_before + now_.memory - grown));
@@ -328,7 +328,7 @@ void Budget::limit_tree() {
                  megabytes(limits.tree) + "; " + instances_and_memory() +
                  (limits.tree_setting.empty() ? ""
                                               : " (" + limits.tree_setting + " raises the limit)"));
-        now_.out_of_room = true;
+        now_.memory_exceeded = true;
     });
 }
 
@@ -349,7 +349,7 @@ void Budget::mark_at(std::int64_t weight) {
 }
 
 std::string Budget::too_much_memory() const {
-    std::string text = "stopped: it needs more memory than " + std::string(now_.who) +
+    std::string text = "stopped: it needs more memory than " + std::string(now_.subject) +
                        " may use, " + megabytes(now_.whole != 0 ? now_.whole : now_.memory);
     if (!machine_.life.has_tree()) return text;
     const property::Tree& tree = machine_.tree;

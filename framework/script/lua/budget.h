@@ -19,12 +19,12 @@ namespace fettle::script {
 struct Machine;
 
 struct Limits {
-    std::uint64_t instructions = 0;  // 0: no limit, also of time
-    std::size_t memory = 0;          // bytes that may be added
-    std::size_t whole = 0;           // the limit for messages, if a part of it is in use already
-    const char* who = "a command";   // name of the limited code, for messages
-    std::string raised_by{};         // path of the property that raises the limit; "": none
-    double seconds = 5;              // if instructions are limited: one can take long
+    std::uint64_t instructions = 0;     // 0: no limit, also of time
+    std::size_t memory = 0;             // bytes that may be added
+    std::size_t whole = 0;              // the limit for messages, if a part of it is in use already
+    const char* subject = "a command";  // name of the limited code, for messages
+    std::string raised_by{};            // path of the property that raises the limit; "": none
+    double seconds = 5;                 // if instructions are limited: one can take long
 };
 
 class Budget {
@@ -36,7 +36,7 @@ class Budget {
         bool active = false;
         bool counting = false;  // whether instructions and time are limited
         bool stopping = false;
-        bool out_of_room = false;
+        bool memory_exceeded = false;
         std::int64_t left = 0;
         std::uint64_t instructions = 0;
         double seconds = 0;
@@ -44,7 +44,7 @@ class Budget {
         // Values at the beginning, to compute the memory that was added since.
         std::size_t memory = 0, lua_before = 0, outer_limit = 0;
         std::size_t whole = 0;  // for messages
-        const char* who = "";
+        const char* subject = "";
         std::string raised_by;
         std::int64_t weight_before = 0;
         std::size_t instances_before = 0, watchers_before = 0;
@@ -87,7 +87,7 @@ class Budget {
     bool counting() const { return now_.counting; }
     bool stopping() const { return now_.stopping; }
     /// Whether it is stopping because the tree or Lua used too much memory.
-    bool out_of_room() const { return now_.stopping && now_.out_of_room; }
+    bool memory_exceeded() const { return now_.stopping && now_.memory_exceeded; }
     /// Reason with position: "console:3: stopped ...".
     const std::string& reason() const { return now_.reason; }
     const std::string& file() const { return now_.file; }
@@ -106,7 +106,7 @@ class Budget {
     bool memory_refused(const Arena::Refusal& refusal);
     /// "not enough memory: ..." with the exceeded limit.
     std::string out_of_memory(const Arena::Refusal& refusal) const {
-        return out_of_memory(refused_here(refusal));
+        return out_of_memory(describe(refusal));
     }
     /// The message for the latest refusal that did not stop the script: its place and the limit; ""
     /// if there was none.
@@ -128,7 +128,7 @@ class Budget {
     static void hook(lua_State* L, lua_Debug* frame);
     struct Refused;
     static std::string out_of_memory(const Refused& refused);
-    Refused refused_here(const Arena::Refusal& refusal) const;
+    Refused describe(const Arena::Refusal& refusal) const;
     void refuse_grown_stack(lua_State* L);
     void notice_growth();
     void mark_next();
@@ -147,7 +147,7 @@ class Budget {
     struct Refused {
         Arena::Refusal what{};  // size 0: no refusal
         std::size_t limit = 0;
-        const char* who = "";
+        const char* subject = "";
         char file[LUA_IDSIZE] = {};
         int line = 0;
     } refused_;

@@ -42,7 +42,7 @@ std::string limited(const std::string& message) {
            " bytes left out) ... " + message.substr(end);
 }
 
-/// Notes an error about an instance that a restore has taken away.
+/// Stores the message of an error about an instance that a restore has removed.
 void note_gone(lua_State* L, const std::exception& error, const std::string& message) {
     const auto* known = dynamic_cast<const property::Error*>(&error);
     if (known != nullptr && known->kind() == property::ErrorKind::deleted &&
@@ -80,7 +80,7 @@ void raise_text(lua_State* L, const char* message) {
 
 namespace {
 
-/// What the running function does, behind "cannot": "call undo", "assign to a store".
+/// What the running function does, after "cannot": "call undo", "assign to a store".
 std::string running_action(lua_State* L) {
     lua_Debug frame;
     if (lua_getstack(L, 0, &frame) == 0) return "call this";

@@ -9,7 +9,8 @@
 
 namespace fettle::script {
 
-/// Per cent: a collection begins when Lua's memory reaches this share of what the last one left.
+/// Percent: a collection begins when Lua's memory reaches this share of its memory after the last
+/// collection.
 inline constexpr int collector_pause = 400;
 
 struct Interpreter {
@@ -18,7 +19,7 @@ struct Interpreter {
     std::shared_ptr<lua_State*> alive;  // contains nullptr once Lua is closed
     int killed = 0;                     // weak table in the registry: coroutines stopped for good
     std::unordered_map<lua_CFunction, std::string> function_names;  // for error messages
-    // The last error about an instance that a restore has taken away.
+    // Message of the last error about an instance that a restore has removed; "" if there was none.
     std::string gone;
 };
 

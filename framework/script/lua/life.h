@@ -1,5 +1,5 @@
 #pragma once
-// The lifetime of a runtime: it lasts until the host destroys it and no script of it runs.
+// The lifetime of a runtime: it ends when the host has destroyed it and none of its scripts runs.
 
 #include <memory>
 #include <utility>

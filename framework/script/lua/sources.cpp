@@ -13,7 +13,7 @@
 
 namespace fettle::script {
 
-const char* take_piece(lua_State* L, std::string_view& left, std::size_t* size, std::size_t most) {
+const char* next_piece(lua_State* L, std::string_view& left, std::size_t* size, std::size_t most) {
     *size = std::min(left.size(), most);
     machine_of(L).budget.charge_by_the_clock(L, *size);
     const char* const piece = left.data();
@@ -75,7 +75,7 @@ void name_foreign_letters(lua_State* L, std::string_view code, const char* name)
     const std::string word(code.substr(begin, end - begin));
     std::string text = message.substr(0, near) + " near '" + word + "'";
     if (begin > 0 && code[begin - 1] == '.')
-        text += " (write [\"" + word + "\"]: a name behind a point has the letters a to z)";
+        text += " (write [\"" + word + "\"]: a name after a dot has the letters a to z)";
     lua_pop(L, 1);
     push_text(L, text);
 }
@@ -84,7 +84,7 @@ void name_foreign_letters(lua_State* L, std::string_view code, const char* name)
 
 int try_load_text(lua_State* L, std::string_view code, const char* name) {
     const auto read = [](lua_State* in, void* left, std::size_t* size) {
-        return take_piece(in, *static_cast<std::string_view*>(left), size);
+        return next_piece(in, *static_cast<std::string_view*>(left), size);
     };
     std::string_view left = code;
     return lua_load(L, read, &left, name, "t");
@@ -133,13 +133,12 @@ int Sources::load(lua_State* L, const std::string& text, const std::string& name
     texts[name] = code;
     code = without_shell_line(code);
     const int status = load_text(L, code, ("@" + name).c_str());
-    if (status != LUA_OK && lua_type(L, -1) == LUA_TSTRING)
-        note_stop(L, code, ("@" + name).c_str());
+    if (status != LUA_OK && lua_type(L, -1) == LUA_TSTRING) set_stop(L, code, ("@" + name).c_str());
     return status;
 }
 
 /// Compiles the text again, byte by byte: Lua stops reading at the byte after the wrong token.
-void Sources::note_stop(lua_State* L, std::string_view code, const char* name) {
+void Sources::set_stop(lua_State* L, std::string_view code, const char* name) {
     constexpr std::string_view before_token = " near '";
     stop = {};
     const std::string message = string_at(L, -1);

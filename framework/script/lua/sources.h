@@ -36,7 +36,7 @@ void place_overflow(lua_State* L, std::string_view code, const char* name, lua_R
 
 /// The next piece of a text that is compiled, for a function that lua_load calls: short enough to
 /// be compiled within milliseconds. `most`: bytes.
-const char* take_piece(lua_State* L, std::string_view& left, std::size_t* size,
+const char* next_piece(lua_State* L, std::string_view& left, std::size_t* size,
                        std::size_t most = 256);
 
 /// The text without a byte order mark at its beginning.
@@ -64,7 +64,7 @@ struct Sources {
 
     /// Sets `stop` for a text that did not compile; its message is at the top of the stack, and
     /// gets a hint if it is code of another language.
-    void note_stop(lua_State* L, std::string_view code, const char* name);
+    void set_stop(lua_State* L, std::string_view code, const char* name);
 
     /// A line of a chunk, from 1; "" if unknown.
     std::string line(const std::string& file, int line) const;

@@ -34,8 +34,7 @@ void on_signal(int) {
 
 /// The thread that reads the watchdog's counters.
 struct Watchdog::Thread {
-    explicit Thread(Watchdog& of)
-        : watchdog(of), patience(of.patience_), runner([this] { run(); }) {}
+    explicit Thread(Watchdog& of) : watchdog(of), limit(of.limit_), runner([this] { run(); }) {}
     ~Thread() {
         {
             const std::lock_guard lock(mutex);
@@ -49,23 +48,23 @@ struct Watchdog::Thread {
     // slept, a debugger stopped it) does not count.
     void run() {
         std::uint64_t seen = 0;
-        double lasted = 0;
+        double seconds = 0;
         std::unique_lock lock(mutex);
         while (!wake.wait_for(lock, tick, [this] { return ends; })) {
             const std::uint64_t now = watchdog.serial_.load(std::memory_order_acquire);
-            lasted = now == seen && now % 2 == 1
-                         ? lasted + std::chrono::duration<double>(tick).count()
-                         : 0;
+            seconds = now == seen && now % 2 == 1
+                          ? seconds + std::chrono::duration<double>(tick).count()
+                          : 0;
             seen = now;
-            if (lasted < patience || now % 2 == 0) continue;
-            watchdog.seconds_.store(lasted, std::memory_order_relaxed);
+            if (seconds < limit || now % 2 == 0) continue;
+            watchdog.seconds_.store(seconds, std::memory_order_relaxed);
             watchdog.due_.store(true, std::memory_order_relaxed);
             pthread_kill(watchdog.host_.load(std::memory_order_relaxed), signal_number);
         }
     }
 
     Watchdog& watchdog;
-    const double patience;
+    const double limit;
     std::mutex mutex;
     std::condition_variable wake;
     bool ends = false;
@@ -76,12 +75,12 @@ Watchdog::Watchdog(Machine& machine) : machine_(machine) {}
 
 Watchdog::~Watchdog() = default;
 
-void Watchdog::limit(double seconds, Question go_on) {
+void Watchdog::limit(double seconds, GoOn go_on) {
     thread_.reset();
     due_.store(false, std::memory_order_relaxed);
     go_on_ = std::move(go_on);
-    patience_ = seconds > 0 ? seconds : 0;
-    if (watched_ && patience_ > 0) start();
+    limit_ = seconds > 0 ? seconds : 0;
+    if (watched_ && limit_ > 0) start();
 }
 
 void Watchdog::start() {
@@ -93,12 +92,12 @@ void Watchdog::start() {
     try {
         thread_ = std::make_unique<Thread>(*this);
     } catch (const std::system_error&) {
-        patience_ = 0;  // the system cannot create a thread, so calls are not limited
+        limit_ = 0;  // the system cannot create a thread, so calls are not limited
     }
 }
 
 void Watchdog::begin_outermost() {
-    if (thread_ == nullptr && patience_ > 0) [[unlikely]]
+    if (thread_ == nullptr && limit_ > 0) [[unlikely]]
         start();
     host_.store(pthread_self(), std::memory_order_relaxed);
     count_call();
@@ -123,13 +122,13 @@ void Watchdog::end_call() {
 // are off in a thread that is inside a hook.
 void Watchdog::check(lua_State* L) {
     due_.store(false, std::memory_order_relaxed);
-    if (asking_ || depth_ == 0 || thread_ == nullptr || machine_.budget.counting() ||
+    if (in_go_on_ || depth_ == 0 || thread_ == nullptr || machine_.budget.counting() ||
         machine_.budget.stopping())
         return;
-    const double lasted = seconds_.load(std::memory_order_relaxed);
+    const double seconds = seconds_.load(std::memory_order_relaxed);
     bool goes_on = false;
     if (go_on_) {
-        asking_ = true;
+        in_go_on_ = true;
         struct Aside {
             Machine& machine;
             Watchdog& watchdog;
@@ -146,17 +145,17 @@ void Watchdog::check(lua_State* L) {
                 machine.lua.main = main;
                 machine.lua.running = running;
                 luaL_unref(main, LUA_REGISTRYINDEX, reference);
-                watchdog.asking_ = false;
+                watchdog.in_go_on_ = false;
             }
         } aside(machine_, *this, L);
         const auto go_on = go_on_;  // a copy, because the call may replace it
-        goes_on = go_on(L, lasted);
+        goes_on = go_on(L, seconds);
     }
     // If the runtime was destroyed meanwhile, the call could not be ended later.
     if (goes_on && machine_.life.orphan == nullptr) return;
     char text[80];
     std::snprintf(text, sizeof text, "stopped: it ran for %.1f seconds and did not come back",
-                  lasted);
+                  seconds);
     stopped_ = true;
     machine_.budget.stop(L, text);
 }

@@ -28,7 +28,7 @@ double seconds_at(lua_State* L, int index) {
     return seconds;
 }
 
-double part_of_way(lua_State* L, int index) {
+double ease_value(lua_State* L, int index) {
     const bool number = lua_type(L, index) == LUA_TNUMBER;
     const double part = number ? lua_tonumber(L, index) : 0;
     if (number && std::isfinite(part)) return part;
@@ -44,7 +44,7 @@ property::List sampled(lua_State* L, int index) {
         lua_pushvalue(L, index);
         lua_pushnumber(L, static_cast<double>(i) / (ease_samples - 1));
         lua_call(L, 1, 1);
-        curve.emplace_back(part_of_way(L, -1));
+        curve.emplace_back(ease_value(L, -1));
         lua_pop(L, 1);
     }
     return curve;

@@ -83,7 +83,7 @@ Value Tweens::require_possible(Handle target, const std::string& name, const Val
     return end;
 }
 
-void Tweens::require_sound(Handle made) const {
+void Tweens::require_valid(Handle made) const {
     const Tree& tree = machine_.tree;
     if (!tree.class_of(made).is_a(classes_.tween)) return;
     const std::string name = tree.get(made, classes_.property).text();

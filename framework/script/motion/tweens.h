@@ -34,7 +34,7 @@ class Tweens {
     Handle add(const Plan& plan);
     /// Throws Error for an instance whose properties are all set, if it is a tween that cannot run:
     /// its property is not there, or cannot change to this value.
-    void require_sound(Handle made) const;
+    void require_valid(Handle made) const;
     /// Makes a tween without a property, for a sequence.
     Handle add_pause(double seconds);
     /// Makes a group of tweens and groups that are below `game.tweens`, not in a group. Throws

@@ -237,7 +237,7 @@ int construct(lua_State* L) {
     Construction now(machine, *of);
     try {
         if (lua_istable(L, 2)) fill(L, machine, now);
-        machine.tweens.require_sound(now.made);
+        machine.tweens.require_valid(now.made);
     } catch (const std::exception& error) {
         std::string message = property::exception_text(error);
         if (machine.tree.alive(now.made))

@@ -125,7 +125,7 @@ int move_instance(lua_State* L) {
     const Handle parent = lua_isnoneornil(L, 2) ? Handle{} : check_instance(L, 2, "move");
     if (self == machine.tree.root()) throw Error(ErrorKind::bad_structure, "game: cannot be moved");
     lua_settop(L, 3);
-    if (machine.declarations.again()) {
+    if (machine.declarations.reloading()) {
         if (parent && !machine.declarations.defers(self))
             place(machine, self, parent, lua_isnil(L, 3) ? std::string() : text_at(L, 3, "move"));
         lua_settop(L, 1);

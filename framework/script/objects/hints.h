@@ -33,7 +33,7 @@ class Hints {
     /// has replaced by values, instances that it has made and dropped, and bodies that it has made
     /// where none is in the tree.
     void game_loaded();
-    /// To be called when a script rewinds: notes that no past is kept, if it is.
+    /// To be called when a script rewinds: gives a note if no past is kept.
     void rewinding();
     /// To be called when `state` finds a value of another type.
     void stated(const std::string& name, const std::string& problem);

@@ -48,8 +48,8 @@ namespace {
 // --- Names
 
 // Looks up a name and stores the result in the class's dispatch table, if the name can be stored.
-const Dispatch& learn(lua_State* L, Machine& machine, DispatchTable& members, const void* key,
-                      std::string_view name) {
+const Dispatch& look_up_and_store(lua_State* L, Machine& machine, DispatchTable& members,
+                                  const void* key, std::string_view name) {
     // Lua has no unique address for longer names.
     static constexpr std::size_t longest_interned = 40;
     // A limit, since a script may use any number of names.
@@ -82,7 +82,7 @@ const Dispatch& learn(lua_State* L, Machine& machine, DispatchTable& members, co
 const Dispatch& look_up(lua_State* L, Machine& machine, const InstanceBox& self) {
     const void* key = lua_topointer(L, 2);
     if (const Dispatch* known = self.members->find(key)) return *known;
-    return learn(L, machine, *self.members, key, view_at(L, 2));
+    return look_up_and_store(L, machine, *self.members, key, view_at(L, 2));
 }
 
 /// The declared property with the name at 2, for the fast path. Returns nullptr if there is none,

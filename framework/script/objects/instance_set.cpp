@@ -150,7 +150,7 @@ int query(lua_State* L) {
         refuse_type(L, 1, "query: needs a pattern such as \"world.*.mass\"");
     Machine& machine = machine_of(L);
     if (property::Condition::is_meant(string_at(L, 1)) || is_class(machine.tree, string_at(L, 1))) {
-        push_set(L, those_for_which(L, string_at(L, 1)));
+        push_set(L, instances_matching(L, string_at(L, 1)));
         return 1;
     }
     const property::Pattern pattern(string_at(L, 1));
@@ -186,7 +186,7 @@ int query(lua_State* L) {
 
 }  // namespace
 
-std::vector<Handle> those_for_which(lua_State* L, const std::string& text) {
+std::vector<Handle> instances_matching(lua_State* L, const std::string& text) {
     Machine& machine = machine_of(L);
     property::Condition condition(text);
     std::vector<Handle> found;

@@ -1,5 +1,5 @@
-// What is checked once when the game is loaded: functions that nothing calls, names that are not
-// what they seem.
+// Checks that are made once, when the game is loaded: functions that nothing calls, and misleading
+// names.
 
 #include <algorithm>
 #include <cctype>
@@ -44,7 +44,7 @@ std::size_t end_of_word(std::string_view text, std::size_t at) {
     return at;
 }
 
-/// Calls `visit` with the place behind each `what`.
+/// Calls `visit` with the place after each `what`.
 void each_place(std::string_view text, std::string_view what,
                 const std::function<void(std::size_t)>& visit) {
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))

@@ -115,9 +115,9 @@ int call_method(lua_State* L) {
                    method.parameters[static_cast<std::size_t>(i)].name;
         });
     }
-    // While a game is loaded again, what such a call has changed is there already. Only instances
-    // that are new get it, when they have their place.
-    if (machine.declarations.again() && method.effect != property::Effect::nothing &&
+    // During a reload, the existing instances already have the effect of such a call. It is made
+    // later, only for new instances, when they have their place.
+    if (machine.declarations.reloading() && method.effect != property::Effect::nothing &&
         method.returns.empty()) {
         machine.declarations.calls.push_back(
             {.instance = self->handle,

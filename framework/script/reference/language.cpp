@@ -17,7 +17,7 @@ const std::vector<GlobalDoc>& global_docs() {
          "wait(). after(1, f, { pauses = false }) counts real time, also while the game is paused; "
          "going back in time does not change it, and no saved game contains it."},
         {"alias", "alias(word: string, command?: string)",
-         "In the console the word stands for the command; what is typed behind it is put behind "
+         "In the console the word stands for the command; what is typed after it is put after "
          "the command. Without a command the word means itself again."},
         {"bind", "bind(key: string, command?: string)",
          "Runs the command whenever the key goes down, also while the console is closed: "

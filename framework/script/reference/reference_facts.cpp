@@ -197,8 +197,8 @@ std::string annotated_type(const Property& property) {
             words += (words.empty() ? "\"" : "|\"") + word + "\"";
         return words;
     }
-    const bool maybe = property.nullable || property.type == Type::reference;
-    return type_of(property) + (maybe ? "?" : "");
+    const bool is_optional = property.nullable || property.type == Type::reference;
+    return type_of(property) + (is_optional ? "?" : "");
 }
 
 std::string annotated_type(const Field& field) {

@@ -139,7 +139,7 @@ class ClassPage {
             if (!method->parameters.empty())
                 out_ += "\nTakes:\n\n" + fields(method->parameters, method->required);
             if (!method->returns.empty())
-                out_ += "\nReturns " + what_comes_back(*method) + ":\n\n" +
+                out_ += "\nReturns " + result_kind(*method) + ":\n\n" +
                         fields(method->returns, method->returns.size());
         }
         if (of_.base() != nullptr) return;
@@ -152,7 +152,7 @@ class ClassPage {
         }
     }
 
-    static std::string what_comes_back(const Method& method) {
+    static std::string result_kind(const Method& method) {
         if (!returns_record(method)) return "a value";
         return method.many ? "a list of records" : "a record, or nil";
     }

@@ -113,14 +113,14 @@ void Merge::match(Handle made, Handle parent, const std::string& name) {
     }
     const Handle there = living(*before, parent, name);
     if (!there)
-        mark_gone(made);
+        mark_deleted(made);
     else if (matched_.contains(there.key()))
         waiting_.push_back({made, parent, name});
     else
-        stand_for(made, there);
+        add_pair(made, there);
 }
 
-void Merge::stand_for(Handle made, Handle living) {
+void Merge::add_pair(Handle made, Handle living) {
     results_[made.key()] = living;
     matched_.insert(living.key());
     pairs_.emplace_back(made, living);
@@ -135,14 +135,14 @@ void Merge::match_below(Handle made, Handle living) {
             match(child, living, name);
             continue;
         }
-        // Its class makes this child, for both.
+        // The class makes this child for both instances.
         const Handle there = tree_.child(living, name);
-        if (there && &tree_.class_of(there) == &tree_.class_of(child)) stand_for(child, there);
+        if (there && &tree_.class_of(there) == &tree_.class_of(child)) add_pair(child, there);
     }
 }
 
-/// The game has deleted the instance, which stays so.
-void Merge::mark_gone(Handle made) {
+/// The game has deleted the declared instance, so it is not made again.
+void Merge::mark_deleted(Handle made) {
     const auto entry = next_by_handle_.find(made.key());
     const Declared* const before =
         entry == next_by_handle_.end() ? nullptr : declared_before(entry->second->path);
@@ -150,7 +150,7 @@ void Merge::mark_gone(Handle made) {
         before != nullptr && !tree_.alive(before->instance) ? before->instance : made;
     results_[made.key()] = gone;
     pairs_.emplace_back(made, gone);
-    for (const Handle child : tree_.children(made)) mark_gone(child);
+    for (const Handle child : tree_.children(made)) mark_deleted(child);
 }
 
 // --- Values
@@ -297,7 +297,7 @@ void Merge::rebind(Handle made, Handle living) {
         lua_pop(L, 1);
     }
     lua_pop(L, 1);
-    machine_.timers.give_owner(made, living);
+    machine_.timers.change_owner(made, living);
 }
 
 /// Calls of methods that change something are made for new instances only.

@@ -44,8 +44,8 @@ class Merge {
     const Declared* declared_before(property::Handle living, const std::string& path) const;
     void match(property::Handle made, property::Handle parent, const std::string& name);
     void match_below(property::Handle made, property::Handle living);
-    void stand_for(property::Handle made, property::Handle living);
-    void mark_gone(property::Handle made);
+    void add_pair(property::Handle made, property::Handle living);
+    void mark_deleted(property::Handle made);
     property::Handle living(const Declared& before, property::Handle parent,
                             const std::string& name) const;
     property::Value translated(const property::Value& value) const;

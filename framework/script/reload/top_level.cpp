@@ -70,7 +70,7 @@ void destroy_made(Machine& machine, const Declarations::All& all) {
 
 }  // namespace
 
-/// What a failed reload brings back.
+/// The state that a failed reload restores.
 struct TopLevel::Kept {
     int globals = LUA_NOREF;
     int loaded = LUA_NOREF;
@@ -121,7 +121,7 @@ bool TopLevel::load(const std::function<bool()>& run) {
     return ok;
 }
 
-void TopLevel::set_aside(Kept& kept) {
+void TopLevel::move_into(Kept& kept) {
     lua_State* const L = machine_.lua.main;
     kept.globals = copy_of_globals(machine_);
     push_registry(L, machine_.globals.table);
@@ -143,7 +143,7 @@ void TopLevel::set_aside(Kept& kept) {
 }
 
 /// `made`: what the failed code connected and started.
-void TopLevel::bring_back(const Kept& kept, const Noted& made) {
+void TopLevel::restore(const Kept& kept, const Noted& made) {
     for (const Connections::Noted& each : made.connections) machine_.connections.stop(each.id);
     for (const Timers::Noted& each : made.timers) machine_.timers.end(each);
     lua_State* const L = machine_.lua.main;
@@ -174,10 +174,10 @@ Reloaded TopLevel::reload(const std::function<bool()>& run) {
     lua_State* const L = machine_.lua.main;
     const std::string start = text_of_start(machine_);
     Kept kept;
-    set_aside(kept);
+    move_into(kept);
     const int before = copy_of_globals(machine_);
     begin_noting();
-    machine_.classes.begin_again();
+    machine_.classes.begin_reload();
     machine_.declarations.begin(true);
     machine_.random.restore(random_);
     Reloaded result;
@@ -200,8 +200,8 @@ Reloaded TopLevel::reload(const std::function<bool()>& run) {
     } else {
         result.error = std::exchange(machine_.errors.caught, {});
         destroy_made(machine_, machine_.declarations.end());
-        machine_.classes.end_again(false);
-        bring_back(kept, made);
+        machine_.classes.end_reload(false);
+        restore(kept, made);
         luaL_unref(L, LUA_REGISTRYINDEX, before);
     }
     luaL_unref(L, LUA_REGISTRYINDEX, kept.globals);
@@ -219,13 +219,13 @@ void TopLevel::take(Noted made, Reloaded& result) {
         const Handle now = merge.result_of(each.instance);
         if (now == each.instance) continue;
         if (machine_.tree.alive(now))
-            machine_.connections.connect_again(each, now);
+            machine_.connections.reconnect(each, now);
         else
             machine_.connections.stop(each.id);
     }
     replace_timers(made.timers);
     merge.finish();
-    machine_.classes.end_again(true);
+    machine_.classes.end_reload(true);
     noted_ = std::move(made);
 }
 
@@ -243,7 +243,7 @@ void TopLevel::replace_timers(const std::vector<Timers::Noted>& made) {
         if (each.thread != LUA_NOREF) continue;
         auto& same = waiting[{each.delay, each.interval}];
         if (same.empty()) continue;
-        machine_.timers.take_place(*same.front(), each);
+        machine_.timers.replace(*same.front(), each);
         same.front()->id = 0;
         same.pop_front();
     }

@@ -36,8 +36,8 @@ class TopLevel {
 
     void begin_noting();
     Noted end_noting();
-    void set_aside(Kept& kept);
-    void bring_back(const Kept& kept, const Noted& made);
+    void move_into(Kept& kept);
+    void restore(const Kept& kept, const Noted& made);
     void take(Noted made, Reloaded& result);
     void replace_timers(const std::vector<Timers::Noted>& made);
     void note_globals(int before);

@@ -237,7 +237,7 @@ Reloaded Runtime::reload(const std::vector<std::string>& files) {
 bool Runtime::run(std::string_view chunk, const std::string& name) {
     Machine& machine = live();
     const Life::Use use(machine.life);
-    Limits limits{.memory = machine.options.memory_limit, .who = "a chunk"};
+    Limits limits{.memory = machine.options.memory_limit, .subject = "a chunk"};
     if (const auto of_call = machine.budget.of_call()) {
         limits.instructions = of_call->instructions;
         limits.seconds = of_call->seconds;

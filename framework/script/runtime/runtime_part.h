@@ -26,10 +26,10 @@ class RuntimePart : public property::SnapshotPart {
     std::vector<std::string> lost_handlers() const;
 
     Machine& machine_;
-    /// Those that had handlers when the file was saved that was restored last; none after a restore
-    /// from memory.
+    /// After a restore from a file: the instances that had handlers when the file was saved. Empty
+    /// after a restore from memory.
     std::vector<property::Handle> had_handlers_;
-    /// The timers that ended with it, and some places of them.
+    /// The number of timers that the last restore ended, and the places in scripts of some of them.
     std::uint64_t ended_timers_ = 0;
     std::vector<std::string> timer_places_;
 };

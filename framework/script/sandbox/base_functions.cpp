@@ -259,7 +259,7 @@ int get_metatable(lua_State* L) {
 // index 5, which keeps it alive.
 const char* read_piece(lua_State* L, void* data, std::size_t* size) {
     auto& left = *static_cast<std::string_view*>(data);
-    if (!left.empty()) return take_piece(L, left, size);
+    if (!left.empty()) return next_piece(L, left, size);
     luaL_checkstack(L, 2, "too many nested functions");
     lua_pushvalue(L, 1);
     lua_call(L, 0, 1);
@@ -271,7 +271,7 @@ const char* read_piece(lua_State* L, void* data, std::size_t* size) {
     if (lua_type(L, -1) != LUA_TSTRING) luaL_error(L, "reader function must return a string");
     lua_replace(L, 5);
     left = view_at(L, 5);
-    return take_piece(L, left, size);
+    return next_piece(L, left, size);
 }
 
 // load(chunk [, name [, mode [, env]]]). Accepts only source text, whatever the mode.

@@ -22,7 +22,7 @@ std::string_view text_at(lua_State* L, int index) {
     return {text, length};
 }
 
-void pay(void* L, std::uint64_t steps) {
+void charge_steps(void* L, std::uint64_t steps) {
     auto* state = static_cast<lua_State*>(L);
     machine_of(state).budget.charge(state, steps);
 }
@@ -81,7 +81,7 @@ int search(lua_State* L, bool find) {
         return 2;
     }
     const bool anchored = !pattern.empty() && pattern.front() == '^';
-    PatternMatcher matcher(subject, pattern, pay, L);
+    PatternMatcher matcher(subject, pattern, charge_steps, L);
     do {
         const std::size_t end = matcher.match(start, anchored ? 1 : 0);
         if (end == PatternMatcher::failed) continue;
@@ -106,7 +106,7 @@ int next_match(lua_State* L) {
     const std::string_view subject = text_at(L, lua_upvalueindex(1));
     const std::string_view pattern = text_at(L, lua_upvalueindex(2));
     const lua_Integer last = lua_tointeger(L, lua_upvalueindex(4));
-    PatternMatcher matcher(subject, pattern, pay, L);
+    PatternMatcher matcher(subject, pattern, charge_steps, L);
     for (auto start = static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(3)));
          start <= subject.size(); ++start) {
         const std::size_t end = matcher.match(start);
@@ -137,7 +137,7 @@ int gmatch(lua_State* L) {
 // Lua's.
 void append(lua_State* L, std::string& out, std::string_view piece) {
     constexpr std::size_t unchecked = 4096;  // bytes
-    pay(L, 4);  // instructions: a replacement may have millions of pieces
+    charge_steps(L, 4);  // instructions: a replacement may have millions of pieces
     const std::size_t size = out.size() + piece.size();
     const Arena& arena = machine_of(L).arena;
     if (size > unchecked && size > (arena.limit() - std::min(arena.limit(), arena.bytes())) / 2) {
@@ -217,7 +217,7 @@ int gsub(lua_State* L) {
     const lua_Integer max_count =
         luaL_optinteger(L, 4, static_cast<lua_Integer>(subject.size()) + 1);
     const bool anchored = !pattern.empty() && pattern.front() == '^';
-    PatternMatcher matcher(subject, pattern, pay, L);
+    PatternMatcher matcher(subject, pattern, charge_steps, L);
     std::string out;
     lua_Integer count = 0;
     std::size_t start = 0, last = PatternMatcher::failed;

@@ -49,19 +49,19 @@ class WordMatch {
         found_.add(0);
     }
 
-    /// Whether the letters after those that are found have a place.
-    bool goes_on() {
+    /// Finds places for the letters after those that were found. False if there are none.
+    bool match_rest() {
         const std::size_t next = found_.count;
         if (next == typed_.size()) return true;
         for (std::size_t at = found_.last() + 1; at < name_.size(); ++at) {
             if (name_[at] != typed_[next] || (at != found_.last() + 1 && name_[at - 1] != '_'))
                 continue;
-            // A letter that led nowhere from here leads nowhere again.
-            if (in_vain_[at] >> next & 1) continue;
+            // The rest did not fit before with this letter at this place, so it does not fit now.
+            if (failed_[at] >> next & 1) continue;
             found_.add(at);
-            if (goes_on()) return true;
+            if (match_rest()) return true;
             --found_.count;
-            in_vain_[at] = static_cast<unsigned char>(in_vain_[at] | 1 << next);
+            failed_[at] = static_cast<unsigned char>(failed_[at] | 1 << next);
         }
         return false;
     }
@@ -69,13 +69,13 @@ class WordMatch {
   private:
     std::string_view typed_, name_;
     Places& found_;
-    std::array<unsigned char, longest_name> in_vain_{};  // by place; a bit for each letter
+    std::array<unsigned char, longest_name> failed_{};  // by place; a bit for each letter
 };
 
 bool begin_words(std::string_view typed, std::string_view name, Places& found) {
     found.count = 0;
     return typed.size() > 1 && typed.size() <= 8 && typed[0] == name[0] &&
-           WordMatch(typed, name, found).goes_on();
+           WordMatch(typed, name, found).match_rest();
 }
 
 bool in_order(std::string_view typed, std::string_view name, Places& found) {

@@ -109,7 +109,7 @@ std::string written(std::string_view here) {
     return here.empty() ? std::string() : " (write " + std::string(here) + ")";
 }
 
-/// The first text between single quotes behind `from`.
+/// The first text between single quotes after `from`.
 std::string_view quoted(std::string_view text, std::size_t from) {
     const std::size_t open = text.find('\'', from);
     if (open == std::string_view::npos) return {};
@@ -174,7 +174,7 @@ std::string hint_for_value(std::string_view message) {
         const bool global = message.find("(global '") != std::string_view::npos;
         return written((global ? "" : "it:") + std::string(name) + "() to call it");
     }
-    // Lua calls what stands behind `in`.
+    // Lua calls the value after `in`.
     if (message.find("(for iterator 'for iterator')") != std::string_view::npos &&
         message.find("attempt to call a nil value") == std::string_view::npos)
         return written("for _, each in ipairs(list) do, or pairs(table)");
@@ -197,7 +197,7 @@ std::string hint_for_syntax(std::string_view message, std::string_view line, std
     if (block && (rest.starts_with('{') || rest.starts_with(':')))
         return written(std::string(opens) + " ... end");
     if (rest.starts_with('{') && line.substr(0, column).find(')') != std::string_view::npos)
-        return written("the lines of a function without { }, and end behind them");
+        return written("the lines of a function without { }, and end after them");
     // An entry that follows another one without a comma begins with one of these.
     const bool entry =
         is_word(rest[0]) || std::string_view("{[\"'").find(rest[0]) != std::string_view::npos;

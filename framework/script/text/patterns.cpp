@@ -54,10 +54,10 @@ bool in_class(unsigned char c, unsigned char name) {
 }  // namespace
 
 void PatternMatcher::step(std::uint64_t n) {
-    unpaid_ += n;
-    if (unpaid_ < steps_at_once) return;
-    pay_(context_, unpaid_);
-    unpaid_ = 0;
+    uncharged_ += n;
+    if (uncharged_ < steps_at_once) return;
+    charge_(context_, uncharged_);
+    uncharged_ = 0;
 }
 
 // Index after one pattern item: a character, an escape, or a set in brackets.

@@ -20,10 +20,11 @@ class PatternMatcher {
         enum Kind : std::uint8_t { open, closed, place } kind = open;
     };
 
-    /// `pay(context, steps)` is called from time to time; it may throw.
+    /// `charge(context, steps)` is called after some thousands of steps; it may throw to end the
+    /// match.
     PatternMatcher(std::string_view subject, std::string_view pattern,
-                   void (*pay)(void* context, std::uint64_t steps), void* context)
-        : subject_(subject), pattern_(pattern), pay_(pay), context_(context) {}
+                   void (*charge)(void* context, std::uint64_t steps), void* context)
+        : subject_(subject), pattern_(pattern), charge_(charge), context_(context) {}
 
     /// End of the match that begins at `start`, or `failed`. Throws std::invalid_argument for a
     /// malformed pattern.
@@ -47,12 +48,12 @@ class PatternMatcher {
 
     std::string_view subject_;
     std::string_view pattern_;
-    void (*pay_)(void*, std::uint64_t);
+    void (*charge_)(void*, std::uint64_t);
     void* context_;
     std::array<Capture, max_captures> captures_{};
     std::size_t count_ = 0;
     int depth_ = 0;
-    std::uint64_t unpaid_ = 0;
+    std::uint64_t uncharged_ = 0;
 };
 
 }  // namespace fettle::script

@@ -7,8 +7,8 @@
 
 namespace fettle::script {
 
-void Declarations::begin(bool again) {
-    phase_ = again ? Phase::again : Phase::first;
+void Declarations::begin(bool reload) {
+    phase_ = reload ? Phase::reload : Phase::first;
     recording_.declaring = true;
     all_.clear();
     index_.clear();
@@ -125,10 +125,10 @@ void Declarations::wrote(Handle instance, std::string_view name) {
         now.formula = *formula;
 }
 
-// --- While it is loaded again
+// --- During a reload
 
 bool Declarations::defers(Handle instance) const {
-    return again() && (instance == tree_.root() || tree_.is_below(instance, tree_.root()));
+    return reloading() && (instance == tree_.root() || tree_.is_below(instance, tree_.root()));
 }
 
 void Declarations::defer(Handle instance, std::string_view name, const Value& value) {
@@ -158,12 +158,12 @@ const Value* Declarations::seen(Handle instance, std::string_view name) const {
         if (const auto assignment = known->assignments.find(std::string(name));
             assignment != known->assignments.end())
             return assignment->second.formula ? nullptr : &assignment->second.value;
-    // What the old code gave it does not exist yet.
+    // A property that the old code added counts as missing.
     const Assignment* last = last_assignment(instance, name);
     return last != nullptr && !last->added ? &last->before : nullptr;
 }
 
-std::optional<property::Place> Declarations::waiting_at(const std::string& path) const {
+std::optional<property::Place> Declarations::find_future(const std::string& path) const {
     for (const Declared& each : all_) {
         if (!tree_.alive(each.instance)) continue;
         const std::string future = future_path(each.instance);

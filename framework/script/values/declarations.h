@@ -1,12 +1,11 @@
 #pragma once
 // What the top level of a game declares: the instances that it makes, the values that it gives
 // them, and the values that it gives to instances of the framework. A reload compares what the new
-// code declares with what the old code declared, and applies the differences.
-//
-// While a game is loaded, the top level writes to the tree, and the declarations are only noted.
-// While it is loaded again, nothing that is part of the game may change before the whole file has
-// run without an error. So an instance that gets a place stays detached, and is found by its name
-// as if it were there; a value for an instance of the game is only noted, and read back from here.
+// code declares with what the old code declared, and applies the differences. While a game is
+// loaded, the top level writes to the tree, and the declarations are only noted. During a reload,
+// nothing that is part of the game may change before the whole file has run without an error. So an
+// instance that gets a place stays detached, and is found by its name as if it were there; a value
+// for an instance of the game is only noted, and read back from here.
 
 #include <cstdint>
 #include <map>
@@ -54,12 +53,13 @@ class Declarations {
 
     Declarations(property::Tree& tree, Recording& recording) : tree_(tree), recording_(recording) {}
 
-    /// The top level begins: of a game that is loaded, or of one that is loaded again.
-    void begin(bool again);
-    /// It has ended. Returns what it declared, with the places of all instances.
+    /// Must be called before the top level runs. `reload`: the game is running already.
+    void begin(bool reload);
+    /// Must be called when the top level has run. Returns its declarations, with the places of all
+    /// instances.
     All end();
     bool active() const { return phase_ != Phase::none; }
-    bool again() const { return phase_ == Phase::again; }
+    bool reloading() const { return phase_ == Phase::reload; }
     /// What the top level declared when it last ran.
     void keep(All all);
     const All& last() const { return last_; }
@@ -73,7 +73,7 @@ class Declarations {
     void writing(property::Handle instance, std::string_view name);
     void wrote(property::Handle instance, std::string_view name);
 
-    // --- While it is loaded again
+    // --- During a reload
 
     /// Whether the instance is part of the game and must not change yet.
     bool defers(property::Handle instance) const;
@@ -94,10 +94,10 @@ class Declarations {
     const Place& place_of(property::Handle instance) const { return places_.at(instance.key()); }
     std::vector<Call> calls;
     /// The instance that will have this path, or the property of one.
-    std::optional<property::Place> waiting_at(const std::string& path) const;
+    std::optional<property::Place> find_future(const std::string& path) const;
 
   private:
-    enum class Phase : std::uint8_t { none, first, again };
+    enum class Phase : std::uint8_t { none, first, reload };
     Declared& entry(property::Handle instance);
     const Declared* find(property::Handle instance) const;
     Assignment& assignment(property::Handle instance, std::string_view name);

@@ -28,7 +28,7 @@ Value list_value(lua_State* L, const ListBox& box, bool* moved) {
 
 namespace {
 
-void require_there(Machine& machine, const ListBox& box) {
+void require_not_replaced(Machine& machine, const ListBox& box) {
     if (box.origin.depth > 0 && machine.moved_lists.find(box.origin, box.since))
         throw Error(ErrorKind::deleted,
                     origin_path(machine.tree, box.origin) +
@@ -39,7 +39,7 @@ void require_there(Machine& machine, const ListBox& box) {
 
 void write_list(lua_State* L, const ListBox& box, const List& list) {
     Machine& machine = machine_of(L);
-    require_there(machine, box);
+    require_not_replaced(machine, box);
     if (box.origin.depth == 0)
         write_property(machine, box.origin.instance, origin_property(machine.tree, box.origin),
                        list);
@@ -96,7 +96,7 @@ int list_newindex(lua_State* L) {
     Machine& machine = machine_of(L);
     int whole_number = 0;
     const lua_Integer index = lua_tointegerx(L, 2, &whole_number);
-    require_there(machine, box);
+    require_not_replaced(machine, box);
     const Value value = list_value(L, box);
     const auto size = static_cast<lua_Integer>(value.list().size());
     if (!whole_number || index < 1 || index > size + 1)

@@ -1,7 +1,8 @@
 #pragma once
-// Lists within lists that the running call has put elsewhere or replaced. A variable of Lua that
-// holds one names its place (see `Origin`), where another one is now. It still reads what it was,
-// as with tables of Lua: grid[1], grid[2] = grid[2], grid[1].
+// The former values of nested lists that the running call has moved or replaced. A Lua variable
+// with such a list stores only its place (see `Origin`), where another list may be now. With the
+// former value, the variable still reads its own list, as it would with tables of Lua: grid[1],
+// grid[2] = grid[2], grid[1].
 
 #include <cstddef>
 #include <cstdint>
@@ -16,18 +17,19 @@ namespace fettle::script {
 
 class MovedLists {
   public:
-    /// For a list that is read now.
+    /// The value of `since` for a list that is read now.
     std::uint64_t now() const { return next_; }
-    /// In the list at `place`, which was `before`, the elements `first` to `last`, from 1, are
-    /// others now.
+    /// Stores `before`, the former value of the list at `place`, whose elements `first` to `last`
+    /// (from 1) were changed.
     void note(const Origin& place, std::size_t first, std::size_t last, property::Value before);
-    /// The property at `place`, a list that was `before`, has another value now. A variable that
-    /// holds the list reads the new one; only an assignment of it gives what it was:
-    /// a.points, b.points = b.points, a.points.
+    /// Stores `before`, the former value of the property at `place`, which is a list. A variable
+    /// that refers to the list reads the new value; only an assignment of the variable uses the
+    /// former one: a.points, b.points = b.points, a.points.
     void note_whole(const Origin& place, property::Value before);
-    /// What the list at `place` was, which was read at `since`; nothing if it is still there.
+    /// The former value of the list at `place` that was read at `since`; nothing if it is still
+    /// there.
     std::optional<property::Value> find(const Origin& place, std::uint64_t since) const;
-    /// Later calls read what is at the place.
+    /// Drops the former values, at the end of a call.
     void forget();
 
   private:
@@ -40,7 +42,7 @@ class MovedLists {
     void keep(Move move);
     std::deque<Move> all_;
     std::uint64_t next_ = 1;
-    std::size_t elements_ = 0;  // in all that was
+    std::size_t elements_ = 0;  // in all former values
 };
 
 }  // namespace fettle::script

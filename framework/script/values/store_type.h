@@ -13,8 +13,9 @@ namespace fettle::script {
 struct StoreBox {
     Tag tag;
     property::Store::Table table;
-    // Read when the table is no longer in the store, because a list is sorted, and elements are
-    // exchanged or taken out, by writing one place while another one's old table is at hand.
+    // The content of the table, which stays readable after the table was removed from the store:
+    // sorting a list, for example, overwrites an element while a Lua variable still refers to the
+    // old one.
     std::shared_ptr<const property::Store::Content>* content;
 };
 

@@ -184,8 +184,8 @@ std::string variable_with_vec(lua_State* L) {
     return found;
 }
 
-/// Tells the first time that a variable's vector is connected with the property that it was read
-/// from, since other engines make copies.
+/// Gives a note once, when a component of a variable's vector is written: the vector stays
+/// connected with the property that it was read from, while other engines make copies.
 void note_connected(lua_State* L, Machine& machine, const VecBox& v, char component) {
     int& left = machine.boxes.checked_writes;
     if (left <= 0) return;

@@ -142,7 +142,7 @@ void set_or_add(Machine& machine, Handle instance, std::string_view name, const 
 }
 
 Handle child_of(Machine& machine, Handle instance, std::string_view name) {
-    if (machine.declarations.again())
+    if (machine.declarations.reloading())
         if (const Handle waiting = machine.declarations.child(instance, name)) return waiting;
     return machine.tree.child(instance, name);
 }
@@ -183,7 +183,7 @@ bool is_named_wrongly(const property::Tree& tree, Handle instance, Handle parent
 
 void place(Machine& machine, Handle instance, Handle parent, std::string_view name,
            property::PlainNames* plain_names) {
-    // The tree would put a number behind a wrong name of its own; as a given name it is an error.
+    // The tree would put a number after a wrong name of its own; as a given name it is an error.
     std::string own;
     if (name.empty() && machine.tree.alive(instance) && machine.tree.alive(parent)) {
         own = machine.tree.name(instance);
@@ -197,7 +197,7 @@ void place(Machine& machine, Handle instance, Handle parent, std::string_view na
 
 void replace(Machine& machine, Handle old, Handle by) {
     Declarations& declarations = machine.declarations;
-    if (declarations.again() && declarations.has_place(old)) {
+    if (declarations.reloading() && declarations.has_place(old)) {
         const Declarations::Place place = declarations.place_of(old);
         declarations.remove(old);
         machine.tree.destroy(old);
@@ -221,7 +221,7 @@ void destroy(Machine& machine, Handle instance) {
                                                   "world:find(Body):delete(), deletes those of "
                                                   "a class");
     if (machine.declarations.defers(instance)) return;
-    if (machine.declarations.again()) machine.declarations.remove(instance);
+    if (machine.declarations.reloading()) machine.declarations.remove(instance);
     const bool placed = machine.tree.is_below(instance, machine.tree.root());
     const std::string path = machine.recording.active ? machine.tree.path(instance) : "";
     machine.tree.destroy(instance);

@@ -11,8 +11,8 @@ struct Machine;
 
 void write_property(Machine& machine, property::Handle instance, const property::Property& property,
                     const property::Value& value);
-/// As a script does it to the whole property, so that a list that it was can be assigned elsewhere
-/// (see MovedLists).
+/// Like `write_property`, for an assignment of the whole property by a script: its former value, if
+/// it was a list, can still be assigned elsewhere (see MovedLists).
 void assign_property(Machine& machine, property::Handle instance,
                      const property::Property& property, const property::Value& value);
 /// Assigns nil: resets the property to its default, sets nil if it is nullable, or removes an ad
@@ -31,7 +31,7 @@ void place(Machine& machine, property::Handle instance, property::Handle parent,
 /// Gives a detached instance the place and name of another instance, which is deleted.
 void replace(Machine& machine, property::Handle old, property::Handle by);
 void destroy(Machine& machine, property::Handle instance);
-/// The child with that name, also one that waits for its place while a game is loaded again.
+/// The child with that name, also one that waits for its place during a reload.
 property::Handle child_of(Machine& machine, property::Handle instance, std::string_view name);
 /// Adds an ad hoc property, or sets one.
 void set_or_add(Machine& machine, property::Handle instance, std::string_view name,

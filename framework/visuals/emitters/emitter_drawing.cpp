@@ -77,7 +77,7 @@ void Emitters::draw(Row& row, property::Painter& painter, double alpha) {
             : Transform());
     const property::Blend blend = blend_of(read.in_place(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
-    // Back to the moment of the picture, between the last two steps.
+    // The picture shows a time between the last two steps: the particles are moved back to it.
     const auto back = static_cast<float>((alpha - 1) * row.state.last_dt);
     for (const Particle& p : row.particles) {
         const float age = std::max(0.0f, p.age + back);

@@ -37,7 +37,7 @@ void Emitters::save(property::ByteWriter& to) const {
 
 std::function<void()> Emitters::restore(property::ByteReader& from) {
     auto rows = std::make_shared<std::vector<Row>>();
-    // 8 bytes for each row at least, so a wrong count cannot ask for much memory.
+    // 8 bytes for each row at least, so that no memory is allocated for a wrong, large count.
     for (std::size_t n = from.count(8); n > 0; --n) {
         Row row;
         State& s = row.state;

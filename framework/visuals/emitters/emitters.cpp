@@ -116,7 +116,7 @@ void Emitters::advance(Row& row, double dt) {
     const std::size_t before_births = row.particles.size();
     if (at_once > 0 || due > 0) {
         const Birth birth = birth_of(row, now, screen);
-        // At the end of the step, the whole ones of `owed` have begun.
+        // As many particles begin in this step as `owed` has whole numbers; the fraction is kept.
         const double before = state.owed;
         state.owed += due;
         for (double n = 1; n <= state.owed; ++n) {

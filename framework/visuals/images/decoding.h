@@ -15,7 +15,7 @@ struct Pixels {
 
 /// Decodes a PNG, JPEG, BMP or TGA file. Throws std::runtime_error with the reason.
 Pixels decode(std::string_view file);
-/// The picture that stands for a missing one.
+/// The picture that is shown in place of a missing or unreadable one.
 Pixels checkerboard();
 
 }  // namespace fettle::visuals

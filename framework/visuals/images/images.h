@@ -27,7 +27,7 @@ class Images {
     void saved_pictures(SavedPicture of) { saved_ = std::move(of); }
     /// Reads the file again, and the sheets that it belongs to. If that fails, they stay.
     void renew(const std::string& name);
-    /// Tells a problem, once. Before `on_problem` it is kept.
+    /// Reports a problem, once. Problems before `on_problem` are kept, and reported by it.
     void report(const std::string& problem);
     /// The same for a problem that many instances have: `problem` begins with the path of the first
     /// that has it, and is made only for that one.

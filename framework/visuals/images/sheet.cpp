@@ -17,7 +17,7 @@ constexpr std::size_t most_played = 1'000'000;  // frames of all tags together
 
 /// A value of the file, and where it is: "frames.2.frame.x".
 struct Part {
-    const json& is;
+    const json& node;
     std::string path{};
 
     [[noreturn]] void fail(const std::string& expected) const {
@@ -27,10 +27,10 @@ struct Part {
     }
     /// The beginning of its text.
     std::string shown() const {
-        if (is.is_object()) return "an object";
-        if (is.is_array()) return "a list";
+        if (node.is_object()) return "an object";
+        if (node.is_array()) return "a list";
         constexpr std::size_t longest = 60;
-        std::string text = is.dump(-1, ' ', true, json::error_handler_t::replace);
+        std::string text = node.dump(-1, ' ', true, json::error_handler_t::replace);
         if (text.size() > longest) text = text.substr(0, longest) + "…";
         return text;
     }
@@ -39,9 +39,9 @@ struct Part {
     }
     /// Empty if it has no such member.
     std::optional<Part> find(const char* key) const {
-        if (!is.is_object()) fail("an object");
-        const auto found = is.find(key);
-        if (found == is.end()) return std::nullopt;
+        if (!node.is_object()) fail("an object");
+        const auto found = node.find(key);
+        if (found == node.end()) return std::nullopt;
         return child(key, *found);
     }
     Part at(const char* key) const {
@@ -49,24 +49,24 @@ struct Part {
         fail("an object with \"" + std::string(key) + "\"");
     }
     double number() const {
-        if (!is.is_number()) fail("a number");
-        return is.get<double>();
+        if (!node.is_number()) fail("a number");
+        return node.get<double>();
     }
     std::string text() const {
-        if (!is.is_string()) fail("a text");
-        return is.get<std::string>();
+        if (!node.is_string()) fail("a text");
+        return node.get<std::string>();
     }
     std::size_t index(std::size_t count) const {
-        if (is.is_number_unsigned() && is.get<std::uint64_t>() < count)
-            return is.get<std::size_t>();
+        if (node.is_number_unsigned() && node.get<std::uint64_t>() < count)
+            return node.get<std::size_t>();
         fail("a frame from 0 to " + std::to_string(count - 1));
     }
     /// The elements of a list, or the members of an object.
     template <class Visit>
     void each(Visit visit) const {
-        if (!is.is_structured()) fail("a list");
+        if (!node.is_structured()) fail("a list");
         std::size_t number = 0;
-        for (const json& element : is) visit(child(std::to_string(number++), element));
+        for (const json& element : node) visit(child(std::to_string(number++), element));
     }
 };
 

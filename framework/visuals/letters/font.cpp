@@ -1,5 +1,5 @@
-// Reads fonts with FreeType, and their kerning with HarfBuzz. Both are made for files from
-// strangers.
+// Reads fonts with FreeType, and their kerning with HarfBuzz. Both libraries may be given damaged
+// and malicious files.
 
 #include <algorithm>
 #include <array>

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> font_endings{".ttf", ".otf", ".ttc"};
 
-/// The file of a font that the system has; empty if it has none of that name.
+/// The content of a font file of the system; empty if it has none of that name.
 std::string system_font(const std::string& name) {
     std::ifstream in(property::font_file(name), std::ios::binary);
     std::ostringstream content;

@@ -26,10 +26,10 @@ class Setter {
         if (c == U'\t') {
             line.end = tab_stop * std::ceil((line.end + least_tab) / tab_stop - 1e-6);
             before_ = 0;
-            breaks_at(line);
+            mark_break(line);
             return;
         }
-        if (before_ != 0 && property::may_divide(before_, c)) breaks_at(line);
+        if (before_ != 0 && property::may_divide(before_, c)) mark_break(line);
         if (c == property::zero_width_space) {
             before_ = c;
             before_font_ = nullptr;
@@ -42,7 +42,7 @@ class Setter {
         before_ = c;
         before_font_ = &font;
         if (c == U' ')
-            breaks_at(line);
+            mark_break(line);
         else
             line.width = line.end;
         if (wrap_ > 0 && line.width > wrap_) wrap();
@@ -83,7 +83,7 @@ class Setter {
         lines_.emplace_back();
         before_ = 0;
     }
-    static void breaks_at(Line& line) {
+    static void mark_break(Line& line) {
         line.break_letters = line.letters.size();
         line.break_width = line.width;
         line.break_end = line.end;

@@ -61,7 +61,7 @@ Font* SystemFonts::load(Found& found) {
 Font* SystemFonts::with(char32_t letter) {
     const auto [known, added] = known_.try_emplace(letter, nullptr);
     if (!added) return known->second;
-    if (!std::exchange(looked_, true) && has_configuration()) {
+    if (!std::exchange(searched_, true) && has_configuration()) {
         const std::unique_ptr<FcConfig, EndConfig> config(FcInitLoadConfigAndFonts());
         const std::unique_ptr<FcPattern, EndPattern> wanted(
             FcNameParse(reinterpret_cast<const FcChar8*>("sans")));

@@ -21,7 +21,7 @@ class SystemFonts {
     struct Found;
     Font* load(Found& font);
 
-    bool looked_ = false;
+    bool searched_ = false;
     std::vector<std::unique_ptr<Found>> found_;  // the best ones first
     std::map<char32_t, Font*> known_;
 };

@@ -14,7 +14,7 @@ namespace {
 constexpr double least_pixels = 0.5;  // of a dash that can be seen
 constexpr std::size_t most_pieces = 20'000;
 
-/// A line by the distance from its beginning.
+/// A line with corners, and its points by their distance from its beginning.
 class Way {
   public:
     explicit Way(std::span<const Vec2> points) {
@@ -50,7 +50,8 @@ struct Stretch {
     double from, to;
 };
 
-/// The stretches of a straight piece of the way that are seen, about `fine` long.
+/// Adds the stretches of a straight piece of the line that the painter shows, each at most `fine`
+/// long.
 void find_seen(const Painter& painter, const Vec2& a, const Vec2& b, const Stretch& stretch,
                double fine, double margin, std::vector<Stretch>& found) {
     const Vec2 beside(margin, margin);

@@ -15,8 +15,8 @@ struct Piece {
     double rounding = 0;
 };
 
-/// The dashes that the painter sees. `length`: of each dash with its ends, and of the gaps.
-/// Nothing if they are too short, or too many, to be seen one by one.
+/// The dashes in the visible area of the painter. `length`: of each dash with its ends, and of the
+/// gaps. Nothing if they are too short, or too many, to be told apart.
 std::optional<std::vector<Piece>> dashes(const property::Painter& painter,
                                          std::span<const property::Vec2> points, double length,
                                          double width);

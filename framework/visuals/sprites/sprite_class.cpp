@@ -68,7 +68,7 @@ std::vector<Property> Sprites::look_properties() {
 }
 
 std::vector<Property> Sprites::frame_properties() {
-    // They begin the animation again. The hook only writes this class's own memory.
+    // A write begins the animation again. The hook only writes this class's own memory.
     const auto restarts = [this](Property property) {
         property.binding.context = this;
         property.binding.invalidate = [](void* context, property::Row row) {

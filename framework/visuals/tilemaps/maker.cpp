@@ -59,7 +59,7 @@ void Maker::set_custom(Handle instance, const maps::Properties& properties) {
 
 void Maker::resolve_references() {
     for (const Open& each : open_) {
-        place_of(each.what);
+        begin_messages(each.what);
         const auto found = by_id_.find(each.id);
         if (found == by_id_.end()) {
             if (each.id != 0)

@@ -71,7 +71,7 @@ class LayerMaker {
             const char* const of = layer.kind == maps::LayerKind::tiles ? "TileLayer" : "Layer";
             const Handle made = make_.add(tree_.class_named(of), map_, layer.name);
             made_.emplace_back(made);
-            make_.place_of("layer \"" + layer.name + "\"");
+            make_.begin_messages("layer \"" + layer.name + "\"");
             make_.set(made, "parallax", Value(now.parallax));
             make_.set(made, "opacity", Value(now.opacity));
             make_.set(made, "visible", Value(now.visible));
@@ -153,7 +153,7 @@ void Tilemaps::make(Handle map, std::map<std::int64_t, Value> changes) {
     Maker maker(*tree_, [&](const std::string& what) {
         report(map, (name.empty() ? std::string() : name + ": ") + what);
     });
-    maker.place_of("the map");
+    maker.begin_messages("the map");
     maker.set_custom(map, file->map().properties);
     List layers = LayerMaker(*tree_, map, *file, images_,
                              {upper_left(map, file->map()), pixels_per_unit(map)},

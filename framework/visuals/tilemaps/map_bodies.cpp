@@ -154,8 +154,8 @@ void Tilemaps::update_bodies(Handle map) {
         wanted.clear();
     }
     const Vec2 at = file != nullptr ? upper_left(map, file->map()) : Vec2(0, 0);
-    // After a restore, every map is looked at. Then only what the outlines depend on counts, and
-    // not what a game did to the body itself: otherwise going back in time would undo that.
+    // After a restore, this runs for every map. What a game did to the body itself must stay then,
+    // so the body is only changed if the outlines are others than at the last update.
     const std::int64_t followed = number_of(wanted, at);
     if (tree_->peek(map, *of_.followed).integer() == followed) return;
     Handle body = tree_->child(map, body_name);

@@ -36,14 +36,14 @@ class ObjectMaker {
           smooth_(smooth) {}
 
     void make(const Object& object) {
-        make_.place_of("object " + std::to_string(object.id) +
-                       (object.name.empty() ? "" : " \"" + object.name + "\""));
+        make_.begin_messages("object " + std::to_string(object.id) +
+                             (object.name.empty() ? "" : " \"" + object.name + "\""));
         const maps::Tile* const tile = object.tile.empty() ? nullptr : tile_of(object);
         const std::string kind =
             object.class_name.empty() && tile != nullptr ? tile->class_name : object.class_name;
         const Class& of = class_for(object, kind);
         const Handle made = make_.add(of, parent_, object.name);
-        make_.note(object.id, made);
+        make_.remember(object.id, made);
         const bool plain = &of == &tree_.object_class();
         if (plain && !kind.empty()) make_.set_or_add(made, "kind", Value(kind));
         set_place(made, object, plain);

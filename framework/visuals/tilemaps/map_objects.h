@@ -37,8 +37,8 @@ class Maker {
     /// Below `parent`, with that name, numbered if it is taken.
     property::Handle add(const property::Class& of, property::Handle parent,
                          const std::string& name);
-    /// Begins the messages that follow: "object 12".
-    void place_of(std::string what) { what_ = std::move(what); }
+    /// Later messages begin with this text, such as "object 12".
+    void begin_messages(std::string what) { what_ = std::move(what); }
     void report(const std::string& problem) const { report_(what_ + ": " + problem); }
     /// Sets a declared property.
     void set(property::Handle instance, const char* name, const property::Value& value);
@@ -48,7 +48,7 @@ class Maker {
                     const property::Value& value);
     /// Properties from the editor: declared ones are set, others are added to the instance.
     void set_custom(property::Handle instance, const maps::Properties& properties);
-    void note(std::int64_t id, property::Handle instance) { by_id_[id] = instance; }
+    void remember(std::int64_t id, property::Handle instance) { by_id_[id] = instance; }
     /// Properties that name an object become references to its instance.
     void resolve_references();
 

@@ -13,7 +13,8 @@ using property::Type;
 using property::Vec2;
 
 std::vector<Property> Tilemaps::layer_properties() {
-    // The body of the map follows these in `report`. The hook only writes this class's own memory.
+    // After a write, `report` updates the body of the map. The hook only writes this class's
+    // memory.
     const auto followed = [this](Property property) {
         property.binding.context = this;
         property.binding.invalidate = [](void* context, property::Row row) {
@@ -85,7 +86,7 @@ void Tilemaps::define_layer(property::Tree& tree) {
     lifecycle.create = [](void* context, property::Tree&, Handle self) {
         return static_cast<Tilemaps*>(context)->layer_rows_.add(self);
     };
-    // The collisions of a map follow its layers: one that comes, one that goes.
+    // Both the map that the layer leaves and the one that it enters need other collisions.
     lifecycle.place = [](void* context, property::Tree& of, Handle self, property::Row row) {
         auto& maps = *static_cast<Tilemaps*>(context);
         const Handle now = of.parent(self);

@@ -42,7 +42,7 @@ void Tilemaps::define(property::Tree& tree) {
                          [this](const property::Occurrence&) { report(); }, {.label = "Tilemap"})};
 }
 
-// The tree may live on.
+// The tree may outlive this object.
 Tilemaps::~Tilemaps() {
     for (property::Connection& handler : handlers_) handler.stop();
 }

@@ -30,7 +30,8 @@ class Tilemaps {
     void step(double dt);
     /// Applies writes of properties: another map, other collisions.
     void report();
-    /// A snapshot may be of a moment at which the collisions did not follow yet.
+    /// Marks all maps for `report`: a snapshot may have been made between a write and the update of
+    /// the collisions.
     void restored();
     std::uint64_t hash() const;
 
@@ -52,12 +53,12 @@ class Tilemaps {
     struct Row {
         property::Handle self{};  // null: the row is free
         double time = 0;          // s, of the animations of tiles
-        bool outdated = false;    // a property that its instances follow was written
+        bool outdated = false;    // a property was written from which its instances are made
         std::string source{};     // of `source()`; "": not known
     };
     struct LayerRow {
         property::Handle self{};
-        property::Handle map{};  // whose collisions have it, or what else it is below
+        property::Handle map{};  // its parent, which need not be a map
         // The data from which `grid` was made.
         std::shared_ptr<const LoadedMap> file{};
         std::int64_t id = 0;
@@ -102,7 +103,7 @@ class Tilemaps {
     property::Vec2 upper_left(property::Handle map, const maps::Map& of) const;
     double pixels_per_unit(property::Handle map) const;
     void report(property::Handle map, const std::string& problem);
-    /// The collisions of the map follow, if it is one and alive.
+    /// Marks the map for `report`; no effect if the instance is not alive or not a map.
     void outdate(property::Handle map);
     property::Lifecycle map_lifecycle();
 

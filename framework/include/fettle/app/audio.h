@@ -39,13 +39,13 @@ class Audio {
     std::int32_t max_voices = 64;      // beyond it, the oldest voice ends
     std::function<double()> random{};  // the game's random numbers, 0 to 1; the loop sets it
 
-    /// To be called when that file of the game has changed: sounds that begin from now on play it.
-    /// Throws property::Error if it cannot be read; the old sound stays then.
+    /// To be called when the file `name` of the game has changed: sounds that begin from now on use
+    /// its new content. Throws property::Error if it cannot be read; the old sound stays then.
     void renew(const std::string& name);
     /// A step of `dt` seconds passes for all voices. The modules step afterwards.
     void step(double dt);
     /// This many seconds of real time pass in a paused game, for the voices that do not pause with
-    /// it. They stand while an earlier step is looked at.
+    /// it. They do not advance while an earlier step is shown.
     void wait(double seconds);
     /// Functions of the classes in Lua: `Synth.coin()`.
     static std::string_view library();

@@ -14,7 +14,8 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
-/// Later steps that were left when the game went on from an earlier step.
+/// Steps that are no longer part of the past of the running game, because it went back to an
+/// earlier step and continued from there.
 struct Branch {
     std::string name;
     std::int64_t fork = 0;    ///< the last step that it has in common with the present branch
@@ -38,7 +39,7 @@ struct Clock {
     bool step_once = false;         // one step while paused; false again after it
     std::int32_t max_steps = 5;     // steps one frame may make to catch up
     double rewind_limit = 60;       // s of the past that are kept; 0: none
-    double rewind_memory = 128;     // MiB that may take
+    double rewind_memory = 128;     // MiB, limit of the memory for the kept past
     std::int32_t branch_limit = 4;  // branches that are kept besides the present one; 0: none
 
     // Kept by the loop.

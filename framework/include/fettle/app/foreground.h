@@ -36,8 +36,8 @@ struct Act {
 class Foreground {
   public:
     virtual ~Foreground() = default;
-    /// Whether the game is not to get this input. Called when it is made; must change nothing. A
-    /// release is kept from the game if the press was.
+    /// True: the game does not get this input. Called as soon as the input arrives; must not change
+    /// anything. If the game did not get a press, it does not get the release either.
     virtual bool takes(const Act& act) const = 0;
     /// Called for all input in the input phase of the frame, before the game gets the input that
     /// was not taken. It may change the tree.

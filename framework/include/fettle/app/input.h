@@ -43,8 +43,8 @@ class Input {
     Input(const Input&) = delete;
     Input& operator=(const Input&) = delete;
 
-    /// It gets all input before the game. Not owned: it must outlive this object or be replaced.
-    /// Null: none.
+    /// Sets the foreground, which gets all input before the game. Not owned: it must outlive this
+    /// object or be replaced. Null: none.
     void give_first(Foreground* foreground);
     Foreground* foreground() const;
 

@@ -29,8 +29,8 @@ class Layer {
     virtual bool handle(const InputEvent& event) = 0;
     /// Once a frame, after the game is drawn. `seconds`: real time since the last frame.
     virtual void draw(Surface& surface, double seconds) = 0;
-    /// The part of `whole` in which a legend of the game's overlays, or the text of an error, is
-    /// visible: neither below what this layer drew last nor in the room that it needs.
+    /// The part of `whole` that this layer leaves free, in pixels: other layers draw texts there,
+    /// such as the legend of the game's overlays or an error.
     virtual ClipRectangle left_free(const ClipRectangle& whole) const { return whole; }
 };
 

@@ -150,8 +150,8 @@ class Loop {
     };
     void require_unpinned() const;
     void announce_next();
-    bool live_next();
-    bool prelude(double dt, double real_dt, Stopwatch& watch);
+    bool begin_next();
+    bool before_steps(double dt, double real_dt, Stopwatch& watch);
     void repeat_after_return(double real_dt);
     bool make_step(Stopwatch& watch);
     void wait(double seconds);
@@ -177,7 +177,7 @@ class Loop {
     Timeline timeline_;
     Witness* witness_ = nullptr;
     const char* pinned_ = nullptr;  // the running function that must not destroy the loop
-    double owed_ = 0;               // s of simulation time that are due
+    double due_seconds_ = 0;        // s of simulation time that are due
     std::uint64_t lived_ = 0;
     std::uint64_t announced_ = 0;
     bool halted_ = false;

@@ -42,7 +42,7 @@ class Services {
     /// The effect of the view.
     Effects& effects() { return *effects_; }
     /// Receives errors of the effect of the view.
-    void on_effect_problem(std::function<void(const std::string&)> tell);
+    void on_effect_problem(std::function<void(const std::string&)> sink);
     /// Reads the file again if it is that of the effect.
     void renew_effect(const std::string& name);
     property::Assets* const assets;  ///< files of the game; null if there are none

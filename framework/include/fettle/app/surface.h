@@ -24,10 +24,10 @@ struct SurfaceColor {
     std::uint8_t r = 255, g = 255, b = 255, a = 255;  ///< white
 };
 
-/// A kind of letters.
+/// The font of a text.
 enum class Face : std::uint8_t { plain, bold, monospace };
 
-/// Nothing is drawn outside.
+/// A rectangle outside of which nothing is drawn.
 struct ClipRectangle {
     float left, top, width, height;  // pixels
 };

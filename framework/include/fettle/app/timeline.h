@@ -221,7 +221,7 @@ class Timeline {
     bool too_much(const Step& step) const;
     void restart();
     void note_jump();
-    void settle();
+    void save_changes();
     void travel(std::int64_t step);
     void replay(const Keyframe& frame, std::int64_t step,
                 const std::function<void(std::int64_t)>& look);
@@ -232,12 +232,12 @@ class Timeline {
     void keep_branch();
     void trim_branches();
     void drop_branch();
-    void weigh(Other& branch) const;
+    void count_bytes(Other& branch) const;
     std::string new_branch_name() const;
     std::vector<Other>::iterator other_branch(const std::string& name);
     void exchange_with(Other& other);
     const Keyframe& start_of(std::int64_t from) const;
-    void look_elsewhere(const Keyframe& frame, const std::function<void()>& repeat);
+    void run_in_past(const Keyframe& frame, const std::function<void()>& repeat);
     void drop_after(std::int64_t step);
     void drop_oldest();
     void trim();

@@ -29,17 +29,17 @@ class Interface : public module::Module, public app::Foreground {
 
     std::string_view name() const override { return "interface"; }
     void attach(property::Tree& tree) override;
-    /// Values of bound properties that the step changed are taken over.
+    /// Does nothing: `report` follows the step.
     void step(double dt) override;
     void report(property::Tree& tree) override;
     std::uint64_t hash() const override;
     /// The function gets one line for each widget whose `bind` fails, once.
     void on_problem(std::function<void(const std::string&)> listener);
 
-    /// The function gets each setting of the player that changes, to be kept for later runs: the
-    /// path of a property and its value, nil if it is a setting no longer.
+    /// The function gets each preference that changes, to be kept for later runs: the path of a
+    /// property and its value; nil if it is no longer a preference.
     void on_preference(std::function<void(const std::string&, const property::Value&)> keep);
-    /// Writes a setting of an earlier run in the next frame, or as soon as there is such a
+    /// Writes a preference of an earlier run in the next frame, or as soon as there is such a
     /// property.
     void begin_with(const std::string& path, const property::Value& value);
 

@@ -80,7 +80,7 @@ class ByteReader {
         return value;
     }
     bool boolean() { return get<std::uint8_t>() != 0; }  ///< one byte
-    /// One value, byte by byte.
+    /// A count and then so many elements, as ByteWriter::put wrote them.
     template <Bytewise T>
     std::vector<T> list() {
         const auto count = get<std::uint64_t>();
@@ -89,7 +89,7 @@ class ByteReader {
         raw(elements.data(), elements.size(), sizeof(T));
         return elements;
     }
-    /// A count of elements of at least `least` bytes each.
+    /// A count of elements of at least `min_size` bytes each.
     std::size_t count(std::size_t min_size = 1);
     std::string_view text();            ///< valid as long as the bytes
     Value value() { return value(0); }  ///< as ByteWriter::put wrote it
@@ -99,7 +99,7 @@ class ByteReader {
     bool at_end() const { return in_.empty(); }              ///< whether all bytes were read
     /// Throws unless all bytes were read.
     void finish() const;
-    /// Throws with this text unless `holds`.
+    /// Throws with the text `otherwise` unless `holds`.
     void require(bool holds, const char* otherwise) const {
         if (!holds) fail(otherwise);
     }

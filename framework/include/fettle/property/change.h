@@ -57,7 +57,7 @@ struct Existence {
     Handle instance;                        ///< that it is about; it may be deleted
     const Class* instance_class = nullptr;  ///< its class
     std::string path;                       // current or last path
-    Cause cause;                            ///< of the last change
+    Cause cause;                            ///< of the creation or the deletion
     /// After a deletion: the last values, in the order of the class's properties, then the ad-hoc
     /// ones.
     std::vector<std::pair<const Property*, Value>> last_values;

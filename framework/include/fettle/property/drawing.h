@@ -50,7 +50,8 @@ class Drawer {
   public:
     virtual ~Drawer() = default;
     virtual bool draws(const Class& of) = 0;
-    /// Called before an instance is drawn, by whomever. Returns false if it shall not be drawn.
+    /// Called before an instance is drawn, by its class or by `draw`. Returns false if it shall not
+    /// be drawn.
     virtual bool begins(Handle instance) {
         (void)instance;
         return true;

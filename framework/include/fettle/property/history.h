@@ -21,7 +21,7 @@ struct HistoryEntry {
 };
 
 /// A property or an instance that undo or redo has changed. The values are as printed, with the
-/// unit behind `to`; "is ..." for a formula, "nil" where there is no such property. For an instance
+/// unit after `to`; "is ..." for a formula, "nil" where there is no such property. For an instance
 /// that was made, deleted, renamed or moved, `from` is "" and `to` says what has become of it.
 struct UndoChange {
     std::string path, from, to;  ///< what has changed, the value before and the value now
@@ -46,7 +46,7 @@ struct UndoResult {
 /// and line. Other writes include writer and step, if they are among the last 250 000 writes.
 struct Provenance {
     bool known = false;  ///< whether the writer is known
-    Cause cause;         ///< of its first write
+    Cause cause;         ///< of the last write
 };
 
 }  // namespace fettle::property

@@ -23,7 +23,7 @@ struct Lifecycle {
     /// Creates the row, with defaults, before the instance is visible. May throw Error for lack of
     /// room. Until the instance is complete, with `place`, deleting or moving it or one above
     /// throws Error(bad_structure). `Tree::restore` calls it for instances that were not there,
-    /// those above first: others have no row yet, so their properties tell nothing; deleting or
+    /// those above first: others have no row yet, so their properties must not be read; deleting or
     /// moving them, creating an instance below them, or taking a snapshot throws the same.
     Row (*create)(void* context, Tree& tree, Handle self) = nullptr;
     /// The chain of parents above `self` changed (called for parents before children). Returns the

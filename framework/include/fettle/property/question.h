@@ -17,9 +17,9 @@ namespace fettle::property {
 
 class Tree;
 
-/// While it lives, functions are called in the middle of a step, a search, a snapshot or a
-/// change, when what these use must not change. The functions may read the tree. Calls that would
-/// change the tree throw Error(rejected), and formulas keep their values.
+/// While it lives, the tree cannot be changed: functions are called in the middle of a step, a
+/// search, a snapshot or a change. They may read the tree. Calls that would change it throw
+/// Error(rejected), and formulas keep their values.
 class Inquiry {
   public:
     /// Errors read "`subject` `rule` delete an instance"; both must outlive this object.
@@ -49,7 +49,7 @@ class Question {
           values_(values),
           changeable_(changeable) {}
 
-    const Event& event() const { return event_; }              ///< which asks
+    const Event& event() const { return event_; }              ///< of the question
     std::span<const Value> values() const { return values_; }  ///< of its fields
     /// Changes the value of a field. Throws Error for a read-only field, for a value of another
     /// type, or outside the field's range.

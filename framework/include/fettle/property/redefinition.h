@@ -11,10 +11,10 @@ FETTLE_PROPERTY_BEGIN
 namespace fettle::property {
 
 /// Replaces the properties that a class without a module declares itself, while instances of it may
-/// live: its code was loaded again. They get the default of a new property. A property of another
-/// type keeps the values that fit the new type. One that is not in `own` does not exist any more;
-/// pointers to it stay valid, and refer to nothing. Throws Error, and has changed nothing, for a
-/// name that a derived class or a child of an instance has.
+/// live: its code was loaded again. The instances get the default of a new property. A property of
+/// another type keeps the values that fit the new type. One that is not in `own` does not exist any
+/// more; pointers to it stay valid, but no instance has it. Throws Error, and has changed nothing,
+/// for a name that a derived class or a child of an instance has.
 void redefine(Tree& tree, const Class& of, std::vector<Property> own);
 
 }  // namespace fettle::property

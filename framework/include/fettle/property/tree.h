@@ -130,10 +130,9 @@ class Tree {
     bool is_below(Handle instance, Handle ancestor) const;
     /// A number that changes whenever an instance is created, deleted, moved or renamed.
     std::uint64_t structure() const;
-    /// Number of living instances. `each_below` visits them in a fixed order (parents before
-    /// children).
+    /// Number of living instances.
     std::size_t size() const;
-    /// Calls `visit` for all instances below `top`.
+    /// Calls `visit` for all instances below `top` in a fixed order, parents before children.
     void each_below(Handle top, const std::function<void(Handle)>& visit) const;
 
     std::string name(Handle instance) const;  ///< among its siblings
@@ -308,7 +307,7 @@ class Tree {
     /// one derived from it.
     Connection watch(const Class& of, const Property* property, ChangeHandler handler,
                      WatchOptions options = {});
-    /// Watches all properties whose paths match a pattern (`PathPattern`).
+    /// Watches all properties whose paths match a pattern (`Pattern`).
     Connection watch_pattern(std::string_view pattern, ChangeHandler handler,
                              WatchOptions options = {});
     /// Instances of a class, or of one derived from it, that were created.

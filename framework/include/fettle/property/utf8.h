@@ -22,7 +22,7 @@ std::size_t next_code_point(std::string_view text, std::size_t offset);
 /// Offset of the code point before `offset`.
 std::size_t previous_code_point(std::string_view text, std::size_t offset);
 /// The beginning of the code point with the byte at `offset`; the end of the text for an offset
-/// behind it.
+/// after it.
 std::size_t code_point_boundary(std::string_view text, std::size_t offset);
 /// Number of code points.
 std::size_t code_point_count(std::string_view text);

@@ -116,12 +116,11 @@ class Value {
     }
 
     Type type() const { return type_; }                 ///< of the value
-    bool is_nil() const { return type_ == Type::nil; }  ///< whether there is none
+    bool is_nil() const { return type_ == Type::nil; }  ///< whether there is no value
     bool is(Type type) const { return type_ == type; }  ///< whether it has that type
     /// integer or number
     bool is_numeric() const { return type_ == Type::integer || type_ == Type::number; }
 
-    // Each throws Error(wrong_type), which names both types, if the value has another type.
     /// Throws Error(wrong_type), which names both types, if the value has another type.
     bool boolean() const { return as(Type::boolean).boolean; }
     /// Throws Error(wrong_type) if the value has another type.
@@ -184,7 +183,8 @@ Value default_value(Type type);
 /// 0.100000001490116.
 enum class Precision : std::uint8_t { single_precision, double_precision };
 
-/// That with which a value stored as float is shown as written: 0.1, not 0.10000000149011612.
+/// `single_precision` if the number is exactly a float, so that a value stored as float is printed
+/// as 0.1 and not as 0.10000000149011612.
 Precision shortest_precision(double number);
 Precision shortest_precision(const Vec2& vec);
 

@@ -71,7 +71,7 @@ class WriteLog : public Observer {
     class FETTLE_PROPERTY_PRIVATE Player;
     void note(Did what, Handle instance, const Property& property);
 
-    /// Plain writes that belong behind the first `at` bytes. They are copied only once, when the
+    /// Plain writes that belong after the first `at` bytes. They are copied only once, when the
     /// log is taken.
     struct Kept {
         std::size_t at;

@@ -41,7 +41,7 @@ struct GameLimits {
     std::uint64_t instructions = 0;  // Lua instructions of one call into the scripts
     /// Bytes of Lua and of what the scripts add to the tree, physics included (estimated).
     std::size_t memory = 0;
-    std::size_t instances = 0;  // as all limits here, 0: none
+    std::size_t instances = 0;  // in the tree, also those that scripts did not make
     std::size_t handlers = 0;   // watchers included
     std::size_t timers = 0;     // that wait
     std::size_t output = 0;     // bytes that print() may write during a run
@@ -63,10 +63,9 @@ struct Options {
     /// Seconds that a call into the scripts may take; then it is stopped, as by an error. 0: no
     /// limit. `limit_calls` can change it.
     double call_seconds = 10;
-    std::filesystem::path assets;  // folder for files that the game's folder does not have
-    // Not owned; null if the game has none.
+    std::filesystem::path assets;          // folder for files that the game's folder does not have
     property::GameSaves* saves = nullptr;  ///< saved games; not owned
-    property::Tweaks* tweaks = nullptr;    ///< of people; not owned
+    property::Tweaks* tweaks = nullptr;    ///< edits of people; not owned
     property::Store* store = nullptr;      ///< lasting values of the game; not owned
     property::GameFiles* files = nullptr;  // null: the files on the disk
     property::Media* media = nullptr;      // null: `pen` has no images and cannot measure text

@@ -9,7 +9,7 @@
 namespace fettle::property {
 
 // Commits within this time share a checkpoint.
-constexpr std::chrono::milliseconds patience{500};
+constexpr std::chrono::milliseconds checkpoint_delay{500};
 
 CheckpointThread::CheckpointThread(std::filesystem::path file)
     : file_(std::move(file)), thread_([this] { work(); }) {}
@@ -36,7 +36,7 @@ void CheckpointThread::work() {
     std::unique_lock lock(mutex_);
     while (true) {
         woken_.wait(lock, [this] { return committed_ || ending_; });
-        if (!ending_) woken_.wait_for(lock, patience, [this] { return ending_; });
+        if (!ending_) woken_.wait_for(lock, checkpoint_delay, [this] { return ending_; });
         const bool last = ending_;
         const bool due = std::exchange(committed_, false);
         lock.unlock();

@@ -12,7 +12,7 @@ namespace fettle::property {
 
 namespace {
 
-std::string words(sqlite3* database, int code) {
+std::string message_of(sqlite3* database, int code) {
     const int primary = code & 0xff;
     if (primary == SQLITE_FULL) return system_reason(ENOSPC);
     if (primary == SQLITE_INTERRUPT) return "reading it takes too long";
@@ -34,11 +34,11 @@ void require_regular_files(const std::filesystem::path& file) {
         const std::string name = file.string() + suffix;
         struct stat status {};
         if (::lstat(name.c_str(), &status) != 0) continue;
-        const std::string whose = *suffix == 0 ? "" : file.filename().string() + suffix + ": ";
+        const std::string prefix = *suffix == 0 ? "" : file.filename().string() + suffix + ": ";
         if (const std::string why = why_no_file(status.st_mode); !why.empty())
-            throw std::runtime_error(whose + why);
+            throw std::runtime_error(prefix + why);
         if (static_cast<std::uintmax_t>(status.st_size) > Database::size_limit)
-            throw std::runtime_error(whose + "it is larger than " +
+            throw std::runtime_error(prefix + "it is larger than " +
                                      std::to_string(Database::size_limit >> 20) + " MB");
     }
 }
@@ -86,7 +86,7 @@ Statement::~Statement() {
 }
 
 void Statement::fail(int code) const {
-    throw DatabaseError(code, words(database_, code));
+    throw DatabaseError(code, message_of(database_, code));
 }
 
 Statement& Statement::bind(int parameter, std::int64_t value) {
@@ -115,7 +115,7 @@ bool Statement::step() {
     if (code == SQLITE_ROW) return true;
     if (code == SQLITE_DONE) return false;
     const int extended = sqlite3_extended_errcode(database_);
-    throw DatabaseError(extended, words(database_, code));
+    throw DatabaseError(extended, message_of(database_, code));
 }
 
 void Statement::run() {
@@ -164,7 +164,7 @@ Database::Database(const std::filesystem::path& named, Access access) : Database
     const int code =
         sqlite3_open_v2(uri(file, immutable).c_str(), &database_,
                         rights | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX | no_links, nullptr);
-    if (code != SQLITE_OK) throw DatabaseError(code, words(database_, code));
+    if (code != SQLITE_OK) throw DatabaseError(code, message_of(database_, code));
     distrust();
 }
 
@@ -182,7 +182,7 @@ void Database::distrust() {
           std::pair{SQLITE_LIMIT_VDBE_OP, 25'000}, std::pair{SQLITE_LIMIT_FUNCTION_ARG, 8},
           std::pair{SQLITE_LIMIT_ATTACHED, 0}, std::pair{SQLITE_LIMIT_TRIGGER_DEPTH, 1}})
         sqlite3_limit(database_, limit, value);
-    // Each statement is counted by itself. Ours need some thousands of operations.
+    // The limit is for each statement. The statements of Fettle need some thousands of operations.
     constexpr int max_operations = 200'000'000;
     sqlite3_progress_handler(
         database_, max_operations, [](void*) { return 1; }, nullptr);
@@ -193,7 +193,7 @@ Database Database::in_memory() {
     Database made;
     const int code = sqlite3_open_v2(":memory:", &made.database_,
                                      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
-    if (code != SQLITE_OK) throw DatabaseError(code, words(made.database_, code));
+    if (code != SQLITE_OK) throw DatabaseError(code, message_of(made.database_, code));
     return made;
 }
 
@@ -204,7 +204,7 @@ Database Database::of_bytes(std::string_view file) {
     const auto size = static_cast<sqlite3_int64>(file.size());
     const int code =
         sqlite3_deserialize(made.database_, "main", bytes, size, size, SQLITE_DESERIALIZE_READONLY);
-    if (code != SQLITE_OK) throw DatabaseError(code, words(made.database_, code));
+    if (code != SQLITE_OK) throw DatabaseError(code, message_of(made.database_, code));
     made.distrust();
     return made;
 }
@@ -325,8 +325,8 @@ bool check_format(Database& database, const FileFormat& format) {
     const Reading moment(database);
     const std::int64_t application = database.integer("PRAGMA application_id");
     const std::int64_t version = database.integer("PRAGMA user_version");
-    const std::int64_t things = database.integer("SELECT count(*) FROM sqlite_schema");
-    if (application == 0 && version == 0 && things == 0) return false;
+    const std::int64_t objects = database.integer("SELECT count(*) FROM sqlite_schema");
+    if (application == 0 && version == 0 && objects == 0) return false;
     check_identity(application, version, format);
     std::size_t tables = 0;
     for (Statement each = database.statement("SELECT type, name, sql FROM sqlite_schema");

@@ -156,7 +156,7 @@ namespace {
 /// Why a scene must not have this name; "" if it may. `name`: relative to the game's folder.
 std::string why_no_name_of_a_scene(const fs::path& name) {
     for (const fs::path& part : name)
-        if (part.string().starts_with('.')) return "hidden files are not a game's to write";
+        if (part.string().starts_with('.')) return "a game cannot write hidden files";
     std::string last = name.filename().string();
     // Some file systems do not distinguish upper case and lower case.
     std::transform(last.begin(), last.end(), last.begin(),
@@ -165,7 +165,7 @@ std::string why_no_name_of_a_scene(const fs::path& name) {
         if (last.ends_with(ending))
             return std::string("what ends in ") + ending + " is not a scene";
     const bool taken = last == "modules.json" || last == "game.json";
-    return taken ? "the name means something to Fettle itself" : "";
+    return taken ? "Fettle uses this name itself" : "";
 }
 
 /// Why a scene must not replace a file with this text; "" if it may.

@@ -121,7 +121,7 @@ class DocumentReader : public nlohmann::json_sax<Json> {
         } else if (reason.starts_with("[")) {
             reason.erase(0, reason.find("] ") + 2);
         }
-        // The error cannot be behind `position`, but `token_start` may be, because it skips a
+        // The error cannot be after `position`, but `token_start` may be, because it skips a
         // superfluous comma.
         const bool in_string = reason.find("invalid string") != std::string::npos;
         const std::size_t last = std::min(position - (position > 0), document_.source_.size());

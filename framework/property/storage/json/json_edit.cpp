@@ -191,8 +191,8 @@ void JsonEdit::add(const Node& container, const std::string& item, const Node* a
     set(std::move(text));
 }
 
-/// The first comma behind `at` that is not in a comment; the end of the text if there is none.
-std::size_t JsonEdit::comma_behind(std::size_t at) const {
+/// The first comma after `at` that is not in a comment; the end of the text if there is none.
+std::size_t JsonEdit::comma_after(std::size_t at) const {
     const std::string& text = document_.source();
     while (at < text.size() && text[at] != ',') {
         const std::string_view rest = std::string_view(text).substr(at);
@@ -206,11 +206,11 @@ std::size_t JsonEdit::comma_behind(std::size_t at) const {
     return at;
 }
 
-/// Including a comma behind it.
+/// Including a comma after it.
 bool JsonEdit::alone_on_its_lines(const Node& child) const {
     const std::string& text = document_.source();
     const std::size_t end = line_end(child.end);
-    if (document_.next(child) != nullptr && comma_behind(child.end) >= end) return false;
+    if (document_.next(child) != nullptr && comma_after(child.end) >= end) return false;
     return begins_line(start(child)) && end < text.size() &&
            (text[end] == '\n' || text[end] == '\r');
 }
@@ -267,7 +267,7 @@ void JsonEdit::remove(const Node& container, const Node& child) {
         return set(std::move(text));
     }
     // A new last element must have no comma. This comma is in front of the erased range.
-    if (next == nullptr && previous != nullptr) text.erase(comma_behind(previous->end), 1);
+    if (next == nullptr && previous != nullptr) text.erase(comma_after(previous->end), 1);
     set(std::move(text));
 }
 

@@ -26,7 +26,7 @@ class JsonEdit {
 
     using Node = Document::Node;
     void replace(const Node& node, std::string_view value);
-    /// Adds a member to an object: behind the member `after`, as the first one (`after` is the
+    /// Adds a member to an object: after the member `after`, as the first one (`after` is the
     /// object itself), or as the last one (null). `value` may have several lines; its first column
     /// must be column 1.
     void add_member(const Node& object, std::string_view key, std::string_view value,
@@ -44,12 +44,12 @@ class JsonEdit {
     void remove(const Find& container,
                 const std::function<bool(const Document&, const Node&)>& which);
     /// Removes a member of an object, or an element of an array, together with its line and the
-    /// comment behind it.
+    /// comment after it.
     void remove(const Node& container, const Node& child);
 
   private:
     void add(const Node& container, const std::string& item, const Node* after);
-    std::size_t comma_behind(std::size_t at) const;
+    std::size_t comma_after(std::size_t at) const;
     bool alone_on_its_lines(const Node& child) const;
     void add_first(const Node& container, const std::string& item);
     void set(std::string text);

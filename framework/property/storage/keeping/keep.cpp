@@ -123,7 +123,7 @@ class Keeping {
 
 TweakReport Tweaks::State::keep(std::string_view pattern) {
     TweakReport report;
-    rest = 0;
+    barriers_to_retry = 0;
     barrier();  // includes the latest edits
     try {
         // Changes by other runs of the game must be preserved. The lock keeps others from writing

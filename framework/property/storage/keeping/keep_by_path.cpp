@@ -41,7 +41,7 @@ const Property* declared(const KeepRun& run, const std::string& home, const std:
     return instance ? run.state.tree.class_of(instance).property(property) : nullptr;
 }
 
-void into_kept(KeepRun& run, const JournalRow& row) {
+void apply_to_kept(KeepRun& run, const JournalRow& row) {
     const std::string home = run.row_paths.home(row);
     switch (row.kind) {
         case Kind::value:
@@ -83,7 +83,7 @@ Rows possible_together(KeepRun& run, const Rows& rows, Check check) {
 /// An invalid row must not prevent the others from being kept. It is found by splitting the
 /// rows into halves.
 void keep_by_path(KeepRun& run, const Rows& rows) {
-    const std::size_t told_before = run.report.problems.size();
+    const std::size_t reported_before = run.report.problems.size();
     Rows done;
     try {
         for (JournalRow* row : rows)
@@ -97,18 +97,18 @@ void keep_by_path(KeepRun& run, const Rows& rows) {
         const Rows into = run.row_report.tried_together(
             others, run.row_paths,
             [&] {
-                if (!others.empty()) run.state.kept.read_again();
+                if (!others.empty()) run.state.kept.reload();
             },
-            [&](const JournalRow& row) { into_kept(run, row); });
+            [&](const JournalRow& row) { apply_to_kept(run, row); });
         done.insert(done.end(), into.begin(), into.end());
         if (!run.write(run.state.kept.file(), done, [&] { run.state.kept.write(); })) return;
         run.mark_described(done);
         run.update_other_scenes(done);
     } catch (const SceneError& error) {
-        run.state.kept.read_again();
+        run.state.kept.reload();
         if (done.size() == 1)
             return run.row_report.refuse(*done.front(), run.row_paths, error.reason());
-        run.report.problems.resize(told_before);
+        run.report.problems.resize(reported_before);
         const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
         keep_by_path(run, {rows.begin(), middle});
         keep_by_path(run, {middle, rows.end()});
@@ -139,7 +139,8 @@ void keep_moves_by_path(KeepRun& run, Rows rows) {
             moves.push_back({i, some[i]->instance, target(*some[i])});
         return moves;
     };
-    rows = possible_together(run, rows, [&](const Rows& some) { (void)whole_moves(steps(some)); });
+    rows =
+        possible_together(run, rows, [&](const Rows& some) { (void)combined_moves(steps(some)); });
     if (rows.empty()) return;
     const std::vector<MoveStep> moves = steps(rows);
     try {
@@ -149,7 +150,7 @@ void keep_moves_by_path(KeepRun& run, Rows rows) {
             }))
             run.change_homes(moves, run.state.kept.file());
     } catch (const SceneError& error) {
-        run.state.kept.read_again();
+        run.state.kept.reload();
         run.report.problems.emplace_back(error.what());
     }
 }

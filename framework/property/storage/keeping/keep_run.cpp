@@ -12,7 +12,7 @@ using RowState = JournalRow::State;
 
 KeepRun::KeepRun(Tweaks::State& s, TweakReport& r)
     : state(s), report(r), row_report(r), row_paths(s) {
-    state.kept.read_again();
+    state.kept.reload();
     state.kept.find_by([this](const std::string& home) { return row_paths.instance(home); });
 }
 
@@ -27,7 +27,7 @@ void KeepRun::mark_kept(const std::filesystem::path& file, const Rows& kept) {
     for (JournalRow* row : kept) {
         row->kept_in = file.filename().string();
         state.set_state(*row, RowState::kept);
-        if (row->run != 0 && row->kind == Kind::value) state.file_says(*row);
+        if (row->run != 0 && row->kind == Kind::value) state.set_former_value(*row);
     }
 }
 
@@ -70,7 +70,7 @@ void KeepRun::update_other_scenes(const Rows& rows) {
 
 InstanceMoves KeepRun::change_homes(const std::vector<MoveStep>& moves,
                                     const std::filesystem::path& file) {
-    const InstanceMoves all = whole_moves(moves);
+    const InstanceMoves all = combined_moves(moves);
     OtherScenes others(state, report);
     others.rename(all, file);
     others.write();
@@ -82,8 +82,8 @@ InstanceMoves KeepRun::change_homes(const std::vector<MoveStep>& moves,
         if (row->kind == Kind::moved) row->instance = home;
     row_paths = RowPaths(state);  // the moves have new home paths
     for (const auto& [row, home] : homes) {
-        const std::string said = row_paths.path_in_rows(*row, home);
-        if (std::exchange(row->instance, said) != said || row->kind == Kind::moved)
+        const std::string path = row_paths.path_in_rows(*row, home);
+        if (std::exchange(row->instance, path) != path || row->kind == Kind::moved)
             state.renamed_earlier(*row);
     }
     return all;
@@ -99,7 +99,8 @@ void KeepRun::take_out(const Rows& rows, std::vector<std::string> (KeptTweaks::*
             paths.push_back(row->instance);
         }
     const std::vector<std::string> before = (state.kept.*take)(paths);
-    for (std::size_t i = 0; i < paths.size(); ++i) taken_out(state, *deletions[i], before[i]);
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        store_removed_text(state, *deletions[i], before[i]);
 }
 
 }  // namespace fettle::property

@@ -44,7 +44,7 @@ void OtherScenes::forget(const JournalRow& deletion) {
         append_quoted(all, file.string());
         all += ", \"references\": [" + before + "]}";
     }
-    if (!all.empty()) taken_out(state_, deletion, "{\"elsewhere\": [" + all + "]}");
+    if (!all.empty()) store_removed_text(state_, deletion, "{\"elsewhere\": [" + all + "]}");
 }
 
 void OtherScenes::put_back(const JournalRow& restoration) {

@@ -242,7 +242,7 @@ class Reapplying {
 
 TweakReport Tweaks::State::reapply(std::string_view pattern) {
     TweakReport report;
-    rest = 0;
+    barriers_to_retry = 0;
     barrier();
     refresh_earlier();
     const Rows rows = matching(pattern, true);
@@ -251,7 +251,7 @@ TweakReport Tweaks::State::reapply(std::string_view pattern) {
         const EditScope edit(tree, "reapply tweaks of " + std::string(pattern));
         reapplying.reapply(rows);
     }
-    settle_fresh();
+    make_fresh_entries();
     for (const auto& [row, instance] : reapplying.applied())
         if (Entry* entry = entry_about(*row, instance)) earlier.reapplied.emplace_back(row, entry);
     return report;
@@ -282,7 +282,7 @@ Tweaks::State::Entry* Tweaks::State::entry_about(const JournalRow& row, Handle i
 }
 
 /// A row whose repetition was undone becomes open again.
-void Tweaks::State::settle_reapplied() {
+void Tweaks::State::reopen_undone_rows() {
     std::erase_if(earlier.reapplied, [](const auto& each) {
         return each.second->row.state == RowState::kept || each.first->state == RowState::kept;
     });

@@ -27,8 +27,8 @@ std::string RowPaths::home(const JournalRow& row, const std::string& path) const
 }
 
 std::string RowPaths::home(const JournalRow& row) const {
-    const bool said = row.kind != Kind::value && row.kind != Kind::created;
-    return said ? row.instance : home(row, row.instance);
+    const bool names_home = row.kind != Kind::value && row.kind != Kind::created;
+    return names_home ? row.instance : home(row, row.instance);
 }
 
 std::string RowPaths::home_of_new_parent(const JournalRow& row) const {

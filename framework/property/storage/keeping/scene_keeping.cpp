@@ -23,7 +23,7 @@ void require_nothing_moved_out(const RowPaths& paths, const JournalRow& row) {
                     "what is " + path + " now is a part of it in the file, and would go with it");
 }
 
-void taken_out(Tweaks::State& state, const JournalRow& row, const std::string& text) {
+void store_removed_text(Tweaks::State& state, const JournalRow& row, const std::string& text) {
     if (row.run != 0) return;
     std::string& all = state.entry_of(row).taken_out;
     if (all.empty() || row.state != JournalRow::State::kept)
@@ -70,10 +70,10 @@ bool SceneKeeping::loadable() const {
 Rows SceneKeeping::keep(const Rows& rows) {
     const std::string before = text();
     const bool was_loadable = loadable();
-    const std::size_t told_before = report_.count();
+    const std::size_t reported_before = report_.count();
     Rows done = edited(rows, false);
     if (!was_loadable || loadable()) return done;
-    report_.forget_since(told_before);
+    report_.forget_since(reported_before);
     set_text(before);
     return edited(rows, true);
 }
@@ -85,7 +85,7 @@ Rows SceneKeeping::edited(const Rows& rows, bool each) {
     Rows done = report_.tried_together(
         without_moves(rows), paths_, [&] { set_text(at_first); },
         [&](const JournalRow& row) {
-            as_before_if_it_fails([&] {
+            restore_text_on_error([&] {
                 edit_scene(row, moves);
                 if (each) check_scene(state_.tree, edit_.document());
             });
@@ -101,14 +101,14 @@ Rows SceneKeeping::edited(const Rows& rows, bool each) {
     } catch (const Error&) {  // one of the rows has an error, so each is tried alone
         set_text(before);
         for (JournalRow* row : moves)
-            if (report_.tried(*row, [&] { as_before_if_it_fails([&] { rename({row}, true); }); }))
+            if (report_.tried(*row, [&] { restore_text_on_error([&] { rename({row}, true); }); }))
                 done.push_back(row);
     }
     return done;
 }
 
 template <class Edit>
-void SceneKeeping::as_before_if_it_fails(Edit edit) {
+void SceneKeeping::restore_text_on_error(Edit edit) {
     const std::string before = text();
     try {
         edit();
@@ -132,11 +132,11 @@ void SceneKeeping::edit_scene(const JournalRow& row, const Rows& moves) {
                              });
         case Kind::created:
             check_made(state_, paths_, row);
-            require_left(paths_.home(row), moves);
+            require_name_free(paths_.home(row), moves);
             return edit_.add_child(steps, paths_.home_scene(row, in_file));
         case Kind::deleted:
             require_nothing_moved_out(paths_, row);
-            return taken_out(state_, row, edit_.remove(steps, row.instance));
+            return store_removed_text(state_, row, edit_.remove(steps, row.instance));
         case Kind::restored:
             edit_.put_back(steps, row.was);
             return edit_.name_as_in(
@@ -169,7 +169,7 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
             throw Error(ErrorKind::rejected, "another parent cannot be kept: move it in the file");
         if (row.inside.empty()) require_named_by_file(row);
         moves.push_back({i, row.instance, path_below(parent, split_path(row.now).second)});
-        require_left(moves.back().to, rows);
+        require_name_free(moves.back().to, rows);
         if (state_.deleted_by_path(moves.back().to))
             throw Error(ErrorKind::rejected,
                         "a script gives the name to what was deleted: choose another one");
@@ -181,7 +181,7 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
         edit_.rename(steps, split_path(step.to).second);
     }
     const std::string top = paths_.home_of_top(*rows.front());
-    const InstanceMoves homes = whole_moves(moves);
+    const InstanceMoves homes = combined_moves(moves);
     InstanceMoves in_file;  // from the top of the scene
     for (const MoveStep& move : moves)
         if (is_at_or_below(move.from, top) && move.from != top)
@@ -195,7 +195,7 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
 }
 
 /// Throws Error if another instance has that home path and `moves` do not give it another name.
-void SceneKeeping::require_left(const std::string& home, const Rows& moves) const {
+void SceneKeeping::require_name_free(const std::string& home, const Rows& moves) const {
     const std::string path = without_marks(home), other = paths_.moved_from(path);
     if (other.empty() ||
         std::ranges::any_of(moves, [&](const JournalRow* each) { return each->instance == path; }))
@@ -207,7 +207,7 @@ void SceneKeeping::require_left(const std::string& home, const Rows& moves) cons
 /// Removes the marks from paths: the moved instance has its new name in the file, so the new
 /// instance can have the old one.
 void SceneKeeping::remove_marks() {
-    if (!may_hold_marks(text())) return;
+    if (!may_have_marked_path(text())) return;
     set_text(scene_with_paths(state_.tree, text(), [](const std::string& path) {
         return std::optional(without_marks(path));
     }));

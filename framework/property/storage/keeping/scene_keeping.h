@@ -23,7 +23,7 @@ void check_made(const Tweaks::State& state, const RowPaths& paths, const Journal
 void require_nothing_moved_out(const RowPaths& paths, const JournalRow& row);
 /// Stores the text that a deletion removed from a file, a JSON object, in addition to texts from
 /// other files.
-void taken_out(Tweaks::State& state, const JournalRow& row, const std::string& text);
+void store_removed_text(Tweaks::State& state, const JournalRow& row, const std::string& text);
 
 class SceneKeeping {
   public:
@@ -38,9 +38,9 @@ class SceneKeeping {
     bool loadable() const;
     Rows edited(const Rows& rows, bool each);
     template <class Edit>
-    void as_before_if_it_fails(Edit edit);
+    void restore_text_on_error(Edit edit);
     void edit_scene(const JournalRow& row, const Rows& moves);
-    void require_left(const std::string& home, const Rows& moves) const;
+    void require_name_free(const std::string& home, const Rows& moves) const;
     NewPath named_in_file(const JournalRow& row) const;
     void remove_marks();
     void rename(const Rows& rows, bool check);

@@ -53,7 +53,7 @@ bool is_marked(const std::string& home) {
     return home.find(mark_in_paths) != std::string::npos;
 }
 
-bool may_hold_marks(std::string_view json) {
+bool may_have_marked_path(std::string_view json) {
     return json.find(mark_in_json) != std::string_view::npos;
 }
 
@@ -85,7 +85,7 @@ std::string InstanceMoves::moved_out_of(const std::string& home) const {
     return {};
 }
 
-InstanceMoves whole_moves(const std::vector<MoveStep>& moves) {
+InstanceMoves combined_moves(const std::vector<MoveStep>& moves) {
     std::unordered_map<std::string, std::string> targets;
     for (const MoveStep& move : moves) targets[move.from] = move.to;
     std::size_t depth = 0;
@@ -107,7 +107,7 @@ InstanceMoves whole_moves(const std::vector<MoveStep>& moves) {
 namespace {
 
 /// Orders moves of instances with the same depth.
-void put_in_order(std::vector<MoveStep> moves, std::vector<MoveStep>& ordered) {
+void order_moves(std::vector<MoveStep> moves, std::vector<MoveStep>& ordered) {
     std::unordered_set<std::string> taken;
     for (const MoveStep& move : moves) taken.insert(move.from);
     std::size_t in_between = 0;
@@ -138,7 +138,7 @@ std::vector<MoveStep> in_order(const std::vector<MoveStep>& moves) {
     std::map<std::size_t, std::vector<MoveStep>, std::greater<>> by_depth;
     for (const MoveStep& move : moves) by_depth[parse_path(move.from).size()].push_back(move);
     std::vector<MoveStep> ordered;
-    for (auto& [depth, its] : by_depth) put_in_order(std::move(its), ordered);
+    for (auto& [depth, its] : by_depth) order_moves(std::move(its), ordered);
     return ordered;
 }
 

@@ -38,7 +38,7 @@ class InstanceMoves {
 bool is_marked(const std::string& home);
 std::string without_marks(const std::string& home);
 /// Whether a text in JSON may hold a marked path.
-bool may_hold_marks(std::string_view json);
+bool may_have_marked_path(std::string_view json);
 
 /// One of several moves; `which` is the number of the instance.
 struct MoveStep {
@@ -52,6 +52,6 @@ struct MoveStep {
 std::vector<MoveStep> in_order(const std::vector<MoveStep>& moves);
 /// The result of all moves. `to` of each is its path before the others are made. Throws Error if
 /// together they move an instance below itself.
-InstanceMoves whole_moves(const std::vector<MoveStep>& moves);
+InstanceMoves combined_moves(const std::vector<MoveStep>& moves);
 
 }  // namespace fettle::property

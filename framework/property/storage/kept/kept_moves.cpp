@@ -18,7 +18,7 @@ void KeptTweaks::require_movable(const std::string& from, const std::string& to)
 
 void KeptTweaks::move(const std::vector<MoveStep>& moves) {
     fold();
-    const InstanceMoves all = whole_moves(moves);
+    const InstanceMoves all = combined_moves(moves);
     std::map<std::string, std::vector<MoveStep>> parts;  // by the instance that they are a part of
     for (const MoveStep& move : moves)
         if (const std::string made = made_above(move.from); made != move.from)

@@ -32,11 +32,11 @@ bool all_names(const std::vector<Segment>& segments) {
 
 KeptTweaks::KeptTweaks(Tree& tree, GameFiles& files, std::filesystem::path file, Warn warn)
     : tree_(tree), files_(files), file_(std::move(file)), warn_(std::move(warn)) {
-    read_again();
+    reload();
     if (!problem_.empty()) warn_(problem_ + "; the tweaks kept in this file are not applied");
 }
 
-void KeptTweaks::read_again() {
+void KeptTweaks::reload() {
     changes_.clear();
     unwritten_ = false;
     document_.reset();
@@ -169,13 +169,13 @@ void KeptTweaks::apply(JsonEdit& edit, const Changes& changes) {
     const bool keyed = changes.section != "deleted";
     std::unordered_set<std::string> there;
     std::vector<std::pair<const Node*, std::string>> replaced;
-    std::size_t staying = 0, going = 0;
+    std::size_t remaining_count = 0, removed_count = 0;
     if (const Node* object = section(edit.document()))
         for (const Node* node = edit.document().first(*object); node;
              node = edit.document().next(*node)) {
             const Change* change = change_of(edit.document(), *node);
             const bool goes = change != nullptr && !change->value;
-            ++(goes ? going : staying);
+            ++(goes ? removed_count : remaining_count);
             if (change == nullptr || goes) continue;
             there.insert(change->key);
             if (keyed) replaced.emplace_back(node, *change->value);
@@ -189,8 +189,8 @@ void KeptTweaks::apply(JsonEdit& edit, const Changes& changes) {
             edit.add_member(edit.document().root(), changes.section, keyed ? "{}" : "[]");
         edit.add_last(section, added);
     }
-    if (going == 0) return;
-    if (staying == 0 && added.empty())
+    if (removed_count == 0) return;
+    if (remaining_count == 0 && added.empty())
         return edit.remove(edit.document().root(), *section(edit.document()));
     edit.remove(section, [&](const Document& in, const Node& node) {
         const Change* change = change_of(in, node);

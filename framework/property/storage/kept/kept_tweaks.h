@@ -44,14 +44,14 @@ class KeptTweaks {
     using Find = std::function<Handle(const std::string& home)>;
     void find_by(Find find) { find_ = std::move(find); }
     /// Reads the file again, because another run of the game may have changed it.
-    void read_again();
+    void reload();
 
     /// Applies the values of the instance and of everything below it.
     void apply_values(Handle top);
     /// Applies everything: values, creations and deletions.
     void apply_all();
     /// Sets the values whose references were missing, and reports those that are still missing.
-    void settle();
+    void retry_waiting();
 
     // Changes for the next run. Throw Error; `write` throws FileError.
     /// `declared`: the property of the class; null for an ad-hoc property, or if the instance does
@@ -110,7 +110,7 @@ class KeptTweaks {
     void assign_or_wait(Assignment to);
     void try_waiting(bool last);
     void create_all();
-    void settle_formulas();
+    void run_formulas();
     void fold();
     std::string made_above(const std::string& path) const;
     void rename_values(const NewPath& now_at);

@@ -88,7 +88,7 @@ void KeptTweaks::try_waiting(bool last) {
         if (tree_.alive(each.instance) && !assign(each, last)) waiting_.push_back(std::move(each));
 }
 
-void KeptTweaks::settle() {
+void KeptTweaks::retry_waiting() {
     if (!waiting_.empty() && applied_) try_waiting(true);
 }
 
@@ -219,11 +219,11 @@ void KeptTweaks::apply_all() {
     apply_values(tree_.root());
     try_waiting(true);
     report_unused_values();
-    settle_formulas();
+    run_formulas();
 }
 
 /// Values that modules derive from formulas must be correct before the first barrier.
-void KeptTweaks::settle_formulas() {
+void KeptTweaks::run_formulas() {
     for (const auto& [path, values] : contents_.values)
         if (const Handle instance = instance_or_none(tree_, path))
             for (const Kept& each : values)

@@ -51,7 +51,7 @@ GameSaves::~GameSaves() {
 void GameSaves::save(const std::string& slot) {
     tree().require_changeable("save the game");
     Saves::check_slot(slot);
-    // Each packs the whole game.
+    // Each save copies the state of the whole game, so their number is limited.
     const std::size_t most = options_.space == 0 ? max_requests : max_limited_requests;
     if (requests_ == most)
         throw Error(ErrorKind::rejected,
@@ -61,11 +61,11 @@ void GameSaves::save(const std::string& slot) {
     // between is a different one.
     const std::size_t request = requested_[slot] = ++requests_;
     tree().at_barrier([alive = alive_, slot, request] {
-        if (*alive != nullptr) (*alive)->take(slot, request);
+        if (*alive != nullptr) (*alive)->save_at_barrier(slot, request);
     });
 }
 
-void GameSaves::take(const std::string& slot, std::size_t request) {
+void GameSaves::save_at_barrier(const std::string& slot, std::size_t request) {
     const auto last = requested_.find(slot);
     const bool is_last = last != requested_.end() && last->second == request;
     if (is_last) requested_.erase(last);
@@ -124,9 +124,9 @@ void GameSaves::load(const std::string& slot) {
     tree().require_changeable("load a game");
     Saves::check_slot(slot);
     const auto requested = requested_.find(slot);
-    const bool to_come = requested != requested_.end();
-    if (to_come) loaded_[requested->second] = slot;
-    const Snapshot found = to_come ? Snapshot() : saved(slot);
+    const bool is_requested = requested != requested_.end();
+    if (is_requested) loaded_[requested->second] = slot;
+    const Snapshot found = is_requested ? Snapshot() : saved(slot);
     if (!found.empty()) try {
             tree().check(found);
         } catch (const Error& error) {

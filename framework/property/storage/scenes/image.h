@@ -18,7 +18,7 @@ struct Image {
     std::string source{};     // text of a formula
     std::string not_saved{};  // why the text is not the whole formula
     std::string text{};       // for people
-    std::string unit{};       // to be shown behind the text; "" if there is no value
+    std::string unit{};       // to be shown after the text; "" if there is no value
 
     /// Equal for a person: the current values of equal formulas may differ.
     friend bool operator==(const Image& a, const Image& b) {
@@ -31,7 +31,7 @@ Image image_of(const Tree& tree, const Property& property, const CellState& stat
 /// The current state of a property. `settle`: a formula that is due runs first.
 Image image_now(const Tree& tree, Handle instance, Symbol property, bool settle);
 
-/// A change for people: the unit is written once, behind the last value.
+/// A change for people: the unit is written once, after the last value.
 std::pair<std::string, std::string> change_text(const Image& was, const Image& now);
 
 std::string image_json(const Image& image);

@@ -257,7 +257,7 @@ const Document::Node* SceneEdit::value_node(const SceneSteps& steps,
     return nullptr;
 }
 
-/// Puts the child behind the sibling that was in front of it.
+/// Puts the child after the sibling that was in front of it.
 void SceneEdit::put_back(const SceneSteps& steps, const std::string& taken_out) {
     SceneSteps above = steps;
     above.pop_back();

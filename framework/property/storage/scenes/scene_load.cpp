@@ -213,7 +213,7 @@ class SceneLoader {
                           read_value(document_, *value, type, property.element, resolve_));
             if (pass == Pass::formulas) assign_formula(handle, property.name, node);
         } catch (const SceneError& e) {
-            if (left_open(index, property.name, node, pass, e)) return;
+            if (leave_to_caller(index, property.name, node, pass, e)) return;
             throw e.about(plan_.path(index) + path_suffix(property.name));
         } catch (const Error& e) {
             const std::string path = plan_.path(index) + path_suffix(property.name);
@@ -226,9 +226,9 @@ class SceneLoader {
         }
     }
 
-    /// Whether a missing reference is left to the caller.
-    bool left_open(std::size_t index, const std::string& property, const Node& node, Pass pass,
-                   const SceneError& error) const {
+    /// Returns whether a missing reference is left to the caller, which gets it in `open_`.
+    bool leave_to_caller(std::size_t index, const std::string& property, const Node& node,
+                         Pass pass, const SceneError& error) const {
         if (open_ == nullptr || pass != Pass::references || error.kind() != ErrorKind::unknown_name)
             return false;
         // The last value of a formula is not needed if the formula can be computed.
@@ -263,7 +263,7 @@ class SceneLoader {
                                  read_value(document_, *value, Type::nil, Type::nil, resolve_));
             if (pass == Pass::formulas) assign_formula(made.handle, key, node);
         } catch (const SceneError& e) {
-            if (left_open(index, key, node, pass, e)) return;
+            if (leave_to_caller(index, key, node, pass, e)) return;
             throw e.about(where);
         } catch (const Error& e) {
             const bool no_longer =

@@ -33,7 +33,8 @@ class ScenePlan {
         const Document::Node* ad_hoc = nullptr;
         std::size_t place = 0;  // index among the children of its parent
         UnknownKeys unknown{};
-        std::string called{};  // final name, once known, if the file gives none
+        std::string called{};  // the final name of an instance without a name in the file; "" until
+                               // it is known
     };
 
     /// The scene will be a child of `parent` (null: detached) with the name `name` ("": the name in

@@ -14,8 +14,8 @@
 
 namespace fettle::property {
 
-/// The texts of the values of some instances, as a scene with full paths has them. They stay as
-/// they are whatever happens to the instances in the tree.
+/// The texts of the values of some instances, in the form of a scene with full paths. Changes of
+/// the instances in the tree do not change them.
 class SceneValues {
   public:
     bool has(Handle instance) const { return values_.contains(instance.key()); }

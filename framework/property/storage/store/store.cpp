@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::size_t largest_store = 4 * Store::size_limit;  // bytes of the file
 constexpr std::chrono::milliseconds store_delay{500};
-constexpr std::chrono::seconds store_patience{5};  // for another process
+constexpr std::chrono::seconds lock_timeout{5};  // for another process
 
 bool is_utf8(const std::string& text) {
     std::string quoted;
@@ -36,7 +36,7 @@ bool is_utf8(const std::string& text) {
 /// The lock of a folder, which ends with the result. Another process may hold it for a moment.
 Descriptor lock_folder(const fs::path& folder) {
     Descriptor locked = open_file(folder, O_RDONLY | O_DIRECTORY);
-    const auto deadline = std::chrono::steady_clock::now() + store_patience;
+    const auto deadline = std::chrono::steady_clock::now() + lock_timeout;
     while (locked && !try_lock(locked)) {
         if (errno != EWOULDBLOCK) break;  // the file system has no locks
         if (std::chrono::steady_clock::now() > deadline)
@@ -237,7 +237,7 @@ void Store::drop(const Entry& entry) {
     if (entry.content.use_count() > 1) keep_for_readers(entry);
 }
 
-/// Bounds the memory of contents that only readers hold.
+/// Limits the memory of contents that are no longer in the store and that readers still have.
 void Store::keep_for_readers(const Entry& entry) {
     const std::size_t bytes = store_size({}, entry);
     gone_.push_back({entry.content, bytes});
@@ -245,7 +245,7 @@ void Store::keep_for_readers(const Entry& entry) {
     if (gone_bytes_ <= size_limit) return;
     gone_bytes_ = 0;
     std::erase_if(gone_, [](const Gone& each) { return each.content.expired(); });
-    // The latest that have half of the room; so this is rare.
+    // Keeps the latest contents, up to half of the limit, so that this loop runs rarely.
     auto kept = gone_.end();
     while (kept != gone_.begin() && gone_bytes_ + (kept - 1)->bytes <= size_limit / 2)
         gone_bytes_ += (--kept)->bytes;

@@ -26,8 +26,8 @@ const FileFormat journal_format{
                "step INTEGER, time INTEGER, file TEXT, inside TEXT, kept_in TEXT, PRIMARY KEY "
                "(run, number)) WITHOUT ROWID"}};
 constexpr int max_files = 9;
-constexpr int io_error = 10;         // an error code of SQLite that does not concern the file
-constexpr int long_patience = 2000;  // ms; for opening a file and for the last commit
+constexpr int io_error = 10;        // an error code of SQLite that does not concern the file
+constexpr int long_timeout = 2000;  // ms; for opening a file and for the last commit
 
 std::uint64_t identity_of(const fs::path& file) {
     struct stat status {};
@@ -55,7 +55,7 @@ class Journal::Checkpoints : public CheckpointThread {
 
 Journal::Journal(std::vector<fs::path> folders, std::string name, Warn warn)
     : folders_(std::move(folders)), name_(std::move(name)), warn_(std::move(warn)) {
-    leave_out_odd_folders();
+    leave_out_unusable_folders();
     find_existing();
 }
 
@@ -74,12 +74,12 @@ fs::path Journal::candidate(const fs::path& folder, int number) const {
 /// added to the list of such files. Throws DatabaseError if other programs keep writing to it.
 std::string Journal::open(const fs::path& file, Access access) {
     using std::chrono::milliseconds, std::chrono::steady_clock;
-    const auto patient_until = steady_clock::now() + milliseconds(long_patience);
+    const auto deadline = steady_clock::now() + milliseconds(long_timeout);
     while (true) try {
             return try_to_open(file, access);
         } catch (const DatabaseError& error) {
             // While another connection enables the write-ahead log, SQLite does not wait by itself.
-            if (!error.busy() || steady_clock::now() > patient_until) throw;
+            if (!error.busy() || steady_clock::now() > deadline) throw;
             std::this_thread::sleep_for(milliseconds(2));
         }
 }
@@ -87,7 +87,7 @@ std::string Journal::open(const fs::path& file, Access access) {
 std::string Journal::try_to_open(const fs::path& file, Access access) {
     try {
         auto database = std::make_unique<Database>(file, access);
-        database->wait_for_others(long_patience);
+        database->wait_for_others(long_timeout);
         const bool made = check_format(*database, journal_format);
         if (database->read_only()) throw std::runtime_error("it can only be read");
         database->run("PRAGMA synchronous = OFF");
@@ -95,7 +95,7 @@ std::string Journal::try_to_open(const fs::path& file, Access access) {
             throw DatabaseError(io_error, "its file system allows no write-ahead log");
         if (!made) make_tables(*database);
         database->run("PRAGMA wal_autocheckpoint = 0");
-        database->wait_for_others(patience_);
+        database->wait_for_others(timeout_);
         database_ = std::move(database);
         file_ = file;
         identity_ = identity_of(file);
@@ -124,7 +124,7 @@ bool Journal::can_be_read(const fs::path& file) {
     return true;
 }
 
-void Journal::leave_out_odd_folders() {
+void Journal::leave_out_unusable_folders() {
     std::erase_if(folders_, [this](const fs::path& folder) {
         struct stat status {};
         if (::lstat(folder.c_str(), &status) != 0 || S_ISDIR(status.st_mode)) return false;
@@ -347,9 +347,9 @@ bool Journal::commit(const Changes& changes) {
     return true;
 }
 
-void Journal::be_patient() {
-    patience_ = long_patience;
-    if (database_) database_->wait_for_others(patience_);
+void Journal::wait_longer() {
+    timeout_ = long_timeout;
+    if (database_) database_->wait_for_others(timeout_);
 }
 
 bool Journal::vanished() {

@@ -72,7 +72,7 @@ class Journal {
     bool commit(const Changes& changes);
     /// After this, a commit waits up to some seconds for another program, because it may be the
     /// last commit of this run.
-    void be_patient();
+    void wait_longer();
     /// True if the file was removed or replaced: the rows of this run must be put again.
     bool vanished();
     std::int64_t run() const { return run_; }
@@ -85,7 +85,7 @@ class Journal {
     std::string open(const std::filesystem::path& file, Access access);
     std::string try_to_open(const std::filesystem::path& file, Access access);
     bool can_be_read(const std::filesystem::path& file);
-    void leave_out_odd_folders();
+    void leave_out_unusable_folders();
     void find_existing();
     void create();
     void begin_run();
@@ -103,7 +103,7 @@ class Journal {
     std::set<std::filesystem::path> unusable_;
     std::vector<std::filesystem::path> unwritable_;  // read-only journals
     std::int64_t run_ = 0;
-    int patience_ = 20;  // ms; short, because a frame must not wait
+    int timeout_ = 20;  // ms; short, because a frame must not wait
 };
 
 }  // namespace fettle::property

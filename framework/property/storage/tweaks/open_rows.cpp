@@ -31,7 +31,7 @@ void Tweaks::State::refresh_earlier() {
 
 void Tweaks::State::set_state(JournalRow& row, RowState state) {
     row.state = state;
-    rest = 0;
+    barriers_to_retry = 0;
     if (row.run == JournalRow::elsewhere) return;
     if (row.run != 0) return earlier.changed.push_back(&row);
     Entry& its = entry_of(row);
@@ -41,15 +41,15 @@ void Tweaks::State::set_state(JournalRow& row, RowState state) {
 }
 
 /// Returns the number of dropped rows. Rows without a valid path match only the pattern "**".
-std::size_t Tweaks::State::drop_left_aside(std::string_view text) {
+std::size_t Tweaks::State::drop_invalid(std::string_view text) {
     const TweakPattern pattern(text);
-    return std::erase_if(earlier.left_aside, [&](JournalRow& row) {
+    return std::erase_if(earlier.invalid, [&](JournalRow& row) {
         try {
             if (text != "**" && !pattern.matches(row)) return false;
         } catch (const Error&) {
             return false;
         }
-        rest = 0;
+        barriers_to_retry = 0;
         if (row.run != JournalRow::elsewhere) earlier.removed.push_back(std::move(row));
         return true;
     });
@@ -63,7 +63,7 @@ TweakReport Tweaks::State::drop(std::string_view pattern) {
         set_state(*row, RowState::dropped);
         ++report.count;
     }
-    report.count += drop_left_aside(pattern);
+    report.count += drop_invalid(pattern);
     barrier();
     return report;
 }

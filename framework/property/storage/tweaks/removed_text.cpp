@@ -80,9 +80,9 @@ std::string references_with(const Document& document, const Node& list, const Ne
     });
 }
 
-/// Where the text has references of other scene files: `change(file, list)` for each file.
+/// Replaces the references of each other scene file by `change(file, list)`.
 template <class Change>
-std::string elsewhere_with(const Document& document, const Node& all, Change change) {
+std::string change_references_elsewhere(const Document& document, const Node& all, Change change) {
     return list_with(document, all, [&](const Node& each) {
         const Node* file = document.member(each, "file");
         return object_with(document, each, [&](const std::string& key, const Node& node) {
@@ -198,9 +198,10 @@ std::string with_new_homes(const Tree& tree, const std::string& text, const std:
                 });
             if (section == "references") return references_with(document, all, now, {});
             if (section == "elsewhere")
-                return elsewhere_with(document, all, [&](const std::string&, const Node& list) {
-                    return references_with(document, list, now, {});
-                });
+                return change_references_elsewhere(
+                    document, all, [&](const std::string&, const Node& list) {
+                        return references_with(document, list, now, {});
+                    });
             return std::string(document.raw(all));
         });
 }
@@ -223,7 +224,7 @@ std::string with_new_steps(const std::string& text, const SceneSteps* removed,
             } else if (section == "references" && removed != nullptr) {
                 return references_with(document, all, path, names);
             } else if (section == "elsewhere") {
-                return elsewhere_with(
+                return change_references_elsewhere(
                     document, all, [&](const std::string& other, const Node& list) {
                         return other == file.string() ? references_with(document, list, path, names)
                                                       : std::string(document.raw(list));

@@ -11,8 +11,8 @@
 
 namespace fettle::property {
 
-/// The home path, after renames in the files, of an instance that is in none of them at present:
-/// only the instances above it are renamed. Another instance may have its path now.
+/// The home path, after renames in the files, of an instance that was removed from them: only the
+/// instances above it are renamed. Another instance may have its path now.
 std::string home_of_removed(const std::string& home, const NewPath& now_at);
 /// The same for its steps in a scene file.
 SceneSteps steps_of_removed(const SceneSteps& steps, const SceneOrigins::Names& names);

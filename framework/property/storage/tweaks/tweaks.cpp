@@ -26,8 +26,9 @@ std::vector<std::string> names_in(const std::string& path) {
     return names;
 }
 
-/// Must be called before the first file is read.
-GameFiles& kept_below(GameFiles& files, const std::filesystem::path& folder) {
+/// Makes `files` stay below the folder, and returns it. Must be called before the first file is
+/// read.
+GameFiles& limit_to_folder(GameFiles& files, const std::filesystem::path& folder) {
     files.stay_below(folder);
     return files;
 }
@@ -68,7 +69,7 @@ Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal:
       tree_life(its_tree.lifetime()),
       folder(game_folder(game)),
       warn(std::move(its_warn)),
-      files(options.files != nullptr ? *options.files : kept_below(own_files, folder)),
+      files(options.files != nullptr ? *options.files : limit_to_folder(own_files, folder)),
       kept(its_tree, files, folder / (game_name(game) + ".tweaks.json"), warn) {
     if (options.earlier) {
         std::vector<JournalRow> rows;
@@ -92,15 +93,15 @@ void Tweaks::State::take_earlier(std::vector<JournalRow> rows) {
             earlier.rows.push_back(std::move(row));
             continue;
         }
-        if (earlier.left_aside.empty()) first = problem;
-        earlier.left_aside.push_back(std::move(row));
+        if (earlier.invalid.empty()) first = problem;
+        earlier.invalid.push_back(std::move(row));
     }
-    const std::size_t odd = earlier.left_aside.size();
-    if (odd == 1)
+    const std::size_t invalid_count = earlier.invalid.size();
+    if (invalid_count == 1)
         warn("1 row that an earlier run has left is not a tweak, and is left aside: " + first +
              "; drop_tweaks(\"**\") removes it");
-    else if (odd > 1)
-        warn(std::to_string(odd) +
+    else if (invalid_count > 1)
+        warn(std::to_string(invalid_count) +
              " rows that earlier runs have left are not tweaks, and are left aside, the first: " +
              first + "; drop_tweaks(\"**\") removes them");
 }
@@ -177,7 +178,7 @@ void Tweaks::State::touch(Entry& entry) {
     entry.row.step = static_cast<std::int64_t>(tree.step());
     entry.row.time = seconds_now();
     index(entry);
-    rest = 0;
+    barriers_to_retry = 0;
     if (entry.dirty) return;
     entry.dirty = true;
     dirty.push_back(&entry);
@@ -192,8 +193,8 @@ void Tweaks::State::note_origin(Entry& entry, Handle instance) const {
 
 void Tweaks::State::edited(Handle instance, const Property& property, const CellState& before) {
     if (property.transient || !attached(instance)) return;
-    if (is_fresh(instance)) return edited_again(instance, property);
-    if (!deleted.empty()) back_in_time(instance);
+    if (is_fresh(instance)) return update_restored_values(instance, property);
+    if (!deleted.empty()) undelete_above(instance);
     if (Entry* creation = created_above(instance)) {
         creation->inside.emplace_back(instance, property.symbol);
         return touch(*creation);
@@ -213,7 +214,7 @@ void Tweaks::State::edited(Handle instance, const Property& property, const Cell
 }
 
 /// After an undo of a deletion, the values edited before it are current again.
-void Tweaks::State::edited_again(Handle instance, const Property& property) {
+void Tweaks::State::update_restored_values(Handle instance, const Property& property) {
     if (tree.cause().writer != Writer::undo) return;
     for (const auto& each : entries)
         if (each->row.kind == Kind::value && each->handle == instance &&
@@ -225,7 +226,7 @@ void Tweaks::State::edited_again(Handle instance, const Property& property) {
 
 /// An edited instance cannot be deleted: the game went back in time or loaded a save. So its
 /// deletion is undone.
-void Tweaks::State::back_in_time(Handle instance) {
+void Tweaks::State::undelete_above(Handle instance) {
     for (Handle at = instance; at; at = tree.parent(at)) {
         const auto found = deleted.find(at.key());
         if (found == deleted.end() || found->second->gone) continue;
@@ -253,7 +254,7 @@ void Tweaks::State::name_deleted(Image& image, const Value& value) const {
 void Tweaks::State::born(Handle instance) {
     if (attached(instance)) rename_mentions(path_of_deleted(instance), tree.path(instance));
     if (is_in_fresh.insert(instance.key()).second) fresh.push_back(instance);
-    rest = 0;
+    barriers_to_retry = 0;
 }
 
 void Tweaks::State::dying(Handle instance) {
@@ -270,7 +271,7 @@ void Tweaks::State::dying(Handle instance) {
         tree.each_below(instance, [&](Handle each) {
             holds_new = holds_new || is_in_fresh.contains(each.key());
         });
-    if (holds_new) settle_fresh();
+    if (holds_new) make_fresh_entries();
     if (attached(instance)) note_deletion(instance, tree.parent(instance), tree.path(instance));
 }
 
@@ -373,7 +374,7 @@ void Tweaks::State::revive(Entry& deletion) {
         if (its.gone && its.deletion == &deletion) {
             its.gone = false;
             its.deletion = nullptr;
-            find_again(its);
+            refresh_path(its);
             touch(its);
         }
         if (!its.gone && its.with == &deletion) {
@@ -433,8 +434,8 @@ Tweaks::Tweaks(Tree& tree, const std::filesystem::path& game,
     : state_(std::make_unique<State>(tree, game, std::move(warn), std::move(options))) {}
 Tweaks::~Tweaks() {
     if (state_->tree_life.expired()) return;  // the paths of edited instances are unknown
-    state_->rest = 0;
-    if (state_->journal) state_->journal->be_patient();
+    state_->barriers_to_retry = 0;
+    if (state_->journal) state_->journal->wait_longer();
     barrier();
     state_->report_lost();
 }
@@ -452,7 +453,7 @@ bool Tweaks::are_of(const Tree& tree) const {
 void Tweaks::barrier() {
     if (state_->tree_life.expired()) return;
     try {
-        state_->kept.settle();
+        state_->kept.retry_waiting();
         state_->barrier();
     } catch (const std::exception& error) {
         state_->warn("tweaks cannot be journaled: " + exception_text(error));

@@ -16,7 +16,7 @@ namespace {
 
 // Number of barriers after a failed commit (full disk) before the next attempt. A new edit tries at
 // once.
-constexpr int barriers_of_rest = 60;
+constexpr int barriers_before_retry = 60;
 // Maximum bytes of the texts for people, such as the text of a formula.
 constexpr std::size_t longest_shown = 5000;
 // Occurs in every JSON text with a reference to a deleted instance.
@@ -33,12 +33,12 @@ void Tweaks::State::barrier() {
     if (fresh.empty() && dirty.empty() && earlier.changed.empty() && earlier.renamed.empty() &&
         earlier.removed.empty())
         return;
-    if (rest > 0) {
-        --rest;
+    if (barriers_to_retry > 0) {
+        --barriers_to_retry;
         return;
     }
-    settle_fresh();
-    settle_reapplied();
+    make_fresh_entries();
+    reopen_undone_rows();
     for (Entry* entry : dirty) {
         refresh(*entry);
         index(*entry);
@@ -50,7 +50,7 @@ void Tweaks::State::barrier() {
 
 /// Makes tweaks of the instances created since the last call. `moving`: an instance that was just
 /// moved below another parent, and existed before the new ones.
-void Tweaks::State::settle_fresh(Handle moving) {
+void Tweaks::State::make_fresh_entries(Handle moving) {
     const std::vector<Handle> born = std::move(fresh);
     fresh.clear();
     std::unordered_set<std::uint64_t> seen;  // restored instances are in the list twice
@@ -62,14 +62,14 @@ void Tweaks::State::settle_fresh(Handle moving) {
         for (Handle at = tree.parent(instance); at && at != moving && !inside; at = tree.parent(at))
             inside = is_in_fresh.contains(at.key());
         const bool was_there = deleted.contains(instance.key()) || created.contains(instance.key());
-        if (!inside || was_there) settle_one(instance);
+        if (!inside || was_there) make_fresh_entry(instance);
     }
     is_in_fresh.clear();
 }
 
-void Tweaks::State::settle_one(Handle instance) {
+void Tweaks::State::make_fresh_entry(Handle instance) {
     const std::string path = tree.path(instance);
-    if (settle_undeleted(instance)) return;
+    if (undelete_if_deleted(instance)) return;
     const auto known = created.find(instance.key());
     // The deletion or creation was undone. Instances made below it since then have their own tweaks
     // again and are not part of its scene.
@@ -115,7 +115,7 @@ void Tweaks::State::note_values(Entry& made, std::vector<std::string>* warnings)
 }
 
 /// Whether the deletion of the instance was undone, so that no new entry is needed.
-bool Tweaks::State::settle_undeleted(Handle instance) {
+bool Tweaks::State::undelete_if_deleted(Handle instance) {
     const auto found = deleted.find(instance.key());
     if (found == deleted.end() || found->second->gone) return false;
     return undelete(*found->second);
@@ -255,7 +255,7 @@ void Tweaks::State::commit() {
         if (journal && !nothing && !journal->commit(changes))
             return;  // another run is writing; the next barrier tries again
     } catch (const std::exception& error) {
-        rest = barriers_of_rest;
+        barriers_to_retry = barriers_before_retry;
         const std::string reason = exception_text(error);
         if (last_failure == reason) return;
         last_failure = reason;

@@ -23,7 +23,7 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     const bool known = created.contains(instance.key()) || moved_entries.contains(instance.key());
     const bool into_new = is_fresh(instance), out_of_new = old_parent && is_fresh(old_parent);
     if (out_of_new && !known) return;
-    if (into_new || out_of_new) settle_fresh(instance);
+    if (into_new || out_of_new) make_fresh_entries(instance);
     if (!was && is) return born(instance);
     if (!was) return;
     if (!is) return note_deletion(instance, old_parent, old_path);
@@ -62,7 +62,7 @@ bool Tweaks::State::deleted_by_path(const std::string& home) const {
 }
 
 /// Called when a deletion is undone: the instance may have another path now.
-void Tweaks::State::find_again(Entry& its) {
+void Tweaks::State::refresh_path(Entry& its) {
     if (!tree.alive(its.handle) || !attached(its.handle)) return;
     const std::string path = tree.path(its.handle);
     if (its.row.kind == Kind::moved) {
@@ -175,7 +175,7 @@ void Tweaks::State::steps_renamed(const std::filesystem::path& file,
     }
 }
 
-void Tweaks::State::file_says(const JournalRow& row) {
+void Tweaks::State::set_former_value(const JournalRow& row) {
     const auto found = by_key.find(key_of(Kind::value, row.instance, row.property));
     if (found == by_key.end()) return;
     found->second->was = read_image(row.now);
@@ -289,12 +289,12 @@ void Tweaks::State::rename_mentions(const std::string& from, const std::string& 
             values_named_again.emplace_back(&its, to);
         }
     }
-    for (const auto& [its, path] : values_named_again) name_again(*its, path);
+    for (const auto& [its, path] : values_named_again) add_reference_tweaks(*its, path);
 }
 
 /// Adds tweaks for references to a restored instance: new instances were kept with null in their
 /// places.
-void Tweaks::State::name_again(Entry& made, const std::string& path) {
+void Tweaks::State::add_reference_tweaks(Entry& made, const std::string& path) {
     const NewPath none = [&](const std::string& named) -> std::optional<std::string> {
         if (is_at_or_below(named, path)) return std::string();
         return std::nullopt;

@@ -34,9 +34,8 @@ struct Tweaks::State : EditObserver {
         JournalRow row;
         Image was, now;     // for a value
         std::string scene;  // for a new or restored instance
-        // For a new instance: what its scene consists of, as it was made, and as persons have
-        // edited it since. A new scene of the instance would also contain what the simulation
-        // has changed.
+        // For a new instance: the values of its scene when it was made, with later edits by people.
+        // A scene written now would also contain changes by the simulation.
         SceneValues values;
         Handle handle;
         Symbol property;
@@ -58,8 +57,8 @@ struct Tweaks::State : EditObserver {
         std::vector<JournalRow*> renamed;  // of `rows`: with other names or places in files
         /// Rows that were applied again, and the tweaks of this run that they became.
         std::vector<std::pair<JournalRow*, Entry*>> reapplied;
-        std::vector<JournalRow> left_aside;  // invalid rows
-        std::vector<JournalRow> removed;     // dropped rows of `left_aside`
+        std::vector<JournalRow> invalid;  // rows that could not be read
+        std::vector<JournalRow> removed;  // dropped rows of `invalid`
     };
 
     static std::string key_of(Kind kind, const std::string& instance, const std::string& property) {
@@ -68,7 +67,7 @@ struct Tweaks::State : EditObserver {
 
     State(Tree& tree, const std::filesystem::path& game, Journal::Warn warn, TweakOptions options);
     ~State() override;
-    std::size_t drop_left_aside(std::string_view pattern);
+    std::size_t drop_invalid(std::string_view pattern);
     void take_earlier(std::vector<JournalRow> rows);
     void refresh_earlier();
 
@@ -87,13 +86,13 @@ struct Tweaks::State : EditObserver {
     void name_deleted(Image& image, const Value& value) const;
     void note_deletion(Handle instance, Handle parent, const std::string& path);
     bool taken_out_of_creation(Handle instance, Handle parent);
-    void edited_again(Handle instance, const Property& property);
-    void back_in_time(Handle instance);
+    void update_restored_values(Handle instance, const Property& property);
+    void undelete_above(Handle instance);
     Entry& add_deletion(Handle instance, const std::string& path, const std::string& home);
     void make_void(const std::string& path, const std::string& home, Entry& deletion);
     void revive(Entry& deletion);
 
-    // entry_index.cpp: an edit of one instance does not look at all tweaks
+    // entry_index.cpp: finds the tweaks of an instance without a search through all of them
     /// Must be called after the path of an entry or the texts that may name instances have changed.
     void index(Entry& entry);
     /// The entries at that path and below it, but for restorations, in order.
@@ -112,7 +111,7 @@ struct Tweaks::State : EditObserver {
     bool is_home(const Entry& move) const;
     /// Whether the kept-tweaks file, and no scene, deletes the instance with that home path.
     bool deleted_by_path(const std::string& home) const;
-    void find_again(Entry& its);
+    void refresh_path(Entry& its);
     static bool is_removed(const JournalRow& row);
     /// The journal gets the row of an earlier run with its new names.
     void renamed_earlier(JournalRow& row);
@@ -120,14 +119,14 @@ struct Tweaks::State : EditObserver {
     void homes_changed(const NewPath& now_at);
     void steps_renamed(const std::filesystem::path& file, const SceneOrigins::Names& names);
     /// A row of an earlier run was kept: the tweak of this run about the same value starts from it.
-    void file_says(const JournalRow& row);
+    void set_former_value(const JournalRow& row);
     void note_origin(Entry& entry, Handle instance) const;
 
     // tweaks_commit.cpp: rows
     void barrier();
-    void settle_fresh(Handle moving = {});
-    void settle_one(Handle instance);
-    bool settle_undeleted(Handle instance);
+    void make_fresh_entries(Handle moving = {});
+    void make_fresh_entry(Handle instance);
+    bool undelete_if_deleted(Handle instance);
     bool undelete(Entry& deletion);
     void note_values(Entry& made, std::vector<std::string>* warnings);
     void restored(Handle instance, Entry& deletion);
@@ -145,7 +144,7 @@ struct Tweaks::State : EditObserver {
     static bool is_of_deleted(const std::string& path) { return path.starts_with(R"(game["\000)"); }
     /// Replaces a path in all references of tweaks.
     void rename_mentions(const std::string& from, const std::string& to);
-    void name_again(Entry& made, const std::string& path);
+    void add_reference_tweaks(Entry& made, const std::string& path);
     void commit();
     void report_lost() const;
 
@@ -163,7 +162,7 @@ struct Tweaks::State : EditObserver {
         return *entries[static_cast<std::size_t>(row.number) - 1];
     }
     Entry* entry_about(const JournalRow& row, Handle instance) const;
-    void settle_reapplied();
+    void reopen_undone_rows();
 
     Tree& tree;
     std::weak_ptr<const Tree*> tree_life;
@@ -186,8 +185,8 @@ struct Tweaks::State : EditObserver {
     std::unordered_map<std::uint64_t, Entry*> created, deleted, restorations, moved_entries;
     EarlierRows earlier;
     std::int64_t last_number = 0;
-    std::string last_failure;  // reported once
-    int rest = 0;              // barriers until a failed commit is repeated
+    std::string last_failure;   // reported once
+    int barriers_to_retry = 0;  // barriers before a failed commit is tried again
 };
 
 /// Selects tweaks by a pattern.

@@ -64,6 +64,7 @@ class GameFiles {
     /// Reports every file once when it is first read or checked, and before it is first written.
     /// Earlier ones are reported at once. Requires a call of `take_note` before anything is read.
     void listen(std::function<void(const Finding&)> listener);
+    /// Remembers from now on which files are read, for `listen`.
     void take_note() { notes_ = true; }
     /// Calls `listener` after each write to the disk, with the file as it was passed.
     void on_write(std::function<void(const std::filesystem::path&)> listener) {

@@ -85,7 +85,7 @@ class GameSaves {
         std::int64_t time = 0;  // s since 1970
         std::vector<std::byte> state{};
     };
-    void take(const std::string& slot, std::size_t request);
+    void save_at_barrier(const std::string& slot, std::size_t request);
     std::vector<SaveInfo> list_unwritten() const;
     std::string problem_of(const std::vector<std::byte>& state) const;
     [[noreturn]] void refuse_unknown(const std::string& slot) const;

@@ -57,7 +57,7 @@ class Store {
         bool writes = true;
         /// Receives errors of the file. They do not end the run.
         std::function<void(const std::string&)> warn{};
-        /// What it is called in these errors.
+        /// The name of the store in these errors.
         std::string name = "the store of the game";
     };
     /// Reads the file, which may be missing. A damaged file is reported to `warn`, and is moved
@@ -74,8 +74,9 @@ class Store {
 
     /// False for a table that was replaced or removed.
     bool has(Table table) const { return tables_.contains(table); }
-    /// The content of a table. Throws Error(deleted) unless `has(table)`. Who holds it can still
-    /// read what was in a table that was replaced or removed; of much, the latest is kept.
+    /// The content of a table. Throws Error(deleted) unless `has(table)`. The result keeps its
+    /// entries after the table is replaced or removed. If such contents together take more than
+    /// `size_limit` bytes, the oldest lose their entries (`Content::forgotten`).
     std::shared_ptr<const Content> content(Table table) const { return place(table).content; }
     /// The entries of a table. Throws Error(deleted) unless `has(table)`.
     const std::map<Key, Entry>& entries(Table table) const;
@@ -119,7 +120,7 @@ class Store {
     std::unordered_map<Table, Place> tables_;
     Table next_ = root + 1;
     std::size_t bytes_ = 0;
-    // Of tables that were replaced or removed while somebody held their contents.
+    // The content of a table that was replaced or removed while a reader still had it.
     struct Gone {
         std::weak_ptr<Content> content;
         std::size_t bytes = 0;
@@ -132,7 +133,7 @@ class Store {
     std::chrono::steady_clock::time_point since_{};  // of the first change
     std::future<std::string> writing_;               // its result is the error
     std::unique_ptr<Changes> in_work_;
-    std::string problem_;  // the last one told
+    std::string problem_;  // the last one that was reported
 };
 
 }  // namespace fettle::property

@@ -1,4 +1,4 @@
-// Classes of scripts while a game is loaded again.
+// Classes of scripts during a reload of the game.
 
 #include <utility>
 
@@ -20,7 +20,7 @@ std::vector<Property> ScriptClasses::own_properties(const Class& of) const {
     return own;
 }
 
-void ScriptClasses::begin_again() {
+void ScriptClasses::begin_reload() {
     for (auto& [of, own] : infos_) {
         Earlier& earlier = earlier_[of];
         earlier.functions = std::exchange(own.functions, LUA_NOREF);
@@ -31,7 +31,7 @@ void ScriptClasses::begin_again() {
     chains_.clear();
 }
 
-void ScriptClasses::end_again(bool keep) {
+void ScriptClasses::end_reload(bool keep) {
     lua_State* const L = machine_.lua.main;
     for (auto& [of, earlier] : earlier_) {
         Info& own = info(*of);
