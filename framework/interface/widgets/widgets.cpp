@@ -72,7 +72,7 @@ property::ClassDescriptor Widgets::base_descriptor() {
         .creatable = false,
         .properties = common_properties(*this),
         .methods = {focus_method(*this)},
-        .weight = 3200};
+        .weight = 1200};
     described.lifecycle.context = this;
     described.lifecycle.create = [](void* context, property::Tree& tree, Handle self) {
         auto& w = *static_cast<Widgets*>(context);

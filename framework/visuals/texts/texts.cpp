@@ -37,7 +37,7 @@ std::vector<Property> Texts::properties() {
          .doc = "What is written; it may have several lines. What follows the first 100 000 "
                 "letters is "
                 "not shown.",
-         .element_weight = 150},  // six corners of a letter
+         .element_weight = 100},  // six corners of a letter
         {.name = "font",
          .type = Type::text,
          .default_value = "sans",
@@ -134,7 +134,7 @@ void Texts::define(property::Tree& tree) {
             "Written text in the world or, in a layer, on the screen. What it hangs below moves "
             "it, as a Sprite.",
         .properties = properties(),
-        .weight = 1500};
+        .weight = 600};
     described.lifecycle = lifecycle();
     const property::Class& made = tree.define(std::move(described));
     const auto of = [&](const char* name) { return made.property(name); };

@@ -82,7 +82,8 @@ EmptyMap Tilemaps::empty_map(Handle map) const {
                     .columns = static_cast<int>(cells.x),
                     .rows = static_cast<int>(cells.y),
                     .tile_size = whole(tree_->peek(map, *of_.tile_size).vec2())};
-    for (const Value& tile : tree_->peek(map, *of_.solid_tiles).list())
+    const Value solid_tiles = tree_->peek(map, *of_.solid_tiles);
+    for (const Value& tile : solid_tiles.list())
         wanted.solid_tiles.push_back(static_cast<int>(tile.integer()));
     return wanted;
 }
