@@ -63,7 +63,7 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
                     static_cast<double>(settings.number("memory_limit")) * megabyte);
             },
             "console.memory_limit");
-    if (interpreter.serve) {
+    if (interpreter.serve_console) {
         script::ConsoleFunctions functions = observing.functions();
         functions.selection = [this] { return inspector.selection(); };
         functions.select = [this](const std::vector<Handle>& all) { choose_all(all); };
@@ -85,9 +85,9 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
         functions.record = options.record;
         functions.restart = options.restart;
         if (options.replay) functions.exec = {};
-        interpreter.serve(std::move(functions));
+        interpreter.serve_console(std::move(functions));
     }
-    if (std::string problem = history.take_problem(); !problem.empty()) log.note(problem);
+    if (std::string problem = history.consume_problem(); !problem.empty()) log.note(problem);
     take_settings(options.layout);
     if (!options.first_commands.empty())
         observing.run_later({"autoexec.lua", options.first_commands});
@@ -168,7 +168,7 @@ void Console::State::connect_lists() {
     };
     views.watch_list.menu = views.log_view.menu;
     views.watch_list.run = context_menu.run;
-    observing.found = comparison.found = options.found;
+    observing.on_result = comparison.on_result = options.on_result;
     comparison.scripts_draw = options.scripts_draw;
 }
 
@@ -265,7 +265,7 @@ void Console::State::choose(Handle instance) {
     bool fresh = inspector.selected() != instance;
     inspector.select(instance);
     status.selected_path = tree.path(instance);
-    if (interpreter.set_it) interpreter.set_it(instance);
+    if (interpreter.set_selected) interpreter.set_selected(instance);
     std::string line = "it = " + tree.path(instance);
     if (fresh || log.lines().empty() || log.lines().back().text != line) log.note(line);
 }
@@ -274,7 +274,7 @@ void Console::State::choose_all(const std::vector<Handle>& instances) {
     if (instances.empty()) {
         inspector.deselect();
         status.selected_path.clear();
-        if (interpreter.set_it) interpreter.set_it({});
+        if (interpreter.set_selected) interpreter.set_selected({});
         return log.note("nothing is selected");
     }
     inspector.select(instances);
@@ -282,7 +282,7 @@ void Console::State::choose_all(const std::vector<Handle>& instances) {
     if (all.empty()) return;
     if (all.size() == 1) return choose(all.front());
     status.selected_path = tree.path(all.back());
-    if (interpreter.set_it) interpreter.set_it(all.back());
+    if (interpreter.set_selected) interpreter.set_selected(all.back());
     log.note(std::to_string(all.size()) + " selected, it = " + status.selected_path);
 }
 
@@ -296,7 +296,7 @@ void Console::State::find_selected_again() {
         const property::Place place = property::resolve(tree, status.selected_path);
         if (place.property != nullptr) return;
         inspector.select(place.instance);
-        if (interpreter.set_it) interpreter.set_it(place.instance);
+        if (interpreter.set_selected) interpreter.set_selected(place.instance);
     } catch (const property::Error&) {
         // No instance has this path now; a later frame may find one.
     }
@@ -371,7 +371,7 @@ Console::Console(property::Tree& tree, Interpreter interpreter, Options options)
 Console::~Console() {
     state_->keep_layout();
     if (state_->interpreter.limit_memory) state_->interpreter.limit_memory({}, {});
-    if (state_->interpreter.serve) state_->interpreter.serve({});
+    if (state_->interpreter.serve_console) state_->interpreter.serve_console({});
 }
 
 void Console::after_step() {
@@ -400,8 +400,8 @@ float Console::covered_below() const {
     return std::max(0.0f, s.screen.height - top);
 }
 
-app::ClipRectangle Console::left_free(const app::ClipRectangle& whole) const {
-    return state_->left_free(whole);
+app::ClipRectangle Console::free_area(const app::ClipRectangle& whole) const {
+    return state_->free_area(whole);
 }
 
 bool Console::handle(const app::InputEvent& event) {

@@ -172,7 +172,7 @@ std::optional<std::size_t> History::containing(std::string_view part, std::size_
     return std::nullopt;
 }
 
-std::string History::take_problem() {
+std::string History::consume_problem() {
     return std::exchange(problem_, {});
 }
 

@@ -21,7 +21,7 @@ struct TwoBodies : Stage {
         select("ball");
     }
     void select(const char* name) {
-        runtime->set_it(tree->child(tree->child(tree->root(), "world"), name));
+        runtime->set_selected(tree->child(tree->child(tree->root(), "world"), name));
     }
 };
 

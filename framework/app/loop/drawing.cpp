@@ -171,7 +171,7 @@ void Loop::draw(Screen& screen, double seconds) {
         services_.effects().drawn(screen.apply(*effect));
     if (blame) {
         ClipRectangle room{0, 0, screen.surface().width(), screen.surface().height()};
-        for (const Layer* layer : layers_) room = layer->left_free(room);
+        for (const Layer* layer : layers_) room = layer->free_area(room);
         blame->draw_legend(screen.surface(), room);
     }
     if (view.show.timings) draw_timings(screen.surface(), clock);

@@ -79,7 +79,7 @@ std::string without_chunk(const std::string& message) {
 Observed observed(Machine& machine, std::string text, property::Formula formula) {
     Observed result;
     result.text = std::move(text);
-    result.settle = [&machine, alive = machine.life.tree, paths = paths_in(result.text)] {
+    result.compute_formulas = [&machine, alive = machine.life.tree, paths = paths_in(result.text)] {
         if (alive.expired() || machine.tree.formula_count() == 0) return;
         for (const std::string& path : paths) try {
                 const property::Place place = property::resolve(machine.tree, path);
