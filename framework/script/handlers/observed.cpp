@@ -70,12 +70,6 @@ std::vector<std::string> paths_in(std::string_view text) {
     return found;
 }
 
-// A one-line text needs no line number; "formula" is only the name of the chunk.
-std::string without_chunk(const std::string& message) {
-    constexpr std::string_view chunk = "formula:1: ";
-    return message.starts_with(chunk) ? message.substr(chunk.size()) : message;
-}
-
 Observed observed(Machine& machine, std::string text, property::Formula formula) {
     Observed result;
     result.text = std::move(text);
