@@ -12,6 +12,7 @@
 
 #include <command_line/end_request.h>
 #include <command_line/exit_status.h>
+#include <command_line/joined.h>
 #include <command_line/subcommand.h>
 #include <command_line/turn_limit.h>
 #include <commands/commands.h>
@@ -285,11 +286,9 @@ class WindowRun {
 /// Lists at most five entries.
 std::string join_first(const std::vector<std::string>& all) {
     constexpr std::size_t limit = 5;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(all.size(), limit); ++i)
-        text += (i == 0 ? "" : ", ") + all[i];
-    if (all.size() > limit) text += " and " + std::to_string(all.size() - limit) + " more";
-    return text;
+    if (all.size() <= limit) return joined(all);
+    return joined({all.begin(), all.begin() + limit}) + " and " +
+           std::to_string(all.size() - limit) + " more";
 }
 
 /// A replay of a test in a window shows this number of steps, the last ones, and skips the others.
