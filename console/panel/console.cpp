@@ -19,14 +19,6 @@ using property::Value;
 
 namespace {
 
-/// The property `time.paused` of the game, and its instance in `time`; null if there is none.
-const property::Property* pause_property(const property::Tree& tree, Handle& time) {
-    time = tree.child(tree.root(), "time");
-    if (!time) return nullptr;
-    const property::Property* paused = tree.find(time, "paused");
-    return paused != nullptr && paused->type == property::Type::boolean ? paused : nullptr;
-}
-
 /// The property of `view.show` for an overlay, and its instance in `show`; null if there is none.
 const property::Property* overlay_property(const property::Tree& tree, std::string_view overlay,
                                            Handle& show) {
@@ -251,12 +243,10 @@ void Console::State::follow_settings() {
 
 void Console::State::pause_time(bool paused) {
     if (paused == status.pausing) return;
-    Handle time;
-    const property::Property* property = pause_property(tree, time);
-    if (property == nullptr) return;
-    property::Tree::CauseScope cause(tree, property::Writer::module);
-    if (paused) status.time_was_paused = last_value(tree, time, *property).boolean();
-    if (!status.time_was_paused) tree.set(time, *property, Value(paused));
+    const Value now = time_value(tree, "paused");
+    if (!now.is(property::Type::boolean)) return;
+    if (paused) status.time_was_paused = now.boolean();
+    if (!status.time_was_paused) set_time_flag(tree, "paused", paused);
     status.pausing = paused;
 }
 
@@ -304,11 +294,7 @@ void Console::State::find_selected_again() {
 
 // Goes there by a command, so that a recording contains it and the log shows why it is refused.
 void Console::State::look_at_step(std::uint64_t step) {
-    Handle time;
-    if (const property::Property* paused = pause_property(tree, time)) {
-        const property::Tree::CauseScope cause(tree, property::Writer::module);
-        tree.set(time, *paused, Value(true));
-    }
+    set_time_flag(tree, "paused", true);
     run("time:go_to(" + std::to_string(step) + ")");
 }
 

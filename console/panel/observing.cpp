@@ -294,10 +294,7 @@ std::int64_t Observing::time_step(const char* name, std::int64_t otherwise) cons
 
 // As in the time bar: pausing is not an edit by a person.
 void Observing::pause() {
-    const Handle time = tree_.child(tree_.root(), "time");
-    if (!time || tree_.find(time, "paused") == nullptr) return;
-    const property::Tree::CauseScope cause(tree_, property::Writer::module);
-    tree_.set(time, "paused", Value(true));
+    set_time_flag(tree_, "paused", true);
 }
 
 void Observing::go_to(std::int64_t step) {
