@@ -13,6 +13,7 @@
 
 #include <loop/cameras.h>
 #include <loop/effects.h>
+#include <time/smoothing.h>
 #include <time/state_hash.h>
 
 namespace fettle::app {
@@ -37,11 +38,6 @@ class Loop::Stopwatch {
 };
 
 namespace {
-
-/// Exponential moving average with a time constant of half a second.
-void smooth(double& average, double sample, double seconds) {
-    average += (sample - average) * (1 - std::exp(-seconds / 0.5));
-}
 
 class ObservedFrame {
   public:
