@@ -14,8 +14,8 @@
 namespace fettle::bench::wild {
 namespace {
 
-bool has(const Trial& trial, const std::string& invariant) {
-    return std::ranges::count(trial.findings, invariant, &Finding::invariant) > 0;
+bool has(const PlanRun& result, const std::string& invariant) {
+    return std::ranges::count(result.findings, invariant, &Finding::invariant) > 0;
 }
 
 class Surveyor {
@@ -28,24 +28,24 @@ class Surveyor {
 
     void run_seed(std::uint64_t seed, Survey& survey) {
         const WorldPlan plan = draw_world(seed, options_.size);
-        const Trial trial = try_in_fettle(plan, watched_, compare_);
+        const PlanRun result = try_in_fettle(plan, watched_, compare_);
         ++survey.worlds;
-        survey.steps += trial.steps;
-        Trial peer;
+        survey.steps += result.steps;
+        PlanRun peer;
         const bool peer_ran = options_.box2d && try_in_peer(plan, peer);
         survey.peer_worlds += peer_ran;
         for (const Finding& finding : peer.findings) survey.peer_findings.push_back(finding);
         // The times of single worlds differ by chance; twice the time and a second more is no
         // chance.
-        if (peer_ran && can_rest(plan) && trial.awake > 2 * peer.awake + 1)
+        if (peer_ran && can_rest(plan) && result.awake > 2 * peer.awake + 1)
             add(survey, {seed,
                          {"slower to rest", plan.steps,
-                          "awake for " + figure(trial.awake) + " s, in Box2D for " +
+                          "awake for " + figure(result.awake) + " s, in Box2D for " +
                               figure(peer.awake) + " s"},
                          true,
                          true,
                          {}});
-        for (const Finding& finding : trial.findings) {
+        for (const Finding& finding : result.findings) {
             Found found{seed, finding, peer_ran, peer_ran && !has(peer, finding.invariant), {}};
             if (minimized_[finding.invariant]++ < options_.minimized)
                 found.minimized = minimize(plan, found.finding);
@@ -54,9 +54,9 @@ class Surveyor {
     }
 
   private:
-    bool try_in_peer(const WorldPlan& plan, Trial& trial) const {
+    bool try_in_peer(const WorldPlan& plan, PlanRun& result) const {
         if (!run_in_box2d(plan)) return false;
-        trial = try_plan(plan, run_in_box2d, watched_);
+        result = try_plan(plan, run_in_box2d, watched_);
         return true;
     }
 
@@ -66,14 +66,14 @@ class Surveyor {
         std::vector<Invariant> one;
         std::ranges::copy_if(watched_, std::back_inserter(one),
                              [&](const Invariant& each) { return each.name == name; });
-        const auto trial = [&](const WorldPlan& candidate) {
+        const auto run = [&](const WorldPlan& candidate) {
             return try_in_fettle(candidate, one, name == "same");
         };
         const float fault = fault_at_start(plan);
         const WorldPlan small = minimized(plan, [&](const WorldPlan& candidate) {
-            return has(trial(candidate), name) && fault_at_start(candidate) <= fault;
+            return has(run(candidate), name) && fault_at_start(candidate) <= fault;
         });
-        for (const Finding& each : trial(small).findings)
+        for (const Finding& each : run(small).findings)
             if (each.invariant == name) finding = each;
         return cpp_text(small);
     }
@@ -92,12 +92,12 @@ class Surveyor {
 
 }  // namespace
 
-Trial try_in_fettle(const WorldPlan& plan, std::span<const Invariant> watched, bool compare) {
-    Trial trial = try_plan(plan, run_in_fettle, watched);
-    if (compare && !has(trial, "throws")) {
-        if (auto finding = compare_runs(plan)) trial.findings.push_back(std::move(*finding));
+PlanRun try_in_fettle(const WorldPlan& plan, std::span<const Invariant> watched, bool compare) {
+    PlanRun result = try_plan(plan, run_in_fettle, watched);
+    if (compare && !has(result, "throws")) {
+        if (auto finding = compare_runs(plan)) result.findings.push_back(std::move(*finding));
     }
-    return trial;
+    return result;
 }
 
 Survey survey(const SurveyOptions& options, const Listener& listener) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "wild/trial.h"
+#include "wild/plan_run.h"
 
 namespace fettle::bench::wild {
 
@@ -46,6 +46,6 @@ Survey survey(const SurveyOptions& options, const Listener& listener = {});
 
 /// Runs a plan in the library and finds which of these invariants it violates. `compare`: also runs
 /// it in other ways that must have the same result (invariant `same`).
-Trial try_in_fettle(const WorldPlan& plan, std::span<const Invariant> watched, bool compare);
+PlanRun try_in_fettle(const WorldPlan& plan, std::span<const Invariant> watched, bool compare);
 
 }  // namespace fettle::bench::wild

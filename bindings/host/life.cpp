@@ -169,10 +169,10 @@ fettle_code fettle_hosted_frame(fettle_hosted* hosted, double seconds, uint32_t*
         if (!(seconds >= 0 && seconds <= 3600))
             throw Failure{FETTLE_INVALID,
                           "seconds = " + property::number_text(seconds) + ": expected 0 to 3600"};
-        const std::uint64_t before = game.loop.lived();
+        const std::uint64_t before = game.loop.steps_made();
         game.run_scripts([&] {
             game.loop.frame(seconds);
-            if (steps != nullptr) *steps = static_cast<uint32_t>(game.loop.lived() - before);
+            if (steps != nullptr) *steps = static_cast<uint32_t>(game.loop.steps_made() - before);
         });
     });
 }

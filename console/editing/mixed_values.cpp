@@ -33,7 +33,7 @@ const Property* MixedValues::same(const property::Tree& tree, Handle other,
     return found != nullptr && found->type == property.type ? found : nullptr;
 }
 
-std::string MixedValues::look(const property::Tree& tree, const Property& property,
+std::string MixedValues::text(const property::Tree& tree, const Property& property,
                               const Value& value) {
     if (others_.empty()) return {};
     Comparison& row = rows_[&property];

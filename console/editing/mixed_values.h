@@ -23,7 +23,7 @@ class MixedValues {
                                           const property::Property& property);
     /// "" if the values are equal, as far as they were compared; otherwise the text to show, such
     /// as "mixed: 1 to 5 kg".
-    std::string look(const property::Tree& tree, const property::Property& property,
+    std::string text(const property::Tree& tree, const property::Property& property,
                      const property::Value& value);
 
   private:

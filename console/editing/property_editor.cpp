@@ -88,7 +88,7 @@ std::string PropertyEditor::problem(const Property& property) const {
 // --- The row
 
 bool PropertyEditor::written_by_simulation(Handle instance, const Property& property) const {
-    const property::Provenance written = tree_.who(instance, property);
+    const property::Provenance written = tree_.last_writer(instance, property);
     return written.known && written.cause.writer == property::Writer::simulation;
 }
 
@@ -131,7 +131,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         // If a formula fails, its last valid value is shown, and the error below it.
         Value value =
             formula != nullptr ? tree_.peek(instance, property) : tree_.get(instance, property);
-        mixed = mixed_.look(tree_, property, value);
+        mixed = mixed_.text(tree_, property, value);
         const float button = button_width();
         ImGui::BeginGroup();
         if (!formula_line(target, source, available - label_width - button))
@@ -149,7 +149,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     const bool settled = fields_.take_settled();
     if (const std::string expression = fields_.take_formula(); !expression.empty())
         define_formula(target, expression);
-    if (std::string typed = fields_.take_problem(); !typed.empty()) {
+    if (std::string typed = fields_.consume_problem(); !typed.empty()) {
         problems_[&property] = typed;
         edited_ = true;  // an expression ran, which may have changed anything
     } else if (settled && !edited_) {

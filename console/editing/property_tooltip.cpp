@@ -26,7 +26,7 @@ void PropertyEditor::tooltip(const Target& target, ImFont* bold) {
     for (const std::string& source : target.property->derives_from)
         sources += (sources.empty() ? "from " : ", ") + source;
     if (!sources.empty()) text_line(wrapped(sources, ImGui::GetFontSize() * 28));
-    if (const property::Provenance written = tree_.who(target.instance, *target.property);
+    if (const property::Provenance written = tree_.last_writer(target.instance, *target.property);
         written.known)
         text_line("written last by " + written.cause.text());
     ImGui::PushStyleColor(ImGuiCol_Text, palette::path);

@@ -36,7 +36,7 @@ float PropertyEditor::gutter_width(float available) {
 }
 
 void PropertyEditor::gutter(const Target& target, ImVec2 at, float width) {
-    const Provenance written = tree_.who(target.instance, *target.property);
+    const Provenance written = tree_.last_writer(target.instance, *target.property);
     if (!written.known) return;
     const std::string text = writer_text(written.cause);
     const float em = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();

@@ -94,7 +94,7 @@ void Ghosts::watch(bool on) {
     step_ = here;
 }
 
-void Ghosts::look(double seconds) {
+void Ghosts::update(double seconds) {
     if (!edited_) return;
     look_ahead(seconds);
     edited_ = false;

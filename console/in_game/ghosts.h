@@ -31,7 +31,7 @@ class Ghosts : private property::Observer {
     void watch(bool on);
     /// To be called for each picture: looks ahead again if something was edited since the last
     /// call. `seconds`: how far.
-    void look(double seconds);
+    void update(double seconds);
     void forget();
     void draw(ImDrawList& list, const ToPixels& to_pixels) const;
     const std::vector<Ghost>& ghosts() const { return ghosts_; }

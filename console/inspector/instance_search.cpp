@@ -4,6 +4,7 @@
 #include <functional>
 
 #include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
 #include <fettle/script/fuzzy.h>
 
 namespace fettle::console {
@@ -17,17 +18,13 @@ constexpr std::size_t work_in_a_frame = 8000;
 constexpr std::size_t most_similar = 200;
 constexpr std::size_t shortest_similar = 3;  // letters
 
-bool contains(std::string_view text, std::string_view part) {
-    auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-    auto same = [&](char a, char b) { return lower(a) == lower(b); };
-    return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
-}
-
 /// Whether the class derives from one of that name. Not from Object, as all of them do.
 bool derives_from(const property::Class& of, std::string_view name) {
     for (const property::Class* base = of.base(); base != nullptr && base->base() != nullptr;
          base = base->base())
-        if (base->name().size() == name.size() && contains(base->name(), name)) return true;
+        if (base->name().size() == name.size() &&
+            property::contains_ignoring_case(base->name(), name))
+            return true;
     return false;
 }
 
@@ -96,8 +93,9 @@ void InstanceSearch::look_at(Handle instance) {
     const std::string name = tree_.name(instance);
     const bool by_path = text_.find('.') != std::string::npos;
     const property::Class& of = tree_.class_of(instance);
-    if (contains(name, text_) || contains(of.name(), text_) || derives_from(of, text_) ||
-        (by_path && contains(tree_.path(instance), text_))) {
+    if (property::contains_ignoring_case(name, text_) ||
+        property::contains_ignoring_case(of.name(), text_) || derives_from(of, text_) ||
+        (by_path && property::contains_ignoring_case(tree_.path(instance), text_))) {
         matches_.push_back(instance);
     } else if (text_.size() >= shortest_similar && similar_.size() < 10 * most_similar) {
         if (const auto match = script::fuzzy_match(text_, name))

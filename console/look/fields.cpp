@@ -136,7 +136,7 @@ void Fields::end_frame() {
     typing_seen_ = false;
 }
 
-std::string Fields::take_problem() {
+std::string Fields::consume_problem() {
     return std::exchange(problem_, {});
 }
 

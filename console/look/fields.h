@@ -42,7 +42,7 @@ class Fields {
     /// Must be called once per frame, after all fields.
     void end_frame();
     /// The message if the last typed text is not a number, otherwise "".
-    std::string take_problem();
+    std::string consume_problem();
     /// The expression, if "is EXPRESSION" was typed, otherwise "".
     std::string take_formula();
     /// True once after typing has ended, whatever was typed.

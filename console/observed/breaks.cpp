@@ -33,7 +33,7 @@ Breaks::Added Breaks::add(script::Observed condition) {
     Break added{std::move(condition), {}, false};
     Added result{.message = "breaks when " + added.condition.text, .problem = {}};
     try {
-        added.condition.settle();
+        added.condition.compute_formulas();
         added.last = added.condition.value();
         result.message +=
             added.last.is(Type::boolean) ? " becomes true; it is " : " changes; it is ";
@@ -73,12 +73,12 @@ std::string Breaks::set_on(const std::string& path) const {
     return path.empty() || found == all_.end() ? std::string() : found->condition.text;
 }
 
-std::vector<std::string> Breaks::look() {
+std::vector<std::string> Breaks::check() {
     std::vector<std::string> lines;
     for (Break& each : all_) {
         Value now;
         try {
-            each.condition.settle();
+            each.condition.compute_formulas();
             now = each.condition.value();
             each.failed = false;
         } catch (const std::exception& error) {
@@ -111,7 +111,7 @@ void Breaks::describe(const Break& broken, const Value& before,
     for (const std::string& path : paths_in(tree_, broken.condition.text)) {
         try {
             const property::Place place = property::resolve(tree_, path);
-            const property::Provenance written = tree_.who(place.instance, *place.property);
+            const property::Provenance written = tree_.last_writer(place.instance, *place.property);
             std::string line = "  " + path + " = " +
                                tree_.text(property::get(tree_, path), place.property->precision());
             if (!place.property->unit.empty()) line += " " + place.property->unit;

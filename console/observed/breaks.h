@@ -31,7 +31,7 @@ class Breaks {
     std::string set_on(const std::string& path) const;
     /// Computes all conditions. Returns lines for the log about those that have become true (or,
     /// for a value that is not a boolean, have changed) since the last call.
-    std::vector<std::string> look();
+    std::vector<std::string> check();
 
   private:
     struct Break {

@@ -236,7 +236,7 @@ void Comparison::report_difference(const std::string& what) {
 
 void Comparison::report(const std::string& line) {
     log_.note(line);
-    if (found) found(line);
+    if (on_result) on_result(line);
 }
 
 }  // namespace fettle::console

@@ -23,9 +23,9 @@ class Comparison {
   public:
     using Look = std::function<void(std::int64_t step)>;
     using RepeatWith = std::function<void(std::int64_t from, const std::function<void()>& change,
-                                          const Look& look)>;
+                                          const Look& visit)>;
     using ReviewBranch =
-        std::function<void(const std::string& branch, std::int64_t from, const Look& look)>;
+        std::function<void(const std::string& branch, std::int64_t from, const Look& visit)>;
     static constexpr std::size_t most_poses = 1'000'000;  // of one side
     static constexpr double apart = 0.01;                 // m; nearer poses count as the same
 
@@ -43,7 +43,7 @@ class Comparison {
     Comparison(property::Tree& tree, Log& log) : tree_(tree), log_(log) {}
 
     /// Receives the results, in addition to the log; optional.
-    std::function<void(const std::string& line)> found;
+    std::function<void(const std::string& line)> on_result;
 
     /// Whether scripts draw by themselves; optional.
     std::function<bool()> scripts_draw;

@@ -8,6 +8,6 @@ namespace fettle::console {
 
 /// Options::review.
 using Review = std::function<void(std::int64_t from, std::int64_t to,
-                                  const std::function<void(std::int64_t step)>& look)>;
+                                  const std::function<void(std::int64_t step)>& visit)>;
 
 }  // namespace fettle::console

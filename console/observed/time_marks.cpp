@@ -94,7 +94,7 @@ void TimeMarks::leave_for(const std::string& branch,
     branch_ = branch;
 }
 
-void TimeMarks::look() {
+void TimeMarks::update() {
     if (frames_++ % frames_apart != 0) return;
     // Going back restores the history as it was then. Marks of later steps that were seen before
     // stay.

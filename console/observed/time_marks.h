@@ -36,7 +36,7 @@ class TimeMarks {
     std::size_t unbookmark(const std::string& name);
     std::vector<std::pair<std::string, std::int64_t>> bookmarks() const;
     /// Call once a frame: finds new edits in the history of the tree, four times a second.
-    void look();
+    void update();
     /// Call once a frame with the name of the present branch, and the names of the others with the
     /// last steps that they have in common with it. If another branch has become the present one,
     /// the marks become those of that branch.

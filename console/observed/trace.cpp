@@ -31,13 +31,13 @@ bool sample_of(const property::Value& value, Trace::Sample& sample, bool& vector
 
 }  // namespace
 
-void Trace::look(bool past) {
+void Trace::sample(bool past) {
     if (rest_ > 0) {
         --rest_;
         return;
     }
     try {
-        if (!past) what_.settle();
+        if (!past) what_.compute_formulas();
         value_ = what_.value();
         problem_.clear();
     } catch (const std::exception& error) {
@@ -53,7 +53,7 @@ void Trace::forget_after(std::int64_t step) {
 
 void Trace::take(std::int64_t step, bool past) {
     forget_after(step - 1);
-    look(past);
+    sample(past);
     Sample sample{step, 0, 0};
     if (problem_.empty() && sample_of(value_, sample, vector_)) samples_.push_back(sample);
     if (samples_.size() > max_samples) samples_.pop_front();

@@ -29,7 +29,7 @@ class Trace {
     /// Drops the samples of later steps.
     void forget_after(std::int64_t step);
     /// Computes the value without storing it.
-    void look(bool past = false);
+    void sample(bool past = false);
 
     /// The last computed value; nil if that failed, and then `problem` is the reason.
     const property::Value& value() const { return value_; }

@@ -19,14 +19,6 @@ using property::Value;
 
 namespace {
 
-/// The property `time.paused` of the game, and its instance in `time`; null if there is none.
-const property::Property* pause_property(const property::Tree& tree, Handle& time) {
-    time = tree.child(tree.root(), "time");
-    if (!time) return nullptr;
-    const property::Property* paused = tree.find(time, "paused");
-    return paused != nullptr && paused->type == property::Type::boolean ? paused : nullptr;
-}
-
 /// The property of `view.show` for an overlay, and its instance in `show`; null if there is none.
 const property::Property* overlay_property(const property::Tree& tree, std::string_view overlay,
                                            Handle& show) {
@@ -63,7 +55,7 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
                     static_cast<double>(settings.number("memory_limit")) * megabyte);
             },
             "console.memory_limit");
-    if (interpreter.serve) {
+    if (interpreter.serve_console) {
         script::ConsoleFunctions functions = observing.functions();
         functions.selection = [this] { return inspector.selection(); };
         functions.select = [this](const std::vector<Handle>& all) { choose_all(all); };
@@ -85,9 +77,9 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
         functions.record = options.record;
         functions.restart = options.restart;
         if (options.replay) functions.exec = {};
-        interpreter.serve(std::move(functions));
+        interpreter.serve_console(std::move(functions));
     }
-    if (std::string problem = history.take_problem(); !problem.empty()) log.note(problem);
+    if (std::string problem = history.consume_problem(); !problem.empty()) log.note(problem);
     take_settings(options.layout);
     if (!options.first_commands.empty())
         observing.run_later({"autoexec.lua", options.first_commands});
@@ -168,7 +160,7 @@ void Console::State::connect_lists() {
     };
     views.watch_list.menu = views.log_view.menu;
     views.watch_list.run = context_menu.run;
-    observing.found = comparison.found = options.found;
+    observing.on_result = comparison.on_result = options.on_result;
     comparison.scripts_draw = options.scripts_draw;
 }
 
@@ -251,12 +243,10 @@ void Console::State::follow_settings() {
 
 void Console::State::pause_time(bool paused) {
     if (paused == status.pausing) return;
-    Handle time;
-    const property::Property* property = pause_property(tree, time);
-    if (property == nullptr) return;
-    property::Tree::CauseScope cause(tree, property::Writer::module);
-    if (paused) status.time_was_paused = last_value(tree, time, *property).boolean();
-    if (!status.time_was_paused) tree.set(time, *property, Value(paused));
+    const Value now = time_value(tree, "paused");
+    if (!now.is(property::Type::boolean)) return;
+    if (paused) status.time_was_paused = now.boolean();
+    if (!status.time_was_paused) set_time_flag(tree, "paused", paused);
     status.pausing = paused;
 }
 
@@ -265,7 +255,7 @@ void Console::State::choose(Handle instance) {
     bool fresh = inspector.selected() != instance;
     inspector.select(instance);
     status.selected_path = tree.path(instance);
-    if (interpreter.set_it) interpreter.set_it(instance);
+    if (interpreter.set_selected) interpreter.set_selected(instance);
     std::string line = "it = " + tree.path(instance);
     if (fresh || log.lines().empty() || log.lines().back().text != line) log.note(line);
 }
@@ -274,7 +264,7 @@ void Console::State::choose_all(const std::vector<Handle>& instances) {
     if (instances.empty()) {
         inspector.deselect();
         status.selected_path.clear();
-        if (interpreter.set_it) interpreter.set_it({});
+        if (interpreter.set_selected) interpreter.set_selected({});
         return log.note("nothing is selected");
     }
     inspector.select(instances);
@@ -282,7 +272,7 @@ void Console::State::choose_all(const std::vector<Handle>& instances) {
     if (all.empty()) return;
     if (all.size() == 1) return choose(all.front());
     status.selected_path = tree.path(all.back());
-    if (interpreter.set_it) interpreter.set_it(all.back());
+    if (interpreter.set_selected) interpreter.set_selected(all.back());
     log.note(std::to_string(all.size()) + " selected, it = " + status.selected_path);
 }
 
@@ -296,7 +286,7 @@ void Console::State::find_selected_again() {
         const property::Place place = property::resolve(tree, status.selected_path);
         if (place.property != nullptr) return;
         inspector.select(place.instance);
-        if (interpreter.set_it) interpreter.set_it(place.instance);
+        if (interpreter.set_selected) interpreter.set_selected(place.instance);
     } catch (const property::Error&) {
         // No instance has this path now; a later frame may find one.
     }
@@ -304,11 +294,7 @@ void Console::State::find_selected_again() {
 
 // Goes there by a command, so that a recording contains it and the log shows why it is refused.
 void Console::State::look_at_step(std::uint64_t step) {
-    Handle time;
-    if (const property::Property* paused = pause_property(tree, time)) {
-        const property::Tree::CauseScope cause(tree, property::Writer::module);
-        tree.set(time, *paused, Value(true));
-    }
+    set_time_flag(tree, "paused", true);
     run("time:go_to(" + std::to_string(step) + ")");
 }
 
@@ -371,7 +357,7 @@ Console::Console(property::Tree& tree, Interpreter interpreter, Options options)
 Console::~Console() {
     state_->keep_layout();
     if (state_->interpreter.limit_memory) state_->interpreter.limit_memory({}, {});
-    if (state_->interpreter.serve) state_->interpreter.serve({});
+    if (state_->interpreter.serve_console) state_->interpreter.serve_console({});
 }
 
 void Console::after_step() {
@@ -400,8 +386,8 @@ float Console::covered_below() const {
     return std::max(0.0f, s.screen.height - top);
 }
 
-app::ClipRectangle Console::left_free(const app::ClipRectangle& whole) const {
-    return state_->left_free(whole);
+app::ClipRectangle Console::free_area(const app::ClipRectangle& whole) const {
+    return state_->free_area(whole);
 }
 
 bool Console::handle(const app::InputEvent& event) {

@@ -26,11 +26,11 @@ void Console::State::export_plots() {
                                       "export_plot: nothing is plotted");
             const std::string file = kind == "png" ? export_picture() : export_table();
             log.file("wrote ", file);
-            if (options.found) options.found("wrote " + file);
+            if (options.on_result) options.on_result("wrote " + file);
         } catch (const std::exception& error) {
             const std::string problem = property::exception_text(error);
             log.error(problem);
-            if (options.found) options.found("✗ " + problem);
+            if (options.on_result) options.on_result("✗ " + problem);
         }
     }
 }

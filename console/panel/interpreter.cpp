@@ -16,12 +16,14 @@ Interpreter interpreter_of(script::Runtime& runtime) {
     interpreter.complete = [&runtime](std::string_view input, std::size_t cursor) {
         return runtime.complete(input, cursor);
     };
-    interpreter.set_it = [&runtime](property::Handle instance) { runtime.set_it(instance); };
+    interpreter.set_selected = [&runtime](property::Handle instance) {
+        runtime.set_selected(instance);
+    };
     interpreter.limit_memory = [&runtime](std::function<std::size_t()> bytes,
                                           std::string property) {
         runtime.on_command_memory(std::move(bytes), std::move(property));
     };
-    interpreter.serve = [&runtime](script::ConsoleFunctions functions) {
+    interpreter.serve_console = [&runtime](script::ConsoleFunctions functions) {
         runtime.serve_console(std::move(functions));
     };
     return interpreter;

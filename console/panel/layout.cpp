@@ -197,7 +197,7 @@ float Console::State::legend_room() const {
     return shows("blame") ? least_legend : 0;
 }
 
-app::ClipRectangle Console::State::left_free(const app::ClipRectangle& whole) const {
+app::ClipRectangle Console::State::free_area(const app::ClipRectangle& whole) const {
     if (!status.was_open) return whole;
     const Rect& side = screen.inspector_rect;
     const bool is_beside = side.low.y < screen.panel_rect.high.y;
@@ -222,7 +222,7 @@ float Console::State::free_above() const {
 void Console::State::draw_time_bar(float right) {
     if (!settings.flag("time_bar") || !views.time_bar.available()) return views.time_bar.hide();
     const float low = screen.height - margin;
-    time_marks.look();
+    time_marks.update();
     views.time_bar.draw(ImVec2(margin, low), screen.width - 2 * margin - right,
                         settings.number("opacity"), ui.bold());
 }
@@ -231,7 +231,7 @@ void Console::State::draw_time_bar(float right) {
 void Console::State::draw_in_game() {
     if (!options.to_pixels || (options.game_covered && options.game_covered())) return;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    ghosts.look(static_cast<double>(settings.number("ghost_time")));
+    ghosts.update(static_cast<double>(settings.number("ghost_time")));
     ghosts.draw(list, options.to_pixels);
     const property::Handle selected = inspector.selected();
     if (!tree.alive(selected)) return;
@@ -277,7 +277,7 @@ void Console::State::draw_frames(float right) {
 
 /// Draws the watch list and the plot above the time bar.
 void Console::State::draw_observed(float right) {
-    observing.look();
+    observing.update();
     const float low = views.time_bar.rect().empty() ? screen.height - margin
                                                     : views.time_bar.rect().low.y - margin;
     const float wide = screen.width - 2 * margin - right, em = ImGui::GetFontSize();

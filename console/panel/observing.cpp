@@ -66,7 +66,7 @@ void Observing::pin(script::Observed what) {
             property::ErrorKind::rejected,
             "pin: there are " + std::to_string(max_pins) + " pinned values already; unpin one");
     pins_.emplace_back(std::move(what));
-    pins_.back().look();
+    pins_.back().sample();
     note_problem("pin", pins_.back().problem());
 }
 
@@ -88,7 +88,7 @@ void Observing::plot(std::vector<script::Observed> all) {
     plots_.clear();
     for (script::Observed& what : all) {
         plots_.emplace_back(std::move(what));
-        plots_.back().look();
+        plots_.back().sample();
         const Trace& added = plots_.back();
         const bool drawn = added.value().is_numeric() || added.value().is(Type::vec2) ||
                            added.value().is(Type::boolean);
@@ -155,16 +155,16 @@ void Observing::after_step() {
     follow_branch(step);
     for (auto* all : {&pins_, &plots_})
         for (Trace& trace : *all) trace.take(step);
-    const std::vector<std::string> lines = breaks_.look();
+    const std::vector<std::string> lines = breaks_.check();
     if (lines.empty()) return;
     for (const std::string& line : lines) report(line);
     if (on_break) on_break(lines.front());
     pause();
 }
 
-void Observing::look() {
+void Observing::update() {
     for (auto* all : {&pins_, &plots_})
-        for (Trace& trace : *all) trace.look();
+        for (Trace& trace : *all) trace.sample();
 }
 
 void Observing::between_frames(const Review& review) {
@@ -204,9 +204,9 @@ void Observing::run_commands(const Commands& commands) {
         command.clear();
         const std::string place = commands.file + ":" + std::to_string(first_line);
         first_line = next_line;
-        if (found) {
-            for (const std::string& each : result.lines) found(each);
-            if (result.error) found("✗ " + result.error->message);
+        if (on_result) {
+            for (const std::string& each : result.lines) on_result(each);
+            if (result.error) on_result("✗ " + result.error->message);
         }
         if (result.error) report("this command is in " + place);
     }
@@ -282,7 +282,7 @@ void Observing::search_past(const Review& review) {
 
 void Observing::report(const std::string& line) {
     log_.note(line);
-    if (found) found(line);
+    if (on_result) on_result(line);
 }
 
 // --- Time
@@ -294,10 +294,7 @@ std::int64_t Observing::time_step(const char* name, std::int64_t otherwise) cons
 
 // As in the time bar: pausing is not an edit by a person.
 void Observing::pause() {
-    const Handle time = tree_.child(tree_.root(), "time");
-    if (!time || tree_.find(time, "paused") == nullptr) return;
-    const property::Tree::CauseScope cause(tree_, property::Writer::module);
-    tree_.set(time, "paused", Value(true));
+    set_time_flag(tree_, "paused", true);
 }
 
 void Observing::go_to(std::int64_t step) {

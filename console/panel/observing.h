@@ -31,7 +31,7 @@ class Observing {
     /// Receives the line of a break; optional.
     std::function<void(const std::string& line)> on_break{};
     /// Receives the results of breaks and searches, in addition to the log; optional.
-    std::function<void(const std::string& line)> found;
+    std::function<void(const std::string& line)> on_result;
 
     /// The functions of the console that this class implements for scripts.
     script::ConsoleFunctions functions();
@@ -45,7 +45,7 @@ class Observing {
     /// `review` shows the kept past; may be empty.
     void between_frames(const Review& review);
     /// Computes the pinned values for a picture.
-    void look();
+    void update();
 
     /// Whether the log gets a note when a requested value cannot be computed now.
     bool tells_problems = true;

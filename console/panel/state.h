@@ -182,7 +182,7 @@ struct Console::State {
     float legend_room() const;
     float least_plot_height() const;
     float comparison_height();
-    app::ClipRectangle left_free(const app::ClipRectangle& whole) const;
+    app::ClipRectangle free_area(const app::ClipRectangle& whole) const;
     void draw_panel(float width, float height, float cell);
     void draw_log(float log_height, float cell);
     void draw_filter(float& right, float em);

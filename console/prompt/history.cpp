@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <fettle/console/console.h>
+#include <fettle/property/spelling.h>
 
 #include <text/utf8.h>
 
@@ -160,19 +161,15 @@ std::optional<std::size_t> History::newer(std::string_view prefix, std::size_t f
 }
 
 std::optional<std::size_t> History::containing(std::string_view part, std::size_t from) const {
-    auto capital = [](char c) { return c >= 'A' && c <= 'Z'; };
-    auto lower = [&](char c) { return capital(c) ? static_cast<char>(c - 'A' + 'a') : c; };
-    bool exact = std::any_of(part.begin(), part.end(), capital);
-    auto same = [&](char a, char b) { return exact ? a == b : lower(a) == lower(b); };
-    for (std::size_t i = std::min(from, entries_.size()); i-- > 0;) {
-        const std::string& entry = entries_[i];
-        auto found = std::search(entry.begin(), entry.end(), part.begin(), part.end(), same);
-        if (found != entry.end() || part.empty()) return i;
-    }
+    const bool exact = std::ranges::any_of(part, [](char c) { return c >= 'A' && c <= 'Z'; });
+    for (std::size_t i = std::min(from, entries_.size()); i-- > 0;)
+        if (exact ? entries_[i].find(part) != std::string::npos
+                  : property::contains_ignoring_case(entries_[i], part))
+            return i;
     return std::nullopt;
 }
 
-std::string History::take_problem() {
+std::string History::consume_problem() {
     return std::exchange(problem_, {});
 }
 

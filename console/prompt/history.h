@@ -36,7 +36,7 @@ class History {
     std::optional<std::size_t> containing(std::string_view part, std::size_t from) const;
 
     /// Returns and clears the last error of the file, "" if there was none.
-    std::string take_problem();
+    std::string consume_problem();
 
   private:
     void load();

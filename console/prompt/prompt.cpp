@@ -350,7 +350,7 @@ void Prompt::submit(bool force) {
     if (!interpreter_.evaluate) return;
     if (run(command, force)) {
         history_.add(command);
-        if (std::string problem = history_.take_problem(); !problem.empty()) log_.note(problem);
+        if (std::string problem = history_.consume_problem(); !problem.empty()) log_.note(problem);
         edit_ = TextEdit();
         text_changed();
         return;

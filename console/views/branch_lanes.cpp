@@ -1,5 +1,6 @@
 // The lanes of the other branches above the track of the time bar.
 
+#include <observed/last_value.h>
 #include <views/time_bar.h>
 
 #include <algorithm>
@@ -86,7 +87,7 @@ void TimeBar::draw_entries(const std::string& name) {
     if (entry("Compare", "Shows it and the present branch side by side, and what differs") && run)
         run("compare_branch(" + name + ")");
     if (entry("Go there", "Makes it the present branch, at its last step") && run) {
-        set("paused", true);
+        set_time_flag(tree_, "paused", true);
         run("time:switch_to(" + name + ")");
     }
     if (entry("Name …", "Puts the command into the prompt") && insert)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include <fettle/property/spelling.h>
 #include <fettle/property/value.h>
 
 #include <look/theme.h>
@@ -185,13 +186,8 @@ void LogView::filter(std::string_view text) {
 /// Ignores case, and finds whole numbers, too. A fold passes, because one of its hidden lines may.
 bool LogView::passes(const LogLine& whole) const {
     if (filter_.empty() || whole.kind == LineKind::fold) return true;
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-    const auto same = [&](char a, char b) { return lower(a) == lower(b); };
-    const auto contains = [&](std::string_view text) {
-        return std::search(text.begin(), text.end(), filter_.begin(), filter_.end(), same) !=
-               text.end();
-    };
-    return contains(whole.text) || (!whole.numbers.empty() && contains(whole.whole()));
+    return property::contains_ignoring_case(whole.text, filter_) ||
+           (!whole.numbers.empty() && property::contains_ignoring_case(whole.whole(), filter_));
 }
 
 void LogView::wrap(std::size_t columns) {

@@ -57,13 +57,6 @@ TimeBar::Times TimeBar::times() const {
     return now;
 }
 
-// Pausing is not an edit by a person, so undo does not revert it.
-void TimeBar::set(const char* name, bool on) {
-    const Handle time = tree_.child(tree_.root(), "time");
-    const property::Tree::CauseScope cause(tree_, property::Writer::module);
-    tree_.set(time, name, Value(on));
-}
-
 void TimeBar::play_back(double seconds) {
     const Times now = times();
     if (now.newest <= now.oldest) return;
@@ -88,7 +81,7 @@ void TimeBar::play_on(double seconds) {
     if (played_to_ >= static_cast<double>(now.newest)) {
         if (now.in_past()) return;  // the last step is shown from the next barrier on
         playing_ = false;
-        if (goes_on_) set("paused", false);
+        if (goes_on_) set_time_flag(tree_, "paused", false);
         return;
     }
     played_to_ =
@@ -108,7 +101,7 @@ void TimeBar::follow_branch() {
 void TimeBar::go_to(std::int64_t step) {
     if (step == requested_) return;
     requested_ = step;
-    set("paused", true);
+    set_time_flag(tree_, "paused", true);
     if (interpreter_.evaluate) interpreter_.evaluate("time:go_to(" + std::to_string(step) + ")");
 }
 
@@ -209,7 +202,7 @@ void TimeBar::draw_play(const Times& now) {
     if (!pressed) return;
     requested_ = -1;
     playing_ = false;
-    set("paused", !now.paused);
+    set_time_flag(tree_, "paused", !now.paused);
 }
 
 void TimeBar::draw_step(const Times& now) {
@@ -226,8 +219,8 @@ void TimeBar::draw_step(const Times& now) {
     if (now.in_past()) {
         go_to(now.step + 1);
     } else {
-        set("paused", true);
-        set("step_once", true);
+        set_time_flag(tree_, "paused", true);
+        set_time_flag(tree_, "step_once", true);
     }
 }
 

@@ -73,7 +73,6 @@ class TimeBar {
 
   private:
     property::Value value(const char* name) const;
-    void set(const char* name, bool on);
     bool icon(const char* id, Rect& place);
     void draw_play(const Times& now);
     void draw_step(const Times& now);

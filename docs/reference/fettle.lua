@@ -342,7 +342,7 @@ local fettle_FieldDescription = {}
 ---@class Object
 ---@field class string The name of its class. · any text · read-only
 ---@field name string What its parent calls it: the last part of its path. · any text · default computed · not saved
----@field parent Object? The instance it hangs under. · any instance · default computed · not saved
+---@field parent Object? The instance of which it is a child. · any instance · default computed · not saved
 ---@field z number The order of drawing: a larger z is drawn later, over a smaller one; equal ones in the order of the tree. It is added to the z of everything below. · -1e9 to 1e9 · default 0
 local fettle_Object = {}
 
@@ -368,7 +368,7 @@ function fettle_Object:alive() end
 ---@return Set
 function fettle_Object:all(class) end
 
----What hangs directly here, as a set.
+---Its children, as a set.
 ---@param class? Class|string
 ---@return Set
 function fettle_Object:children(class) end
@@ -1592,9 +1592,9 @@ Attractor = {}
 ---@field instance Sprite The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----A picture in the world or, in a layer, on the screen. What it hangs below moves it: a body, another sprite, or any instance with a `position`.
+---A picture in the world or, in a layer, on the screen. Its parent moves it: a body, another sprite, or any instance with a `position`.
 ---@class Sprite : Object
----@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1e6 to 1e6 · default 0
+---@field angle number Counter-clockwise, relative to its parent. · rad · -1e6 to 1e6 · default 0
 ---@field animation string The frames that are played: a tag of an Aseprite file, or the first and the last frame, such as "3-6". Empty: all frames. · any text · default ""
 ---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
 ---@field columns integer Number of frames beside each other in the image. · 1 to 10000 · default 1
@@ -1610,7 +1610,7 @@ Attractor = {}
 ---@field origin vec The point of the image that is at its position, around which it turns: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1e6 to 1e6 · default vec(0.5, 0.5)
 ---@field pixels_per_unit number Pixels of the image in a meter, where `size` is nil. In a layer on the screen a pixel of the image is a pixel. · px/m · 0.001 to 1e6 · default 32
 ---@field playing boolean Whether the animation goes on. At its end without `loop` it stays at the last frame until `animation` changes; `frame` = 1 plays it again. · true or false · default true
----@field position vec Where its origin is, relative to what it hangs below; pixels in a layer on the screen. · m · -1e9 to 1e9 · default vec(0, 0)
+---@field position vec Where its origin is, relative to its parent; pixels in a layer on the screen. · m · -1e9 to 1e9 · default vec(0, 0)
 ---@field rows integer Number of rows of frames in the image. · 1 to 10000 · default 1
 ---@field scale number Enlarges it, and what is below it. · -1e6 to 1e6 · default 1
 ---@field sheet integer[] Columns and rows in one value: { columns, rows }. The sheet that Aseprite exported is given by its JSON file as `image`. · 1 to 10000 · default computed · not saved
@@ -1629,22 +1629,22 @@ local fettle_Sprite = {}
 ---@overload fun(self: Sprite, event: "finished", handler: fun(record: Sprite.finished)): Connection
 function fettle_Sprite:on(event, handler) end
 
----A picture in the world or, in a layer, on the screen. What it hangs below moves it: a body, another sprite, or any instance with a `position`.
+---A picture in the world or, in a layer, on the screen. Its parent moves it: a body, another sprite, or any instance with a `position`.
 ---@class Class.Sprite : Class
 ---@overload fun(members?: table): Sprite
 Sprite = {}
 
----Written text in the world or, in a layer, on the screen. What it hangs below moves it, as a Sprite.
+---Written text in the world or, in a layer, on the screen. Its parent moves it, as a Sprite.
 ---@class Text : Object
 ---@field align "left"|"center"|"right" Where lines begin that are shorter than the longest. · "left", "center", "right" · default "center"
 ---@field anchor vec The point of the text that is at its position: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1e6 to 1e6 · default vec(0.5, 0.5)
----@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1e6 to 1e6 · default 0
+---@field angle number Counter-clockwise, relative to its parent. · rad · -1e6 to 1e6 · default 0
 ---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
 ---@field color color Color of the letters. · 0 to 1 · default color("#ffffff")
 ---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder. Letters that it lacks are taken from sans, then from other fonts of the system. · any text · default "sans"
 ---@field outline color Color around the letters; transparent: none. · 0 to 1 · default color("#00000000")
 ---@field outline_width number Width of the outline as a part of the size. · 0 to 1 · default 0.06
----@field position vec Where its anchor is, relative to what it hangs below; pixels in a layer on the screen. · m · -1e9 to 1e9 · default vec(0, 0)
+---@field position vec Where its anchor is, relative to its parent; pixels in a layer on the screen. · m · -1e9 to 1e9 · default vec(0, 0)
 ---@field size number Size of the font; a line is 1.2 times as high. Pixels in a layer on the screen. · m · 0 to 1e6 · default 0.5
 ---@field text string What is written; it may have several lines. What follows the first 100 000 letters is not shown. · any text · default ""
 ---@field text_height number Height of all lines. · m · any finite number · read-only
@@ -1653,20 +1653,20 @@ Sprite = {}
 ---@field wrap number Longest line; words beyond it begin another line, and a word that is longer has one of its own. Chinese, Japanese and Korean are divided between characters. 0: no limit. Pixels in a layer on the screen. · m · 0 to 1e9 · default 0
 local fettle_Text = {}
 
----Written text in the world or, in a layer, on the screen. What it hangs below moves it, as a Sprite.
+---Written text in the world or, in a layer, on the screen. Its parent moves it, as a Sprite.
 ---@class Class.Text : Class
 ---@overload fun(members?: table): Text
 Text = {}
 
 ---A line through several points, with round corners and ends.
 ---@class Line : Object
----@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1e6 to 1e6 · default 0
+---@field angle number Counter-clockwise, relative to its parent. · rad · -1e6 to 1e6 · default 0
 ---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
 ---@field closed boolean Whether the last point is connected with the first. · true or false · default false
 ---@field color color Its color. · 0 to 1 · default color("#ffffff")
 ---@field dashed number Length of dashes with their round ends, and of the gaps between them; 0: no gaps. Pixels in a layer on the screen. · m · 0 to 1e6 · default 0
 ---@field points vec[] Its corners, relative to its position; pixels in a layer on the screen. · m · any length · default {}
----@field position vec Where its point (0, 0) is, relative to what it hangs below. · m · -1e9 to 1e9 · default vec(0, 0)
+---@field position vec Where its point (0, 0) is, relative to its parent. · m · -1e9 to 1e9 · default vec(0, 0)
 ---@field visible boolean Whether it is drawn. · true or false · default true
 ---@field width number Thickness; never less than a pixel. Pixels in a layer on the screen. · m · 0 to 1e6 · default 0.05
 local fettle_Line = {}
@@ -1807,9 +1807,9 @@ TileLayer = {}
 ---@field instance Emitter The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----Sparks, smoke, rain: many small pictures that begin here, fly, change and end. What it hangs below moves it: a body, a sprite, or any instance with a `position`.
+---Sparks, smoke, rain: many small pictures that begin here, fly, change and end. Its parent moves it: a body, a sprite, or any instance with a `position`.
 ---@class Emitter : Object
----@field angle number Direction in which particles fly: 0 is to the right, pi / 2 upwards. Relative to what it hangs below. · rad · -1e6 to 1e6 · default 0
+---@field angle number Direction in which particles fly: 0 is to the right, pi / 2 upwards. Relative to its parent. · rad · -1e6 to 1e6 · default 0
 ---@field area vec Width and height of the shape; pixels in a layer on the screen. · m · 0 to 1e6 · default vec(1, 1)
 ---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
 ---@field burst integer Number of particles that begin at once, when it is placed or when `playing` becomes true. · 0 to 200000 · default 0
@@ -1821,7 +1821,7 @@ TileLayer = {}
 ---@field lifetime number Time after which a particle ends. · s · 0.001 to 10000 · default 1
 ---@field limit integer Largest number of particles at a time; no further ones begin. All emitters together have at most 500 000. · 0 to 200000 · default 1000
 ---@field playing boolean Whether new particles begin. Those that have begun live on. · true or false · default true
----@field position vec Where it is, relative to what it hangs below; pixels in a layer on the screen. · m · -1e9 to 1e9 · default vec(0, 0)
+---@field position vec Where it is, relative to its parent; pixels in a layer on the screen. · m · -1e9 to 1e9 · default vec(0, 0)
 ---@field randomness number Share by which lifetime, speed and size of a particle are larger or smaller. · 0 to 1 · default 0.3
 ---@field rate number Number of particles that begin in a second. · 1/s · 0 to 1e6 · default 20
 ---@field rotation number How fast particles turn, half of them to either side. Unless it is 0, each begins at an angle of its own. · rad/s · -10000 to 10000 · default 0
@@ -1851,7 +1851,7 @@ function fettle_Emitter:emit(count) end
 ---@overload fun(self: Emitter, event: "finished", handler: fun(record: Emitter.finished)): Connection
 function fettle_Emitter:on(event, handler) end
 
----Sparks, smoke, rain: many small pictures that begin here, fly, change and end. What it hangs below moves it: a body, a sprite, or any instance with a `position`.
+---Sparks, smoke, rain: many small pictures that begin here, fly, change and end. Its parent moves it: a body, a sprite, or any instance with a `position`.
 ---@class Class.Emitter : Class
 ---@overload fun(members?: table): Emitter
 Emitter = {}

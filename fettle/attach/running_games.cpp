@@ -15,6 +15,7 @@
 #include <fstream>
 
 #include <attach/socket_address.h>
+#include <command_line/joined.h>
 #include <files/game_path.h>
 
 namespace fettle::program {
@@ -73,11 +74,10 @@ RunningGame read(const fs::path& file) {
 }
 
 std::string list_of(const std::vector<RunningGame>& all) {
-    std::string text;
+    std::vector<std::string> names;
     for (const RunningGame& each : all)
-        text += (text.empty() ? "" : ", ") + name_of(each.game) + " (" +
-                std::to_string(each.process) + ")";
-    return text;
+        names.push_back(name_of(each.game) + " (" + std::to_string(each.process) + ")");
+    return joined(names);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <fettle/property/spelling.h>
 
+#include <command_line/joined.h>
 #include <command_line/terminal.h>
 
 namespace fettle::program {
@@ -47,9 +48,7 @@ std::string command_problem(const CLI::App& app, std::string_view first) {
         if (command->get_name() == first) return {};
         names.push_back(command->get_name());
     }
-    std::string all;
-    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-    return quoted_start(first) + " is not a command; there are " + all +
+    return quoted_start(first) + " is not a command; there are " + joined(names) +
            property::suggestion(first, names);
 }
 

@@ -14,17 +14,14 @@
 #include <system_error>
 #include <utility>
 
+#include <fettle/property/utf8.h>
+
 namespace fettle::program {
 namespace {
 
 constexpr int kept_lines = 1000;
 constexpr int frame_milliseconds = 16;
 constexpr std::size_t most_listed = 24;
-
-std::size_t characters_in(std::string_view text) {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
 
 /// From now on a read of the terminal returns 0 if there is no character. Ctrl+C empties the queue
 /// of the terminal, so a character that `poll` has reported may be gone. A read that waits for one
@@ -112,7 +109,7 @@ struct LineEditor::State {
                                  : alike           ? common_beginning(found, typed)
                                                    : typed;
         if (found.size() == 1 || text.size() > typed.size()) {
-            el_deletestr(editor, static_cast<int>(characters_in(typed)));
+            el_deletestr(editor, static_cast<int>(property::code_point_count(typed)));
             if (!text.empty() && el_insertstr(editor, text.c_str()) != 0) return CC_ERROR;
             return CC_REFRESH;
         }
@@ -125,9 +122,9 @@ struct LineEditor::State {
         std::size_t width = 0;
         const std::size_t count = std::min(found.size(), most_listed);
         for (std::size_t i = 0; i < count; ++i)
-            width = std::max(width, characters_in(found[i].label));
+            width = std::max(width, property::code_point_count(found[i].label));
         for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t gap = width - characters_in(found[i].label) + 2;
+            const std::size_t gap = width - property::code_point_count(found[i].label) + 2;
             std::printf("  %s%*s%s\n", found[i].label.c_str(), static_cast<int>(gap), "",
                         found[i].detail.c_str());
         }

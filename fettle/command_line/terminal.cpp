@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include <fettle/property/utf8.h>
+
 #ifdef FETTLE_WITH_CONSOLE
 #include <fettle/console/terminal_colors.h>
 #endif
@@ -15,32 +17,12 @@ namespace fettle::program {
 
 namespace {
 
-/// Number of bytes of the UTF-8 character at the start of `text`; 0 if there is no valid one.
-std::size_t length_of_character(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char first = byte(0);
-    const std::size_t length = first < 0x80    ? 1
-                               : first < 0xC2  ? 0
-                               : first < 0xE0  ? 2
-                               : first < 0xF0  ? 3
-                               : first <= 0xF4 ? 4
-                                               : 0;
-    if (length == 0 || length > text.size()) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((byte(i) & 0xC0) != 0x80) return 0;
-    // Overlong encodings, surrogates, and code points above U+10FFFF are invalid.
-    if ((first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) >= 0xA0) ||
-        (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) >= 0x90))
-        return 0;
-    return length;
-}
-
 std::string escaped(std::string_view text, bool lines) {
     std::string out;
     out.reserve(text.size());
     while (!text.empty()) {
         const auto first = static_cast<unsigned char>(text[0]);
-        std::size_t length = length_of_character(text);
+        std::size_t length = property::valid_code_point_size(text);
         // Control characters: 0 to 31, 127, and U+0080 to U+009F, which have two bytes.
         const bool control =
             first < 0x20 || first == 0x7F ||

@@ -15,9 +15,11 @@
 #include <fettle/script/reference.h>
 
 #include <command_line/exit_status.h>
+#include <command_line/joined.h>
 #include <command_line/subcommand.h>
 #include <command_line/terminal.h>
 #include <commands/commands.h>
+#include <files/dashed_name.h>
 #include <files/game_path.h>
 #include <session/session.h>
 
@@ -55,23 +57,15 @@ std::vector<std::string> template_names() {
 std::string template_problem(const std::string& name) {
     const std::vector<std::string> names = template_names();
     if (std::ranges::find(names, name) != names.end()) return {};
-    std::string all;
-    for (const std::string& each : names) all += (all.empty() ? "" : ", ") + each;
-    return "--template: there is no template \"" + on_one_line(name) + "\"; there are " + all +
-           property::suggestion(name, names);
+    return "--template: there is no template \"" + on_one_line(name) + "\"; there are " +
+           joined(names) + property::suggestion(name, names);
 }
 
 /// A part of an id: letters and digits of the name in lower case, the rest as dashes. A name with
 /// other letters, such as Greek ones, also gets a hash, so that two such names have different ids:
 /// the saves of a game lie under its id.
 std::string id_of(const std::string& name) {
-    std::string id;
-    for (const char c : name) {
-        const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        const bool plain = (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9');
-        if (plain || (!id.empty() && id.back() != '-')) id += plain ? lower : '-';
-    }
-    while (!id.empty() && id.back() == '-') id.pop_back();
+    std::string id = dashed_name(name);
     constexpr std::size_t longest = 60;
     id = id.empty() ? "game" : id.substr(0, longest);
     const bool ascii =

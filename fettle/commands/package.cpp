@@ -7,9 +7,11 @@
 #include <fettle/property/storage/game_settings.h>
 
 #include <command_line/exit_status.h>
+#include <command_line/joined.h>
 #include <command_line/subcommand.h>
 #include <command_line/terminal.h>
 #include <commands/commands.h>
+#include <files/dashed_name.h>
 #include <files/game_path.h>
 #include <files/packed_game.h>
 #include <files/settings.h>
@@ -32,16 +34,10 @@ struct PackageOptions {
     std::vector<std::string> made{};  // names of files that the game itself makes
 };
 
-/// A name for files: small letters, digits and dashes.
+/// A Debian package needs a name of at least two characters.
 std::string file_name_of(const std::string& name) {
-    std::string plain;
-    for (const char c : name) {
-        const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        const bool letter = (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9');
-        if (letter || (!plain.empty() && plain.back() != '-')) plain += letter ? lower : '-';
-    }
-    while (!plain.empty() && plain.back() == '-') plain.pop_back();
-    return plain.size() < 2 ? "game" : plain;
+    const std::string dashed = dashed_name(name);
+    return dashed.size() < 2 ? "game" : dashed;
 }
 
 /// Digits, letters and dots, beginning with a digit.
@@ -69,9 +65,7 @@ PackageFacts facts_of(const fs::path& game) {
 }
 
 void print_left_out(const PackedGame& packed) {
-    std::string names;
-    for (const std::string& each : packed.left_out) names += (names.empty() ? "" : ", ") + each;
-    if (!names.empty()) print_line("left out: " + names);
+    if (!packed.left_out.empty()) print_line("left out: " + joined(packed.left_out));
 }
 
 int package(const PackageOptions& options) {

@@ -12,6 +12,7 @@
 
 #include <command_line/end_request.h>
 #include <command_line/exit_status.h>
+#include <command_line/joined.h>
 #include <command_line/subcommand.h>
 #include <command_line/turn_limit.h>
 #include <commands/commands.h>
@@ -57,7 +58,7 @@ int run_headless(const RunOptions& options, Gallery* gallery) {
         if (EndRequest::signal() != 0) close(session);
         session.follow_files();
         loop.turn();
-        limit.turn_ends(loop.lived());
+        limit.turn_ends(loop.steps_made());
         if (gallery != nullptr && gallery->take_choice())
             session.note("open_game: a run without a window stays in the gallery");
     }
@@ -96,11 +97,11 @@ class WindowRun {
                .go_on = [this] { session_->loop().resume(); },
                .copy = [this](const std::string& text) { window().clipboard().write(text); },
                .covered_below = [this] { return session_ ? session_->covered_below() : 0; },
-               .left_free =
+               .free_area =
                    [this](const app::ClipRectangle& whole) {
-                       return session_ ? session_->left_free(whole) : whole;
+                       return session_ ? session_->free_area(whole) : whole;
                    },
-               .looks_back = [this] { return session_ && session_->looks_back(); },
+               .viewing_past = [this] { return session_ && session_->viewing_past(); },
                .travel =
                    [this](int steps) {
                        if (session_) session_->travel(steps);
@@ -110,7 +111,7 @@ class WindowRun {
         start();
         for (bool last = false; !last;) {
             last = frame();
-            limit_.turn_ends(session_->loop().lived());
+            limit_.turn_ends(session_->loop().steps_made());
             if (reload_) start();
         }
         return finish(*session_, options_, &window());
@@ -159,7 +160,7 @@ class WindowRun {
                 patience, [this](const script::LongCall& call) { return may_go_on(call); });
         session_->start();
         game_window_.started(*session_);
-        error_screen_.came_back();
+        error_screen_.script_returned();
         idle_steps_ = 0;
         last_frame_ = Clock::now();
     }
@@ -182,16 +183,16 @@ class WindowRun {
         follow_files();
         if (reload_) return false;
         loop.frame(seconds, options_.steps.value_or(INT64_MAX));
-        if (session_->wants_restart()) reload_ = true;
-        error_screen_.came_back();
+        if (session_->restart_requested()) reload_ = true;
+        error_screen_.script_returned();
         play_sounds(loudspeaker_, *session_);
         if (clock.paused) idle_steps_ += seconds / clock.dt;
         game_window_.follow(*session_);
         // A run with a given number of steps is not interactive: it also ends if the game is
         // halted.
-        const bool made =
-            options_.steps && (loop.halted() || static_cast<double>(loop.lived()) + idle_steps_ >=
-                                                    static_cast<double>(*options_.steps));
+        const bool made = options_.steps &&
+                          (loop.halted() || static_cast<double>(loop.steps_made()) + idle_steps_ >=
+                                                static_cast<double>(*options_.steps));
         const bool quits = session_->runtime().quit_status().has_value();
         if (quits && may_go_back()) open(gallery_->game());
         const bool last = made || loop.closing() || (quits && !reload_);
@@ -202,7 +203,7 @@ class WindowRun {
         const bool saves = session_->saves().waits();
         if (saves || (last && !options_.screenshot.empty())) window().keep_frame();
         loop.draw(window(), seconds);
-        error_screen_.came_back();
+        error_screen_.script_returned();
         window().present();
         if (saves) session_->saves().finish(thumbnail(window().pixels()));
         return last;
@@ -285,11 +286,9 @@ class WindowRun {
 /// Lists at most five entries.
 std::string join_first(const std::vector<std::string>& all) {
     constexpr std::size_t limit = 5;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(all.size(), limit); ++i)
-        text += (i == 0 ? "" : ", ") + all[i];
-    if (all.size() > limit) text += " and " + std::to_string(all.size() - limit) + " more";
-    return text;
+    if (all.size() <= limit) return joined(all);
+    return joined({all.begin(), all.begin() + limit}) + " and " +
+           std::to_string(all.size() - limit) + " more";
 }
 
 /// A replay of a test in a window shows this number of steps, the last ones, and skips the others.

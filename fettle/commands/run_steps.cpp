@@ -56,7 +56,7 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen) {
             if (step > reached)
                 print_error(option + (" " + std::to_string(step)) +
                             " was never reached: the run ended with its step " +
-                            std::to_string(session.loop().lived()));
+                            std::to_string(session.loop().steps_made()));
     };
     // A chunk runs before its step, which is never made if the chunk pauses the game.
     print_unreached("--at", options.at, session.chunks_until());
@@ -83,7 +83,7 @@ double longest_turn(const RunOptions& options) {
 
 void play_sounds(app::Loudspeaker& loudspeaker, Session& session) {
     loudspeaker.follow(session.services(), session.loop().halted());
-    if (const std::string problem = loudspeaker.take_problem(); !problem.empty())
+    if (const std::string problem = loudspeaker.consume_problem(); !problem.empty())
         session.note("note: " + problem);
 }
 

@@ -42,16 +42,16 @@ fs::path path_of(const std::string& name, const fs::path& game) {
 
 }  // namespace
 
-app::RunFile recorded(const property::GameFiles::Finding& finding, const fs::path& game) {
-    std::string name = name_below(finding.file, whole_folder_of(game));
+app::RunFile recorded(const property::GameFiles::FileState& state, const fs::path& game) {
+    std::string name = name_below(state.file, whole_folder_of(game));
     if (name.empty()) {
-        name = name_below(finding.file, assets());
-        name = name.empty() ? finding.file.generic_string() : std::string(own_file_prefix) + name;
+        name = name_below(state.file, assets());
+        name = name.empty() ? state.file.generic_string() : std::string(own_file_prefix) + name;
     }
     return {.name = std::move(name),
-            .checksum = finding.checksum,
-            .overwritten = finding.overwritten,
-            .content = finding.content};
+            .checksum = state.checksum,
+            .overwritten = state.overwritten,
+            .content = state.content};
 }
 
 std::string name_of(KeptFile which) {

@@ -13,7 +13,7 @@ namespace fettle::program {
 
 /// Makes the entry of a recording. The name is relative to the game's folder or to Fettle's assets;
 /// any other file has its whole path.
-app::RunFile recorded(const property::GameFiles::Finding& finding,
+app::RunFile recorded(const property::GameFiles::FileState& state,
                       const std::filesystem::path& game);
 
 /// Files in the player's folder that a run reads at its start and writes later.

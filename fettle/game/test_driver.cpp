@@ -1,7 +1,10 @@
 #include <game/test_driver.h>
 
 #include <stdexcept>
+#include <string_view>
 #include <utility>
+
+#include <fettle/property/utf8.h>
 
 #include <files/game_path.h>
 
@@ -13,17 +16,9 @@ namespace {
 std::u32string characters(const std::string& text) {
     std::u32string all;
     for (std::size_t i = 0; i < text.size();) {
-        const auto first = static_cast<unsigned char>(text[i]);
-        const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-        if ((first >= 0x80 && first < 0xC2) || first > 0xF4 || i + length > text.size()) {
-            ++i;
-            continue;
-        }
-        char32_t character = length == 1 ? first : first & (0xFFu >> (length + 1));
-        for (std::size_t k = 1; k < length; ++k)
-            character = character << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3Fu);
-        all += character;
-        i += length;
+        const std::size_t size = property::valid_code_point_size(std::string_view(text).substr(i));
+        if (size > 0) all += property::code_point_at(text, i);
+        i += size > 0 ? size : 1;
     }
     return all;
 }

@@ -14,9 +14,9 @@ float Session::covered_below() const {
 #endif
 }
 
-app::ClipRectangle Session::left_free(const app::ClipRectangle& whole) const {
+app::ClipRectangle Session::free_area(const app::ClipRectangle& whole) const {
 #ifdef FETTLE_WITH_CONSOLE
-    if (console_) return console_->left_free(whole);
+    if (console_) return console_->free_area(whole);
 #endif
     return whole;
 }

@@ -11,6 +11,7 @@
 #include <fettle/property/exception_text.h>
 #include <fettle/property/storage/scene.h>
 
+#include <command_line/joined.h>
 #include <files/game_path.h>
 #include <game/preferences.h>
 #include <session/game_window.h>
@@ -29,12 +30,6 @@ bool is_media(const fs::path& file) {
         ".flac", ".mp3", ".tmj",  ".tmx", ".tsj", ".tsx", ".tj",  ".tx",  ".frag", ".glsl"};
     const std::string ending = file.extension().string();
     return std::ranges::find(endings, ending) != endings.end();
-}
-
-std::string join(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text;
 }
 
 }  // namespace
@@ -99,7 +94,7 @@ Session::Followed Session::apply_changes(const std::vector<fs::path>& changed) {
         return true;
     });
     if (!read.empty())
-        note("reloaded " + join(read) + " in " + std::to_string(std::lround(lasted.count())) +
+        note("reloaded " + joined(read) + " in " + std::to_string(std::lround(lasted.count())) +
              " ms");
     run_.failed = false;
     if (loop_->halted() && loop_->retry())

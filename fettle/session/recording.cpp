@@ -40,8 +40,8 @@ void Session::make_recorder() {
     if (!options_.record.empty()) recorder_->write_to(options_.record, options_.test ? 20 : 1);
     recorder_->file(recorded_text(KeptFile::store, store_->initial()));
     recorder_->file(recorded_text(KeptFile::preferences, preferences_->initial()));
-    files_.listen([this](const property::GameFiles::Finding& finding) {
-        recorder_->file(recorded(finding, options_.game));
+    files_.on_first_access([this](const property::GameFiles::FileState& state) {
+        recorder_->file(recorded(state, options_.game));
     });
     runtime_->on_command([this](std::string_view command) {
         if (console_) recorder_->selected(console_->selection());
@@ -116,7 +116,7 @@ std::string Session::recording_problem() const {
     return recorder_ ? recorder_->problem() : std::string();
 }
 
-bool Session::looks_back() const {
+bool Session::viewing_past() const {
     return services_->clock.step < services_->clock.newest;
 }
 

@@ -53,7 +53,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     visuals_.attach(tree_);
     services_ = std::make_unique<app::Services>(tree_, &assets_);
     interface_.attach(tree_);
-    services_->input.give_first(&interface_);
+    services_->input.set_foreground(&interface_);
     services_->view.window = window_state(settings_);
     services_->view.screen = services_->view.window.size;
     tree_.on_handler_error([this](const property::HandlerError& error) {
@@ -119,8 +119,8 @@ void Session::make_files() {
     if (replayed_ != nullptr) use_recorded_content(*replayed_, options_.game, files_);
     if (isolated()) files_.stay_in_memory();
     if (!keeps_recording()) return;
-    files_.take_note();
-    for (const std::filesystem::path& file : modules_.files()) files_.looks_at(file);
+    files_.record_reads();
+    for (const std::filesystem::path& file : modules_.files()) files_.note_read(file);
 }
 
 void Session::read_settings() {
@@ -128,7 +128,7 @@ void Session::read_settings() {
     settings_ = property::read_game_settings(files_, options_.game, FETTLE_VERSION);
     if (settings_.icon.empty()) return;
     try {
-        files_.looks_at(assets_.find(icon_setting, settings_.icon, image_endings));
+        files_.note_read(assets_.find(icon_setting, settings_.icon, image_endings));
     } catch (const property::Error& error) {
         throw FileError(error.what());
     }
@@ -283,16 +283,17 @@ void Session::make_console(app::Clipboard* clipboard) {
                         float x,
                         float y) { return view.to_world(property::Vec2(x, y) - view.corner()); },
         .to_pixels = [&view](property::Vec2 world) { return view.to_window(world); },
-        .game_covered = [this] { return loop_->halted() && !looks_back(); },
+        .game_covered = [this] { return loop_->halted() && !viewing_past(); },
         .tweaks = tweaks_.get(),
         .review = [this](std::int64_t from, std::int64_t to,
-                         const auto& look) { loop_->timeline().review(from, to, look); },
-        .repeat_with = [this](
-                           std::int64_t from, const auto& change,
-                           const auto& look) { loop_->timeline().repeat_with(from, change, look); },
+                         const auto& visit) { loop_->timeline().review(from, to, visit); },
+        .repeat_with =
+            [this](std::int64_t from, const auto& change, const auto& visit) {
+                loop_->timeline().repeat_with(from, change, visit);
+            },
         .review_branch =
-            [this](const std::string& branch, std::int64_t from, const auto& look) {
-                loop_->timeline().review_branch(branch, from, look);
+            [this](const std::string& branch, std::int64_t from, const auto& visit) {
+                loop_->timeline().review_branch(branch, from, visit);
             },
         .scripts_draw = [this] { return runtime_->draws(); },
         .share = [this](const std::string& name) { return share(name); },
@@ -307,7 +308,7 @@ void Session::make_console(app::Clipboard* clipboard) {
                 return assets_.read("script", file, lua);
             },
         .frames = &services_->clock.frames,
-        .found =
+        .on_result =
             [this](const std::string& line) {
                 if (options_.headless) print_line("  " + line);
             },
@@ -341,15 +342,15 @@ void Session::restart() {
 
 void Session::travel(int steps) {
     const app::Clock& clock = services_->clock;
-    if (!clock.travel.go_to || clock.newest <= clock.oldest) return;
-    clock.travel.go_to(std::clamp(clock.step + steps, clock.oldest, clock.newest));
+    if (!clock.timeline.go_to || clock.newest <= clock.oldest) return;
+    clock.timeline.go_to(std::clamp(clock.step + steps, clock.oldest, clock.newest));
 }
 
 void Session::select(const std::vector<property::Handle>& instances) {
     if (console_)
         console_->select(instances);
     else
-        runtime_->set_it(instances.back());
+        runtime_->set_selected(instances.back());
 }
 
 script::Evaluation Session::evaluate(std::string_view command) {
@@ -426,7 +427,7 @@ void Session::run_at(std::uint64_t step) {
 /// Runs the commands of --console that are due, between frames as if they were typed. So a
 /// recording contains them like typed commands.
 void Session::run_due_commands() {
-    const std::uint64_t next = loop_->lived() + 1;
+    const std::uint64_t next = loop_->steps_made() + 1;
     if (next == run_.typed) return;
     // A frame in a window may have made several steps.
     const std::uint64_t before = std::exchange(run_.typed, next);

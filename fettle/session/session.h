@@ -81,11 +81,11 @@ class Session {
     /// Pixels at the lower edge of the window that the console covers.
     float covered_below() const;
     /// The part of the window, in pixels, that the console does not cover.
-    app::ClipRectangle left_free(const app::ClipRectangle& whole) const;
+    app::ClipRectangle free_area(const app::ClipRectangle& whole) const;
     /// Whether a restart of the game was requested.
-    bool wants_restart() const { return run_.restart; }
+    bool restart_requested() const { return run_.restart; }
     /// Whether the game is at an earlier step than the newest.
-    bool looks_back() const;
+    bool viewing_past() const;
     /// Goes forward by `steps` in the kept past (below 0: back), at the next barrier.
     void travel(int steps);
     /// Adds a layer below the console.

@@ -135,7 +135,7 @@ class TestRun {
         const auto limit = std::chrono::seconds(options_.timeout);
         while (outcome_.message.empty() && !session.test()->done()) {
             if (EndRequest::signal() != 0) return fail("it was interrupted");
-            if (loop.lived() >= most_steps)
+            if (loop.steps_made() >= most_steps)
                 return fail("the test did not end within " + std::to_string(most_steps) + " steps");
             if (Clock::now() - begun > limit)
                 return fail("the test did not end within " + std::to_string(options_.timeout) +

@@ -14,6 +14,21 @@ static_assert(static_cast<int>(ErrorKind::no_barrier_end) + 1 == FETTLE_ERR_NO_B
               "kinds of errors are numbered alike, OK being 0");
 static_assert(sizeof(fettle_value) == 24);
 
+std::uint32_t flags_of(const property::Property& property) {
+    std::uint32_t flags = 0;
+    const auto add = [&](bool is_set, std::uint32_t flag) { flags |= is_set ? flag : 0; };
+    add(property.read_only, FETTLE_READ_ONLY);
+    add(property.transient, FETTLE_TRANSIENT);
+    add(property.simulated, FETTLE_SIMULATED);
+    add(property.clamp, FETTLE_CLAMP);
+    add(property.infinity, FETTLE_INFINITY);
+    add(property.nullable, FETTLE_NULLABLE);
+    add(property.any_type, FETTLE_ANY_TYPE);
+    add(property.hidden, FETTLE_HIDDEN);
+    add(property.single_precision, FETTLE_SINGLE_PRECISION);
+    return flags;
+}
+
 fettle_value Outgoing::put(const Value& value) {
     fettle_value sent{};
     sent.type = static_cast<std::uint32_t>(value.type());

@@ -3,6 +3,7 @@
 // the sender keeps until its next call.
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <span>
 #include <string>
@@ -58,6 +59,9 @@ inline std::string_view view(const char* text) {
 inline std::string text_or_empty(const char* text) {
     return text == nullptr ? std::string() : std::string(text);
 }
+
+/// The flags of a property: its members that are true.
+std::uint32_t flags_of(const property::Property& property);
 
 fettle_status status_of(property::ErrorKind kind);
 property::ErrorKind kind_of(fettle_status status);

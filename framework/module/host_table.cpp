@@ -236,11 +236,11 @@ struct HostFunctions {
                              fettle_value* values, std::uint32_t count, std::uint32_t changeable) {
         HostTable& host = host_of(self);
         return host.guarded([&](property::Tree& tree) {
-            if (!tree.alive(received(instance))) return;  // as `property::ask`
+            if (!tree.alive(received(instance))) return;  // as `property::call_handlers`
             const property::Event& which = event_of(tree, received(instance), event);
             require_values(which, values, count);
             property::List fields = received(values, count);
-            property::ask(tree, received(instance), which, fields, changeable);
+            property::call_handlers(tree, received(instance), which, fields, changeable);
             Outgoing& answers = host.outgoing();
             for (std::size_t i = changeable; i < fields.size(); ++i)
                 values[i] = answers.put(fields[i]);
@@ -248,7 +248,7 @@ struct HostFunctions {
     }
     static std::uint32_t accepts(void* self, fettle_handle instance) {
         const HostTable::Call call(host_of(self));
-        return property::Acceptance::accepts(received(instance)) ? 1 : 0;
+        return property::Acceptance::is_accepted(received(instance)) ? 1 : 0;
     }
     static std::uint64_t step(void* self) {
         const HostTable& host = host_of(self);

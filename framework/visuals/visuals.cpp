@@ -113,7 +113,7 @@ Visuals::~Visuals() {
 
 void Visuals::renew(const std::string& name) {
     state_->images.renew(name);
-    if (state_->fonts.renew(name)) state_->texts.forget_layouts();
+    if (state_->fonts.renew(name)) state_->texts.clear_layouts();
     state_->tilemaps.renew(name);
 }
 

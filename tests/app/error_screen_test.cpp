@@ -45,7 +45,7 @@ TEST_CASE("the text of an error is in the part of the window that an open consol
     app::ErrorScreen screen({.reload = {},
                              .go_on = {},
                              .covered_below = [] { return 60.0f; },
-                             .left_free = [&](const app::ClipRectangle&) { return free; }});
+                             .free_area = [&](const app::ClipRectangle&) { return free; }});
     script::ScriptError error = an_error();
     for (int i = 0; i < 12; ++i) error.message += " word" + std::to_string(i);
     screen.show(error);
@@ -73,7 +73,7 @@ TEST_CASE("the game is seen above a strip while the past before an error is look
     app::ErrorScreen screen({.reload = {},
                              .go_on = {},
                              .covered_below = [] { return 60.0f; },
-                             .looks_back = [&] { return past; }});
+                             .viewing_past = [&] { return past; }});
     screen.show(an_error());
     NotingSurface whole;
     screen.draw(whole, 0);

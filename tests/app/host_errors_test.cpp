@@ -34,17 +34,17 @@ TEST_CASE("an exception from a function of the host after a barrier leaves the t
     CHECK(game.get("time.step").integer() == 1);
 }
 
-TEST_CASE("an exception from a witness at the end of a frame leaves the frame") {
-    struct Throwing : Witness {
+TEST_CASE("an exception from an observer at the end of a frame leaves the frame") {
+    struct Throwing : LoopObserver {
         void event(const InputEvent&, bool) override {}
         void frame_begins(double, std::int64_t) override {}
         void turn_begins() override {}
-        void frame_ends() override { throw std::runtime_error("witness"); }
+        void frame_ends() override { throw std::runtime_error("observer"); }
         void stepped() override {}
-    } witness;
+    } observer;
     Game game;
-    game.loop.witness(&witness);
-    CHECK_THROWS_WITH(game.loop.turn(), "witness");
+    game.loop.set_observer(&observer);
+    CHECK_THROWS_WITH(game.loop.turn(), "observer");
     game.loop.after_barrier([] { throw std::runtime_error("mine"); });
     CHECK_THROWS_WITH(game.loop.frame(tick), "mine");
 }

@@ -68,7 +68,7 @@ Signal played(const std::filesystem::path& written) {
         CHECK_FALSE(std::filesystem::exists(written));  // nothing has sounded yet
         game.runtime.run("left:play()", "test");
         pass(game, loudspeaker, 1.2);
-        CHECK(loudspeaker.take_problem().empty());
+        CHECK(loudspeaker.consume_problem().empty());
         game.runtime.run("audio.muted = true left:play()", "test");
         pass(game, loudspeaker, 0.3);
     }

@@ -18,7 +18,7 @@ using property::Vec2;
 namespace {
 
 std::string writer_of(const Game& game, const std::string& path) {
-    for (const app::Blamed& each : app::blamed(game.tree, app::tick))
+    for (const app::InstanceWriter& each : app::instance_writers(game.tree, app::tick))
         if (game.tree.path(each.instance) == path) return each.writer;
     return "nobody";
 }
@@ -137,7 +137,7 @@ TEST_CASE("the legend of writers is in the part of the screen that layers leave 
         app::ClipRectangle free{0, 0, 0, 0};
         bool handle(const app::InputEvent&) override { return false; }
         void draw(app::Surface&, double) override {}
-        app::ClipRectangle left_free(const app::ClipRectangle&) const override { return free; }
+        app::ClipRectangle free_area(const app::ClipRectangle&) const override { return free; }
     } layer;
     Game game;
     game.set("view.show.blame", true);

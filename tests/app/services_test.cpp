@@ -119,7 +119,7 @@ TEST_CASE("a jump in time that was requested from a loop ends with it") {
     script::Runtime runtime(tree, {});
     auto loop = std::make_unique<Loop>(tree, runtime, services);
     for (int i = 0; i < 5; ++i) loop->turn();
-    services.clock.travel.go_to(2);
+    services.clock.timeline.go_to(2);
     loop.reset();
     CHECK_NOTHROW(tree.barrier());
     CHECK(services.clock.step == 5);

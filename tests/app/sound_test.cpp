@@ -292,7 +292,7 @@ TEST_CASE("errors name the value and the nearest name") {
     fails("Synth {}:mutate(2)", "amount = 2: expected a number from 0 to 1");
     fails("Synth.coin(3)", "Synth.coin: takes a table of values");
     fails("Synth {}:wave_form(0)", "columns = 0: expected a number from 1 to 4096");
-    fails("game.v = Voice {}", "a voice hangs below the Sound");
+    fails("game.v = Voice {}", "a voice is a child of the Sound");
     CHECK(game.print("#audio.voices") == "0");
 }
 

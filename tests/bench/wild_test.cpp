@@ -34,8 +34,8 @@ class FewDiscsOnFloor : public Check {
 };
 
 const std::vector<Invariant> few_discs = {
-    {"discs", "fewer than three discs touch the floor",
-     [](const WorldPlan&) { return std::make_unique<FewDiscsOnFloor>(); }}};
+    // Fewer than three discs touch the floor.
+    {"discs", [](const WorldPlan&) { return std::make_unique<FewDiscsOnFloor>(); }}};
 
 bool fails(const WorldPlan& plan) {
     return !try_in_fettle(plan, few_discs, false).findings.empty();
@@ -103,17 +103,17 @@ TEST_CASE("the grammar draws every kind of shape and joint and edits") {
 
 TEST_CASE("a world that violates an invariant is found") {
     CHECK(fails(crowd()));
-    const Trial trial = try_in_fettle(crowd(), few_discs, false);
-    REQUIRE(trial.findings.size() == 1);
-    CHECK(trial.findings[0].invariant == "discs");
-    CHECK(trial.findings[0].step < 199);
+    const PlanRun run = try_in_fettle(crowd(), few_discs, false);
+    REQUIRE(run.findings.size() == 1);
+    CHECK(run.findings[0].invariant == "discs");
+    CHECK(run.findings[0].step < 199);
 }
 
 TEST_CASE("an exception of a step is a finding") {
     WorldPlan plan = crowd();
     plan.edits[3].setting.value = {-1, 0};  // a friction that the library refuses
-    const Trial trial = try_in_fettle(plan, few_discs, true);
-    CHECK(std::ranges::count(trial.findings, "throws", &Finding::invariant) == 1);
+    const PlanRun run = try_in_fettle(plan, few_discs, true);
+    CHECK(std::ranges::count(run.findings, "throws", &Finding::invariant) == 1);
 }
 
 TEST_CASE("a found world is minimized to what the violation needs") {

@@ -59,12 +59,12 @@ struct BranchedRig : Rig {
         tree.create(tree.define(std::move(show)), of, "show");
         key("grave");
         draw(2);
-        state().options.review = [this](std::int64_t from, std::int64_t to, const auto& look) {
+        state().options.review = [this](std::int64_t from, std::int64_t to, const auto& visit) {
             ++reads;
             const auto here = static_cast<std::int64_t>(tree.step());
             for (std::int64_t n = std::max<std::int64_t>(0, from); n <= std::min(now, to); ++n) {
                 place(n);
-                look(n);
+                visit(n);
             }
             place(here);
         };

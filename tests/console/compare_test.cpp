@@ -25,13 +25,13 @@ struct CompareRig : Rig {
 
     CompareRig() {
         auto& options = state().options;
-        options.review = [this](std::int64_t from, std::int64_t, const auto& look) {
-            run(from, look);
+        options.review = [this](std::int64_t from, std::int64_t, const auto& visit) {
+            run(from, visit);
         };
-        options.repeat_with = [this](std::int64_t from, const auto& change, const auto& look) {
+        options.repeat_with = [this](std::int64_t from, const auto& change, const auto& visit) {
             const Value before = value("world.ball.mass");
             change();
-            run(from, look);
+            run(from, visit);
             property::set(tree, "world.ball.mass", before);
             if (fails) throw std::runtime_error("no branch");
         };
@@ -46,10 +46,10 @@ struct CompareRig : Rig {
         property::set(tree, "world.ball.position",
                       Value(Vec2(0.01 * mass * static_cast<double>(step), -4)));
     }
-    void run(std::int64_t from, const std::function<void(std::int64_t)>& look) {
+    void run(std::int64_t from, const std::function<void(std::int64_t)>& visit) {
         for (std::int64_t step = from; step <= now; ++step) {
             place(step);
-            look(step);
+            visit(step);
         }
     }
     console::Comparison& runs() { return state().comparison; }
@@ -282,11 +282,11 @@ struct TwoBranches : CompareRig {
         tree.destroy(tree.child(tree.root(), "time"));
         tree.create(tree.define(std::move(time)), tree.root(), "time");
         state().options.review_branch = [this](const std::string&, std::int64_t from,
-                                               const auto& look) {
+                                               const auto& visit) {
             property::set(tree, "world.ball.mass", Value(3.0));
             for (std::int64_t step = from; step <= 90; ++step) {
                 place(step);
-                look(step);
+                visit(step);
             }
             property::set(tree, "world.ball.mass", Value(1.0));
             place(now);

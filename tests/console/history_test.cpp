@@ -35,7 +35,7 @@ TEST_CASE("the next run has the history of the run before") {
         history.add("world.ball.mass = 2");
         history.add("for i = 1, 3 do\n  print(i)\nend");
         history.add("path = \"c:\\new\"");
-        CHECK(history.take_problem().empty());
+        CHECK(history.consume_problem().empty());
     }
     History again(file);
     REQUIRE(again.entries().size() == 3);
@@ -85,7 +85,7 @@ TEST_CASE("the readable lines of a damaged history file are loaded") {
     fs::path file = folder.path / "history";
     put(file, std::string("good\n\xff\xfe bad\n\n\0\x01\nlast without newline", 36));
     History history(file);
-    CHECK(history.take_problem().empty());
+    CHECK(history.consume_problem().empty());
     CHECK(history.entries().front() == "good");
     CHECK(history.entries().back() == "last without newline");
 }
@@ -93,9 +93,9 @@ TEST_CASE("the readable lines of a damaged history file are loaded") {
 TEST_CASE("a history file that is a folder is reported once and the history stays in memory") {
     Folder folder;
     History history(folder.path);
-    CHECK(history.take_problem().find("not a regular file") != std::string::npos);
+    CHECK(history.consume_problem().find("not a regular file") != std::string::npos);
     history.add("kept in memory");
-    CHECK(history.take_problem().empty());
+    CHECK(history.consume_problem().empty());
     CHECK(history.entries().size() == 1);
 }
 
@@ -104,9 +104,9 @@ TEST_CASE("a history whose folder cannot be made is reported and stays in memory
     put(folder.path / "file", "in the way");
     History history(folder.path / "file" / "history");
     history.add("kept in memory");
-    CHECK(history.take_problem().find("history is not kept") != std::string::npos);
+    CHECK(history.consume_problem().find("history is not kept") != std::string::npos);
     history.add("second");
-    CHECK(history.take_problem().empty());
+    CHECK(history.consume_problem().empty());
     CHECK(history.entries().size() == 2);
 }
 

@@ -117,10 +117,10 @@ class ObservingRig : public Rig {
             CHECK(picture.faults() == 0);
             return std::string("/plots/plot-1.png");
         };
-        made.review = [this](std::int64_t from, std::int64_t to, const auto& look) {
+        made.review = [this](std::int64_t from, std::int64_t to, const auto& visit) {
             for (std::int64_t n = std::max<std::int64_t>(from, 0); n <= std::min(now, to); ++n) {
                 place(n);
-                look(n);
+                visit(n);
             }
         };
         return made;

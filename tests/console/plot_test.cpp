@@ -199,7 +199,7 @@ TEST_CASE("the console leaves room for the legend of writers beside what it obse
     for (int i = 0; i < 4; ++i) rig.lua.draw(window, 1.0 / 60);
     const auto& state = rig.lua.state();
     const app::ClipRectangle whole{0, 0, window.width(), window.height()};
-    const app::ClipRectangle room = rig.lua.left_free(whole);
+    const app::ClipRectangle room = rig.lua.free_area(whole);
     CHECK(room.width >= 200);
     CHECK(room.height >= 72);
     for (const console::Rect& other :
@@ -210,7 +210,7 @@ TEST_CASE("the console leaves room for the legend of writers beside what it obse
                                 ImVec2(room.left + room.width, room.top + room.height)}));
     }
     rig.lua.open(false);
-    CHECK(rig.lua.left_free(whole).height == whole.height);
+    CHECK(rig.lua.free_area(whole).height == whole.height);
 }
 
 }  // namespace plot_test

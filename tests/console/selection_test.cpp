@@ -169,17 +169,17 @@ TEST_CASE("different values are shown as mixed") {
     const Handle ball = tree.child(world, "ball"), crate = tree.child(world, "crate");
     const property::Property& mass = tree.property(ball, "mass");
     console::MixedValues mixed;
-    CHECK(mixed.look(tree, mass, Value(1.0)).empty());
+    CHECK(mixed.text(tree, mass, Value(1.0)).empty());
     mixed.compare_with({crate}, 1);
-    CHECK(mixed.look(tree, mass, tree.get(ball, mass)).empty());
+    CHECK(mixed.text(tree, mass, tree.get(ball, mass)).empty());
     tree.set(crate, "mass", Value(5.0));
-    CHECK(mixed.look(tree, mass, tree.get(ball, mass)) == "mixed: 1 to 5 kg");
+    CHECK(mixed.text(tree, mass, tree.get(ball, mass)) == "mixed: 1 to 5 kg");
     const property::Property& label = tree.property(ball, "label");
     tree.set(crate, "label", Value("x"));
-    CHECK(mixed.look(tree, label, tree.get(ball, label)) == "mixed");
+    CHECK(mixed.text(tree, label, tree.get(ball, label)) == "mixed");
     // A world has no mass, so no other instance is compared.
     mixed.compare_with({world}, 2);
-    CHECK(mixed.look(tree, mass, tree.get(ball, mass)).empty());
+    CHECK(mixed.text(tree, mass, tree.get(ball, mass)).empty());
 }
 
 TEST_CASE("rows stay where they are while mixed values become longer and shorter") {
@@ -206,10 +206,10 @@ TEST_CASE("of many selected instances all are compared in a few frames") {
     console::MixedValues mixed;
     mixed.compare_with(many, 1);
     int frames = 0;
-    while (mixed.look(tree, mass, Value(1.0)).empty() && frames < 500) ++frames;
+    while (mixed.text(tree, mass, Value(1.0)).empty() && frames < 500) ++frames;
     CHECK(frames > 0);
     CHECK(frames < 25);
-    CHECK(mixed.look(tree, mass, Value(1.0)) == "mixed: 1 to 9 kg");
+    CHECK(mixed.text(tree, mass, Value(1.0)) == "mixed: 1 to 9 kg");
 }
 
 TEST_CASE("arrows move the selection after a click into the game") {

@@ -172,7 +172,7 @@ TEST_CASE(
     Rig rig;
     console::TimeMarks& marks = rig.state().time_marks;
     const auto look = [&] {
-        for (int i = 0; i < 20; ++i) marks.look();
+        for (int i = 0; i < 20; ++i) marks.update();
         return marks.edits().size();
     };
     marks.follow("1", {});

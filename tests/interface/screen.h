@@ -68,7 +68,7 @@ struct Screen {
     explicit Screen(std::string_view script = {}) {
         visuals.attach(tree);
         interface.attach(tree);
-        services.input.give_first(&interface);
+        services.input.set_foreground(&interface);
         services.view.screen = {1280, 720};
         loop.add({.name = "interface",
                   .step = [this](double dt) { interface.step(dt); },

@@ -23,8 +23,12 @@ class Notes : public EditObserver {
                         (there ? tree_.text(tree_.peek(instance, property)) : "nothing") +
                         (there && tree_.formula(instance, property) ? " by formula" : ""));
     }
-    void born(Handle instance) override { lines.push_back("born " + tree_.path(instance)); }
-    void dying(Handle instance) override { lines.push_back("dying " + tree_.path(instance)); }
+    void instance_created(Handle instance) override {
+        lines.push_back("born " + tree_.path(instance));
+    }
+    void instance_deleting(Handle instance) override {
+        lines.push_back("dying " + tree_.path(instance));
+    }
     void moved(Handle instance, Handle parent, const std::string& name) override {
         lines.push_back(tree_.path(instance) + " was " + name +
                         (parent ? " of " + tree_.path(parent) : " of nobody"));

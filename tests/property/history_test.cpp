@@ -335,25 +335,26 @@ TEST_CASE_METHOD(Fixture,
 
 TEST_CASE_METHOD(Fixture, "the last writer is known by kind and step and for edits by place") {
     const Property& p = tree.property(ball, "mass");
-    CHECK_FALSE(tree.who(ball, p).known);
+    CHECK_FALSE(tree.last_writer(ball, p).known);
     tree.set_step(3);
     as(Writer::script, [&] { tree.set(ball, "mass", 2); });
-    CHECK(tree.who(ball, p).cause.text() == "script, step 3");
+    CHECK(tree.last_writer(ball, p).cause.text() == "script, step 3");
     tree.set_step(4);
     std::function<std::string()> locate = [] { return std::string("console:1"); };
     {
         const Tree::CauseScope scope(tree, Writer::console, &locate);
         tree.set(ball, "mass", 3);
     }
-    CHECK(tree.who(ball, p).cause.text() == "console:1, step 4");
+    CHECK(tree.last_writer(ball, p).cause.text() == "console:1, step 4");
     tree.set_step(5);
     as(Writer::script, [&] { tree.set(ball, "mass", 4); });
-    CHECK(tree.who(ball, p).cause.text() == "script, step 5");
-    CHECK(tree.who(ball, tree.property(ball, "velocity")).cause.writer == Writer::simulation);
+    CHECK(tree.last_writer(ball, p).cause.text() == "script, step 5");
+    CHECK(tree.last_writer(ball, tree.property(ball, "velocity")).cause.writer ==
+          Writer::simulation);
     tree.destroy(ball);
     const Handle next = tree.create(*module.type, world, "ball");
     REQUIRE(next.index == ball.index);
-    CHECK_FALSE(tree.who(next, p).known);
+    CHECK_FALSE(tree.last_writer(next, p).known);
 }
 
 TEST_CASE_METHOD(
@@ -362,16 +363,16 @@ TEST_CASE_METHOD(
     const Property& velocity = tree.property(ball, "velocity");
     tree.set_step(4);
     console([&] { tree.set(ball, velocity, Vec2(5, 0)); });
-    CHECK(tree.who(ball, velocity).cause.text() == "console, step 4");
+    CHECK(tree.last_writer(ball, velocity).cause.text() == "console, step 4");
     tree.set_step(6);
-    CHECK(tree.who(ball, velocity).cause.text() == "console, step 4");
+    CHECK(tree.last_writer(ball, velocity).cause.text() == "console, step 4");
     module.ball(ball).velocity[1] = -1;
-    CHECK(tree.who(ball, velocity).cause.text() == "simulation, step 6");
+    CHECK(tree.last_writer(ball, velocity).cause.text() == "simulation, step 6");
     tree.set_step(5);  // the step that follows the write
-    CHECK(tree.who(ball, velocity).cause.text() == "console, step 4");
+    CHECK(tree.last_writer(ball, velocity).cause.text() == "console, step 4");
     tree.set_step(6);
     console([&] { tree.set(ball, velocity, Vec2(2, 0)); });
-    CHECK(tree.who(ball, velocity).cause.text() == "console, step 6");
+    CHECK(tree.last_writer(ball, velocity).cause.text() == "console, step 6");
 }
 
 TEST_CASE_METHOD(Fixture, "the last writer of each of many plain writes is known") {
@@ -381,15 +382,15 @@ TEST_CASE_METHOD(Fixture, "the last writer of each of many plain writes is known
     as(Writer::script, [&] {
         for (int i = 1; i <= 2000; ++i) {
             REQUIRE(tree.write(i % 2 == 0 ? ball : other, mass, i));
-            if (i == 1) CHECK_FALSE(tree.who(ball, mass).known);
+            if (i == 1) CHECK_FALSE(tree.last_writer(ball, mass).known);
         }
-        CHECK(tree.who(other, mass).cause.text() == "script, step 7");
+        CHECK(tree.last_writer(other, mass).cause.text() == "script, step 7");
         REQUIRE(tree.write(ball, mass, 0.5));
     });
     tree.set_step(8);
-    CHECK(tree.who(ball, mass).cause.text() == "script, step 7");
+    CHECK(tree.last_writer(ball, mass).cause.text() == "script, step 7");
     as(Writer::module, [&] { REQUIRE(tree.write(ball, mass, 1.5)); });
-    as(Writer::script, [&] { CHECK(tree.who(ball, mass).cause.writer == Writer::module); });
+    as(Writer::script, [&] { CHECK(tree.last_writer(ball, mass).cause.writer == Writer::module); });
 }
 
 TEST_CASE_METHOD(Fixture, "undo removes a formula of a property that never had a value") {

@@ -231,7 +231,7 @@ TEST_CASE("after an exception in a function of a question the others are called"
     things.tree.on(a, event, [](const Occurrence&) { throw std::runtime_error("x"); });
     things.tree.on(a, event, [&](const Occurrence&) { ++asked; });
     std::vector<Value> values;
-    CHECK_THROWS_WITH(ask(things.tree, a, event, values, 0), "x");
+    CHECK_THROWS_WITH(call_handlers(things.tree, a, event, values, 0), "x");
     CHECK(asked == 1);
 }
 

@@ -242,7 +242,8 @@ TEST_CASE("an event without handlers is checked like one with handlers") {
     CHECK_THAT(message_of([&] { tree.emit(ball, foreign, {1.0}); }), contains("no such event"));
     CHECK_THAT(message_of([&] { (void)tree.listens(ball, foreign); }), contains("no such event"));
     std::vector<Value> none;
-    CHECK_THAT(message_of([&] { ask(tree, ball, bounced, none, 0); }), contains("it has 1"));
+    CHECK_THAT(message_of([&] { call_handlers(tree, ball, bounced, none, 0); }),
+               contains("it has 1"));
     CHECK_NOTHROW(tree.emit(ball, bounced, {1.0}));
 }
 
@@ -250,7 +251,7 @@ TEST_CASE("empty functions are refused by name") {
     Tree tree;
     CHECK_THAT(message_of([&] { tree.each_below(tree.root(), {}); }), contains("each_below"));
     CHECK_THAT(message_of([&] { Acceptance a(tree, "query", {}); }), contains("Acceptance"));
-    CHECK(Acceptance::accepts(tree.root()));
+    CHECK(Acceptance::is_accepted(tree.root()));
 }
 
 TEST_CASE("a log of writes can be repeated only in its own tree") {

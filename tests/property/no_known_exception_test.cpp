@@ -109,9 +109,9 @@ TEST_CASE("an empty snapshot is refused with a message") {
     CHECK(empty.held() == 0);
     CHECK_THROWS_AS(empty.step(), Error);
     CHECK_THROWS_WITH(empty.to_bytes(), contains("the snapshot is empty"));
-    CHECK(Snapshot().take_payload().empty());
+    CHECK(Snapshot().release_payload().empty());
     Snapshot taken = Tree().snapshot();
-    CHECK_FALSE(std::move(taken).take_payload().empty());
+    CHECK_FALSE(std::move(taken).release_payload().empty());
     CHECK(taken.payload().empty());
 }
 
@@ -123,12 +123,12 @@ TEST_CASE("a question needs as many values as its event has fields") {
     int asked = 0;
     tree.on(ball, bounced, [&](const Occurrence&) { ++asked; });
     std::vector<Value> none, right(bounced.fields.size(), Value(1.0)), many(9, Value(1.0));
-    CHECK_THROWS_WITH(ask(tree, ball, bounced, none, 0), contains("and was given 0"));
-    CHECK_THROWS_WITH(ask(tree, ball, bounced, many, 0), contains("and was given 9"));
+    CHECK_THROWS_WITH(call_handlers(tree, ball, bounced, none, 0), contains("and was given 0"));
+    CHECK_THROWS_WITH(call_handlers(tree, ball, bounced, many, 0), contains("and was given 9"));
     const Handle node = tree.create(tree.object_class(), tree.root(), "node");
-    CHECK_THROWS_WITH(ask(tree, node, bounced, right, 0), contains("no such event"));
+    CHECK_THROWS_WITH(call_handlers(tree, node, bounced, right, 0), contains("no such event"));
     CHECK(asked == 0);
-    ask(tree, ball, bounced, right, 0);
+    call_handlers(tree, ball, bounced, right, 0);
     CHECK(asked == 1);
 }
 

@@ -178,7 +178,7 @@ TEST_CASE(
     Tree large, small;
     Handle far;
     for (int i = 0; i < 5000; ++i) far = large.create(large.object_class(), large.root());
-    small.way_back(far)();
+    small.placement_restorer(far)();
     std::vector<std::byte> bytes;
     ByteWriter writer(bytes);
     writer.put(1);

@@ -55,8 +55,8 @@ TEST_CASE(
         tree->create(tree->object_class());
     });
     struct E : EditObserver {
-        void born(Handle) override { tree.reset(); }
-        void dying(Handle) override { tree.reset(); }
+        void instance_created(Handle) override { tree.reset(); }
+        void instance_deleting(Handle) override { tree.reset(); }
         void moved(Handle, Handle, const std::string&) override { tree.reset(); }
     };
     const auto ends_edit = [&](const std::function<void(Handle)>& act) {

@@ -80,7 +80,7 @@ TEST_CASE("an instance above one that is being made cannot be moved") {
     Guests guests(tree);
     const Handle group = tree.create(tree.object_class(), tree.root(), "group");
     const Handle top = guests.make(tree.root(), "top");
-    const auto back = tree.way_back(top);
+    const auto back = tree.placement_restorer(top);
     tree.move(top, group);
     std::vector<std::string> messages;
     const auto try_all = [&](Handle self) {
@@ -130,7 +130,7 @@ TEST_CASE(
     const Handle below = guests.make(top, "below");
     std::vector<std::string> messages;
     guests.in_place = [&](Handle self) {
-        const auto back = tree.way_back(self);
+        const auto back = tree.placement_restorer(self);
         for (const Handle each : {self, to, from}) {
             messages.push_back(message_of([&] { tree.destroy(each); }));
             if (each == self) messages.push_back(message_of([&] { tree.move(self, {}); }));
@@ -178,7 +178,7 @@ TEST_CASE("an instance that takes the place of another stays although a module i
 TEST_CASE("a way back does nothing after the end of the tree") {
     auto tree = std::make_unique<Tree>();
     const Handle a = tree->create(tree->object_class(), tree->root(), "a");
-    const auto back = tree->way_back(a);
+    const auto back = tree->placement_restorer(a);
     tree.reset();
     CHECK_NOTHROW(back());
 }
@@ -187,7 +187,7 @@ TEST_CASE("a way back moves nothing where a move is refused") {
     Tree tree;
     const Handle a = tree.create(tree.object_class(), tree.root(), "a");
     const Handle group = tree.create(tree.object_class(), tree.root(), "group");
-    const auto back = tree.way_back(a);
+    const auto back = tree.placement_restorer(a);
     tree.move(a, group);
     tree.set_formula(tree.root(), "f", {.function = [&](const Tree&) {
                          back();
@@ -204,7 +204,7 @@ TEST_CASE("a way back moves nothing where a move is refused") {
     CHECK(tree.path(a) == "a");
     // Below itself it cannot go.
     const Handle inside = tree.create(tree.object_class(), group, "inside");
-    const auto into = tree.way_back(inside);
+    const auto into = tree.placement_restorer(inside);
     tree.move(inside, tree.root());
     tree.move(group, inside);
     into();
@@ -216,7 +216,7 @@ TEST_CASE("a way back to a name that is taken gives a numbered one") {
     Tree tree;
     const Handle group = tree.create(tree.object_class(), tree.root(), "group");
     const Handle a = tree.create(tree.object_class(), group, "a");
-    const auto back = tree.way_back(a);
+    const auto back = tree.placement_restorer(a);
     tree.move(a, tree.root());
     const Handle other = tree.create(tree.object_class(), group, "a");
     back();

@@ -46,7 +46,7 @@ bool near(const Vec2& a, const Vec2& b) {
 
 }  // namespace
 
-TEST_CASE_METHOD(Places, "an instance places what hangs below it by scale and angle and position") {
+TEST_CASE_METHOD(Places, "an instance places everything below it by scale and angle and position") {
     const Handle outer = make("Place", tree.root(), {5, 0});
     const Handle group = make("Object", outer);
     const Handle inner = make("Place", group, {1, 1});

@@ -10,6 +10,7 @@
 
 namespace spelling_test {
 
+using fettle::property::contains_ignoring_case;
 using fettle::property::edit_distance;
 
 namespace {
@@ -45,6 +46,14 @@ TEST_CASE("the distance of two names is the least number of edits and transposit
         for (const std::size_t limit : {1, 2, 9})
             REQUIRE(edit_distance(a, b, limit) == std::min(by_definition(a, b), limit + 1));
     }
+}
+
+TEST_CASE("a search that ignores case finds letters of either case and other bytes exactly") {
+    CHECK(contains_ignoring_case("world.Ball", "BALL"));
+    CHECK(contains_ignoring_case("world.Ball", ""));
+    CHECK_FALSE(contains_ignoring_case("world.Ball", "bal_"));
+    CHECK_FALSE(contains_ignoring_case("[", "{"));
+    CHECK_FALSE(contains_ignoring_case("", "a"));
 }
 
 }  // namespace spelling_test

@@ -239,7 +239,7 @@ TEST_CASE_METHOD(Fixture, "the fast write reports the value in memory and not th
     REQUIRE(listener.reported.size() == 1);
     const Vec2 held(static_cast<double>(0.1f), static_cast<double>(0.2f));
     CHECK(listener.reported[0].what == "velocity = " + tree.text(Value(held)));
-    CHECK(tree.who(ball, of(ball, "charge")).known == false);
+    CHECK(tree.last_writer(ball, of(ball, "charge")).known == false);
 }
 
 TEST_CASE_METHOD(Fixture, "a watcher and a cause and a formula apply to fast writes at once") {
@@ -259,11 +259,11 @@ TEST_CASE_METHOD(Fixture, "a watcher and a cause and a formula apply to fast wri
         write();
         CHECK(told == 1);
     }
-    CHECK_FALSE(tree.who(ball, charge).cause.writer == Writer::console);
+    CHECK_FALSE(tree.last_writer(ball, charge).cause.writer == Writer::console);
     {
         const Tree::CauseScope console(tree, Writer::console);
         write();
-        CHECK(tree.who(ball, charge).cause.writer == Writer::console);
+        CHECK(tree.last_writer(ball, charge).cause.writer == Writer::console);
     }
     bool refused = false;
     tree.set_formula(kept, of(kept, "score"), {.function = [&](const Tree&) {

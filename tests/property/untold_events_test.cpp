@@ -111,18 +111,18 @@ TEST_CASE_METHOD(Meeting, "events of an instance that a handler has deleted are 
 }
 
 TEST_CASE_METHOD(Meeting, "class and name of a deleted instance are still available") {
-    CHECK_FALSE(tree.remains(brick));
+    CHECK_FALSE(tree.deleted_info(brick));
     tree.destroy(brick);
-    REQUIRE(tree.remains(brick));
-    CHECK(&tree.remains(brick)->of == type);
-    CHECK(tree.remains(brick)->name == "brick");
+    REQUIRE(tree.deleted_info(brick));
+    CHECK(&tree.deleted_info(brick)->of == type);
+    CHECK(tree.deleted_info(brick)->name == "brick");
     const Snapshot before = tree.snapshot();
     const Handle late = tree.create(*type, tree.root(), "late");
     tree.restore(before);
     REQUIRE_FALSE(tree.alive(late));
-    REQUIRE(tree.remains(late));
-    CHECK(tree.remains(late)->name == "late");
-    CHECK_FALSE(tree.remains(Handle{}));
+    REQUIRE(tree.deleted_info(late));
+    CHECK(tree.deleted_info(late)->name == "late");
+    CHECK_FALSE(tree.deleted_info(Handle{}));
 }
 
 }  // namespace untold_events_test

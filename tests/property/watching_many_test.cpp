@@ -104,7 +104,7 @@ TEST_CASE_METHOD(Fixture, "an edit and a simulated change of one cell are one ch
 TEST_CASE_METHOD(Fixture,
                  "the last writer of a watched cell is the later of person and simulation") {
     tree.watch(balls[0], velocity(), [](const Change&) {});
-    const auto who = [&] { return tree.who(balls[0], velocity()).cause; };
+    const auto who = [&] { return tree.last_writer(balls[0], velocity()).cause; };
     {
         const Tree::CauseScope console(tree, Writer::console);
         tree.set(balls[0], velocity(), Vec2(5, 0));

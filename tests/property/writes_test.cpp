@@ -69,7 +69,7 @@ TEST_CASE_METHOD(Writing, "the last writer of each cell is known among very many
     int wrong = 0;
     for (const Handle ball : balls) {
         for (const Property* of : properties) {
-            const Provenance who = tree.who(ball, *of);
+            const Provenance who = tree.last_writer(ball, *of);
             const auto known = expected.find({ball.index, of});
             if (who.known != (known != expected.end()))
                 ++wrong;
@@ -83,7 +83,7 @@ TEST_CASE_METHOD(Writing, "the last writer of each cell is known among very many
     tree.destroy(balls[7]);
     const Handle next = tree.create(*module.type, world);
     REQUIRE(next.index == balls[7].index);
-    CHECK_FALSE(tree.who(next, *properties[0]).known);
+    CHECK_FALSE(tree.last_writer(next, *properties[0]).known);
 }
 
 TEST_CASE_METHOD(Writing, "the writer is dropped after a quarter of a million later writes") {
@@ -93,10 +93,10 @@ TEST_CASE_METHOD(Writing, "the writer is dropped after a quarter of a million la
     REQUIRE(tree.write(balls[0], mass, 5.0));
     tree.set_step(2);
     for (int i = 0; i < 260'000; ++i) REQUIRE(tree.write(balls[1], mass, 10.0 + i % 2));
-    CHECK(tree.who(balls[0], mass).cause.step == 1);
+    CHECK(tree.last_writer(balls[0], mass).cause.step == 1);
     for (int i = 0; i < 3000; ++i) REQUIRE(tree.write(balls[1], mass, 10.0 + i % 2));
-    CHECK_FALSE(tree.who(balls[0], mass).known);
-    CHECK(tree.who(balls[1], mass).cause.step == 2);
+    CHECK_FALSE(tree.last_writer(balls[0], mass).known);
+    CHECK(tree.last_writer(balls[1], mass).cause.step == 2);
 }
 
 TEST_CASE_METHOD(Writing, "the memory of an instance hardly grows with the numbers written to it") {
@@ -127,13 +127,13 @@ TEST_CASE_METHOD(Writing, "a value restored by going back has the writer restore
     write(20, charge, 2);
     write(30, charge, 3);
     tree.barrier();
-    CHECK(tree.who(balls[0], charge).cause.step == 30);
+    CHECK(tree.last_writer(balls[0], charge).cause.step == 30);
     tree.restore(snapshot);
     CHECK(tree.step() == 10);
-    CHECK(tree.who(balls[0], mass).cause.writer == Writer::console);
-    CHECK(tree.who(balls[0], mass).cause.step == 10);
-    CHECK(tree.who(balls[0], charge).cause.text() == "restore, step 10");
+    CHECK(tree.last_writer(balls[0], mass).cause.writer == Writer::console);
+    CHECK(tree.last_writer(balls[0], mass).cause.step == 10);
+    CHECK(tree.last_writer(balls[0], charge).cause.text() == "restore, step 10");
     write(12, charge, 4);
-    CHECK(tree.who(balls[0], charge).cause.text() == "console, step 12");
+    CHECK(tree.last_writer(balls[0], charge).cause.text() == "console, step 12");
 }
 }  // namespace writes_test

@@ -308,7 +308,7 @@ TEST_CASE("members of another class or another tree are refused") {
         refused([&] { tree.remove_formula(ball, *property); });
         refused([&] { tree.problem(ball, *property); });
         refused([&] { tree.why(ball, *property); });
-        refused([&] { tree.who(ball, *property); });
+        refused([&] { tree.last_writer(ball, *property); });
     }
     CHECK_THAT(message_of([&] { tree.get(ball, mass); }), contains("of Ball of another tree"));
     CHECK_THAT(message_of([&] { tree.call(ball, *crate.method("open"), {}); }),
@@ -387,7 +387,7 @@ TEST_CASE("the record of an event may outlive the tree") {
     tree->emit(one, *gong.event("rang"), {1.5, 2.0});
     tree->barrier();
     std::vector<Value> values{2.5, 3.0};
-    ask(*tree, one, *gong.event("rang"), values, 0);
+    call_handlers(*tree, one, *gong.event("rang"), values, 0);
     tree.reset();
     const std::string refill(4096, 'x');  // takes the place of what was freed
     CHECK(told.get("loudness") == Value(1.5));
@@ -483,7 +483,7 @@ TEST_CASE(
     outer = tree.watch(ball, "mass", [&, kept](const Change&) {
         outer.stop();
         std::vector<Value> values = {1.0};
-        ask(tree, ball, bounced, values, 0);
+        call_handlers(tree, ball, bounced, values, 0);
         said += kept.substr(0, 3);  // its captures still exist
     });
     tree.set(ball, "mass", 2.0);

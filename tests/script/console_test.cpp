@@ -287,7 +287,7 @@ TEST_CASE("it is the selected instance") {
     Stage s;
     s.run("world.ball = Body {}");
     CHECK_THAT(s.console("it"), contains("nothing is selected"));
-    s.runtime->set_it(s.tree->child(s.world, "ball"));
+    s.runtime->set_selected(s.tree->child(s.world, "ball"));
     CHECK(s.console("it.mass = 3") == "world.ball.mass: 1 → 3 kg");
     CHECK(s.console("it.mass") == "3 kg");
     CHECK_THAT(s.console("it.mass?"), contains("How hard"));

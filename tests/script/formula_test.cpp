@@ -100,7 +100,7 @@ TEST_CASE("the console defines formulas and reports a replaced one") {
                contains("in error") && contains("nobody"));
     CHECK_THAT(s.console("world.shadow.mass is"), contains("error"));
     CHECK_THAT(s.console("ball is 3"), contains("instance.property"));
-    s.runtime->set_it(s.tree->child(s.world, "ball"));
+    s.runtime->set_selected(s.tree->child(s.world, "ball"));
     CHECK_THAT(s.console("it.mass is 7"), contains("world.ball.mass: is 7 = 7 kg"));
 }
 

@@ -461,7 +461,7 @@ TEST_CASE("nouns have the right article") {
     Stage s;
     s.run("Actor = class('Actor', Body) {} world.ball = Body {}");
     CHECK_THAT(s.fails("formula(Actor {})"), contains("not an Actor"));
-    CHECK_THAT(s.fails("world.ball = 3"), contains("is a Body that hangs here"));
+    CHECK_THAT(s.fails("world.ball = 3"), contains("is a child of class Body"));
     using fettle::property::with_article;
     CHECK(with_article("Action") == "an Action");
     CHECK(with_article("Body") == "a Body");

@@ -21,7 +21,7 @@ struct TwoBodies : Stage {
         select("ball");
     }
     void select(const char* name) {
-        runtime->set_it(tree->child(tree->child(tree->root(), "world"), name));
+        runtime->set_selected(tree->child(tree->child(tree->root(), "world"), name));
     }
 };
 
@@ -226,7 +226,7 @@ TEST_CASE("an observed value reads the present results of formulas") {
     s.console("world.ball.friction is world.other.mass / 60");
     s.console("pin world.ball.friction * 2");
     s.run("world.other.mass = 6");
-    s.pinned.at(0).settle();
+    s.pinned.at(0).compute_formulas();
     CHECK(s.pinned.at(0).value().number() == Approx(0.2));
 }
 

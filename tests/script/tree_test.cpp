@@ -216,7 +216,7 @@ assert(c:alive())
 local seen = {} ; seen[world.a] = true
 assert(seen[world.a])
 )lua");
-    CHECK_THAT(s.fails("world.a = 3"), contains("is a Body that hangs here"));
+    CHECK_THAT(s.fails("world.a = 3"), contains("is a child of class Body"));
     CHECK_THAT(s.fails("world.a = world"), contains("has its place elsewhere"));
     CHECK_THAT(s.fails("local o = Object {}; o.x = o"), contains("below itself"));
     CHECK(s.prints("print(world.a, Body {}, game)") == "world.a\t(detached body)\tgame");

@@ -15,14 +15,14 @@ using scene_test::GameFolder;
 
 namespace {
 
-std::vector<std::string> reported(std::vector<GameFiles::Finding>& findings) {
+std::vector<std::string> reported(std::vector<GameFiles::FileState>& states) {
     std::vector<std::string> all;
-    for (const GameFiles::Finding& finding : findings)
-        all.push_back(finding.file.filename().string() +
-                      (finding.overwritten ? " overwritten " + finding.content.value_or("nothing")
-                       : finding.checksum  ? " read"
-                                           : " missing"));
-    findings.clear();
+    for (const GameFiles::FileState& state : states)
+        all.push_back(state.file.filename().string() +
+                      (state.overwritten ? " overwritten " + state.content.value_or("nothing")
+                       : state.checksum  ? " read"
+                                         : " missing"));
+    states.clear();
     return all;
 }
 
@@ -32,25 +32,25 @@ TEST_CASE("files are reported once when they are read and before they are writte
     const GameFolder folder;
     folder.write("a.json", "one");
     GameFiles files;
-    std::vector<GameFiles::Finding> findings;
-    files.take_note();
+    std::vector<GameFiles::FileState> states;
+    files.record_reads();
     CHECK(files.read(folder / "a.json") == "one");
     CHECK_FALSE(files.exists(folder / "b.json"));
-    files.listen([&](const GameFiles::Finding& finding) { findings.push_back(finding); });
-    CHECK(findings.front().checksum == file_checksum(folder / "a.json"));
-    CHECK(reported(findings) == std::vector<std::string>{"a.json read", "b.json missing"});
+    files.on_first_access([&](const GameFiles::FileState& state) { states.push_back(state); });
+    CHECK(states.front().checksum == file_checksum(folder / "a.json"));
+    CHECK(reported(states) == std::vector<std::string>{"a.json read", "b.json missing"});
     CHECK(files.exists(folder / "a.json"));
     CHECK(files.read(folder / "a.json") == "one");
-    CHECK(findings.empty());
+    CHECK(states.empty());
     files.write(folder / "a.json", "two");
     files.write(folder / "a.json", "three");
     files.write(folder / "b.json", "four");
     CHECK(files.read(folder / "a.json") == "three");
-    CHECK(reported(findings) ==
+    CHECK(reported(states) ==
           std::vector<std::string>{"a.json overwritten one", "b.json overwritten nothing"});
     files.write(folder / "c.json", "five");
     CHECK(files.read(folder / "c.json") == "five");
-    CHECK(reported(findings) == std::vector<std::string>{"c.json overwritten nothing"});
+    CHECK(reported(states) == std::vector<std::string>{"c.json overwritten nothing"});
     CHECK(folder.text("a.json") == "three");
 }
 
@@ -58,16 +58,17 @@ TEST_CASE("a listener of files may replace itself") {
     const GameFolder folder;
     folder.write("a.json", "one");
     GameFiles files;
-    files.take_note();
+    files.record_reads();
     auto held = std::make_shared<int>();
     const std::weak_ptr<int> life = held;
     bool lived = false;
-    files.listen([held = std::move(held), &files, &life, &lived](const GameFiles::Finding&) {
-        const std::weak_ptr<int>& watched = life;
-        bool& result = lived;
-        files.listen([](const GameFiles::Finding&) {});
-        result = !watched.expired();
-    });
+    files.on_first_access(
+        [held = std::move(held), &files, &life, &lived](const GameFiles::FileState&) {
+            const std::weak_ptr<int>& watched = life;
+            bool& result = lived;
+            files.on_first_access([](const GameFiles::FileState&) {});
+            result = !watched.expired();
+        });
     CHECK(files.read(folder / "a.json") == "one");
     CHECK(lived);
 }

@@ -247,11 +247,11 @@ TEST_CASE("the instance that is selected when a command runs is it in the replay
         Recorder recorder(start);
         recorder.write_to(file.path);
         playing.runtime->on_command([&](std::string_view command) {
-            recorder.selected({playing.runtime->it()});
+            recorder.selected({playing.runtime->selected()});
             recorder.command(command);
         });
         recorder.begin(playing.tree, *playing.loop);
-        playing.runtime->set_it(playing.get("world.ball").reference());
+        playing.runtime->set_selected(playing.get("world.ball").reference());
         for (const char* command : {"it.velocity", "_ + vec(1, 2)", "it.velocity = _"}) {
             playing.console(command);
             playing.loop->frame(0.02);

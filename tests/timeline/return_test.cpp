@@ -16,7 +16,7 @@ void check_again(Playing& game, std::int64_t step, int end) {
     game.play(end - static_cast<int>(game.services.clock.step));
     const std::vector<std::uint64_t> first = game.hashes;
     CAPTURE(step);
-    game.services.clock.travel.go_to(step);
+    game.services.clock.timeline.go_to(step);
     for (std::int64_t next = step + 1; next <= end; ++next) {
         CAPTURE(next);
         game.play(1);

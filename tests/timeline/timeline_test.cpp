@@ -405,14 +405,14 @@ TEST_CASE("steps of the run are counted on even if the game goes back") {
     game.time().go_to(20);
     frames(20);
     REQUIRE(game.services.clock.step == 40);
-    REQUIRE(game.loop->lived() == 70);
+    REQUIRE(game.loop->steps_made() == 70);
     game.console("time.paused = true");
     frames(5);
     game.console("time.step_once = true");
     frames(1);
     game.console("time.paused = false");
     frames(60);
-    REQUIRE(game.loop->lived() == 100);
+    REQUIRE(game.loop->steps_made() == 100);
     REQUIRE(game.services.clock.step == 70);
     REQUIRE(announced.size() == 100);
     for (std::size_t i = 0; i < announced.size(); ++i) REQUIRE(announced[i] == i + 1);

@@ -31,7 +31,7 @@ struct Writing : Playing {
     }
     Cause who(const char* path) {
         const property::Place place = property::resolve(tree, path);
-        return tree.who(place.instance, *place.property).cause;
+        return tree.last_writer(place.instance, *place.property).cause;
     }
 };
 

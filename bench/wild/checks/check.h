@@ -46,7 +46,6 @@ class Check {
 
 struct Invariant {
     std::string name;
-    std::string statement;
     std::function<std::unique_ptr<Check>(const WorldPlan& plan)> make_check;
 };
 

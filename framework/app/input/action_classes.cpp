@@ -315,7 +315,7 @@ void Input::end_step_or_update() {
         action.pressed.seen = action.released.seen = false;
 }
 
-void Input::forget_presses() {
+void Input::drop_unseen_presses() {
     state_->presses_seen = true;
     for (State::Action& action : state_->actions)
         action.pressed.for_step = action.released.for_step = false;

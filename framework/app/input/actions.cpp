@@ -7,6 +7,7 @@
 
 #include <input/actions.h>
 #include <input/gamepad_mapping.h>
+#include <input/index_among.h>
 #include <input/input_state.h>
 
 namespace fettle::app {
@@ -18,13 +19,6 @@ using property::Value;
 namespace {
 
 using Kind = ActionSwitch::Kind;
-
-template <class Names>
-std::optional<std::size_t> index_among(const Names& names, std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - names.begin());
-}
 
 /// Every name of a switch or a stick, for the nearest spelling.
 const std::vector<std::string>& all_names() {

@@ -6,6 +6,7 @@
 #include <fettle/property/spelling.h>
 
 #include <input/gamepad_mapping.h>
+#include <input/index_among.h>
 
 namespace fettle::app {
 
@@ -87,13 +88,6 @@ std::optional<PadSource> parse_source(std::string_view text) {
     return source;
 }
 
-template <class Names>
-std::optional<std::size_t> place_of(const Names& names, std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - names.begin());
-}
-
 [[noreturn]] void refuse_entry(std::string_view name) {
     std::vector<std::string> known(button_entries.begin(), button_entries.end());
     known.insert(known.end(), target_entries.begin(), target_entries.end());
@@ -104,16 +98,16 @@ std::optional<std::size_t> place_of(const Names& names, std::string_view name) {
 void read_entry(GamepadMapping& mapping, std::string_view entry) {
     const std::size_t colon = entry.find(':');
     std::string_view name = entry.substr(0, colon);
-    if (place_of(ignored_entries, name)) return;
+    if (index_among(ignored_entries, name)) return;
     const std::optional<PadSource> source = parse_source(entry.substr(colon + 1));
     if (!source)
         throw std::invalid_argument(
             "\"" + std::string(entry) +
             "\" is not an entry of a mapping: expected a name and b0 to b15, a0 "
             "to a7 or h0.1, h0.2, h0.4, h0.8, as in a:b0 or leftx:a0");
-    if (const auto button = place_of(button_entries, name))
+    if (const auto button = index_among(button_entries, name))
         mapping.buttons[*button] = *source;
-    else if (const auto target = place_of(target_entries, name))
+    else if (const auto target = index_among(target_entries, name))
         mapping.targets[*target] = *source;
     else
         refuse_entry(name);

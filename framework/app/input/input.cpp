@@ -260,7 +260,7 @@ void Input::repeat_key(std::string_view name) {
                 true, "key_pressed", {});
 }
 
-void Input::give_first(Foreground* foreground) {
+void Input::set_foreground(Foreground* foreground) {
     state_->foreground = foreground;
 }
 
@@ -325,7 +325,7 @@ bool Input::deliver(script::Runtime& runtime) {
 
 void Input::drop() {
     state_->calls.clear();
-    forget_presses();
+    drop_unseen_presses();
     state_->wheel_delivered = state_->wheel;
 }
 

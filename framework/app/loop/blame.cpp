@@ -38,7 +38,7 @@ constexpr std::string_view physics = "physics", unknown = "unknown", others = "o
 void find_latest_write(const Tree& tree, Handle instance, property::Provenance& latest) {
     const auto look = [&](const property::Property& each) {
         if (each.read_only || each.transient) return;
-        const property::Provenance provenance = tree.who(instance, each);
+        const property::Provenance provenance = tree.last_writer(instance, each);
         if (!provenance.known || provenance.cause.writer == Writer::simulation) return;
         if (!latest.known || provenance.cause.step >= latest.cause.step) latest = provenance;
     };
@@ -72,9 +72,9 @@ std::string writer_of(const Tree& tree, Handle instance, double dt) {
 
 /// The writers and the number of instances that each wrote last, the largest number first.
 using Legend = std::vector<std::pair<std::string, std::size_t>>;
-Legend legend_of(const std::vector<Blamed>& all) {
+Legend legend_of(const std::vector<InstanceWriter>& all) {
     std::map<std::string, std::size_t> counts;
-    for (const Blamed& each : all) ++counts[each.writer];
+    for (const InstanceWriter& each : all) ++counts[each.writer];
     Legend legend(counts.begin(), counts.end());
     std::ranges::stable_sort(legend,
                              [](const auto& a, const auto& b) { return a.second > b.second; });
@@ -106,8 +106,8 @@ std::map<std::string, Color> colors_of(const Legend& legend) {
 
 }  // namespace
 
-std::vector<Blamed> blamed(const Tree& tree, double dt) {
-    std::vector<Blamed> all;
+std::vector<InstanceWriter> instance_writers(const Tree& tree, double dt) {
+    std::vector<InstanceWriter> all;
     const auto visit = [&](const auto& self, Handle top) -> void {
         for (Handle each = tree.first_child(top); each; each = tree.next_sibling(each)) {
             const property::Property* const position = tree.find(each, "position");
@@ -123,7 +123,10 @@ std::vector<Blamed> blamed(const Tree& tree, double dt) {
 }
 
 Blame::Blame(const Tree& tree, double dt)
-    : tree_(tree), all_(blamed(tree, dt)), legend_(legend_of(all_)), color_(colors_of(legend_)) {}
+    : tree_(tree),
+      all_(instance_writers(tree, dt)),
+      legend_(legend_of(all_)),
+      color_(colors_of(legend_)) {}
 
 namespace {
 
@@ -156,7 +159,7 @@ class Tints : public property::Drawer {
 void Blame::draw(property::Painter& painter, double alpha) const {
     TintPainter tinted(painter, unknown_color);
     Tints tints(tree_, tinted);
-    for (const Blamed& each : all_) {
+    for (const InstanceWriter& each : all_) {
         Color tint = color_.at(each.writer);
         tint.a = 0.75f;
         tints.add(each.instance, tint);

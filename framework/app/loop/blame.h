@@ -13,7 +13,7 @@
 
 namespace fettle::app {
 
-struct Blamed {
+struct InstanceWriter {
     property::Handle instance;
     std::string writer;  // "main.lua:30", "console", "inspector", "physics", "unknown"
 };
@@ -21,7 +21,7 @@ struct Blamed {
 /// The topmost instances with a position. The writer of each is the last one that changed a value
 /// of the instance or of an instance below it. The simulation counts as the writer if it moves the
 /// instance and no other writer wrote within the last second. `dt`: length of a step, s.
-std::vector<Blamed> blamed(const property::Tree& tree, double dt);
+std::vector<InstanceWriter> instance_writers(const property::Tree& tree, double dt);
 
 /// These instances with the colors of their writers.
 class Blame {
@@ -35,7 +35,7 @@ class Blame {
 
   private:
     const property::Tree& tree_;
-    std::vector<Blamed> all_;
+    std::vector<InstanceWriter> all_;
     std::vector<std::pair<std::string, std::size_t>> legend_;  // writers, by number of instances
     std::map<std::string, property::Color> color_;
 };

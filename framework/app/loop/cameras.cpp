@@ -216,9 +216,7 @@ double Cameras::zoom(property::Row row) const {
 void Cameras::set_zoom(property::Row row, double zoom) {
     const Handle camera = rows_[row].self;
     const double height = picture(camera, view_.picture(), 1).view.screen.y / zoom;
-    if (height < view_heights.min || height > view_heights.max)
-        throw std::invalid_argument("the height seen would be " + property::number_text(height) +
-                                    " m, not between 0.001 and 1e+06 m");
+    require_view_height(height);
     tree_.set(camera, "height", Value(height));
 }
 

@@ -18,6 +18,7 @@
 #include <loop/effects.h>
 #include <loop/filled_box.h>
 #include <loop/wires.h>
+#include <time/smoothing.h>
 
 namespace fettle::app {
 
@@ -171,7 +172,7 @@ void Loop::draw(Screen& screen, double seconds) {
         services_.effects().drawn(screen.apply(*effect));
     if (blame) {
         ClipRectangle room{0, 0, screen.surface().width(), screen.surface().height()};
-        for (const Layer* layer : layers_) room = layer->left_free(room);
+        for (const Layer* layer : layers_) room = layer->free_area(room);
         blame->draw_legend(screen.surface(), room);
     }
     if (view.show.timings) draw_timings(screen.surface(), clock);
@@ -179,8 +180,7 @@ void Loop::draw(Screen& screen, double seconds) {
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - start;
     clock.frames.add_drawing(spent.count());
-    if (seconds > 0)
-        clock.timings.draw += (spent.count() - clock.timings.draw) * (1 - std::exp(-seconds / 0.5));
+    if (seconds > 0) smooth(clock.timings.draw, spent.count(), seconds);
 }
 
 void Loop::draw_layers(Screen& screen, double seconds) {

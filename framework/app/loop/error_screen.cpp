@@ -110,7 +110,7 @@ void ErrorScreen::show_running(const script::LongCall& call) {
     running_ = call;
 }
 
-void ErrorScreen::came_back() {
+void ErrorScreen::script_returned() {
     running_.reset();
     stop_wanted_ = waits_ = false;
 }
@@ -201,7 +201,7 @@ std::vector<ErrorScreen::Line> ErrorScreen::lines_of_error() const {
 std::vector<ErrorScreen::Line> ErrorScreen::lines_of_running() const {
     std::vector<Line> lines;
     const script::ScriptError& where = running_->where;
-    lines.push_back({.text = "The game rests while this script runs", .size = 16, .color = pale});
+    lines.push_back({.text = "The game waits while this script runs", .size = 16, .color = pale});
     lines.push_back({.text = (waits_ ? "Waiting for " : "No answer from ") + place_of(where) +
                              " for " + in_seconds(running_->seconds),
                      .size = 21,
@@ -269,7 +269,8 @@ void ErrorScreen::draw(Surface& surface, double) {
         if (over_) draw_over(surface, low);
         return;
     }
-    if (!running_ && actions_.looks_back && actions_.looks_back()) return draw_strip(surface, low);
+    if (!running_ && actions_.viewing_past && actions_.viewing_past())
+        return draw_strip(surface, low);
     fill(surface, 0, 0, width, height, {18, 20, 26, 238});
     fill(surface, 0, 0, 5, height, running_ ? amber : red);
     draw_text(surface, low - keys_height);
@@ -279,7 +280,7 @@ void ErrorScreen::draw(Surface& surface, double) {
 /// The part of the surface that no other layer covers.
 ClipRectangle ErrorScreen::free_part(const Surface& surface) const {
     const ClipRectangle whole{0, 0, surface.width(), surface.height()};
-    return actions_.left_free ? actions_.left_free(whole) : whole;
+    return actions_.free_area ? actions_.free_area(whole) : whole;
 }
 
 /// Draws the lines in the free part of the surface and above `bottom`, as many as there is room

@@ -18,6 +18,12 @@ using property::Type;
 using property::Value;
 using property::Vec2;
 
+void require_view_height(double height) {
+    if (height < view_heights.min || height > view_heights.max)
+        throw std::invalid_argument("the height seen would be " + property::number_text(height) +
+                                    " m, not between 0.001 and 1e+06 m");
+}
+
 std::vector<Property> following_properties() {
     return {
         {.name = "follow",

@@ -9,6 +9,8 @@ namespace fettle::app {
 
 /// Range of the height that is shown, m.
 inline constexpr property::Range view_heights{1e-3, 1e6};
+/// Throws std::invalid_argument for a height outside of that range, to which a zoom would lead.
+void require_view_height(double height);
 
 /// `follow`, `follow_damping`, `dead_zone`, `limits` and the hidden numbers of a shake, as values
 /// that the tree stores.

@@ -13,6 +13,7 @@
 
 #include <loop/cameras.h>
 #include <loop/effects.h>
+#include <time/smoothing.h>
 #include <time/state_hash.h>
 
 namespace fettle::app {
@@ -38,30 +39,25 @@ class Loop::Stopwatch {
 
 namespace {
 
-/// Exponential moving average with a time constant of half a second.
-void smooth(double& average, double sample, double seconds) {
-    average += (sample - average) * (1 - std::exp(-seconds / 0.5));
-}
-
-class Witnessed {
+class ObservedFrame {
   public:
     template <class Begin>
-    Witnessed(Witness* witness, Begin begin) : witness_(witness) {
-        if (witness_ != nullptr) begin(*witness_);
+    ObservedFrame(LoopObserver* observer, Begin begin) : observer_(observer) {
+        if (observer_ != nullptr) begin(*observer_);
     }
-    /// Throws the witness's exception, unless another exception is leaving the frame already.
-    ~Witnessed() noexcept(false) {
-        if (witness_ == nullptr) return;
+    /// Throws the observer's exception, unless another exception is leaving the frame already.
+    ~ObservedFrame() noexcept(false) {
+        if (observer_ == nullptr) return;
         try {
-            witness_->frame_ends();
+            observer_->frame_ends();
         } catch (...) {
             if (std::uncaught_exceptions() == uncaught_) throw;
         }
     }
-    Witnessed(const Witnessed&) = delete;
+    ObservedFrame(const ObservedFrame&) = delete;
 
   private:
-    Witness* witness_;
+    LoopObserver* observer_;
     const int uncaught_ = std::uncaught_exceptions();
 };
 
@@ -90,7 +86,7 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
     runtime_.on_rewind([this](double seconds) { timeline_.rewind(seconds); });
     // The destructor removes this function, and `life` with it. Then a jump that waits for the
     // barrier is dropped.
-    services_.clock.travel.go_to = [this, life = std::make_shared<char>()](std::int64_t step) {
+    services_.clock.timeline.go_to = [this, life = std::make_shared<char>()](std::int64_t step) {
         // The caller can catch this error. At the barrier, fewer steps may be kept, so the loop
         // goes to the nearest.
         timeline_.require(step);
@@ -98,9 +94,9 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
             if (!watched_life.expired()) timeline_.go_near(step);
         });
     };
-    services_.clock.travel.branches = [this] { return timeline_.branches(); };
-    services_.clock.travel.name_branch = [this](const std::string& branch,
-                                                const std::string& name) {
+    services_.clock.timeline.branches = [this] { return timeline_.branches(); };
+    services_.clock.timeline.name_branch = [this](const std::string& branch,
+                                                  const std::string& name) {
         timeline_.name_branch(branch, name);
     };
     const auto at_barrier = [this, life = std::make_shared<char>()](auto what) {
@@ -113,8 +109,8 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
             });
         };
     };
-    services_.clock.travel.switch_to = at_barrier(&Timeline::switch_to);
-    services_.clock.travel.forget_branch = at_barrier(&Timeline::forget_branch);
+    services_.clock.timeline.switch_to = at_barrier(&Timeline::switch_to);
+    services_.clock.timeline.forget_branch = at_barrier(&Timeline::forget_branch);
 }
 
 void Loop::require_unpinned() const {
@@ -129,7 +125,7 @@ void Loop::require_unpinned() const {
 Loop::~Loop() {
     require_unpinned();
     if (!runtime_life_.expired()) runtime_.on_rewind({});
-    services_.clock.travel = {};
+    services_.clock.timeline = {};
     services_.audio.random = {};
 }
 
@@ -171,7 +167,7 @@ void Loop::handle(const InputEvent& event) {
 
 void Loop::feed(const InputEvent& event, bool taken) {
     const Pin pin(*this, "feed");
-    if (witness_ != nullptr) witness_->event(event, taken);
+    if (observer_ != nullptr) observer_->event(event, taken);
     if (event.kind == EventKind::closing) closing_ = true;
     if (taken)
         services_.input.observe(event);
@@ -226,7 +222,7 @@ void Loop::on_error(std::function<void(const script::ScriptError&)> sink) {
 }
 
 void Loop::announce_next() {
-    const std::uint64_t next = lived_ + 1;
+    const std::uint64_t next = steps_made_ + 1;
     if (next == announced_ || !before_step_) return;
     announced_ = next;
     const auto hook = before_step_;  // a copy, because the hook may replace itself
@@ -237,7 +233,7 @@ void Loop::announce_next() {
 bool Loop::begin_next() {
     announce_next();
     if (stopped()) return false;
-    ++lived_;
+    ++steps_made_;
     return true;
 }
 
@@ -245,7 +241,7 @@ bool Loop::begin_next() {
 /// barrier after that, they are advanced again, with the restored state, as they were when the next
 /// step was first made.
 void Loop::repeat_after_return(double real_dt) {
-    if (!timeline_.take_return()) return;
+    if (!timeline_.consume_went_back()) return;
     if (Foreground* const menus = services_.input.foreground())
         menus->frame(services_.input.mouse(), services_.view.picture(), real_dt);
     runtime_.advance(real_dt);
@@ -255,8 +251,8 @@ void Loop::repeat_after_return(double real_dt) {
 /// Input, barrier, update and barrier. False if the frame ends here.
 bool Loop::before_steps(double dt, double real_dt, Stopwatch& watch) {
     services_.clock.real += real_dt;
-    (void)timeline_.take_return();
-    const bool wants_places = property::take_prepared(tree_);
+    (void)timeline_.consume_went_back();
+    const bool wants_places = property::consume_explanation_request(tree_);
     tree_.locate_writes(services_.view.show.blame || wants_places);
     if (halted_) {
         services_.input.drop();
@@ -316,7 +312,7 @@ bool Loop::make_step(Stopwatch& watch) {
     watch.lap(watch.phases.modules);
     barrier(false);
     timeline_.end_step();
-    if (witness_ != nullptr) witness_->stepped();
+    if (observer_ != nullptr) observer_->stepped();
     barrier();
     watch.lap(watch.phases.handlers);
     return !stopped();
@@ -330,7 +326,8 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
         throw property::Error(
             property::ErrorKind::out_of_range,
             "a frame of " + property::number_text(seconds) + " seconds: expected how long it was");
-    const Witnessed witnessed(witness_, [&](Witness& w) { w.frame_begins(seconds, step_limit); });
+    const ObservedFrame observed(observer_,
+                                 [&](LoopObserver& w) { w.frame_begins(seconds, step_limit); });
     Stopwatch watch;
     Clock& clock = services_.clock;
     seconds = std::max(0.0, seconds);
@@ -341,7 +338,7 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
     const double passed = clock.paused ? 0 : seconds * clock.scale;
     const bool will_step = clock.paused ? clock.step_once : due_seconds_ + passed >= clock.dt;
     const auto limit = static_cast<std::uint64_t>(std::max<std::int64_t>(step_limit, 0));
-    if (will_step && !halted_ && lived_ < limit) announce_next();
+    if (will_step && !halted_ && steps_made_ < limit) announce_next();
     // `dt` of update is at most the time that this frame may simulate.
     if (before_steps(std::min(passed, clock.max_steps * clock.dt), seconds, watch)) {
         if (clock.paused) {
@@ -353,14 +350,14 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
             } else {
                 wait(seconds);
             }
-            services_.input.forget_presses();
+            services_.input.drop_unseen_presses();
         } else {
             if (clock.step_once) tree_.set(time_, "step_once", false);
             due_seconds_ += passed;
             catch_up(limit, watch);
         }
     }
-    clock.alpha = clock.paused || halted_ || lived_ >= limit
+    clock.alpha = clock.paused || halted_ || steps_made_ >= limit
                       ? 1.0
                       : std::clamp(due_seconds_ / clock.dt, 0.0, 1.0);
     end_frame(watch, seconds, 1000 * seconds);
@@ -378,7 +375,7 @@ void Loop::catch_up(std::uint64_t limit, Stopwatch& watch) {
     // The tolerance makes sixty steps of sixty frames of 1/60 s, whose sum is slightly below one
     // second.
     const auto due = [&] { return due_seconds_ >= clock.dt * (1 - 1e-9); };
-    for (int made = 0; due() && !clock.paused && lived_ < limit; ++made) {
+    for (int made = 0; due() && !clock.paused && steps_made_ < limit; ++made) {
         if (made == clock.max_steps) {
             const double dropped = std::floor(due_seconds_ / clock.dt);
             clock.dropped_steps += static_cast<std::int64_t>(dropped);
@@ -395,7 +392,7 @@ void Loop::turn() {
     const Pin pin(*this, "turn");
     if (const auto hook = between_frames_) hook();
     require_ready();
-    const Witnessed witnessed(witness_, [](Witness& w) { w.turn_begins(); });
+    const ObservedFrame observed(observer_, [](LoopObserver& w) { w.turn_begins(); });
     Stopwatch watch;
     Clock& clock = services_.clock;
     if (!begin_next()) return;
@@ -406,7 +403,7 @@ void Loop::turn() {
         if (once) tree_.set(time_, "step_once", false);
     } else {
         wait(clock.dt);
-        services_.input.forget_presses();
+        services_.input.drop_unseen_presses();
     }
     clock.alpha = 1;
     const double total = watch.total();

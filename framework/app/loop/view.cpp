@@ -145,10 +145,7 @@ std::vector<Property> place_properties(View& view) {
              [](View& v, property::Row, const Value& zoom) {
                  const double height = v.fit == Fit::expand ? v.screen.y / zoom.number()
                                                             : v.height * v.zoom() / zoom.number();
-                 if (height < view_heights.min || height > view_heights.max)
-                     throw std::invalid_argument("the height seen would be " +
-                                                 property::number_text(height) +
-                                                 " m, not between 0.001 and 1e+06 m");
+                 require_view_height(height);
                  v.height = height;
              }),
          .transient = true,

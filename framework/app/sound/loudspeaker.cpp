@@ -52,7 +52,7 @@ void Loudspeaker::silence() {
     if (device_ != nullptr) device_->mixer.set_voices({});
 }
 
-std::string Loudspeaker::take_problem() {
+std::string Loudspeaker::consume_problem() {
     return std::exchange(problem_, {});
 }
 

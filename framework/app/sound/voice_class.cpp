@@ -84,7 +84,7 @@ Row place_voice(void* context, Tree& tree, Handle self, Row row) {
     const auto& s = *static_cast<const Audio::State*>(context);
     if (const Handle above = tree.parent(self); above && !s.is_source(above))
         throw std::invalid_argument(
-            "a voice hangs below the Sound, Music or Synth that plays it: call `play` there");
+            "a voice is a child of the Sound, Music or Synth that plays it: call `play` there");
     return row;
 }
 

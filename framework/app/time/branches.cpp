@@ -205,13 +205,13 @@ void Timeline::switch_to(const std::string& branch) {
 }
 
 void Timeline::review_branch(const std::string& branch, std::int64_t from,
-                             const std::function<void(std::int64_t step)>& look) {
+                             const std::function<void(std::int64_t step)>& visit) {
     require_between_steps("the past cannot be shown");
     save_changes();
     const Other& other = *other_branch(branch);
     auto frame = std::prev(other.keyframes.end());
     while (frame != other.keyframes.begin() && frame->step > from) --frame;
-    run_in_past(*frame, [&] { repeat_steps(*frame, other.steps, from, other.newest(), look); });
+    run_in_past(*frame, [&] { repeat_steps(*frame, other.steps, from, other.newest(), visit); });
 }
 
 }  // namespace fettle::app

@@ -118,7 +118,7 @@ property::Method travelling(Clock& clock, property::Method method) {
     method.call = [](void* context, property::Tree& tree, property::Handle, property::Row,
                      Arguments arguments) -> property::Result {
         const Clock& of = *static_cast<Clock*>(context);
-        if (!of.travel.go_to) throw std::invalid_argument("this game has no timeline");
+        if (!of.timeline.go_to) throw std::invalid_argument("this game has no timeline");
         return Call(of, tree, arguments);
     };
     return method;
@@ -136,13 +136,13 @@ const std::vector<property::Field> branch_fields = {
 
 property::Result go_to(const Clock& of, property::Tree& tree, Arguments arguments) {
     tree.require_changeable("go to another step");
-    of.travel.go_to(arguments[0].integer());
+    of.timeline.go_to(arguments[0].integer());
     return property::Value();
 }
 
 property::Result branches(const Clock& of, property::Tree&, Arguments) {
     std::vector<property::Record> all;
-    for (const Branch& branch : of.travel.branches())
+    for (const Branch& branch : of.timeline.branches())
         all.push_back({&branch_fields,
                        {property::Value(branch.name), property::Value(branch.fork),
                         property::Value(branch.newest)}});
@@ -151,19 +151,19 @@ property::Result branches(const Clock& of, property::Tree&, Arguments) {
 
 property::Result switch_to(const Clock& of, property::Tree& tree, Arguments arguments) {
     tree.require_changeable("go to another branch");
-    of.travel.switch_to(arguments[0].text());
+    of.timeline.switch_to(arguments[0].text());
     return property::Value();
 }
 
 property::Result name_branch(const Clock& of, property::Tree&, Arguments arguments) {
-    of.travel.name_branch(arguments[1].is_nil() ? of.branch : arguments[1].text(),
-                          arguments[0].text());
+    of.timeline.name_branch(arguments[1].is_nil() ? of.branch : arguments[1].text(),
+                            arguments[0].text());
     return property::Value();
 }
 
 property::Result forget_branch(const Clock& of, property::Tree& tree, Arguments arguments) {
     tree.require_changeable("forget a branch");
-    of.travel.forget_branch(arguments[0].text());
+    of.timeline.forget_branch(arguments[0].text());
     return property::Value();
 }
 

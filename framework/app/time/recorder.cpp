@@ -42,7 +42,7 @@ Recorder::Recorder(const RunStart& start) {
 }
 
 Recorder::~Recorder() {
-    if (loop_ != nullptr) loop_->witness(nullptr);
+    if (loop_ != nullptr) loop_->set_observer(nullptr);
     if (tree_ != nullptr) tree_->unobserve(*this);
     close();
 }
@@ -51,7 +51,7 @@ void Recorder::begin(property::Tree& tree, Loop& loop) {
     tree_ = &tree;
     loop_ = &loop;
     tree.observe(*this);
-    loop.witness(this);
+    loop.set_observer(this);
 }
 
 void Recorder::write_to(const std::filesystem::path& file, std::uint64_t hash_steps) {

@@ -243,11 +243,11 @@ std::uint64_t Recording::steps() const {
 Replay::Replay(const Recording& recording, property::Tree& tree, script::Runtime& runtime,
                Loop& loop)
     : recording_(recording), tree_(tree), runtime_(runtime), loop_(loop) {
-    loop_.witness(this);
+    loop_.set_observer(this);
 }
 
 Replay::~Replay() {
-    loop_.witness(nullptr);
+    loop_.set_observer(nullptr);
 }
 
 bool Replay::frame() {
@@ -283,7 +283,7 @@ void Replay::feed(const Recording::Item& item) {
             if (select_)
                 select_(item.instances);
             else
-                runtime_.set_it(item.instances.back());
+                runtime_.set_selected(item.instances.back());
             return;
         case Kind::edit:
             return tree_.begin_edit(item.text, item.scripts);

@@ -4,18 +4,15 @@
 #include <unordered_map>
 #include <vector>
 
+#include <fettle/property/split_mix.h>
+
 namespace fettle::app {
 
 using property::BindingKind;
 using property::Type;
 
 void StateHash::add(std::uint64_t bits) {
-    // The finalizer of SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number
-    // generators, 2014), chained.
-    std::uint64_t z = (state_ ^ bits) + 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    state_ = z ^ (z >> 31);
+    state_ = property::split_mix(state_ ^ bits);
 }
 
 void StateHash::add(double number) {

@@ -58,10 +58,10 @@ bool Timeline::on() const {
 
 void Timeline::clear() {
     require_between_steps("the past cannot be cleared");
-    forget_all();
+    drop_all();
 }
 
-void Timeline::forget_all() {
+void Timeline::drop_all() {
     log_.reset();
     keyframes_.clear();
     steps_.clear();
@@ -81,7 +81,7 @@ void Timeline::share_room() {
     tree_.set_history_limit(std::min(room / 4, max_history));
 }
 
-bool Timeline::there_is_room() const {
+bool Timeline::memory_available() const {
     return bytes_.no_room_at < 0 || bytes_.room > bytes_.no_room ||
            clock_.step >= bytes_.no_room_at + retry_interval || clock_.step < bytes_.no_room_at;
 }
@@ -95,9 +95,9 @@ void Timeline::begin_step() {
     place_.in_step = true;
     failure_.step = -1;
     share_room();
-    place_.stepping = on() && there_is_room();
+    place_.stepping = on() && memory_available();
     if (!place_.stepping) {
-        if (log_ != nullptr) forget_all();
+        if (log_ != nullptr) drop_all();
         clock_.oldest = clock_.newest = clock_.step;
         return;
     }
@@ -208,7 +208,7 @@ bool Timeline::too_much(const Step& step) const {
 /// A step that cannot be repeated ends the past: the timeline starts again here.
 void Timeline::restart() {
     const std::int64_t step = clock_.step;
-    forget_all();
+    drop_all();
     begin_log();
     place_.here = step;
     take_keyframe();
@@ -228,7 +228,7 @@ void Timeline::take_keyframe() {
                    .held = taken.held(),
                    .history = tree_.history_bytes(),
                    .forgotten = forgotten()};
-    room.buffer.bytes = std::move(taken).take_payload();
+    room.buffer.bytes = std::move(taken).release_payload();
     // The first state is often before any contact, so later states need more memory.
     const std::size_t later = keyframes_.empty() ? 3 * room.buffer.bytes.size() : 0;
     frame.payload =
@@ -270,7 +270,7 @@ void Timeline::note_jump() {
     if (!std::exchange(jumps_->jumped, false) || log_ == nullptr) return;
     const std::int64_t step = clock_.step;
     if (keyframes_.empty() || step < oldest() || step > newest())
-        forget_all();
+        drop_all();
     else
         drop_after(step - 1);
     if (log_ == nullptr) begin_log();
@@ -328,7 +328,7 @@ void Timeline::trim() {
     if (memory() <= room) return;
     bytes_.no_room_at = clock_.step;
     bytes_.no_room = bytes_.room;
-    forget_all();
+    drop_all();
 }
 
 /// Keyframes are made when there is time for them. The steps that can be reached must not depend on

@@ -73,21 +73,21 @@ const Timeline::Keyframe& Timeline::start_of(std::int64_t from) const {
     return *frame;
 }
 
-void Timeline::review(std::int64_t from, const std::function<void(std::int64_t step)>& look) {
+void Timeline::review(std::int64_t from, const std::function<void(std::int64_t step)>& visit) {
     require_between_steps("the past cannot be shown");
     save_changes();
     if (!keeps()) return;
     const Keyframe& frame = start_of(from);
     replay(frame, place_.here, [&](std::int64_t step) {
-        if (step >= from) look(step);
+        if (step >= from) visit(step);
     });
 }
 
 void Timeline::review(std::int64_t from, std::int64_t to,
-                      const std::function<void(std::int64_t step)>& look) {
+                      const std::function<void(std::int64_t step)>& visit) {
     if (to <= place_.here)
         return review(from, [&](std::int64_t step) {
-            if (step <= to) look(step);
+            if (step <= to) visit(step);
         });
     require_between_steps("the past cannot be shown");
     save_changes();
@@ -95,11 +95,11 @@ void Timeline::review(std::int64_t from, std::int64_t to,
     const Keyframe& frame = start_of(from);
     for (const Keyframe& each : keyframes_)
         if (each.step > place_.here && each.jumped_to) to = std::min(to, each.step - 1);
-    run_in_past(frame, [&] { repeat_steps(frame, steps_, from, to, look); });
+    run_in_past(frame, [&] { repeat_steps(frame, steps_, from, to, visit); });
 }
 
 void Timeline::repeat_with(std::int64_t from, const std::function<void()>& change,
-                           const std::function<void(std::int64_t step)>& look) {
+                           const std::function<void(std::int64_t step)>& visit) {
     require_between_steps("the past cannot be shown");
     save_changes();
     require(from);
@@ -110,11 +110,11 @@ void Timeline::repeat_with(std::int64_t from, const std::function<void()>& chang
         for (const auto& each : steps_)
             if (each->number > frame.step && each->number <= from) redo(*each);
         change();
-        look(from);
+        visit(from);
         for (const auto& each : steps_) {
             if (each->number <= from || each->number > here) continue;
             redo(*each);
-            look(each->number);
+            visit(each->number);
         }
     });
 }
@@ -140,15 +140,15 @@ void Timeline::run_in_past(const Keyframe& frame, const std::function<void()>& r
     if (problem) std::rethrow_exception(problem);
 }
 
-/// From the state of a keyframe to that after the step `to`. `look`, which may be empty, is called
+/// From the state of a keyframe to that after the step `to`. `visit`, which may be empty, is called
 /// after each step from `from` on, of which that of the keyframe may be the first.
 void Timeline::repeat_steps(const Keyframe& frame, const Steps& steps, std::int64_t from,
-                            std::int64_t to, const std::function<void(std::int64_t step)>& look) {
-    if (look && frame.step >= from) look(frame.step);
+                            std::int64_t to, const std::function<void(std::int64_t step)>& visit) {
+    if (visit && frame.step >= from) visit(frame.step);
     for (const auto& each : steps) {
         if (each->number <= frame.step || each->number > to) continue;
         redo(*each);
-        if (look && each->number >= from) look(each->number);
+        if (visit && each->number >= from) visit(each->number);
     }
 }
 
@@ -187,15 +187,15 @@ void Timeline::travel(std::int64_t step) {
     place_.returned = step < newest();
 }
 
-/// Restores the keyframe and repeats the steps after it up to `step`. Calls `look`, unless it is
+/// Restores the keyframe and repeats the steps after it up to `step`. Calls `visit`, unless it is
 /// empty, for the keyframe and after each step.
 void Timeline::replay(const Keyframe& frame, std::int64_t step,
-                      const std::function<void(std::int64_t)>& look) {
+                      const std::function<void(std::int64_t)>& visit) {
     const Snapshot from(frame.payload->payload(), frame.memories);
     const Travelling travelling(*jumps_);
     try {
         tree_.restore(from, [&] {
-            repeat_steps(frame, steps_, frame.step, step, look);
+            repeat_steps(frame, steps_, frame.step, step, visit);
             if (step != newest()) {
                 for (const Piece& piece : edits_.before) redo(piece);
                 return;

@@ -141,19 +141,11 @@ struct Texts {
     }
 };
 
-std::uint32_t flags(const Property& p) {
-    return flag(p.read_only, FETTLE_READ_ONLY) | flag(p.transient, FETTLE_TRANSIENT) |
-           flag(p.simulated, FETTLE_SIMULATED) | flag(p.clamp, FETTLE_CLAMP) |
-           flag(p.infinity, FETTLE_INFINITY) | flag(p.nullable, FETTLE_NULLABLE) |
-           flag(p.any_type, FETTLE_ANY_TYPE) | flag(p.hidden, FETTLE_HIDDEN) |
-           flag(p.single_precision, FETTLE_SINGLE_PRECISION);
-}
-
 fettle_property described(Tree::State& tree, const Property& p, Texts& texts) {
     fettle_property c{};
     c.name = p.name.c_str();
     c.type = static_cast<std::uint32_t>(p.type);
-    c.flags = flags(p);
+    c.flags = module::flags_of(p);
     c.unit = p.unit.c_str();
     c.doc = p.doc.c_str();
     c.default_value = texts.values.put(p.default_value);

@@ -266,8 +266,8 @@ void Tree::emit(Handle instance, const Event& event, std::vector<Value> values) 
                            static_cast<std::uint32_t>(values.size())));
 }
 
-void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
-         std::size_t changeable) {
+void call_handlers(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
+                   std::size_t changeable) {
     if (event.listeners == 0) return;
     const Tree::State& s = tree.state();
     module::Outgoing outgoing;
@@ -280,7 +280,7 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
     for (std::size_t i = changeable; i < values.size(); ++i) values[i] = received(fields[i]);
 }
 
-bool Acceptance::accepts(Handle instance) noexcept {
+bool Acceptance::is_accepted(Handle instance) noexcept {
     const fettle_host* host = module::program();
     return host == nullptr || host->accepts(host->self, sent(instance)) != 0;
 }

@@ -50,21 +50,6 @@ fettle_array array_of(const std::vector<Element>& elements) {
     return {elements.data(), static_cast<std::uint32_t>(elements.size()), sizeof(Element)};
 }
 
-std::uint32_t flags_of(const Property& property) {
-    std::uint32_t flags = 0;
-    const auto add = [&](bool holds, std::uint32_t flag) { flags |= holds ? flag : 0; };
-    add(property.read_only, FETTLE_READ_ONLY);
-    add(property.transient, FETTLE_TRANSIENT);
-    add(property.simulated, FETTLE_SIMULATED);
-    add(property.clamp, FETTLE_CLAMP);
-    add(property.infinity, FETTLE_INFINITY);
-    add(property.nullable, FETTLE_NULLABLE);
-    add(property.any_type, FETTLE_ANY_TYPE);
-    add(property.hidden, FETTLE_HIDDEN);
-    add(property.single_precision, FETTLE_SINGLE_PRECISION);
-    return flags;
-}
-
 }  // namespace
 
 ClassInC::ClassInC(const ClassDescription& from, StandInRows& rows,

@@ -7,8 +7,8 @@ namespace fettle::property {
 void Changes::count_interest(const Watcher& watcher, int sign) {
     const auto count = [&](const Property& property) {
         if (Watchers::may_match(watcher, property))
-            property.shortcut.note_interest(property.shortcut.interest +
-                                            static_cast<std::uint32_t>(sign));
+            property.shortcut.set_interest(property.shortcut.interest +
+                                           static_cast<std::uint32_t>(sign));
     };
     if (watcher.property) {  // The watcher has one property name, so only that name is looked up.
         for (std::uint32_t i = 0; i < instances.classes.size(); ++i) {

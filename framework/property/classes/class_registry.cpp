@@ -73,12 +73,12 @@ Property::Shortcut shortcut_to(const Property& property) {
     shortcut.narrow = property.precision() == Precision::single_precision;
     // Up to this bound, an integer converts to the stored type and back without change.
     const double largest = shortcut.narrow ? 0x1p24 : 0x1p53 - 1;
-    shortcut.takes.min = std::max(property.range.min, -largest);
-    shortcut.takes.max = std::min(property.range.max, largest);
+    shortcut.writable_range.min = std::max(property.range.min, -largest);
+    shortcut.writable_range.max = std::min(property.range.max, largest);
     if (shortcut.narrow) {
         // With these bounds, a value between two floats stays in the range after rounding.
-        shortcut.takes.min = inner_float(shortcut.takes.min, 1);
-        shortcut.takes.max = inner_float(shortcut.takes.max, -1);
+        shortcut.writable_range.min = inner_float(shortcut.writable_range.min, 1);
+        shortcut.writable_range.max = inner_float(shortcut.writable_range.max, -1);
     }
     return shortcut;
 }
@@ -238,7 +238,7 @@ void ClassRegistry::add_property(Class& made, Property property) {
                             "\": a column of 32 bits holds nothing of its range");
     }
     property.shortcut = shortcut_to(property);
-    property.shortcut.note_interest(0);
+    property.shortcut.set_interest(0);
     property.enumerator_values.assign(property.enumerators.begin(), property.enumerators.end());
     check_default(made, property);
     Property& kept = made.own_properties_.emplace_back(std::move(property));

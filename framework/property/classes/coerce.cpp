@@ -7,7 +7,7 @@
 #include <fettle/property/bound_text.h>
 #include <fettle/property/coercion.h>
 #include <fettle/property/error.h>
-#include <fettle/property/meant_value.h>
+#include <fettle/property/literal_hint.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/tree.h>
 
@@ -130,7 +130,7 @@ class Coercion {
         const Type wanted = in_list() ? property_.element : property_.type;
         const bool named = wanted == Type::text && !property_.enumerators.empty();
         fail(ErrorKind::wrong_type, "expected " + expected() + ", got " + got +
-                                        (named ? "" : way_to_write(wanted, value)));
+                                        (named ? "" : literal_hint(wanted, value)));
     }
     std::string shown(const Value& value) const {
         std::string text =

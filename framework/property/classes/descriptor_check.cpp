@@ -82,7 +82,7 @@ class DescriptorCheck {
     // --- Names
 
     /// `kind`: "property", for example. All members of a class and its bases need different names.
-    void take_name(const char* kind, const std::string& name, bool word) {
+    void add_member_name(const char* kind, const std::string& name, bool word) {
         check_name_length(name);
         const std::string member = std::string(kind) + " " + in_quotes(name);
         if (name.empty()) refuse(ErrorKind::bad_name, member, "it has no name");
@@ -133,7 +133,7 @@ class DescriptorCheck {
     // --- Members
 
     void check(const Property& property) {
-        take_name("property", property.name, true);
+        add_member_name("property", property.name, true);
         const std::string member = "property " + in_quotes(property.name);
         const Property* inherited = base_ == nullptr ? nullptr : base_->property(property.name);
         // Nothing is drawn at a service, so that it may use the name `z` for something else, such
@@ -141,7 +141,7 @@ class DescriptorCheck {
         const bool instead = inherited != nullptr && inherited->sparse && !of_.creatable &&
                              property.binding.kind != BindingKind::stored;
         if (inherited != nullptr && !instead) {
-            check_again(member, property, *inherited);
+            check_redeclared(member, property, *inherited);
             return;
         }
         check_type(member, property);
@@ -151,8 +151,8 @@ class DescriptorCheck {
     }
 
     /// Checks a property that a base class declares and this class redeclares.
-    void check_again(const std::string& member, const Property& again,
-                     const Property& inherited) const {
+    void check_redeclared(const std::string& member, const Property& again,
+                          const Property& inherited) const {
         const bool other_type = again.type != inherited.type && again.type != Type::number;
         if (other_type || again.range.bounded() || !again.unit.empty() ||
             !again.enumerators.empty() || !again.derives_from.empty() ||
@@ -282,7 +282,7 @@ class DescriptorCheck {
     }
 
     void check(const Method& method) {
-        take_name("method", method.name, false);
+        add_member_name("method", method.name, false);
         const std::string member = "method " + in_quotes(method.name);
         if (method.call == nullptr) refuse(ErrorKind::bad_structure, member, "it has no `call`");
         check_number(member, "its effect", method.effect, Effect::memory);
@@ -295,7 +295,7 @@ class DescriptorCheck {
     }
 
     void check(const Event& event) {
-        take_name("event", event.name, false);
+        add_member_name("event", event.name, false);
         const std::string member = "event " + in_quotes(event.name);
         if (base_ != nullptr && base_->event(event.name) != nullptr)
             refuse(ErrorKind::bad_name, member,

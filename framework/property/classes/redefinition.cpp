@@ -94,7 +94,7 @@ void ClassRegistry::add_late(Class& of, Property property) {
     property.symbol = Symbol(property.name);
     property.owner = &of;
     property.shortcut = shortcut_of(property);
-    property.shortcut.note_interest(0);
+    property.shortcut.set_interest(0);
     check_default(of, property);
     property.stored_index = static_cast<std::uint32_t>(index);
     const Property& kept = of.own_properties_.emplace_back(std::move(property));

@@ -58,7 +58,7 @@ void Underway::require_staying(const Instances& instances, Handle instance,
                                std::string_view what) const {
     if (deletions == 0) return;
     instances.visit_below(instance.index, [&](std::uint32_t i) {
-        if (instances.nodes[i].dying)
+        if (instances.nodes[i].being_deleted)
             throw Error(ErrorKind::bad_structure, instances.tree.path(instances.nodes.handle(i)) +
                                                       " is being deleted: its module cannot " +
                                                       std::string(what) + " meanwhile");

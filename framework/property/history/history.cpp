@@ -138,16 +138,16 @@ void History::moved(Handle instance, const Position& before) {
         "move " + tree_.path(instance));
 }
 
-void History::born(Handle instance) {
-    inform([&](EditObserver& observer) { observer.born(instance); });
+void History::instance_created(Handle instance) {
+    inform([&](EditObserver& observer) { observer.instance_created(instance); });
     ExistenceEdit existence;
     existence.top = instance;
     existence.birth = true;
     add(std::move(existence), "create " + tree_.path(instance));
 }
 
-void History::dying(Handle instance) {
-    inform([&](EditObserver& observer) { observer.dying(instance); });
+void History::instance_deleting(Handle instance) {
+    inform([&](EditObserver& observer) { observer.instance_deleting(instance); });
     note_references();
     ExistenceEdit existence;
     existence.top = instance;

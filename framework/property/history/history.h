@@ -60,9 +60,9 @@ class History {
     }
     void edited(Handle instance, const Property& property, CellState before);
     void moved(Handle instance, const Position& before);
-    void born(Handle instance);
+    void instance_created(Handle instance);
     /// Called before an instance is deleted. Reserves the slots for undo.
-    void dying(Handle instance);
+    void instance_deleting(Handle instance);
 
     UndoResult undo();
     UndoResult redo();

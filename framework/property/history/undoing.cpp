@@ -135,15 +135,15 @@ UndoResult History::run(Transaction& transaction, bool back) {
     const References references(*this, transaction.steps.size() > 1);
     // Values of instances that this step makes or deletes are not listed: there may be many of
     // them, and they are in no path of the tree.
-    std::unordered_set<std::uint32_t> born;
+    std::unordered_set<std::uint32_t> created_tops;
     for (const EditStep& step : transaction.steps)
         if (const auto* made = std::get_if<ExistenceEdit>(&step); made != nullptr && made->birth)
-            born.insert(made->top.index);
+            created_tops.insert(made->top.index);
     const auto is_born = [&](const EditStep& step) {
         const auto* cell = std::get_if<CellEdit>(&step);
-        if (born.empty() || cell == nullptr || !tree_.alive(cell->instance)) return false;
+        if (created_tops.empty() || cell == nullptr || !tree_.alive(cell->instance)) return false;
         Handle above = cell->instance;
-        while (above && !born.contains(above.index)) above = tree_.parent(above);
+        while (above && !created_tops.contains(above.index)) above = tree_.parent(above);
         return static_cast<bool>(above);
     };
     InstanceChanges instances(tree_, transaction);
@@ -302,7 +302,7 @@ void History::delete_again(ExistenceEdit& existence, UndoResult& result) {
         result.notes.emplace_back("an instance to be deleted does not exist any more");
         return;
     }
-    inform([&](EditObserver& observer) { observer.dying(existence.top); });
+    inform([&](EditObserver& observer) { observer.instance_deleting(existence.top); });
     note_references();
     existence.deleted = deleted_below(existence.top);
     existence.lost_watchers = 0;
@@ -381,7 +381,7 @@ void History::revive(ExistenceEdit& existence, UndoResult& result) {
         for (const auto& [symbol, state] : deleted.cells)
             set_cell(deleted.handle, symbol, state, result);
     place(existence.top, existence.deleted.front().position, result);
-    inform([&](EditObserver& observer) { observer.born(existence.top); });
+    inform([&](EditObserver& observer) { observer.instance_created(existence.top); });
     // The next deletion stores the current state and decides which slots to free.
     existence.deleted.clear();
     if (existence.lost_watchers > 0)

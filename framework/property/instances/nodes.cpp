@@ -87,7 +87,7 @@ void Nodes::release(std::uint32_t index, bool keep) {
     child_counts_.erase(index);
     if (numbered_.parent == index) numbered_ = {};
     node.dead = 1;
-    node.dying = 0;
+    node.being_deleted = 0;
     node.kept = keep;
     // The generation of a reserved slot still identifies its former instance.
     node.generation = keep ? node.generation + 1 : next_generation(index, node.generation);

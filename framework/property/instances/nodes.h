@@ -51,8 +51,8 @@ struct Node {
     std::uint8_t has_dependents : 1 = 0;  // a formula read something of this instance
     std::uint8_t named : 1 = 0;           // the user chose the name; a move keeps it
     std::uint8_t counts_children : 1 = 0;
-    std::uint8_t kept : 1 = 0;   // deleted, with its slot reserved for undo
-    std::uint8_t dying : 1 = 0;  // it is being deleted
+    std::uint8_t kept : 1 = 0;           // deleted, with its slot reserved for undo
+    std::uint8_t being_deleted : 1 = 0;  // it is being deleted
 
     bool alive() const { return !dead; }
     /// Values can be read directly from the memory of the properties.

@@ -38,7 +38,7 @@ Acceptance::~Acceptance() {
     in_force = outer_;
 }
 
-bool Acceptance::accepts(Handle instance) noexcept {
+bool Acceptance::is_accepted(Handle instance) noexcept {
     if (in_force == nullptr) return true;
     Acceptance& asked = *in_force;
     try {

@@ -77,8 +77,8 @@ void Question::answer(std::size_t field, const Value& value) {
     values_[field] = coerce_value(as, value, {.tree = &tree_, .path = name, .what = &place});
 }
 
-void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
-         std::size_t changeable) {
+void call_handlers(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
+                   std::size_t changeable) {
     if (!tree.alive(instance)) return;
     Tree::State& s = tree.state();
     s.instances.require_event(instance, event);

@@ -60,7 +60,7 @@ const Snapshot::Memories& Snapshot::memories() const {
     return data_ == nullptr ? none : data_->memories;
 }
 
-std::vector<std::byte> Snapshot::take_payload() && {
+std::vector<std::byte> Snapshot::release_payload() && {
     if (data_ == nullptr) return {};
     const std::shared_ptr<Data> data = std::exchange(data_, nullptr);
     if (data.use_count() > 1) return data->payload;

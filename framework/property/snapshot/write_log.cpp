@@ -14,7 +14,7 @@
 
 namespace fettle::property {
 
-enum class WriteLog::Did : std::uint8_t {
+enum class WriteLog::EntryKind : std::uint8_t {
     plain,     // count, then that many PlainWrites
     value,     // handle, property, value
     computed,  // the same, written by the formula of the property
@@ -74,7 +74,7 @@ void WriteLog::note_history() {
 
 void WriteLog::put_plain(std::vector<std::byte>& bytes, std::span<const PlainWrite> writes) {
     ByteWriter to(bytes);
-    to.put(Did::plain);
+    to.put(EntryKind::plain);
     to.put(static_cast<std::uint32_t>(writes.size()));
     const auto more = std::as_bytes(writes);
     bytes.insert(bytes.end(), more.begin(), more.end());
@@ -86,7 +86,7 @@ std::vector<std::byte> WriteLog::joined() const {
     std::vector<std::byte> all;
     if (!any()) return all;
     const std::uint64_t number = tree_.state().number;
-    constexpr std::size_t head = sizeof(Did) + sizeof(std::uint32_t);
+    constexpr std::size_t head = sizeof(EntryKind) + sizeof(std::uint32_t);
     all.reserve(sizeof number + bytes_.size() + kept_.size() * head +
                 kept_count_ * sizeof(PlainWrite));
     ByteWriter(all).put(number);
@@ -126,7 +126,7 @@ std::size_t WriteLog::memory() const {
     return bytes_.size() + kept_count_ * sizeof(PlainWrite) + formula_bytes_;
 }
 
-void WriteLog::note(Did what, Handle instance, const Property& property) {
+void WriteLog::note(EntryKind what, Handle instance, const Property& property) {
     ByteWriter to(bytes_);
     to.put(what);
     to.put(instance);
@@ -163,7 +163,7 @@ void WriteLog::wrote_plain(const PlainWrites& writes) {
     for (const PlainWrite& write : writes.list)
         if (write.instance)
             each_source(tree_, write.instance, *write.property, [&](const Property& source) {
-                note(Did::value, write.instance, source);
+                note(EntryKind::value, write.instance, source);
                 ByteWriter(bytes_).put(tree_.peek(write.instance, source));
             });
 }
@@ -172,26 +172,26 @@ void WriteLog::wrote(Handle instance, const Property& property, const Value& now
     // A write to the name or the parent is recorded as a move.
     if (property.binding.kind == BindingKind::node || !notes()) return;
     const bool computed = tree_.state().changes.author.writer == Writer::formula;
-    note(computed ? Did::computed : Did::value, instance, property);
+    note(computed ? EntryKind::computed : EntryKind::value, instance, property);
     ByteWriter(bytes_).put(now);
     each_source(tree_, instance, property, [&](const Property& source) {
-        note(Did::value, instance, source);
+        note(EntryKind::value, instance, source);
         ByteWriter(bytes_).put(tree_.peek(instance, source));
     });
 }
 
 void WriteLog::was_reset(Handle instance, const Property& property) {
-    if (notes()) note(Did::reset, instance, property);
+    if (notes()) note(EntryKind::reset, instance, property);
 }
 
 void WriteLog::removed(Handle instance, const Property& property) {
-    if (notes()) note(Did::removed, instance, property);
+    if (notes()) note(EntryKind::removed, instance, property);
 }
 
 void WriteLog::formula_changed(Handle instance, const Property& property) {
     if (!notes()) return;
     const Formula* formula = tree_.formula(instance, property);
-    note(formula != nullptr ? Did::formula : Did::formula_ended, instance, property);
+    note(formula != nullptr ? EntryKind::formula : EntryKind::formula_ended, instance, property);
     if (formula == nullptr) return;
     ByteWriter(bytes_).put(static_cast<std::uint32_t>(formulas_.size()));
     formulas_.push_back(*formula);
@@ -207,7 +207,7 @@ void WriteLog::created(Handle instance) {
     const Tree::State& s = tree_.state();
     const Node& node = s.instances.nodes[instance.index];
     ByteWriter to(bytes_);
-    to.put(Did::created);
+    to.put(EntryKind::created);
     to.put(instance);
     to.put(node.class_id);
     to.put(s.instances.nodes.handle(node.parent));
@@ -218,7 +218,7 @@ void WriteLog::created(Handle instance) {
 void WriteLog::destroying(Handle instance) {
     if (!notes()) return;
     ByteWriter to(bytes_);
-    to.put(Did::destroyed);
+    to.put(EntryKind::destroyed);
     to.put(instance);
     to.put(std::uint8_t{tree_.state().instances.keep_slots});
 }
@@ -227,7 +227,7 @@ void WriteLog::moved(Handle instance) {
     if (!notes()) return;
     const Position at = tree_.state().instances.nodes.position(instance.index);
     ByteWriter to(bytes_);
-    to.put(Did::moved);
+    to.put(EntryKind::moved);
     to.put(instance);
     to.put(at.parent);
     to.put(at.before);
@@ -238,7 +238,7 @@ void WriteLog::moved(Handle instance) {
 void WriteLog::numbered(Handle parent, Symbol stem, std::uint32_t last) {
     if (!notes()) return;
     ByteWriter to(bytes_);
-    to.put(Did::numbered);
+    to.put(EntryKind::numbered);
     to.put(parent);
     to.put(stem.id());
     to.put(last);
@@ -252,7 +252,7 @@ void WriteLog::call_begins(Handle instance, const Method& method,
     call_noted_ = outermost;
     if (!outermost) return;
     ByteWriter to(bytes_);
-    to.put(Did::called);
+    to.put(EntryKind::called);
     to.put(instance);
     to.put(method.symbol.id());
     to.put(std::uint64_t{arguments.size()});
@@ -272,7 +272,7 @@ void WriteLog::refreshing(SnapshotPart& part, std::uint64_t what) {
     const std::uint64_t number = tree_.state().snapshots.number_of(part);
     if (number == 0) return;
     ByteWriter to(bytes_);
-    to.put(Did::refreshed);
+    to.put(EntryKind::refreshed);
     to.put(number);
     to.put(what);
 }
@@ -302,10 +302,10 @@ class WriteLog::Player {
         if (from_.at_end()) return;
         if (from_.get<std::uint64_t>() != s_.number) refuse_foreign();
         while (!from_.at_end()) {
-            const auto did = from_.get<Did>();
-            auto times = did == Did::plain ? from_.get<std::uint32_t>() : 1u;
+            const auto kind = from_.get<EntryKind>();
+            auto times = kind == EntryKind::plain ? from_.get<std::uint32_t>() : 1u;
             for (; times > 0; --times) try {
-                    repeat_entry(did);
+                    repeat_entry(kind);
                 } catch (const Error& error) {
                     // A write that is refused now was refused then too; the log itself is valid.
                     if (error.kind() == ErrorKind::damaged) throw;
@@ -315,9 +315,9 @@ class WriteLog::Player {
 
   private:
     void refresh();
-    void repeat_entry(Did did);
-    void value(Did did, Handle instance, Symbol name);
-    void structure(Did did, Handle instance);
+    void repeat_entry(EntryKind kind);
+    void value(EntryKind kind, Handle instance, Symbol name);
+    void structure(EntryKind kind, Handle instance);
     void create(Handle instance);
     void move(Handle instance);
     void number(Handle parent);
@@ -349,58 +349,58 @@ void WriteLog::Player::refresh() {
         if (snapshots.number_of(*part) == number) return part->refresh(what);
 }
 
-void WriteLog::Player::repeat_entry(Did did) {
-    if (did == Did::refreshed) return refresh();
-    if (did == Did::plain) {
+void WriteLog::Player::repeat_entry(EntryKind kind) {
+    if (kind == EntryKind::refreshed) return refresh();
+    if (kind == EntryKind::plain) {
         const auto done = from_.get<PlainWrite>();
         if (done.instance) write(done.instance, done.property->symbol, done.value());
         return;
     }
     const auto instance = from_.get<Handle>();
-    if (did >= Did::created) return structure(did, instance);
-    value(did, instance, std::bit_cast<Symbol>(from_.get<std::uint32_t>()));
+    if (kind >= EntryKind::created) return structure(kind, instance);
+    value(kind, instance, std::bit_cast<Symbol>(from_.get<std::uint32_t>()));
 }
 
 /// Reads all operands first, so that the reader is at the next entry if the write fails.
-void WriteLog::Player::value(Did did, Handle instance, Symbol name) {
-    const bool has_value = did == Did::value || did == Did::computed;
+void WriteLog::Player::value(EntryKind kind, Handle instance, Symbol name) {
+    const bool has_value = kind == EntryKind::value || kind == EntryKind::computed;
     const Value now = has_value ? from_.value() : Value();
     const Formula* const formula =
-        did == Did::formula ? &piece_.formulas.at(from_.get<std::uint32_t>()) : nullptr;
+        kind == EntryKind::formula ? &piece_.formulas.at(from_.get<std::uint32_t>()) : nullptr;
     const Property* property = tree_.find(instance, name);
-    switch (did) {
-        case Did::value:
+    switch (kind) {
+        case EntryKind::value:
             return write(instance, name, now);
-        case Did::computed:
+        case EntryKind::computed:
             if (property == nullptr || is_of_the_present(instance, *property)) return;
             s_.instances.write(instance.index, s_.instances.require(instance), *property, now);
             return;
-        case Did::reset:
+        case EntryKind::reset:
             if (property != nullptr && !is_of_the_present(instance, *property))
                 tree_.reset(instance, *property);
             return;
-        case Did::removed:
+        case EntryKind::removed:
             return tree_.remove_ad_hoc(instance, name.text());
-        case Did::formula:
+        case EntryKind::formula:
             return tree_.set_formula(instance, name.text(), *formula);
-        case Did::formula_ended:
+        case EntryKind::formula_ended:
             return property != nullptr ? tree_.remove_formula(instance, *property) : void();
         default:
             from_.fail("an unknown kind of write");
     }
 }
 
-void WriteLog::Player::structure(Did did, Handle instance) {
-    switch (did) {
-        case Did::created:
+void WriteLog::Player::structure(EntryKind kind, Handle instance) {
+    switch (kind) {
+        case EntryKind::created:
             return create(instance);
-        case Did::destroyed:
+        case EntryKind::destroyed:
             s_.instances.keep_slots = from_.boolean();
             std::erase(s_.structure.next_handles, instance);
             return tree_.destroy(instance);
-        case Did::moved:
+        case EntryKind::moved:
             return move(instance);
-        case Did::numbered:
+        case EntryKind::numbered:
             return number(instance);
         default:
             return call(instance);

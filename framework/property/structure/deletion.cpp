@@ -18,7 +18,7 @@ std::string Structure::destroy_below(std::uint32_t top) {
     std::vector<std::uint32_t> order;
     instances.visit_below(top, [&](std::uint32_t i) {
         order.push_back(i);
-        nodes[i].dying = 1;
+        nodes[i].being_deleted = 1;
     });
     const Cause by = changes.author.cause();
     std::string problem;

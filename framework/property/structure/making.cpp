@@ -41,7 +41,7 @@ void Structure::note_number(std::uint32_t parent, Symbol stem) {
 }
 
 /// Undoes the work of a module that refuses an instance.
-void Structure::take_back(Handle self, const Class& of, bool has_row) {
+void Structure::undo_making(Handle self, const Class& of, bool has_row) {
     const Lifecycle& lifecycle = of.lifecycle();
     while (nodes[self.index].first_child != 0) {  // children that it has made
         const Handle child = nodes.handle(nodes[self.index].first_child);
@@ -89,7 +89,7 @@ std::uint32_t Structure::make(const Class& of, std::uint32_t parent, NodeName na
         }
         if (!ClassRegistry::columns_found(of)) require_columns(of);
     } catch (...) {  // the module refuses it: the instance never existed
-        take_back(self, of, has_row);
+        undo_making(self, of, has_row);
         if (instances.stored[of.id()]) instances.stored[of.id()]->remove(nodes[index].stored_row);
         nodes.unlink(index);
         nodes.release(index, again && instances.keep_slots);

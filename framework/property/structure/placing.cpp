@@ -53,7 +53,7 @@ void Structure::move_back(Handle instance, const Position& was) {
 void Structure::move_or_stay(Handle instance, const Position& at) {
     const Position was = nodes.position(instance.index);
     // It goes back there if a module refuses the new place.
-    const Hold way_back(underway, was.parent, being_left);
+    const Hold former_place(underway, was.parent, being_left);
     relink(instance, at);
     try {
         place_subtree(instance);

@@ -55,7 +55,7 @@ struct Structure {
     void notify_move(Handle instance);
 
   private:
-    void take_back(Handle self, const Class& of, bool has_row);
+    void undo_making(Handle self, const Class& of, bool has_row);
     void finish_making(Handle self, const Class& of);
     void unmake(Handle self);
     /// Logs the last number that was given, so that a repeated step gives the same numbers. Must be

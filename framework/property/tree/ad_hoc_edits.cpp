@@ -18,7 +18,7 @@ const Property& Tree::State::ad_hoc_property(Symbol name) {
     if (known != instances.ad_hoc.descriptors.end()) return *known->second;
     const Property& made = instances.ad_hoc.declare(name);
     changes.growth.add(weight_of_own_descriptor);
-    made.shortcut.note_interest(changes.watchers.interest(made));
+    made.shortcut.set_interest(changes.watchers.interest(made));
     return made;
 }
 

@@ -9,7 +9,7 @@ namespace fettle::property {
 namespace {
 
 /// Exceptions of lifecycle functions below are ignored, unless the instance still exists.
-void take_out(Tree& tree, Handle instance) {
+void destroy_despite_errors(Tree& tree, Handle instance) {
     try {
         tree.destroy(instance);
     } catch (...) {
@@ -31,7 +31,7 @@ void end_class(Tree& tree, const Class& ended) {
     for (std::uint32_t i = 1; i < s.instances.nodes.end(); ++i) {
         const Node& node = s.instances.nodes[i];
         if (node.alive() && s.instances.class_of(node).is_a(ended))
-            take_out(tree, s.instances.nodes.handle(i));
+            destroy_despite_errors(tree, s.instances.nodes.handle(i));
     }
 }
 

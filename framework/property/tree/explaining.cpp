@@ -22,7 +22,7 @@ void prepare_explanations(Tree& tree, Handle instance) {
             found->second.prepare(instance);
 }
 
-bool take_prepared(Tree& tree) {
+bool consume_explanation_request(Tree& tree) {
     return std::exchange(tree.state().looked_at, false);
 }
 

@@ -71,7 +71,7 @@ void redefine(Tree& tree, const Class& of, std::vector<Property> own) {
         if (!each->is_a(of)) continue;
         s.instances.stored[each->id()]->extend();
         for (const Property& property : ClassRegistry::own_properties(*each))
-            property.shortcut.note_interest(s.changes.watchers.interest(property));
+            property.shortcut.set_interest(s.changes.watchers.interest(property));
     }
     UnfitValues unfit;
     for (const Carried& each : carried)

@@ -36,7 +36,7 @@ ClassDescriptor object_descriptor() {
         return Value(in.class_of(self).name());
     };
     Property parent{
-        .name = "parent", .type = Type::reference, .doc = "The instance it hangs under."};
+        .name = "parent", .type = Type::reference, .doc = "The instance of which it is a child."};
     parent.transient = true;
     parent.binding.kind = BindingKind::node;
     parent.binding.node_get = [](void*, const Tree& in, Handle self) {
@@ -132,7 +132,7 @@ const Class& Tree::define(ClassDescriptor descriptor) {
     state_->instances.stored.push_back(
         made.stored_.empty() ? nullptr : std::make_unique<StoredColumns>(made));
     for (const Property& property : made.own_properties_)
-        property.shortcut.note_interest(state_->changes.watchers.interest(property));
+        property.shortcut.set_interest(state_->changes.watchers.interest(property));
     return made;
 }
 
@@ -174,7 +174,7 @@ Handle Tree::create(const Class& instance_class, Handle parent, std::string_view
     if (s.underway.restoring)
         s.underway.require_row_above(s.instances, parent, "create an instance");
     if (parent) {
-        if (s.instances.require(parent).dying)
+        if (s.instances.require(parent).being_deleted)
             s.underway.require_staying(s.instances, parent, "create an instance below it");
         s.instances.require_room_below(parent, 1);
     }
@@ -183,7 +183,7 @@ Handle Tree::create(const Class& instance_class, Handle parent, std::string_view
     if (name.empty() && parent) chosen = s.structure.free_name(parent.index, instance_class.stem());
     const Handle made = s.instances.nodes.handle(
         s.structure.make(instance_class, parent.index, chosen, !name.empty()));
-    if (s.changes.recording()) s.history.born(made);
+    if (s.changes.recording()) s.history.instance_created(made);
     return made;
 }
 
@@ -197,7 +197,7 @@ void Tree::destroy(Handle instance) {
     if (s.underway.restoring) s.underway.require_rows(s.instances, instance, "delete it");
     if (!s.lifetime.ending) s.underway.require_settled(s.instances, instance, "delete it");
     // The end of the tree cannot be undone, and its modules may be destroyed already.
-    if (!s.lifetime.ending && s.changes.recording()) s.history.dying(instance);
+    if (!s.lifetime.ending && s.changes.recording()) s.history.instance_deleting(instance);
     if (!s.lifetime.ending) s.changes.notify([&](Observer& o) { o.destroying(instance); });
     const std::string problem = s.structure.destroy_below(instance.index);
     s.instances.keep_slots = false;
@@ -218,11 +218,11 @@ void Tree::each_below(Handle top, const std::function<void(Handle)>& visit) cons
         if (alive(handle)) visit(handle);
 }
 
-std::optional<Remains> Tree::remains(Handle instance) const {
+std::optional<DeletedInfo> Tree::deleted_info(Handle instance) const {
     if (alive(instance)) return {};
     const Tombstone* const found = state_->instances.tombstones.find(instance);
     if (found == nullptr) return {};
-    return Remains{*found->of, found->name};
+    return DeletedInfo{*found->of, found->name};
 }
 
 bool Tree::alive(Handle instance) const {

@@ -125,9 +125,9 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
     const Value old = s.instances.read(instance.index, node, property);
     const bool had_formula =
         node.has_formula && s.formulas.find({instance.index, property.symbol}) != nullptr;
-    const bool stands = property.binding.overridden == nullptr ||
-                        property.binding.overridden(property.binding.context, node.row);
-    if (old == next && stands && !had_formula) {
+    const bool is_overridden = property.binding.overridden == nullptr ||
+                               property.binding.overridden(property.binding.context, node.row);
+    if (old == next && is_overridden && !had_formula) {
         // The object of the property may be gone: a deleted action, for example.
         if (rules != nullptr) rules->changed(instance, property.name);
         return;

@@ -28,7 +28,7 @@ void Tree::set_formula(Handle instance, const Property& property, Formula formul
     State& s = *state_;
     s.instances.require(instance, property);
     s.require_changeable("define a formula");
-    if (s.instances.nodes[instance.index].dying)
+    if (s.instances.nodes[instance.index].being_deleted)
         s.underway.require_staying(s.instances, instance, "define a formula of it");
     if (!formula.function)
         throw Error(ErrorKind::wrong_type,

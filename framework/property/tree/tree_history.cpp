@@ -54,7 +54,7 @@ void Tree::forget_writers_after(std::uint64_t step) {
     state_->changes.writes.forget_after(step);
 }
 
-Provenance Tree::who(Handle instance, const Property& property) const {
+Provenance Tree::last_writer(Handle instance, const Property& property) const {
     state_->instances.require(instance, property);
     if (const auto step = state_->changes.shadows.simulated_at({instance.index, property.symbol}))
         return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step}};

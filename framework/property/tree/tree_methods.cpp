@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include <fettle/property/exception_text.h>
-#include <fettle/property/meant_value.h>
+#include <fettle/property/literal_hint.h>
 #include <fettle/property/spelling.h>
 
 #include <classes/coerce.h>
@@ -19,17 +19,17 @@ class CallScope {
   public:
     CallScope(Tree::State& state, Handle self, const Method& method, std::span<const Value> given)
         : state_(state), self_(self), method_(method) {
-        if (tells())
+        if (is_observed())
             state_.changes.notify([&](Observer& o) { o.call_begins(self_, method_, given); });
     }
     ~CallScope() {
-        if (tells() && !state_.lifetime.ending)
+        if (is_observed() && !state_.lifetime.ending)
             state_.changes.notify([&](Observer& o) { o.call_ends(self_, method_); });
     }
     CallScope(const CallScope&) = delete;
 
   private:
-    bool tells() const {
+    bool is_observed() const {
         return method_.effect == Effect::memory && !state_.changes.observers.all.empty();
     }
     Tree::State& state_;
@@ -47,7 +47,7 @@ void refuse_loose_components(const Method& method, std::span<const Value> argume
         throw Error(ErrorKind::wrong_type, call() + ": argument \"" + parameter.name +
                                                "\": expected a vec2, got " + value_text(x) + ", " +
                                                value_text(y) +
-                                               way_to_write(Type::vec2, List{x, y}));
+                                               literal_hint(Type::vec2, List{x, y}));
     }
 }
 

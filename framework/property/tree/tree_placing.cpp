@@ -51,7 +51,7 @@ void Tree::State::require_free(Handle instance, std::string_view what) {
 void Tree::State::require_place(Handle instance, Handle parent) {
     underway.require_settled(instances, instance, "move it");
     if (!parent) return;
-    if (instances.require(parent).dying)
+    if (instances.require(parent).being_deleted)
         underway.require_staying(instances, parent, "move an instance below it");
     instances.require_room_below(parent, instances.nodes.height(instance.index));
     if (parent == instance || tree.is_below(parent, instance))
@@ -60,7 +60,7 @@ void Tree::State::require_place(Handle instance, Handle parent) {
             tree.path(instance) + " cannot be moved below itself (" + tree.path(parent) + ")");
 }
 
-std::function<void()> Tree::way_back(Handle instance) {
+std::function<void()> Tree::placement_restorer(Handle instance) {
     if (!alive(instance)) return [] {};
     const Position was = state_->instances.nodes.position(instance.index);
     return [this, lives = lifetime(), instance, was] {

@@ -76,7 +76,7 @@ bool write_logged(Tree::State& s, Handle instance, const Property& property, T v
     Changes& changes = s.changes;
     WritesLog& log = changes.writes;
     const Node* const node = s.instances.nodes.find_if<&Node::writable>(instance);
-    if (node == nullptr || !property.shortcut.takes.contains(value)) return false;
+    if (node == nullptr || !property.shortcut.writable_range.contains(value)) return false;
     if (property.shortcut.interest != 0 || log.needs_general_write()) return false;
     const bool by_setter = property.shortcut.write == by_call<T>;
     if (!by_setter && property.shortcut.write != in_tree<T>) return false;

@@ -28,7 +28,7 @@ Watcher watcher_of(WatchKind kind, Handler& handler, WatchOptions& options) {
 // that is added now would not be removed, and would receive changes of the next instance in the
 // slot.
 void watch_instance(const Tree::State& state, Watcher& watcher, Handle instance) {
-    if (state.instances.nodes[instance.index].dying)
+    if (state.instances.nodes[instance.index].being_deleted)
         state.underway.require_staying(state.instances, instance, "watch it");
     watcher.index = instance.index;
     watcher.generation = instance.generation;

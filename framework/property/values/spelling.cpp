@@ -32,6 +32,10 @@ bool unlike(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+bool contains_ignoring_case(std::string_view text, std::string_view part) {
+    return !std::ranges::search(text, part, {}, lower, lower).empty() || part.empty();
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {
     const std::size_t longer = std::max(a.size(), b.size());
     const std::size_t shorter = std::min(a.size(), b.size());

@@ -123,16 +123,15 @@ std::string user_text(lua_State* L, int index, int user_value) {
     return text;
 }
 
-// A one-line text needs no line number; "formula" is only the name of the chunk.
-std::string what_is_wrong(std::string message) {
+}  // namespace
+
+std::string without_chunk(std::string message) {
     if (message.starts_with("formula:1: "))
         message.erase(0, 11);
     else if (message.starts_with("formula:"))
         message.replace(0, 8, "line ");
-    return "the formula does not compile: " + message;
+    return message;
 }
-
-}  // namespace
 
 void define_formula(lua_State* L, Machine& machine, int index, Handle instance,
                     std::string_view name) {
@@ -168,7 +167,9 @@ property::Formula compile_formula(Machine& machine, const std::string& source) {
         false);
     if (!ok) wrong = machine.errors.caught ? machine.errors.caught->message : "failed";
     machine.errors.caught.reset();
-    if (!wrong.empty()) throw Error(ErrorKind::formula, what_is_wrong(std::move(wrong)));
+    if (!wrong.empty())
+        throw Error(ErrorKind::formula,
+                    "the formula does not compile: " + without_chunk(std::move(wrong)));
     return {ScriptFormula(machine, function), source};
 }
 

@@ -25,6 +25,9 @@ void push_formula(lua_State* L, const FunctionSource& source);
 /// Compiles the text of a formula: an expression, or a function that returns the value. Throws
 /// Error(formula) with the reason if it is not valid.
 property::Formula compile_formula(Machine& machine, const std::string& source);
+/// An error message of such a text without the name of its chunk, which is always the same; the
+/// number of the line if it is not the first one.
+std::string without_chunk(std::string message);
 /// A formula of the function at the top of the stack, which it pops; without a text.
 property::Formula formula_of(lua_State* L, Machine& machine);
 /// Pushes the function of a property's formula, or nil.

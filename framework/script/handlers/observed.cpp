@@ -70,16 +70,10 @@ std::vector<std::string> paths_in(std::string_view text) {
     return found;
 }
 
-// A one-line text needs no line number; "formula" is only the name of the chunk.
-std::string without_chunk(const std::string& message) {
-    constexpr std::string_view chunk = "formula:1: ";
-    return message.starts_with(chunk) ? message.substr(chunk.size()) : message;
-}
-
 Observed observed(Machine& machine, std::string text, property::Formula formula) {
     Observed result;
     result.text = std::move(text);
-    result.settle = [&machine, alive = machine.life.tree, paths = paths_in(result.text)] {
+    result.compute_formulas = [&machine, alive = machine.life.tree, paths = paths_in(result.text)] {
         if (alive.expired() || machine.tree.formula_count() == 0) return;
         for (const std::string& path : paths) try {
                 const property::Place place = property::resolve(machine.tree, path);

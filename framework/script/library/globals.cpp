@@ -128,7 +128,7 @@ std::string former_child_text(const Machine& machine, std::string_view name) {
         if (tree.alive(child))
             return tree.parent(child) ? "its path is \"" + tree.path(child) + "\" now"
                                       : "it was taken out of the tree";
-        const auto remains = tree.remains(child);
+        const auto remains = tree.deleted_info(child);
         return "it was deleted" +
                (remains ? "; game." + was + " = " + remains->of.name() + " {} makes another one"
                         : "");

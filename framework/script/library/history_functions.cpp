@@ -102,7 +102,7 @@ Place property_at(lua_State* L, const char* what) {
 /// Of writes of scripts and modules it is not known which value they left, so it cannot be said
 /// whether a later step has changed what the simulation may change.
 std::string writer_text(const property::Tree& tree, const Place& place) {
-    const property::Provenance written = tree.who(place.instance, *place.property);
+    const property::Provenance written = tree.last_writer(place.instance, *place.property);
     if (!written.known) return "no recent write is known";
     const bool by_code = written.cause.writer == property::Writer::script ||
                          written.cause.writer == property::Writer::module;
@@ -135,7 +135,8 @@ int why(lua_State* L) {
     explain(machine, explanation, "");
     // Values that a module explains often have no writer; then no line about it is printed.
     if (explanation.source.empty() &&
-        (explanation.from.empty() || machine.tree.who(place.instance, *place.property).known))
+        (explanation.from.empty() ||
+         machine.tree.last_writer(place.instance, *place.property).known))
         who(L);
     return 0;
 }

@@ -44,7 +44,7 @@ int delete_save(lua_State* L) {
     GameSaves& saves = saves_of(machine, "delete_save");
     const std::string slot = slot_at(L, "delete_save");
     if (note_replay(machine, "delete_save"))
-        saves.forget(slot);
+        saves.discard(slot);
     else
         saves.remove(slot);
     return 0;

@@ -55,13 +55,16 @@ class Construction {
         : of(to_make), made(machine.classes.create(to_make)), machine_(machine) {}
     ~Construction() {
         if (finished_) return;
-        for (auto back = ways_back_.rbegin(); back != ways_back_.rend(); ++back) (*back)();
+        for (auto back = placement_restorers_.rbegin(); back != placement_restorers_.rend(); ++back)
+            (*back)();
         if (machine_.tree.alive(made)) machine_.tree.destroy(made);
     }
     Construction(const Construction&) = delete;
 
     /// To be called before `child` is moved into the new instance.
-    void adopts(Handle child) { ways_back_.push_back(machine_.tree.way_back(child)); }
+    void adopts(Handle child) {
+        placement_restorers_.push_back(machine_.tree.placement_restorer(child));
+    }
     void finish() { finished_ = true; }
 
     const Class& of;
@@ -69,7 +72,7 @@ class Construction {
 
   private:
     Machine& machine_;
-    std::vector<std::function<void()>> ways_back_;
+    std::vector<std::function<void()>> placement_restorers_;
     bool finished_ = false;
 };
 

@@ -99,7 +99,7 @@ int alive(lua_State* L) {
 int is_a(lua_State* L) {
     Machine& machine = machine_of(L);
     const auto* box = instance_at(L, 1);
-    const auto remains = box ? machine.tree.remains(box->handle) : std::nullopt;
+    const auto remains = box ? machine.tree.deleted_info(box->handle) : std::nullopt;
     const Class& is = remains ? remains->of : machine.tree.class_of(check_instance(L, 1, "is_a"));
     const Class* of = class_at(L, machine.tree, 2, "is_a");
     if (!of) throw Error(ErrorKind::wrong_type, "is_a: needs a class or its name");

@@ -18,8 +18,8 @@ namespace fettle::script {
 namespace {
 
 // The name in a text such as "position = vec(x, y)".
-std::string_view name_in(std::string_view way_to_write) {
-    return way_to_write.substr(0, way_to_write.find(' '));
+std::string_view name_in(std::string_view literal_hint) {
+    return literal_hint.substr(0, literal_hint.find(' '));
 }
 
 }  // namespace

@@ -156,7 +156,7 @@ bool push_remains(lua_State* L, const property::Tree& tree, Handle instance) {
     if (tree.alive(instance) || lua_type(L, 2) != LUA_TSTRING) return false;
     const std::string_view key = view_at(L, 2);
     if (key != "name" && key != "class") return false;
-    const auto remains = tree.remains(instance);
+    const auto remains = tree.deleted_info(instance);
     if (remains) push_text(L, key == "name" ? remains->name : remains->of.name());
     return remains.has_value();
 }

@@ -58,15 +58,15 @@ void write_child(lua_State* L, Machine& machine, Handle instance, Handle child,
     const Handle orphan = orphan_at(L, machine.tree);
     if (!orphan)
         throw Error(ErrorKind::bad_structure,
-                    path_of(machine.tree, instance, name) + ": is " +
-                        property::with_article(machine.tree.class_of(child).name()) +
-                        " that hangs here; assign a new instance to replace it or nil to delete "
+                    path_of(machine.tree, instance, name) + ": is a child of class " +
+                        machine.tree.class_of(child).name() +
+                        "; assign a new instance to replace it or nil to delete "
                         "it, not " +
                         (box ? machine.tree.path(box->handle) + ", which has its place elsewhere"
                              : describe_type(L, 3)));
     if (machine.tree.is_below(instance, orphan))
-        throw Error(ErrorKind::bad_structure, path_of(machine.tree, instance, name) +
-                                                  ": an instance cannot hang below itself");
+        throw Error(ErrorKind::bad_structure,
+                    path_of(machine.tree, instance, name) + ": an instance cannot be below itself");
     replace(machine, child, orphan);
 }
 

@@ -32,7 +32,7 @@ constexpr std::size_t max_parameters = 8;
 void check_no_function(lua_State* L, int index, const std::string& path, const Method& method) {
     if (lua_type(L, index) != LUA_TFUNCTION) return;
     for (std::size_t i = 0; i < method.parameters.size(); ++i)
-        if (method.parameters[i].name == property::Acceptance::parameter)
+        if (method.parameters[i].name == property::Acceptance::parameter_name)
             throw Error(ErrorKind::wrong_type,
                         path + ":" + method.name + ": argument " + std::to_string(index - 1) +
                             " is a function; the function is argument " + std::to_string(i + 1) +
@@ -90,8 +90,8 @@ int call_method(lua_State* L) {
     std::optional<property::Acceptance> acceptance;
     for (int i = 0; i < given; ++i) {
         const int index = i + 2;
-        const bool accepts =
-            method.parameters[static_cast<std::size_t>(i)].name == property::Acceptance::parameter;
+        const bool accepts = method.parameters[static_cast<std::size_t>(i)].name ==
+                             property::Acceptance::parameter_name;
         if (accepts && !lua_isnil(L, index) && lua_type(L, index) != LUA_TFUNCTION)
             throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ":" + method.name +
                                                    ": accept: expected a function, got " +

@@ -113,7 +113,7 @@ class ClassPage {
     void children() {
         const auto fixed = fixed_children(tree_, of_);
         if (fixed.empty()) return;
-        out_ += "\n## Children\n\nThese hang below it from the beginning.\n\n" +
+        out_ += "\n## Children\n\nThese are its children from the beginning.\n\n" +
                 head({"child", "class", "what it is"});
         for (const auto& [name, of] : fixed) out_ += row({code(name), link(*of), cell(of->doc())});
     }
@@ -274,7 +274,7 @@ std::string index_page(const Tree& tree) {
         "kept in single precision: where no end is named, they take numbers to 3.4e38, and "
         "round to seven digits.\n\n";
     add_tree(tree, tree.object_class(), 0, text);
-    text += "\n## From the beginning\n\nWhat hangs below `game`; each is a global too.\n\n" +
+    text += "\n## From the beginning\n\nThe children of `game`; each is a global too.\n\n" +
             head({"name", "class", "what it is"});
     const auto fixed = fixed_children(tree, tree.class_of(tree.root()));
     for (const auto& [name, of] : fixed)

@@ -401,11 +401,11 @@ Observed Runtime::observe(std::string_view expression) {
     return script::observe(machine, expression);
 }
 
-void Runtime::set_it(Handle instance) {
+void Runtime::set_selected(Handle instance) {
     state_->globals.it = instance;
 }
 
-Handle Runtime::it() const {
+Handle Runtime::selected() const {
     return state_->globals.it;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <fettle/property/split_mix.h>
 #include <fettle/script/runtime.h>
 
 #include <lua/guard.h>
@@ -13,11 +14,8 @@ namespace fettle::script {
 
 void Random::reseed(std::uint64_t seed) {
     for (auto& word : state_) {
+        word = property::split_mix(seed);
         seed += 0x9e3779b97f4a7c15u;
-        std::uint64_t z = seed;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        word = z ^ (z >> 31);
     }
 }
 

@@ -1,6 +1,6 @@
 // The type of colors: color("tomato"), color("#ff8800"), color(r, g, b, a).
 
-#include <fettle/property/meant_value.h>
+#include <fettle/property/literal_hint.h>
 #include <fettle/property/spelling.h>
 
 #include <lua/guard.h>
@@ -77,7 +77,7 @@ Color check_channels(lua_State* L, int index, int count) {
     for (std::size_t i = 0; i < given.size(); ++i) {
         const double value = given[i].number();
         const std::string meant =
-            value > 1 ? property::way_to_write(property::Type::color, Value(given)) : "";
+            value > 1 ? property::literal_hint(property::Type::color, Value(given)) : "";
         *channels[i] = checked_channel(value, names[i], meant);
     }
     return color;

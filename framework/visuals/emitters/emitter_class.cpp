@@ -82,14 +82,14 @@ std::vector<Property> Emitters::flow_properties() {
 
 std::vector<Property> Emitters::motion_properties() {
     return {
-        position_property("Where it is, relative to what it hangs below; pixels in a layer on the "
+        position_property("Where it is, relative to its parent; pixels in a layer on the "
                           "screen."),
         {.name = "angle",
          .type = Type::number,
          .unit = "rad",
          .range = {-1e6, 1e6},
          .doc = "Direction in which particles fly: 0 is to the right, pi / 2 upwards. Relative to "
-                "what it hangs below."},
+                "its parent."},
         {.name = "spread",
          .type = Type::number,
          .default_value = 2 * std::numbers::pi,
@@ -216,8 +216,8 @@ void Emitters::define(property::Tree& tree) {
     property::ClassDescriptor described{
         .name = "Emitter",
         .doc =
-            "Sparks, smoke, rain: many small pictures that begin here, fly, change and end. What "
-            "it hangs below moves it: a body, a sprite, or any instance with a `position`.",
+            "Sparks, smoke, rain: many small pictures that begin here, fly, change and end. Its "
+            "parent moves it: a body, a sprite, or any instance with a `position`.",
         .snapshots = property::Snapshots::natively,
         .weight = 900};
     for (const auto& group : {flow_properties(), motion_properties(), look_properties()})

@@ -4,19 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include <fettle/property/split_mix.h>
+
 namespace fettle::visuals {
 
 using property::Transform;
 using property::Vec2;
 
 namespace {
-
-std::uint64_t mixed(std::uint64_t x) {  // SplitMix64, Steele et al. 2014
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
 
 Transform between(const Transform& a, const Transform& b, double t) {
     return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.origin + t * (b.origin - a.origin)};
@@ -50,9 +45,9 @@ void move(Particle& p, const Vec2& push, float kept, float dt) {
 
 std::array<double, 6> random_numbers(std::uint64_t seed, std::uint64_t number) {
     std::array<double, 6> all{};
-    const std::uint64_t begin = mixed(mixed(seed) ^ number);
+    const std::uint64_t begin = property::split_mix(property::split_mix(seed) ^ number);
     for (std::size_t i = 0; i < all.size(); ++i)
-        all[i] = static_cast<double>(mixed(begin + i) >> 11) * 0x1p-53;
+        all[i] = static_cast<double>(property::split_mix(begin + i) >> 11) * 0x1p-53;
     return all;
 }
 

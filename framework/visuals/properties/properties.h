@@ -16,7 +16,7 @@ class Reader {
     property::Vec2 vec2(const property::Property* of) const { return stored_.vec2(*of); }
     bool flag(const property::Property* of) const { return stored_.boolean(*of); }
     property::Color color(const property::Property* of) const { return stored_.color(*of); }
-    property::Value value(const property::Property* of) const { return stored_.copy(*of); }
+    property::Value value(const property::Property* of) const { return stored_.peek(*of); }
     /// Without a copy, valid until the next edit. For texts, and values that may be nil.
     const property::Value& in_place(const property::Property* of) const {
         return stored_.value(*of);

@@ -83,7 +83,7 @@ std::vector<Property> Texts::properties() {
          .default_value = 0.06,
          .range = {0, 1},
          .doc = "Width of the outline as a part of the size."},
-        position_property("Where its anchor is, relative to what it hangs below; pixels in a layer "
+        position_property("Where its anchor is, relative to its parent; pixels in a layer "
                           "on the screen."),
         angle_property(),
         blend_property(),
@@ -131,7 +131,7 @@ void Texts::define(property::Tree& tree) {
     property::ClassDescriptor described{
         .name = "Text",
         .doc =
-            "Written text in the world or, in a layer, on the screen. What it hangs below moves "
+            "Written text in the world or, in a layer, on the screen. Its parent moves "
             "it, as a Sprite.",
         .properties = properties(),
         .weight = 600};
@@ -147,7 +147,7 @@ double Texts::size_of(const Row& row) const {
     return Reader(*tree_, row.self).number(of_.size);
 }
 
-void Texts::forget_layouts() {
+void Texts::clear_layouts() {
     for (Row& row : rows_) row.wrap = -1;
 }
 

@@ -17,7 +17,7 @@ class Texts {
     explicit Texts(Fonts& fonts) : fonts_(fonts) {}
     void define(property::Tree& tree);
     /// To be called when a font has changed.
-    void forget_layouts();
+    void clear_layouts();
     /// Loads fonts that have not been loaded. So a missing file is reported also if nothing is
     /// drawn.
     void step();

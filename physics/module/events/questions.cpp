@@ -109,7 +109,7 @@ void Hosting::call_before_solve(HostedWorld& hosted, physics::ContactEdit& conta
                 to_value(contact.restitution),
                 to_value(contact.enabled),
             };
-            property::ask(tree, to, event, values, 7);
+            property::call_handlers(tree, to, event, values, 7);
             contact.friction = from_value<float>(values[7]);
             contact.restitution = from_value<float>(values[8]);
             contact.enabled = from_value<bool>(values[9]);
@@ -139,7 +139,7 @@ void Hosting::call_mixing(HostedWorld& hosted, physics::ContactEdit& contact) {
         to_value(contact.restitution),
         to_value(contact.surface_speed),
     };
-    property::ask(tree, hosted.self, *declared.mix_surfaces, values, 8);
+    property::call_handlers(tree, hosted.self, *declared.mix_surfaces, values, 8);
     contact.friction = from_value<float>(values[8]);
     contact.restitution = from_value<float>(values[9]);
     contact.surface_speed = from_value<float>(values[10]);
@@ -151,7 +151,7 @@ bool Hosting::call_filter(HostedWorld& hosted, const physics::Shape& one,
     const PairSide a = pair_side(hosted, one.body().id(), one.id());
     const PairSide b = pair_side(hosted, other.body().id(), other.id());
     std::vector<Value> values = {a.shape, b.shape, a.body, b.body, true};
-    property::ask(tree, hosted.self, *declared.filter_pair, values, 4);
+    property::call_handlers(tree, hosted.self, *declared.filter_pair, values, 4);
     return from_value<bool>(values[4]);
 }
 

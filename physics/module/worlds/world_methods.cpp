@@ -94,7 +94,7 @@ physics::QueryFilter filter(const Value& categories, const Value& of_group = {},
     physics::QueryFilter filter;
     if (!function.is_nil())
         filter.accept = [](const physics::Shape& shape) {
-            return property::Acceptance::accepts(instance_with(shape));
+            return property::Acceptance::is_accepted(instance_with(shape));
         };
     if (!categories.is_nil()) filter.mask = from_value<std::uint64_t>(categories);
     if (!of_group.is_nil()) filter.group = static_cast<std::int32_t>(of_group.integer());

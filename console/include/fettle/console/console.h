@@ -50,22 +50,22 @@ struct Options {
     std::function<bool()> game_covered{};
     /// Tweaks to list, keep and drop; null: nothing of them is shown.
     property::Tweaks* tweaks = nullptr;
-    /// Shows the kept past: calls `look` after each step from `from` to `to`, which may be later
+    /// Shows the kept past: calls `visit` after each step from `from` to `to`, which may be later
     /// than the present one, with the tree as it was then (app::Timeline::review). Without it,
     /// plots begin when they are made, onion skins show only poses that the console has seen, and
     /// `last_time` is refused.
     std::function<void(std::int64_t from, std::int64_t to,
-                       const std::function<void(std::int64_t step)>& look)>
+                       const std::function<void(std::int64_t step)>& visit)>
         review{};
     /// Repeats the kept past with a change at `from` (app::Timeline::repeat_with). Without it, `ab`
     /// is refused.
     std::function<void(std::int64_t from, const std::function<void()>& change,
-                       const std::function<void(std::int64_t step)>& look)>
+                       const std::function<void(std::int64_t step)>& visit)>
         repeat_with{};
     /// As `review`, for the steps of another branch of the past (app::Timeline::review_branch).
     /// Without it, `compare_branch` is refused.
     std::function<void(const std::string& branch, std::int64_t from,
-                       const std::function<void(std::int64_t step)>& look)>
+                       const std::function<void(std::int64_t step)>& visit)>
         review_branch{};
     /// Whether scripts draw by themselves (script::Runtime::draws), which a comparison of two runs
     /// leaves out, with a note.
@@ -86,7 +86,7 @@ struct Options {
     /// The times of the last frames, which must outlive the console; null: they are not shown.
     const app::FrameLog* frames = nullptr;
     /// Receives the results of breaks and of searches of the past, in addition to the log.
-    std::function<void(const std::string& line)> found{};
+    std::function<void(const std::string& line)> on_result{};
     /// Writes a new file for the player, and returns its path; `kind`: "csv". Throws if it cannot.
     std::function<std::string(const std::string& kind, const std::string& content)> write_file{};
     /// The same for a picture of that size in pixels, which `draw` draws.
@@ -127,7 +127,7 @@ class Console : public app::Layer {
 
     bool handle(const app::InputEvent& event) override;
     void draw(app::Surface& surface, double seconds) override;
-    app::ClipRectangle left_free(const app::ClipRectangle& whole) const override;
+    app::ClipRectangle free_area(const app::ClipRectangle& whole) const override;
 
     /// To be called when the modules have made a step and its changes are delivered: breaks and
     /// plots look at each step.

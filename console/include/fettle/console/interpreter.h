@@ -21,9 +21,9 @@ struct Interpreter {
     std::function<script::Evaluation(std::string_view command)> evaluate{};
     std::function<std::vector<script::Completion>(std::string_view input, std::size_t cursor)>
         complete{};
-    std::function<void(property::Handle instance)> set_it{};
+    std::function<void(property::Handle instance)> set_selected{};
     std::function<void(std::function<std::size_t()> bytes, std::string property)> limit_memory{};
-    std::function<void(script::ConsoleFunctions functions)> serve{};
+    std::function<void(script::ConsoleFunctions functions)> serve_console{};
 };
 
 /// The runtime must outlive it.

@@ -23,7 +23,7 @@ struct Branch {
 };
 
 /// Going to other steps and branches, where there is a timeline (Timeline); otherwise empty.
-struct Travel {
+struct TimelineAccess {
     std::function<void(std::int64_t step)> go_to{};
     std::function<std::vector<Branch>()> branches{};  // besides the present one
     std::function<void(const std::string&branch)> switch_to{}, forget_branch{};
@@ -55,7 +55,7 @@ struct Clock {
     Timings timings{};  // smoothed
     FrameLog frames{};
     std::string branch = "1";  // the name of the present branch
-    Travel travel{};
+    TimelineAccess timeline{};
 
     /// One fixed step passes.
     void advance();

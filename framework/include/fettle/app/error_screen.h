@@ -25,10 +25,10 @@ class ErrorScreen : public Layer {
         std::function<float()> covered_below{};
         /// The part of the window, in pixels, that other layers leave free. The text is drawn
         /// there.
-        std::function<ClipRectangle(const ClipRectangle& whole)> left_free{};
+        std::function<ClipRectangle(const ClipRectangle& whole)> free_area{};
         /// True while the user looks at the state before the error. Only a strip shows the error
         /// then, so that the game is visible.
-        std::function<bool()> looks_back{};
+        std::function<bool()> viewing_past{};
         /// Left and right: goes by this number of steps through the timeline.
         std::function<void(int steps)> travel{};
     };
@@ -56,7 +56,7 @@ class ErrorScreen : public Layer {
     /// True if the user has chosen to stop the script.
     bool stop_wanted() const { return stop_wanted_; }
     /// To be called when the script has returned.
-    void came_back();
+    void script_returned();
     const std::optional<script::ScriptError>& error() const { return error_; }
 
     bool handle(const InputEvent& event) override;

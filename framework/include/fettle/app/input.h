@@ -45,7 +45,7 @@ class Input {
 
     /// Sets the foreground, which gets all input before the game. Not owned: it must outlive this
     /// object or be replaced. Null: none.
-    void give_first(Foreground* foreground);
+    void set_foreground(Foreground* foreground);
     Foreground* foreground() const;
 
     /// Applies an event for the game. The release of a key or button that no step has seen down is
@@ -69,7 +69,7 @@ class Input {
     void begin_update();
     void end_step_or_update();
     /// Drops presses that no step has seen, since the game is paused.
-    void forget_presses();
+    void drop_unseen_presses();
     /// End of the frame: values per frame (the wheel) are reset, and releases that waited for a
     /// step are applied.
     void end_frame();

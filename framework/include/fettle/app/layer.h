@@ -31,7 +31,7 @@ class Layer {
     virtual void draw(Surface& surface, double seconds) = 0;
     /// The part of `whole` that this layer leaves free, in pixels: other layers draw texts there,
     /// such as the legend of the game's overlays or an error.
-    virtual ClipRectangle left_free(const ClipRectangle& whole) const { return whole; }
+    virtual ClipRectangle free_area(const ClipRectangle& whole) const { return whole; }
 };
 
 }  // namespace fettle::app

@@ -41,9 +41,9 @@ struct SteppedModule {
 };
 
 /// Gets all input of a loop in order, which is the content of a recording.
-class Witness {
+class LoopObserver {
   public:
-    virtual ~Witness() = default;
+    virtual ~LoopObserver() = default;
     /// `taken`: a layer used the event, so that the game does not get it.
     virtual void event(const InputEvent& event, bool taken) = 0;
     /// Called at the beginning and at the end of a frame or a turn.
@@ -54,7 +54,7 @@ class Witness {
     virtual void stepped() = 0;
 };
 
-/// **Lifetimes.** Tree and services outlive the loop; layers and the witness outlive the loop that
+/// **Lifetimes.** Tree and services outlive the loop; layers and the observer outlive the loop that
 /// they were given to. A runtime may be destroyed before the loop: then `stopped` is true, and
 /// `frame` and `turn` throw Error(deleted). Functions that the loop calls (hooks, callbacks, steps
 /// of modules, layers) must not destroy it: if one does, the program ends with a message that says
@@ -74,8 +74,8 @@ class Loop {
     /// The last added layer gets events first and is drawn last. Not owned.
     void add(Layer& layer);
     /// Called before the callbacks of the `n`th step of this run, from 1. It is called once for
-    /// each `n`, which counts as `lived` does and does not depend on `time.step`. A headless run
-    /// counts turns, so that a paused game can be resumed.
+    /// each `n`, which counts as `steps_made` does and does not depend on `time.step`. A headless
+    /// run counts turns, so that a paused game can be resumed.
     void before_step(std::function<void(std::uint64_t n)> hook);
 
     /// Called after each barrier, also after one that failed. Its exceptions leave the frame,
@@ -93,8 +93,8 @@ class Loop {
     void handle(const InputEvent& event);
     /// The same with the recorded result of the layers.
     void feed(const InputEvent& event, bool taken);
-    /// Sets the witness, which is not owned; null: none.
-    void witness(Witness* witness) { witness_ = witness; }
+    /// Sets the observer, which is not owned; null: none.
+    void set_observer(LoopObserver* observer) { observer_ = observer; }
     /// A frame, `seconds` of real time after the last one (below 0 counts as 0; Error(out_of_range)
     /// unless it is finite). Makes the steps that are due, at most `time.max_steps`; none once this
     /// run has made `step_limit` steps.
@@ -108,7 +108,7 @@ class Loop {
 
     /// Steps that this run has made; steps that are made again after going back count again. Turns
     /// of a headless run count, too, although they make no step while paused.
-    std::uint64_t lived() const { return lived_; }
+    std::uint64_t steps_made() const { return steps_made_; }
 
     /// Stops input, updates and steps, after an error. Edits still have an effect.
     void halt();
@@ -175,10 +175,10 @@ class Loop {
     std::function<void()> between_frames_;
     std::function<void(const script::ScriptError&)> on_error_;
     Timeline timeline_;
-    Witness* witness_ = nullptr;
+    LoopObserver* observer_ = nullptr;
     const char* pinned_ = nullptr;  // the running function that must not destroy the loop
     double due_seconds_ = 0;        // s of simulation time that are due
-    std::uint64_t lived_ = 0;
+    std::uint64_t steps_made_ = 0;
     std::uint64_t announced_ = 0;
     bool halted_ = false;
     bool closing_ = false;

@@ -26,7 +26,7 @@ class Loudspeaker {
     /// Ends all voices, before the services end.
     void silence();
     /// The reason why there is no sound, once; "" otherwise.
-    std::string take_problem();
+    std::string consume_problem();
 
   private:
     struct FETTLE_APP_PRIVATE Device;

@@ -50,7 +50,7 @@ struct RunFile {
 
 /// Records a run from its beginning, in memory, and in a file as soon as one is wanted. At any
 /// moment the file is a valid recording of the run so far.
-class Recorder : public Witness, public property::Observer {
+class Recorder : public LoopObserver, public property::Observer {
   public:
     explicit Recorder(const RunStart& start);
     ~Recorder() override;
@@ -146,7 +146,7 @@ class Recording {
 };
 
 /// Repeats a recorded run.
-class Replay : public Witness {
+class Replay : public LoopObserver {
   public:
     Replay(const Recording& recording, property::Tree& tree, script::Runtime& runtime, Loop& loop);
     ~Replay() override;

@@ -68,28 +68,28 @@ class Timeline {
 
     /// Whether the timeline has gone to a step before the newest since the last call. The tree is
     /// then in the state right after that step.
-    bool take_return() { return std::exchange(place_.returned, false); }
+    bool consume_went_back() { return std::exchange(place_.returned, false); }
 
-    /// Calls `look` for the kept steps from `from` on, in order, up to the present one, with the
+    /// Calls `visit` for the kept steps from `from` on, in order, up to the present one, with the
     /// tree in the state after that step. At the end the tree is as it was, bit for bit; as after
     /// any restoring, watchers are compared at the next barrier. If a snapshot was restored after
     /// `from`, begins there; does nothing if no step is kept. Throws as `go_to`
-    /// does. `look` must change nothing, and throw nothing.
-    void review(std::int64_t from, const std::function<void(std::int64_t step)>& look);
+    /// does. `visit` must change nothing, and throw nothing.
+    void review(std::int64_t from, const std::function<void(std::int64_t step)>& visit);
 
     /// As above, up to the step `to`, which may be later than the present one; at most to the
     /// newest one, and to the last before a snapshot was restored.
     void review(std::int64_t from, std::int64_t to,
-                const std::function<void(std::int64_t step)>& look);
+                const std::function<void(std::int64_t step)>& visit);
 
     /// Repeats the kept steps from `from` on as if something had been different: calls `change`
-    /// with the tree in the state after step `from`, then `look` for each step up to the present
+    /// with the tree in the state after step `from`, then `visit` for each step up to the present
     /// one. Writes of scripts come from the log, since scripts do not run; the modules compute new
-    /// values. At the end the tree is as it was, bit for bit, also if `change`, `look` or a step
+    /// values. At the end the tree is as it was, bit for bit, also if `change`, `visit` or a step
     /// throws: the exception is thrown then. If a snapshot was restored after `from`, begins
     /// there. Throws as `go_to` does, and Error(out_of_range) if `from` is not kept.
     void repeat_with(std::int64_t from, const std::function<void()>& change,
-                     const std::function<void(std::int64_t step)>& look);
+                     const std::function<void(std::int64_t step)>& visit);
 
     // --- Branches. If the game makes a step from an earlier one, the steps after that one are kept
     // as a branch. The past of the running game is the present branch; `Clock::branch` is its name.
@@ -115,7 +115,7 @@ class Timeline {
     /// As `review`, for the steps of another branch, up to its last one. Throws
     /// Error(unknown_name), too.
     void review_branch(const std::string& branch, std::int64_t from,
-                       const std::function<void(std::int64_t step)>& look);
+                       const std::function<void(std::int64_t step)>& visit);
 
     /// The share of the time of the game's steps that keyframes may take, 0.01 by default; a
     /// smaller share makes going to a step slower.
@@ -186,7 +186,7 @@ class Timeline {
     /// Where the tree is, and whether a step is being made.
     struct Place {
         std::int64_t here = 0;  // the step that the tree is at
-        bool returned = false;  // for `take_return`
+        bool returned = false;  // for `consume_went_back`
         bool in_step = false;
         bool stepping = false;  // in a step: changes are logged
     };
@@ -210,9 +210,9 @@ class Timeline {
     class FETTLE_APP_PRIVATE Travelling;
 
     bool on() const;
-    bool there_is_room() const;
+    bool memory_available() const;
     void share_room();
-    void forget_all();
+    void drop_all();
     void begin_log();
     void take_keyframe();
     struct FETTLE_APP_PRIVATE Room;
@@ -224,9 +224,9 @@ class Timeline {
     void save_changes();
     void travel(std::int64_t step);
     void replay(const Keyframe& frame, std::int64_t step,
-                const std::function<void(std::int64_t)>& look);
+                const std::function<void(std::int64_t)>& visit);
     void repeat_steps(const Keyframe& frame, const Steps& steps, std::int64_t from, std::int64_t to,
-                      const std::function<void(std::int64_t step)>& look);
+                      const std::function<void(std::int64_t step)>& visit);
     void drop(Steps::iterator step);
     // --- branches.cpp
     void keep_branch();

@@ -93,8 +93,8 @@ struct View {
     property::Vec2 center_before_{0, 0}, center_after_{0, 0};
 };
 
-/// Where an instance is, with all that it hangs below; the position of instances without one is
-/// that of what they hang below.
+/// Where an instance is, with all instances above it; the position of instances without one is
+/// that of their parent.
 property::Vec2 world_position(const property::Tree& tree, property::Handle instance);
 
 /// Adds the view to the tree as `view`, with `view.show` and `view.window`. It must outlive all use

@@ -24,7 +24,7 @@ class Tree;
 class Acceptance {
   public:
     /// Name of the parameter. Its value is true if there is a function.
-    static constexpr std::string_view parameter = "accept";
+    static constexpr std::string_view parameter_name = "accept";
 
     /// It is in use on this thread while the object lives. `method`: name of the method, for
     /// messages.
@@ -36,7 +36,7 @@ class Acceptance {
     /// The answer of the function in use; true if there is none. Never throws, because a search
     /// cannot be interrupted: after an exception, the function is not called any more and all
     /// answers are false.
-    static bool accepts(Handle instance) noexcept;
+    static bool is_accepted(Handle instance) noexcept;
     /// Call it after the method has returned: throws the exception of the function, if there was
     /// one.
     void finish() const;

@@ -168,19 +168,19 @@ struct Property {
         bool narrow = false;          // rounded to float
         // Values that may be written: in range, also after rounding, and so small that integers are
         // exact.
-        Range takes = Range::nothing();  ///< values that may be written
+        Range writable_range = Range::nothing();  ///< values that may be written
         /// Number of broad watchers (class, pattern) that may match this property. Set by
-        /// `note_interest`.
+        /// `set_interest`.
         mutable std::uint32_t interest = 0;
         /// Values that can be written by calling a plain `put` and nothing else. Empty while there
         /// is a watcher, or if the type does not fit, because then there may be no `put`.
         mutable Range numbers_at_once = Range::nothing();
         mutable Range vec2s_at_once = Range::nothing();  ///< as `numbers_at_once`
         /// Sets `interest` and the members that depend on it.
-        void note_interest(std::uint32_t watchers) const {
+        void set_interest(std::uint32_t watchers) const {
             interest = watchers;
             const auto taken = [&](Access access) {
-                return watchers == 0 && plain == access ? takes : Range::nothing();
+                return watchers == 0 && plain == access ? writable_range : Range::nothing();
             };
             numbers_at_once = taken(Access::number);
             vec2s_at_once = taken(Access::vec2);

@@ -31,9 +31,9 @@ class EditObserver {
     /// removed.
     virtual void edited(Handle, const Property&, const CellState& /*before*/) {}
     /// The instance was created; it has no place in the tree yet unless undo restored it.
-    virtual void born(Handle) {}
+    virtual void instance_created(Handle) {}
     /// Called before the instance and everything below it is deleted.
-    virtual void dying(Handle) {}
+    virtual void instance_deleting(Handle) {}
     /// The instance has another name or parent. Null parent: it was detached.
     virtual void moved(Handle, Handle /*old_parent*/, const std::string& /*old_name*/) {}
 };

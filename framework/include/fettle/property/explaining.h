@@ -29,8 +29,8 @@ void explain_with(Tree& tree, const Property& property, Explainer explainer);
 /// of its properties.
 void prepare_explanations(Tree& tree, Handle instance);
 /// True if `prepare_explanations` was called since the last call of this function. Then a host
-/// turns on `Tree::locate_writes`, so that `who` has the places of all writes.
-bool take_prepared(Tree& tree);
+/// turns on `Tree::locate_writes`, so that `last_writer` has the places of all writes.
+bool consume_explanation_request(Tree& tree);
 
 }  // namespace fettle::property
 

@@ -14,8 +14,8 @@ namespace fettle::property {
 
 /// The map from the coordinates below `instance` to those of the world; nothing if neither it nor
 /// an instance above has a place. A class with a function `Lifecycle::pose` has its place in the
-/// world, whatever it hangs below, as bodies have. Other instances have one by a property
-/// `position`, which is relative to what they hang below, with `angle` and `scale` if there are
+/// world, whatever its parent is, as bodies have. Other instances have one by a property
+/// `position`, which is relative to their parent, with `angle` and `scale` if there are
 /// such numbers. `on_screen`: the coordinates are those of a screen, with y down; angles are still
 /// counter-clockwise as seen. For `alpha`, see `Lifecycle::pose`. Values in error count with their
 /// last valid value.

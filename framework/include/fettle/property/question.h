@@ -69,8 +69,8 @@ class Question {
 /// Calls the handlers of an event of an instance. `values` are the values of the event's fields.
 /// The handlers may change the fields from `changeable` on; each handler sees the changes of those
 /// before it. Errors of handlers go to the tree's error sink, as at a barrier.
-void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
-         std::size_t changeable);
+void call_handlers(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
+                   std::size_t changeable);
 
 }  // namespace fettle::property
 

@@ -70,7 +70,7 @@ class Snapshot {
     const Memories& memories() const;                               ///< what its parts keep
     std::size_t held() const { return empty() ? 0 : data_->held; }  ///< bytes of them, estimated
     /// Moves the state out of the snapshot; a copy if it is shared.
-    std::vector<std::byte> take_payload() &&;
+    std::vector<std::byte> release_payload() &&;
 
     /// The bytes of a file: complete, with a version and a checksum of every byte. Functions are
     /// not included: formulas are restored from their text; handlers and timers that scripts began

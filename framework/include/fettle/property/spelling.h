@@ -18,6 +18,9 @@ namespace fettle::property {
 /// alignment.
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit);
 
+/// Whether `part` is somewhere in `text`, letter case ignored. Only letters in ASCII have a case.
+bool contains_ignoring_case(std::string_view text, std::string_view part);
+
 /// True if `name` is so similar to `declared` that it is probably a typing error: other case, one
 /// edit or one transposition. Names with fewer than four letters are compared by case only, because
 /// they are similar to many others. Names with different numbers or letters at the end (wheel1 and

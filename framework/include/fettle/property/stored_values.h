@@ -23,7 +23,7 @@ class StoredValues {
     Vec2 vec2(const Property& property) const;
     bool boolean(const Property& property) const;
     Color color(const Property& property) const;
-    Value copy(const Property& property) const { return tree_.peek(instance_, property); }
+    Value peek(const Property& property) const { return tree_.peek(instance_, property); }
     /// In place, valid until the next edit. Only for what the tree stores itself: texts, lists,
     /// references, and values that may be nil. Throws std::logic_error for any other property.
     const Value& value(const Property& property) const;

@@ -42,7 +42,7 @@ class EditObserver;
 class Observer;
 
 /// Data of a deleted instance.
-struct Remains {
+struct DeletedInfo {
     const Class& of;   ///< its class
     std::string name;  ///< its last name
 };
@@ -61,10 +61,10 @@ using PlainNames = std::map<std::string, std::uint32_t, std::less<>>;
 /// destroyed, or until `remove_part` and `unobserve`. As soon as its destruction begins, the tree
 /// calls no part, observer or formula any more, so lifecycle functions may destroy these then.
 /// A script::Runtime, a WriteLog and Tweaks may outlive the tree, but cannot be used then. The
-/// function of `way_back` does nothing then. A handler, a function given to `at_barrier` or a
-/// method may destroy the tree that calls it: `barrier` or `call` throws Error(deleted) after the
-/// function has returned. The following must not destroy the tree: formulas, lifecycle functions,
-/// setters, observers, functions that are called in the middle of a step or of a search
+/// function of `placement_restorer` does nothing then. A handler, a function given to `at_barrier`
+/// or a method may destroy the tree that calls it: `barrier` or `call` throws Error(deleted) after
+/// the function has returned. The following must not destroy the tree: formulas, lifecycle
+/// functions, setters, observers, functions that are called in the middle of a step or of a search
 /// (question.h, acceptance.h), and functions given to `each_below`, `mark_weight` or `restore`. If
 /// one does, the program ends with a message that names it. Getters, and setters that the typed
 /// functions call, must not do it either, but this is not checked, because a check would cost time
@@ -110,7 +110,7 @@ class Tree {
     const Class& class_of(Handle instance) const;  ///< throws Error(deleted)
     /// Data of a deleted instance, for messages about its handle; nullopt while it lives, and for
     /// instances that were deleted long ago.
-    std::optional<Remains> remains(Handle instance) const;
+    std::optional<DeletedInfo> deleted_info(Handle instance) const;
     /// The number of the instance's object in its module; throws Error(deleted).
     Row row(Handle instance) const;
     /// For modules whose object moved to another row outside `Lifecycle::place`. The tree does not
@@ -157,7 +157,7 @@ class Tree {
     /// and name, numbered if that is taken meanwhile. It never throws. It does nothing where `move`
     /// would throw (in a formula, for example), but can be called again later, and nothing if the
     /// instance, its parent or the tree does not exist any more.
-    std::function<void()> way_back(Handle instance);
+    std::function<void()> placement_restorer(Handle instance);
 
     // --- Properties
 
@@ -275,12 +275,12 @@ class Tree {
     /// hold entries that it has dropped.
     std::size_t history_bytes() const;
     std::size_t history_bytes_ever() const;  ///< with the entries that were dropped
-    Provenance who(Handle instance, const Property& property) const;  ///< the last writer
-    /// Call this before the state of another past is restored that is the same up to `step`: `who`
-    /// then says `restore` for values that were written after that step.
+    Provenance last_writer(Handle instance, const Property& property) const;  ///< the last writer
+    /// Call this before the state of another past is restored that is the same up to `step`:
+    /// `last_writer` then says `restore` for values that were written after that step.
     void forget_writers_after(std::uint64_t step);
-    /// Whether `who` has the place in a script of each write from now on. Otherwise it has the
-    /// places of edits and of changes of watched values only, because finding the place takes
+    /// Whether `last_writer` has the place in a script of each write from now on. Otherwise it has
+    /// the places of edits and of changes of watched values only, because finding the place takes
     /// longer than the write.
     void locate_writes(bool on);
 
@@ -377,8 +377,8 @@ class Tree {
     /// It is an `Inquiry`: getters and parts that are called cannot change the tree.
     Snapshot snapshot() const;
     /// Like `snapshot`, but written into `room`, which the snapshot keeps. For many snapshots, pass
-    /// the memory of an old one (`Snapshot::take_payload`): getting new pages from the system takes
-    /// longer than filling them.
+    /// the memory of an old one (`Snapshot::release_payload`): getting new pages from the system
+    /// takes longer than filling them.
     Snapshot snapshot(std::vector<std::byte> room) const;
     /// Restores the tree in place. Instances of the snapshot have their old handles again; later
     /// ones are deleted, and their handles will never refer to another instance. An instance that

@@ -67,9 +67,9 @@ class WriteLog : public Observer {
     void numbered(Handle parent, Symbol stem, std::uint32_t last);
 
   private:
-    enum class Did : std::uint8_t;
+    enum class EntryKind : std::uint8_t;
     class FETTLE_PROPERTY_PRIVATE Player;
-    void note(Did what, Handle instance, const Property& property);
+    void note(EntryKind what, Handle instance, const Property& property);
 
     /// Plain writes that belong after the first `at` bytes. They are copied only once, when the
     /// log is taken.

@@ -26,7 +26,7 @@ struct Observed {
     std::function<property::Value()> value;
     /// Computes the formulas of the properties that the text names, which `value` must not do: it
     /// would read their last results. Not to be called while the past is shown.
-    std::function<void()> settle = [] {};
+    std::function<void()> compute_formulas = [] {};
     /// Whether it was given as a function: its text does not contain the variables that it uses, so
     /// the text alone does not mean the same.
     bool is_function() const { return text.starts_with("function"); }

@@ -228,8 +228,8 @@ class Runtime {
     /// now. Throws Error for a text that does not compile.
     Observed observe(std::string_view expression);
     /// Sets the value of `it` in the console.
-    void set_it(property::Handle instance);
-    property::Handle it() const;  ///< the instance that is selected; null if none is
+    void set_selected(property::Handle instance);
+    property::Handle selected() const;  ///< the instance that is selected; null if none is
 
     // --- Calls that do not return
 

@@ -61,7 +61,7 @@ std::vector<std::string> Assets::names(Endings endings) const {
     std::vector<std::string> found;
     if (!game_.empty()) add_names(game_, endings, found);
     if (!game_.empty())
-        for (std::string& name : files_.held_below(game_))
+        for (std::string& name : files_.names_in_memory(game_))
             if (has_ending(name, endings) && std::ranges::find(found, name) == found.end())
                 found.push_back(std::move(name));
     if (!shared_.empty()) add_names(shared_, endings, found);

@@ -140,7 +140,7 @@ std::size_t GameFiles::times_seen(const Path& file) const {
     return sum;
 }
 
-std::vector<std::string> GameFiles::held_below(const Path& folder) const {
+std::vector<std::string> GameFiles::names_in_memory(const Path& folder) const {
     std::vector<std::string> names;
     const Path top = key(folder);
     for (const auto& [file, content] : held_)
@@ -219,20 +219,20 @@ std::shared_ptr<void> GameFiles::lock() {
 
 // --- Reports -------------------------------------------------------------------------------------
 
-void GameFiles::listen(std::function<void(const Finding&)> listener) {
+void GameFiles::on_first_access(std::function<void(const FileState&)> listener) {
     listener_ = std::move(listener);
-    for (Finding& finding : std::exchange(findings_, {})) add(std::move(finding));
+    for (FileState& state : std::exchange(unreported_, {})) add(std::move(state));
 }
 
-void GameFiles::add(Finding finding) {
+void GameFiles::add(FileState state) {
     if (const auto listener = listener_)  // a copy, because it may replace itself
-        listener(finding);
+        listener(state);
     else
-        findings_.push_back(std::move(finding));
+        unreported_.push_back(std::move(state));
 }
 
 void GameFiles::note(const Path& file, const std::optional<std::string>& content) {
-    if (!notes_) return;
+    if (!records_reads_) return;
     Path path = key(file);
     Known& known = known_[path];
     if (known.looked_at || known.overwritten) return;
@@ -241,12 +241,12 @@ void GameFiles::note(const Path& file, const std::optional<std::string>& content
          .checksum = content ? std::optional(checksum_of(*content)) : std::nullopt});
 }
 
-void GameFiles::looks_at(const Path& file) {
-    if (notes_) note(file, content_on_disk(file, greatest_module));
+void GameFiles::note_read(const Path& file) {
+    if (records_reads_) note(file, content_on_disk(file, greatest_module));
 }
 
 void GameFiles::note_overwritten(const Path& file) {
-    if (!notes_) return;
+    if (!records_reads_) return;
     Path path = key(file);
     Known& known = known_[path];
     if (known.overwritten) return;

@@ -150,7 +150,7 @@ void GameSaves::load(const std::string& slot) {
 
 void GameSaves::remove(const std::string& slot) {
     Saves::check_slot(slot);
-    const bool known = forget(slot);
+    const bool known = discard(slot);
     if (!options_.writes) {
         if (!known) refuse_unknown(slot);
     } else if (!known || saves_.exists(slot)) {
@@ -159,7 +159,7 @@ void GameSaves::remove(const std::string& slot) {
     if (options_.changed) options_.changed(slot);
 }
 
-bool GameSaves::forget(const std::string& slot) {
+bool GameSaves::discard(const std::string& slot) {
     std::size_t found = requested_.erase(slot) + unwritten_.erase(slot);
     found += std::erase_if(loaded_, [&](const auto& each) { return each.second == slot; });
     found += std::erase_if(waiting_, [&](const Waiting& each) { return each.slot == slot; });

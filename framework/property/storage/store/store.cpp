@@ -234,11 +234,11 @@ void Store::drop(const Entry& entry) {
     if (!entry.content) return;
     tables_.erase(entry.table);
     for (const auto& [key, each] : entry.content->entries) drop(each);
-    if (entry.content.use_count() > 1) keep_for_readers(entry);
+    if (entry.content.use_count() > 1) track_removed_content(entry);
 }
 
 /// Limits the memory of contents that are no longer in the store and that readers still have.
-void Store::keep_for_readers(const Entry& entry) {
+void Store::track_removed_content(const Entry& entry) {
     const std::size_t bytes = store_size({}, entry);
     gone_.push_back({entry.content, bytes});
     gone_bytes_ += bytes;

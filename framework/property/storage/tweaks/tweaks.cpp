@@ -251,13 +251,13 @@ void Tweaks::State::name_deleted(Image& image, const Value& value) const {
     image.value = text + "}";
 }
 
-void Tweaks::State::born(Handle instance) {
+void Tweaks::State::instance_created(Handle instance) {
     if (attached(instance)) rename_mentions(path_of_deleted(instance), tree.path(instance));
     if (is_in_fresh.insert(instance.key()).second) fresh.push_back(instance);
     barriers_to_retry = 0;
 }
 
-void Tweaks::State::dying(Handle instance) {
+void Tweaks::State::instance_deleting(Handle instance) {
     if (attached(instance)) rename_mentions(tree.path(instance), path_of_deleted(instance));
     // An instance that was created since the last barrier leaves no entry.
     if (is_in_fresh.erase(instance.key()) != 0) {

@@ -51,10 +51,10 @@ void Tweaks::State::barrier() {
 /// Makes tweaks of the instances created since the last call. `moving`: an instance that was just
 /// moved below another parent, and existed before the new ones.
 void Tweaks::State::make_fresh_entries(Handle moving) {
-    const std::vector<Handle> born = std::move(fresh);
+    const std::vector<Handle> created_now = std::move(fresh);
     fresh.clear();
     std::unordered_set<std::uint64_t> seen;  // restored instances are in the list twice
-    for (const Handle instance : born) {
+    for (const Handle instance : created_now) {
         if (!tree.alive(instance) || !attached(instance)) continue;
         if (!seen.insert(instance.key()).second) continue;
         // An instance below a new one is part of the tweak of the new one.

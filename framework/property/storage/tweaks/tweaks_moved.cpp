@@ -24,7 +24,7 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     const bool into_new = is_fresh(instance), out_of_new = old_parent && is_fresh(old_parent);
     if (out_of_new && !known) return;
     if (into_new || out_of_new) make_fresh_entries(instance);
-    if (!was && is) return born(instance);
+    if (!was && is) return instance_created(instance);
     if (!was) return;
     if (!is) return note_deletion(instance, old_parent, old_path);
     if (moved_with_creation(instance, old_parent, old_path)) return;
@@ -212,7 +212,7 @@ bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
     if (above == nullptr) return false;
     if (created_above(tree.parent(instance)) != above) {
         if (!taken_out_of_creation(instance, old_parent)) return false;
-        born(instance);  // it has its own tweak from now on
+        instance_created(instance);  // it has its own tweak from now on
         return true;
     }
     repath(instance, old_path);

@@ -73,8 +73,8 @@ struct Tweaks::State : EditObserver {
 
     // tweaks.cpp: edits
     void edited(Handle instance, const Property& property, const CellState& before) override;
-    void born(Handle instance) override;
-    void dying(Handle instance) override;
+    void instance_created(Handle instance) override;
+    void instance_deleting(Handle instance) override;
     void moved(Handle instance, Handle old_parent, const std::string& old_name) override;
     bool attached(Handle instance) const;
     bool is_fresh(Handle instance) const;

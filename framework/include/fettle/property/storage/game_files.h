@@ -54,7 +54,7 @@ class GameFiles {
     [[nodiscard]] std::shared_ptr<void> lock();
 
     /// The state in which the run found a file.
-    struct Finding {
+    struct FileState {
         std::filesystem::path file;
         std::optional<std::uint64_t> checksum;  // none: the file did not exist
         /// True if it is about to be written, which loses its content.
@@ -62,17 +62,18 @@ class GameFiles {
         std::optional<std::string> content{};  // of an overwritten file that existed
     };
     /// Reports every file once when it is first read or checked, and before it is first written.
-    /// Earlier ones are reported at once. Requires a call of `take_note` before anything is read.
-    void listen(std::function<void(const Finding&)> listener);
-    /// Remembers from now on which files are read, for `listen`.
-    void take_note() { notes_ = true; }
+    /// Earlier ones are reported at once. Requires a call of `record_reads` before anything is
+    /// read.
+    void on_first_access(std::function<void(const FileState&)> listener);
+    /// Remembers from now on which files are read, for `on_first_access`.
+    void record_reads() { records_reads_ = true; }
     /// Calls `listener` after each write to the disk, with the file as it was passed.
     void on_write(std::function<void(const std::filesystem::path&)> listener) {
         on_write_ = std::move(listener);
     }
     /// Must be called when other code of the game reads that file, for example the loader of its
     /// module.
-    void looks_at(const std::filesystem::path& file);
+    void note_read(const std::filesystem::path& file);
 
     /// The game's files that were read or found missing so far, without those that are held in
     /// memory.
@@ -80,7 +81,7 @@ class GameFiles {
     /// How often that file was read, or looked for.
     std::size_t times_seen(const std::filesystem::path& file) const;
     /// Names below the folder of files that are held in memory, with forward slashes.
-    std::vector<std::string> held_below(const std::filesystem::path& folder) const;
+    std::vector<std::string> names_in_memory(const std::filesystem::path& folder) const;
     /// Bytes that may be written from now on, all files together; further writes throw FileError.
     void limit_writes(std::size_t bytes) { writable_ = bytes; }
 
@@ -98,7 +99,7 @@ class GameFiles {
     const std::optional<std::string>* held(const Path& file) const;
     void note(const Path& file, const std::optional<std::string>& content);
     void note_overwritten(const Path& file);
-    void add(Finding finding);
+    void add(FileState state);
 
     void see(const Path& file) { ++seen_[file]; }
 
@@ -107,14 +108,14 @@ class GameFiles {
     };
     Path game_, shared_;  // without links; empty: not set
     Path named_;          // the game's folder as it was passed
-    bool notes_ = false;
+    bool records_reads_ = false;
     bool in_memory_ = false;
     std::map<Path, std::optional<std::string>> held_;  // in place of the files on the disk
     std::map<Path, Known> known_;
     std::map<Path, std::size_t> seen_;  // as they were passed; how often
     std::optional<std::size_t> writable_;
-    std::vector<Finding> findings_;  // not yet reported
-    std::function<void(const Finding&)> listener_;
+    std::vector<FileState> unreported_;  // not yet reported
+    std::function<void(const FileState&)> listener_;
     std::function<void(const Path&)> on_write_;
 };
 

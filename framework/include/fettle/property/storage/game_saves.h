@@ -60,7 +60,7 @@ class GameSaves {
     /// Removes the file and a save that still waits. Throws as `Saves::remove` does.
     void remove(const std::string& slot);
     /// Removes a save that has no file. False if there is none.
-    bool forget(const std::string& slot);
+    bool discard(const std::string& slot);
     /// Like `Saves::list`; in addition, a save that this game cannot restore has a problem.
     std::vector<SaveInfo> list() const;
     const Saves& slots() const { return saves_; }

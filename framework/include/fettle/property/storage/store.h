@@ -108,7 +108,7 @@ class Store {
     const Place& place(Table table) const;
     void adopt(Entry& entry, Table parent, const Key& key);
     void drop(const Entry& entry);
-    void keep_for_readers(const Entry& entry);
+    void track_removed_content(const Entry& entry);
     void note(const Key& top);
     Changes take_changes();
     void put_back(Changes changes);

@@ -1,4 +1,4 @@
-#include "wild/trial.h"
+#include "wild/plan_run.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -27,7 +27,7 @@ class WatchedRun {
             watches_.push_back({invariant.name, invariant.make_check(plan)});
     }
 
-    void step(RunningWorld& world, int step, Trial& trial) {
+    void step(RunningWorld& world, int step, PlanRun& result) {
         world.prepare(step);
         const bool edited = now_.edited_at(step);
         if (edited || step == 0)
@@ -38,18 +38,18 @@ class WatchedRun {
         if (edited) follow_edits(step);
         const float dt = now_.length_of(step);
         world.advance(dt);
-        ++trial.steps;
+        ++result.steps;
         world.read(after_);
         time_ += dt;
         const auto is_awake = [](const BodyNow& body) {
             return body.exists && body.awake && body.type == BodyType::dynamic_body;
         };
-        if (std::ranges::any_of(after_, is_awake)) trial.awake = time_;
+        if (std::ranges::any_of(after_, is_awake)) result.awake = time_;
         const Moment moment{now_,           step,    dt,     edited,
                             edited_bodies_, before_, after_, world.fettle()};
         std::erase_if(watches_, [&](const Watch& watch) {
             const auto what = watch.check->violation(moment);
-            if (what) trial.findings.push_back({watch.name, step, *what});
+            if (what) result.findings.push_back({watch.name, step, *what});
             return what.has_value();
         });
     }
@@ -77,17 +77,17 @@ class WatchedRun {
 
 }  // namespace
 
-Trial try_plan(const WorldPlan& plan, const MakeWorld& make, std::span<const Invariant> watched) {
-    Trial trial;
+PlanRun try_plan(const WorldPlan& plan, const MakeWorld& make, std::span<const Invariant> watched) {
+    PlanRun result;
     int step = 0;
     try {
         const std::unique_ptr<RunningWorld> world = make(plan);
         WatchedRun run(plan, watched);
-        for (; step < plan.steps && !run.is_over(); ++step) run.step(*world, step, trial);
+        for (; step < plan.steps && !run.is_over(); ++step) run.step(*world, step, result);
     } catch (const std::exception& error) {
-        trial.findings.push_back({"throws", step, error.what()});
+        result.findings.push_back({"throws", step, error.what()});
     }
-    return trial;
+    return result;
 }
 
 std::vector<Invariant> invariants_named(const std::vector<std::string>& names) {

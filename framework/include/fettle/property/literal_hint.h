@@ -12,7 +12,7 @@ namespace fettle::property {
 
 /// How a value of another type is written as a value of `type`, as in " (write vec(1, 2))". "" if
 /// what is meant is not obvious. Channels of a color may be given as a list of numbers.
-std::string way_to_write(Type type, const Value& value);
+std::string literal_hint(Type type, const Value& value);
 
 }  // namespace fettle::property
 

@@ -1,4 +1,4 @@
-#include <fettle/property/meant_value.h>
+#include <fettle/property/literal_hint.h>
 
 #include <algorithm>
 #include <charconv>
@@ -50,7 +50,7 @@ std::string way_to_write_color(const Value& value) {
 
 }  // namespace
 
-std::string way_to_write(Type type, const Value& value) {
+std::string literal_hint(Type type, const Value& value) {
     switch (type) {
         case Type::vec2:
             return way_to_write_vec(value);
