@@ -97,7 +97,7 @@ function fettle_Store:clear() end
 ---@return boolean
 function fettle_Store:has(name) end
 
----What watch, on, after and every return.
+---The result of watch, on, after and every.
 ---@class Connection
 local fettle_Connection = {}
 
@@ -283,7 +283,7 @@ function fettle_Class:watch(property, handler) end
 ---@class PropertyDescription
 ---@field class Class? The class that a reference, or a list of them, takes.
 ---@field clamp boolean Whether what is out of range is clamped instead of refused.
----@field default any Nil for what is computed.
+---@field default any nil if the property is computed.
 ---@field derives_from string[] What it is computed from, as paths from its instance.
 ---@field doc string What it means.
 ---@field element string? Type of a list's elements.
@@ -476,7 +476,7 @@ Object = {}
 ---@field console Console The in-game console and inspector.
 ---@field input Input What the player does: keys, mouse, gamepads, and the actions bound to them.
 ---@field interface Interface What all widgets have in common.
----@field time Time Simulation time: how fast it passes, and how far it is.
+---@field time Time Simulation time: how fast it passes, and how much has passed.
 ---@field view View Which part of the world is seen, and what lies over it.
 ---@field world World Bodies below it are simulated together. Its child `step` describes the last step.
 local fettle_Game = {}
@@ -1195,7 +1195,7 @@ Chain = {}
 ---@field instance Mover The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----A character: a body with the form of an upright capsule, which walks up slopes and steps, rides on platforms, passes through ledges from below and pushes crates. Its position is at its feet. It moves by itself while its type is "kinematic"; with "dynamic" it is a body like others.
+---A character: a body with the shape of an upright capsule, which walks up slopes and steps, rides on platforms, passes through ledges from below and pushes crates. Its position is at its feet. It moves by itself while its type is "kinematic"; with "dynamic" it is a body like others.
 ---@class Mover : Body
 ---@field acceleration number Acceleration to the speed `walk` on the ground. · m/s² · at least 0 · default 60
 ---@field air_acceleration number Acceleration to the speed `walk` in the air. · m/s² · at least 0 · default 20
@@ -1252,7 +1252,7 @@ function fettle_Mover:jump(speed) end
 ---@overload fun(self: Mover, event: "crushed", handler: fun(record: Mover.crushed)): Connection
 function fettle_Mover:on(event, handler) end
 
----A character: a body with the form of an upright capsule, which walks up slopes and steps, rides on platforms, passes through ledges from below and pushes crates. Its position is at its feet. It moves by itself while its type is "kinematic"; with "dynamic" it is a body like others.
+---A character: a body with the shape of an upright capsule, which walks up slopes and steps, rides on platforms, passes through ledges from below and pushes crates. Its position is at its feet. It moves by itself while its type is "kinematic"; with "dynamic" it is a body like others.
 ---@class Class.Mover : Class
 ---@overload fun(members?: table): Mover
 Mover = {}
@@ -1592,7 +1592,7 @@ Attractor = {}
 ---@field instance Sprite The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----A picture in the world or, in a layer, on the screen. What it hangs below moves it: a body, another sprite, or any instance with a `position`.
+---A picture in the world or, in a layer, on the screen. Its parent moves it: a body, another sprite, or any instance with a `position`.
 ---@class Sprite : Object
 ---@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1e6 to 1e6 · default 0
 ---@field animation string The frames that are played: a tag of an Aseprite file, or the first and the last frame, such as "3-6". Empty: all frames. · any text · default ""
@@ -1629,12 +1629,12 @@ local fettle_Sprite = {}
 ---@overload fun(self: Sprite, event: "finished", handler: fun(record: Sprite.finished)): Connection
 function fettle_Sprite:on(event, handler) end
 
----A picture in the world or, in a layer, on the screen. What it hangs below moves it: a body, another sprite, or any instance with a `position`.
+---A picture in the world or, in a layer, on the screen. Its parent moves it: a body, another sprite, or any instance with a `position`.
 ---@class Class.Sprite : Class
 ---@overload fun(members?: table): Sprite
 Sprite = {}
 
----Written text in the world or, in a layer, on the screen. What it hangs below moves it, as a Sprite.
+---Written text in the world or, in a layer, on the screen. Its parent moves it, as that of a Sprite does.
 ---@class Text : Object
 ---@field align "left"|"center"|"right" Where lines begin that are shorter than the longest. · "left", "center", "right" · default "center"
 ---@field anchor vec The point of the text that is at its position: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1e6 to 1e6 · default vec(0.5, 0.5)
@@ -1653,7 +1653,7 @@ Sprite = {}
 ---@field wrap number Longest line; words beyond it begin another line, and a word that is longer has one of its own. Chinese, Japanese and Korean are divided between characters. 0: no limit. Pixels in a layer on the screen. · m · 0 to 1e9 · default 0
 local fettle_Text = {}
 
----Written text in the world or, in a layer, on the screen. What it hangs below moves it, as a Sprite.
+---Written text in the world or, in a layer, on the screen. Its parent moves it, as that of a Sprite does.
 ---@class Class.Text : Class
 ---@overload fun(members?: table): Text
 Text = {}
@@ -1807,7 +1807,7 @@ TileLayer = {}
 ---@field instance Emitter The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----Sparks, smoke, rain: many small pictures that begin here, fly, change and end. What it hangs below moves it: a body, a sprite, or any instance with a `position`.
+---Sparks, smoke, rain: many small pictures that begin here, fly, change and end. Its parent moves it: a body, a sprite, or any instance with a `position`.
 ---@class Emitter : Object
 ---@field angle number Direction in which particles fly: 0 is to the right, pi / 2 upwards. Relative to what it hangs below. · rad · -1e6 to 1e6 · default 0
 ---@field area vec Width and height of the shape; pixels in a layer on the screen. · m · 0 to 1e6 · default vec(1, 1)
@@ -1851,7 +1851,7 @@ function fettle_Emitter:emit(count) end
 ---@overload fun(self: Emitter, event: "finished", handler: fun(record: Emitter.finished)): Connection
 function fettle_Emitter:on(event, handler) end
 
----Sparks, smoke, rain: many small pictures that begin here, fly, change and end. What it hangs below moves it: a body, a sprite, or any instance with a `position`.
+---Sparks, smoke, rain: many small pictures that begin here, fly, change and end. Its parent moves it: a body, a sprite, or any instance with a `position`.
 ---@class Class.Emitter : Class
 ---@overload fun(members?: table): Emitter
 Emitter = {}
@@ -1862,7 +1862,7 @@ Emitter = {}
 ---@field fork integer The last step that it has in common with the present branch.
 ---@field newest integer Its last step.
 
----Simulation time: how fast it passes, and how far it is.
+---Simulation time: how fast it passes, and how much has passed.
 ---@class Time : Object
 ---@field alpha number How far the picture is between the last two steps. · 0 to 1 · read-only, simulated
 ---@field branch string The name of the present branch; time:name_branch changes it. · any text · read-only, simulated
@@ -1906,7 +1906,7 @@ function fettle_Time:name_branch(name, branch) end
 ---@param branch string The name of a branch.
 function fettle_Time:switch_to(branch) end
 
----Simulation time: how fast it passes, and how far it is.
+---Simulation time: how fast it passes, and how much has passed.
 ---@class Class.Time : Class
 Time = {}
 
@@ -2099,7 +2099,7 @@ local fettle_Sound = {}
 ---@overload fun(members?: table): Sound
 Sound = {}
 
----Music from a file, decoded while it plays. One of a bus sounds at a time: another one fades in while it fades out.
+---Music from a file, decoded while it plays. In each bus only one sounds at a time: another one fades in while it fades out.
 ---@class Music : SoundSource
 ---@field bus string The name of the bus in `audio.buses` whose volume applies to it, too. · any text · default "music"
 ---@field fade number How long it takes to fade in, and other music of its bus to fade out. · s · 0 to 1000 · default 1
@@ -2107,7 +2107,7 @@ Sound = {}
 ---@field loop boolean Whether it begins again at the end. · true or false · default true
 local fettle_Music = {}
 
----Music from a file, decoded while it plays. One of a bus sounds at a time: another one fades in while it fades out.
+---Music from a file, decoded while it plays. In each bus only one sounds at a time: another one fades in while it fades out.
 ---@class Class.Music : Class
 ---@overload fun(members?: table): Music
 Music = {}
@@ -2164,7 +2164,7 @@ Synth = {}
 ---@field instance Voice The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----One sounding of a Sound, Music or Synth; `play` makes it. It ends with the sound, in simulation time.
+---A Sound, Music or Synth that is playing once; `play` makes it. It ends with the sound, in simulation time.
 ---@class Voice : Object
 ---@field fade number Loudness while it fades, on its way to `fade_to`. · 0 to 1 · default 1
 ---@field fade_time number How long it takes to fade from 0 to 1. · s · 0 to 1000 · default 0
@@ -2190,7 +2190,7 @@ function fettle_Voice:stop(fade) end
 ---@overload fun(self: Voice, event: "finished", handler: fun(record: Voice.finished)): Connection
 function fettle_Voice:on(event, handler) end
 
----One sounding of a Sound, Music or Synth; `play` makes it. It ends with the sound, in simulation time.
+---A Sound, Music or Synth that is playing once; `play` makes it. It ends with the sound, in simulation time.
 ---@class Class.Voice : Class
 ---@overload fun(members?: table): Voice
 Voice = {}
@@ -2672,7 +2672,7 @@ List = {}
 ---@field instance Button The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----Something to press: with the mouse, return or space, or A on the gamepad.
+---Something to press: with the mouse, Enter or Space, or A on the gamepad.
 ---@class Button : Widget
 ---@field bind string Path of the keys of an action, such as input.actions.jump: the button shows them, and after a press the player chooses another one. · any text · default ""
 ---@field color color? Its background; nil: that of its look. · 0 to 1 · default nil · may be nil
@@ -2700,7 +2700,7 @@ local fettle_Button = {}
 ---@overload fun(self: Button, event: "captured", handler: fun(record: Button.captured)): Connection
 function fettle_Button:on(event, handler) end
 
----Something to press: with the mouse, return or space, or A on the gamepad.
+---Something to press: with the mouse, Enter or Space, or A on the gamepad.
 ---@class Class.Button : Class
 ---@overload fun(members?: table): Button
 Button = {}
@@ -3043,7 +3043,7 @@ input = nil
 ---@type Interface
 interface = nil
 
----Simulation time: how fast it passes, and how far it is.
+---Simulation time: how fast it passes, and how much has passed.
 ---@type Time
 time = nil
 
@@ -3082,12 +3082,12 @@ function ab(path, value, seconds) end
 ---@return Connection
 function after(seconds, action, options) end
 
----In the console the word stands for the command; what is typed after it is put after the command. Without a command the word means itself again.
+---In the console the word stands for the command; what is typed after it is put after the command. Without a command the alias is removed.
 ---@param word string
 ---@param command? string
 function alias(word, command) end
 
----Runs the command whenever the key goes down, also while the console is closed: bind("f5", "rewind(5)"). Keys have the names of the class Keys. The game does not get the key. Without a command the key is the game's again.
+---Runs the command whenever the key goes down, also while the console is closed: bind("f5", "rewind(5)"). Keys have the names of the class Keys. The game does not get the key. Without a command the game gets the key again.
 ---@param key string
 ---@param command? string
 function bind(key, command) end
@@ -3101,7 +3101,7 @@ function bookmark(name, step) end
 ---@return table
 function bookmarks() end
 
----Pauses the game after the step in which the condition becomes true, and prints its old and new value and who wrote it. A value that is not a boolean breaks when it changes. `breaks` lists the conditions, `unbreak` ends one; without a condition all end.
+---Pauses the game after the step in which the condition becomes true, and prints its old and new value and what wrote it. If the value is not a boolean, the game pauses when it changes. `breaks` lists the conditions, `unbreak` ends one; without a condition all end.
 ---@param condition? string|fun(): any
 function break_when(condition) end
 
@@ -3186,7 +3186,7 @@ function history() end
 ---@param pattern string
 function keep(pattern) end
 
----Searches the kept past for the last step at which the condition was true, and goes there. While it is true now, it goes to the step at which it became so.
+---Searches the kept past for the last step at which the condition was true, and goes there. If it is true now, it goes to the step at which it became true.
 ---@param condition string|fun(): any
 function last_time(condition) end
 
@@ -3199,7 +3199,7 @@ function load_game(slot) end
 ---@param ... string|fun(): any
 function pin(what, ...) end
 
----In the console: shows the last seconds once more, as they were; at the present the game goes on, unless it was paused before. Without seconds, or with more than is kept, it begins with the oldest step that is kept. In the past it shows what follows.
+---In the console: shows the last seconds once more, as they were; then the game goes on, unless it was paused before. Without seconds, or with more than is kept, it begins with the oldest step that is kept. After going back it shows what followed.
 ---@param seconds? number
 function play_back(seconds) end
 
@@ -3207,7 +3207,7 @@ function play_back(seconds) end
 ---@param ... string|fun(): any
 function plot(...) end
 
----Finds what a pattern matches. If its last part is the name of a child, the result is a set of instances: query("world.*.circle"). If it is the name of a property, or a star, which stands for every property, the result is a table of values by path: query("world.*.mass"). If nothing matches, it is an empty set. Formulas in error are left out. A condition gives the set of instances for which it holds: query("Body and mass > 5 and position.x < 0"). It can compare and compute, and calls nothing. The name of a class is one, unless something of that name is at the top: query("Body").
+---Finds what a pattern matches. If its last part is the name of a child, the result is a set of instances: query("world.*.circle"). If it is the name of a property, or a star, which stands for every property, the result is a table of values by path: query("world.*.mass"). If nothing matches, it is an empty set. Formulas in error are left out. A condition gives the set of instances for which it holds: query("Body and mass > 5 and position.x < 0"). It can compare and compute, and calls nothing. The name of a class is a condition, unless `game` has something of that name: query("Body").
 ---@param pattern string
 ---@return Set|table<string, any>
 function query(pattern) end
@@ -3227,7 +3227,7 @@ function random() end
 ---@param pattern string
 function reapply_tweaks(pattern) end
 
----A command of the console, and the red button of the time bar: writes a recording of the run, from its first step to the present one and then all that follows, until record(false) or the end of the run. `fettle run --replay FILE` plays it again, and compares every step that was made while it was written. The file is in the folder `recordings` of the player's files, and the command prints where. A run in a window can be recorded so, until one of its files changes and is read again; the first 64 MB of it are kept for that.
+---A command of the console, and the red button of the time bar: writes a recording of the run, from its first step to the present one and then all that follows, until record(false) or the end of the run. `fettle run --replay FILE` plays it again, and compares every step that was made while it was written. The file is in the folder `recordings` of the player's files, and the command prints where. This works for a run in a window until one of its files changes and is read again; for this purpose the first 64 MB of a recording are kept.
 ---@param on? boolean
 function record(on) end
 
@@ -3283,7 +3283,7 @@ function share(name) end
 ---@return Snapshot
 function snapshot() end
 
----Declares a variable of the game that is a property of `game`: state("score", 0). From then on, `score` reads and writes game.score, so it is saved, rewound, watched and inspected. The value is given only if there is none yet: one that a saved game or a reload has brought stays. Returns the current value.
+---Declares a variable of the game that is a property of `game`: state("score", 0). From then on, `score` reads and writes game.score, so it is saved, rewound, watched and inspected. The value is set only if there is none yet: one from a saved game or from before a reload stays. Returns the current value.
 ---@param name string
 ---@param value any
 ---@return any
@@ -3345,7 +3345,7 @@ function wait(seconds) end
 ---@return Connection
 function watch(pattern, handler) end
 
----Prints who wrote a property last, and at which step: "console:1, step 49". After going back in time, that is the last write before that moment, or "restore, step 30" if none is known. The file and line of a script are known if the property was watched when it was written; otherwise only "script" is printed. For a value that the simulation changes, the last other writer is printed; the simulation is printed only if there is no other writer or the property is watched.
+---Prints what wrote a property last, and at which step: "console:1, step 49". After going back in time, that is the last write before that moment, or "restore, step 30" if none is known. The file and line of a script are known if the property was watched when it was written; otherwise only "script" is printed. For a value that the simulation changes, the last other writer is printed; the simulation is printed only if there is no other writer or the property is watched.
 ---@param path string
 function who(path) end
 
@@ -3376,7 +3376,7 @@ function coroutine.close(thread) end
 ---@return thread
 function coroutine.create(action) end
 
----Whether what runs can yield.
+---Whether the running function can yield.
 ---@return boolean
 function coroutine.isyieldable() end
 
@@ -3407,7 +3407,7 @@ function coroutine.wrap(action) end
 ---@return any
 function coroutine.yield(...) end
 
----Stops what runs with an error.
+---Raises an error, which ends the running function.
 ---@param message any
 ---@param level? integer
 function error(message, level) end
@@ -3579,7 +3579,7 @@ function math.ult(a, b) end
 ---@return any
 function next(table, key) end
 
----Processor time used, in seconds. A recording does not hold it.
+---Processor time used, in seconds. It is not recorded.
 ---@return number
 function os.clock() end
 
@@ -3595,7 +3595,7 @@ function os.date(format, time) end
 ---@return number
 function os.difftime(later, earlier) end
 
----Seconds since 1970. A recording does not hold it: a game that keeps it in a property is not replayed as it was.
+---Seconds since 1970. It is not recorded: a game that keeps it in a property differs in a replay.
 ---@param date? table
 ---@return integer
 function os.time(date) end
@@ -3614,7 +3614,7 @@ function pairs(table) end
 ---@return any
 function pcall(action, ...) end
 
----Prints values: to the console, and to the terminal. Of a table it prints what is in it, on one line.
+---Prints values: to the console, and to the terminal. For a table it prints the entries, on one line.
 ---@param ... any
 function print(...) end
 
@@ -3734,12 +3734,12 @@ function string.packsize(format) end
 ---@return string
 function string.rep(text, count, separator) end
 
----Its bytes backwards.
+---The bytes of a text in reverse order.
 ---@param text string
 ---@return string
 function string.reverse(text) end
 
----A part of it; negative places count from the end.
+---A part of a text; negative places count from the end.
 ---@param text string
 ---@param from integer
 ---@param to? integer
@@ -3858,7 +3858,7 @@ function utf8.len(text, from, to) end
 ---@return integer?
 function utf8.offset(text, n, from) end
 
----Calls the function; the handler sees an error where it arises.
+---Calls the function; the handler is called with an error at the place where it was raised.
 ---@param action function
 ---@param handler fun(error: any): any
 ---@param ... any
@@ -3878,7 +3878,7 @@ function update(dt, real_dt) end
 ---@param dt number
 function step(dt) end
 
----Called for every picture, over what draws itself.
+---Called for every picture, after the instances that draw themselves.
 ---@param pen Pen
 function draw(pen) end
 
@@ -3894,7 +3894,7 @@ function key_pressed(key) end
 ---@param key string
 function key_released(key) end
 
----A character was typed, by whatever keys.
+---A character was typed, by one key or several.
 ---@param text string
 function text_input(text) end
 
@@ -3964,5 +3964,5 @@ function leave() end
 ---@param files string[]
 function reloaded(files) end
 
----The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for it. quit() and the end of --steps do not call it. After it no update and no draw is called; watchers and handlers of events still hear what it changed. After a signal it may take five seconds.
+---The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) was received. quit() and the end of --steps do not call it. After it no update and no draw is called; watchers and handlers of events are still called for what it changed. After a signal it may take five seconds.
 function closing() end

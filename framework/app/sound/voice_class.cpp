@@ -97,7 +97,8 @@ void end_voice(void* context, Tree&, Handle self, Row) {
 void define_voice(Audio::State& state) {
     state.classes.voice = &state.tree.define(
         {.name = "Voice",
-         .doc = "One sounding of a Sound, Music or Synth; `play` makes it. It ends with the sound, "
+         .doc = "A Sound, Music or Synth that is playing once; `play` makes it. It ends with the "
+                "sound, "
                 "in simulation time.",
          .properties = properties_of_voices(),
          .methods = {{.name = "stop",

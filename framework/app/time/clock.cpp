@@ -371,7 +371,7 @@ property::Handle define_clock(property::Tree& tree, Clock& clock) {
     for (Property& property : timeline_settings(clock)) properties.push_back(std::move(property));
     const property::Class& time =
         tree.define({.name = "Time",
-                     .doc = "Simulation time: how fast it passes, and how far it is.",
+                     .doc = "Simulation time: how fast it passes, and how much has passed.",
                      .creatable = false,
                      .properties = std::move(properties),
                      .methods = methods_of_time(clock)});

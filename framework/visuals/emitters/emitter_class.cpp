@@ -216,8 +216,8 @@ void Emitters::define(property::Tree& tree) {
     property::ClassDescriptor described{
         .name = "Emitter",
         .doc =
-            "Sparks, smoke, rain: many small pictures that begin here, fly, change and end. What "
-            "it hangs below moves it: a body, a sprite, or any instance with a `position`.",
+            "Sparks, smoke, rain: many small pictures that begin here, fly, change and end. Its "
+            "parent moves it: a body, a sprite, or any instance with a `position`.",
         .snapshots = property::Snapshots::natively,
         .weight = 900};
     for (const auto& group : {flow_properties(), motion_properties(), look_properties()})

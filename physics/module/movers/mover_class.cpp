@@ -289,7 +289,8 @@ void define_mover(Hosting& hosting) {
     mover.base = "Body";
     mover.weight = 3500;
     mover.doc =
-        "A character: a body with the form of an upright capsule, which walks up slopes and steps, "
+        "A character: a body with the shape of an upright capsule, which walks up slopes and "
+        "steps, "
         "rides on platforms, passes through ledges from below and pushes crates. Its position is "
         "at its feet. It moves by itself while its type is \"kinematic\"; with \"dynamic\" it is "
         "a body like others.";
