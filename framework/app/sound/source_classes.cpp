@@ -261,7 +261,7 @@ void define_audio(State& state) {
                         {.name = "pauses",
                          .type = Type::boolean,
                          .default_value = true,
-                         .doc = "Whether its sounds pause with the game (time.paused). Off, they "
+                         .doc = "Whether its sounds pause with the game (time.paused). false: they "
                                 "go on in real time."}}});
     state.of_bus.volume = state.classes.bus->property("volume");
     state.of_bus.muted = state.classes.bus->property("muted");

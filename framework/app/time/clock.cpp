@@ -98,7 +98,7 @@ std::vector<Property> timeline_settings(Clock& clock) {
                   .type = Type::integer,
                   .default_value = 0,
                   .unit = "",
-                  .doc = "The first step one can go back to.",
+                  .doc = "The first step to which you can go back.",
                   .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.oldest; })}),
         computed({.name = "newest",
                   .type = Type::integer,
@@ -377,8 +377,8 @@ property::Handle define_clock(property::Tree& tree, Clock& clock) {
                      .methods = methods_of_time(clock)});
     const property::Class& timings = tree.define(
         {.name = "Timings",
-         .doc = "Where a frame's time goes, smoothed over about half a second. In a headless run "
-                "a frame is a turn, and the half second is one of the simulation.",
+         .doc = "Where a frame's time goes, smoothed over about half a second. In a headless run a "
+                "frame is one turn of the loop, and the half second is simulation time.",
          .creatable = false,
          .properties = timings_of(clock.timings)});
     const property::Handle instance = tree.create(time, tree.root(), "time");

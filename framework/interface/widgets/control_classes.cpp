@@ -134,7 +134,7 @@ property::ClassDescriptor text_field(Widgets& widgets) {
         .events = {changed(Type::text),
                    {.name = "submitted",
                     .fields = {{.name = "text", .type = Type::text, .doc = "What is in it."}},
-                    .doc = "The player has pressed return."}}};
+                    .doc = "The player has pressed Enter."}}};
 }
 
 property::ClassDescriptor progress_bar(Widgets& widgets) {

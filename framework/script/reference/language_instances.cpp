@@ -7,7 +7,7 @@ namespace fettle::script {
 const std::vector<GlobalDoc>& instance_docs() {
     static const std::vector<GlobalDoc> docs = {
         {"add", "add(self: Object, child: Object, name?: string): Object",
-         "Gives a new instance its place here and returns it."},
+         "Makes a new instance a child of this one and returns it."},
         {"after",
          "after(self: Object, seconds: number, action: fun(self: Object), options?: table): "
          "Connection",
@@ -17,7 +17,7 @@ const std::vector<GlobalDoc>& instance_docs() {
         {"all", "all(self: Object, class?: Class|string): Set",
          "Everything below of that class, as a set with :set and :add."},
         {"children", "children(self: Object, class?: Class|string): Set",
-         "What hangs directly here, as a set."},
+         "Its children, as a set."},
         {"clone", "clone(self: Object): Object",
          "A detached copy of it and everything below, with the present values of formulas, and "
          "without handlers of single instances."},

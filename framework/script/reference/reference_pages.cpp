@@ -87,7 +87,7 @@ class ClassPage {
 
     void making() {
         out_ += of_.creatable() ? "\nMake one with `" + of_.name() + " { ... }`.\n"
-                                : "\nThe framework makes what there is of it; games cannot.\n";
+                                : "\nOnly the framework makes instances of it; games cannot.\n";
     }
 
     void properties() {
@@ -113,7 +113,7 @@ class ClassPage {
     void children() {
         const auto fixed = fixed_children(tree_, of_);
         if (fixed.empty()) return;
-        out_ += "\n## Children\n\nThese hang below it from the beginning.\n\n" +
+        out_ += "\n## Children\n\nIt has these children from the beginning.\n\n" +
                 head({"child", "class", "what it is"});
         for (const auto& [name, of] : fixed) out_ += row({code(name), link(*of), cell(of->doc())});
     }

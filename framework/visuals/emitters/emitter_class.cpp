@@ -82,14 +82,14 @@ std::vector<Property> Emitters::flow_properties() {
 
 std::vector<Property> Emitters::motion_properties() {
     return {
-        position_property("Where it is, relative to what it hangs below; pixels in a layer on the "
+        position_property("Where it is, relative to its parent; pixels in a layer on the "
                           "screen."),
         {.name = "angle",
          .type = Type::number,
          .unit = "rad",
          .range = {-1e6, 1e6},
          .doc = "Direction in which particles fly: 0 is to the right, pi / 2 upwards. Relative to "
-                "what it hangs below."},
+                "its parent."},
         {.name = "spread",
          .type = Type::number,
          .default_value = 2 * std::numbers::pi,

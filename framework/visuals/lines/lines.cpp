@@ -29,7 +29,7 @@ std::vector<Property> line_properties() {
          .unit = "m",
          .doc = "Its corners, relative to its position; pixels in a layer on the screen.",
          .element = Type::vec2},
-        position_property("Where its point (0, 0) is, relative to what it hangs below."),
+        position_property("Where its point (0, 0) is, relative to its parent."),
         angle_property(),
         {.name = "width",
          .type = Type::number,

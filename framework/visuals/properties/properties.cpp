@@ -16,7 +16,7 @@ Property angle_property() {
             .type = Type::number,
             .unit = "rad",
             .range = {-1e6, 1e6},
-            .doc = "Counter-clockwise, relative to what it hangs below."};
+            .doc = "Counter-clockwise, relative to its parent."};
 }
 
 Property visible_property() {

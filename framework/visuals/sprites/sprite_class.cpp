@@ -18,7 +18,7 @@ std::vector<Property> Sprites::picture_properties() {
          .type = Type::text,
          .doc = "An image file in the game's folder (PNG, JPEG, BMP, TGA), or a JSON file that "
                 "Aseprite exported. A checkerboard is drawn for a file that is missing."},
-        position_property("Where its origin is, relative to what it hangs below; pixels in a layer "
+        position_property("Where its origin is, relative to its parent; pixels in a layer "
                           "on the screen."),
         angle_property(),
         {.name = "size",

@@ -83,7 +83,7 @@ std::vector<Property> Texts::properties() {
          .default_value = 0.06,
          .range = {0, 1},
          .doc = "Width of the outline as a part of the size."},
-        position_property("Where its anchor is, relative to what it hangs below; pixels in a layer "
+        position_property("Where its anchor is, relative to its parent; pixels in a layer "
                           "on the screen."),
         angle_property(),
         blend_property(),

@@ -98,7 +98,8 @@ std::vector<Property> form(Hosting& h) {
                number("crouch_height", widen(0.9f, 0).x, "m", "Height while it crouches.",
                       setting_of<&MoverSettings::crouch_height, true>(h))),
         flag("crouch", false,
-             "True: it crouches. After false it stands up as soon as there is room: `crouched`.",
+             "True if it is to crouch. After false it stands up as soon as there is room; "
+             "`crouched` says whether it is still low.",
              switch_of<&MoverSettings::crouch, true>(h)),
     };
 }
@@ -160,11 +161,12 @@ std::vector<Property> limits(Hosting& h) {
         {.name = "mask",
          .type = Type::integer,
          .default_value = -1,
-         .doc = "Categories of the shapes that stop it and that meet it, as bits; -1 is all.",
+         .doc = "Categories of the shapes with which it collides, as bits; -1 is all.",
          .binding =
              of_capsule<&physics::Shape::mask, &physics::Shape::set_mask, ~std::uint64_t{0}>(h),
          .bits = true},
-        flag("visible", true, "True if its capsule is drawn; turn it off under a sprite.",
+        flag("visible", true,
+             "True if its capsule is drawn; set it to false if a sprite is drawn in its place.",
              capsule_visible(h)),
     };
 }
