@@ -1,4 +1,4 @@
-// Rigid bodies in a program of one's own: no tree, no window, no script.
+// Rigid bodies in a program of your own: no tree, no window, no script.
 
 #include <cstdio>
 #include <vector>

@@ -1,5 +1,5 @@
-// A fort of crates under falling stones. Entities are bitECS's, and those that move have a body of Fettle. Each system is
-// a function of the game.
+// A fort of crates under falling stones. The entities are in bitECS, and those that move have a body of Fettle. Each system
+// is a function of the game.
 
 import { addComponent, addEntity, createWorld, hasComponent, query, removeEntity } from "bitecs";
 import { BodyType, World, box, circle } from "fettle-physics";
@@ -7,7 +7,7 @@ import { Body, addBody, destroyBodiesOfRemoved, entityOf } from "./bodies.js";
 
 export const Crate = { width: [], height: [] };  // m
 export const Stone = { radius: [] };             // m
-export const Health = [];                        // from 1 to 0; what has none left is removed
+export const Health = [];                        // from 1 to 0; an entity with 0 is removed
 export const TimeLeft = [];                      // s; then the entity is removed
 
 const STRENGTH = 60;  // N s, the impact that breaks a whole crate
@@ -46,7 +46,7 @@ function throwStones(game) {
   addStone(game, { x: 16 * side, y: 6 }, { x: -14 * side, y: 3 + (game.step % 7) });
 }
 
-/** Impacts take health. Forces between crates that rest on each other are not impacts. */
+/** Impacts reduce health. Forces between crates that rest on each other are not impacts. */
 function damage({ entities, physics }) {
   for (const { bodyA, bodyB, impulse } of physics.events().contactHit)
     for (const body of [bodyA, bodyB]) {

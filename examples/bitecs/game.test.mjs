@@ -42,7 +42,7 @@ test("stones break crates, and the fort stands without them", () => {
   assert.ok(game.broken > 0);
   assert.equal(query(game.entities, [Crate]).length, crates - game.broken);
   for (const entity of query(game.entities, [Crate])) assert.ok(Health[entity] > 0);
-  assert.ok(query(game.entities, [Stone]).length <= 6);  // the others have reached the end of their time
+  assert.ok(query(game.entities, [Stone]).length <= 6);  // the others are removed, because their time is over
   assert.equal(game.physics.bodies.length, query(game.entities, [Body]).length + 1);
 });
 

@@ -30,7 +30,7 @@ function draw() {
     const width = Crate.width[entity] - 0.05, height = Crate.height[entity] - 0.05;
     pen.fillStyle = "#5a4a2a";
     pen.fillRect(-width / 2, -height / 2, width, height);
-    pen.fillStyle = "#ffd700";  // fills what is left of its health
+    pen.fillStyle = "#ffd700";  // filled as far as it has health
     pen.fillRect(-width / 2, -height / 2, width, height * Health[entity]);
   });
   drawEach([Body, Stone], (entity) => {

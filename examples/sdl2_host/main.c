@@ -1,5 +1,5 @@
 /* A game of Fettle in a window of SDL2: its bodies are drawn here, and the grave key opens its
- * console, which arrives as triangles.
+ * console, which is delivered as triangles.
  *
  *   sdl2_host [FRAMES PICTURE.bmp]    types a command into the console, ends after so many frames
  *                                     and saves the last one

@@ -1,4 +1,4 @@
-// The property tree with physics in it, in a loop of one's own: no window, no Lua, no console.
+// The property tree with physics in it, in a loop of your own: no window, no Lua, no console.
 // Every value has a path, can be watched, edited, undone and saved.
 
 #include <cstdio>

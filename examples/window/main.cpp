@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
 
     for (int frame = 0; window.isOpen() && frame != frames; ++frame) {
         while (const std::optional<sf::Event> event = next(window)) {
-            if (host.handle(*event, console)) continue;  // the console has it
+            if (host.handle(*event, console)) continue;  // the console has used it
             if (closes(*event)) window.close();
         }
         console.between_frames();

@@ -68,11 +68,11 @@ property::Method prefer_method(Preferences& preferences) {
     return {.name = "prefer",
             .parameters = {{.name = "path",
                             .type = Type::text,
-                            .doc = "Of the property, such as \"input.actions.jump\"."},
+                            .doc = "Path of the property, such as \"input.actions.jump\"."},
                            {.name = "value",
                             .type = Type::nil,
-                            .doc = "What the player has chosen; nil: the value is the game's "
-                                   "again."}},
+                            .doc = "What the player has chosen; nil ends the preference, and the "
+                                   "game decides about the value again."}},
             .required = 1,
             .doc =
                 "Writes a property as a setting of the player: no rewind and no saved game "

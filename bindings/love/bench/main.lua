@@ -1,8 +1,8 @@
--- Prints a table: milliseconds of processor time a step of love.physics and of fettle.physics, and what became of the scene in each.
+-- Prints a table: milliseconds of processor time a step of love.physics and of fettle.physics, and the final state of the scene in each.
 --
 --     love GAME [SECONDS] [SCENE ...]    SECONDS: the limit for a scene in an engine; 10 by default
 --
--- Each engine makes as many steps as fit into the limit. The time of love.physics, and what became of the scene in it, are compared with
+-- Each engine makes as many steps as fit into the limit. The time of love.physics, and the final state of the scene in it, are compared with
 -- those of Fettle after the same number of steps. The compatibility module gives Fettle the calls of love.physics.
 
 local scenes = require "scenes"
@@ -89,7 +89,7 @@ function love.load(arguments)
     local fettle, seconds, wanted = require "fettle.physics", tonumber(arguments[1]) or 10, {}
     for i = 2, #arguments do wanted[arguments[i]] = true end
     io.stdout:setvbuf("line")
-    print(row:format("scene", "engine", "steps", "ms a step", "x Fettle", "what became of it"))
+    print(row:format("scene", "engine", "steps", "ms a step", "x Fettle", "final state"))
     for _, name in ipairs(scenes.names) do
         if next(wanted) == nil or wanted[name] then
             local scene = scenes.make(name)

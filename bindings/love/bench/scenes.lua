@@ -1,11 +1,11 @@
 -- The scenes of the table, in a form that does not depend on an engine: bodies, shapes and pins in meters, kilograms, seconds and radians. They
--- are those of `fettle-bench scenes` that love.physics can have, which has no capsules and no round corners, and two of the size that a game has.
+-- are those of `fettle-bench scenes` without capsules and round corners, which love.physics does not have, and two of the size of a game.
 --
 -- body: { type, x, y, velocity, turning, asleep, shapes, path }; one with `path(time)` is moved.
 -- shape: { box = { half width, half height }, x, y } or { circle } or { polygon } or { segment }, with density, friction, category, mask.
 -- pin: { a, b, x, y, speed, torque }: bodies by number, and a point of the world, where both are held together.
 --
--- `figure(motions, scene)` says what became of it.
+-- `figure(motions, scene)` describes its final state.
 
 local scenes = { names = {} }
 local makers = {}

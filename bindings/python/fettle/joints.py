@@ -22,7 +22,7 @@ class Joint(Handle):
 
     @property
     def type(self):
-        """As in "revolute"."""
+        """For example "revolute"."""
         number = ffi.new("int32_t*")
         check(lib.fettle_joint_type(self._pointer, self.id, number))
         return joint_types[number[0]]
@@ -49,11 +49,11 @@ class Joint(Handle):
         check(lib.fettle_joint_set_body_b(self._pointer, self.id, id_of(body, Body)))
 
     def connect(self, a, b):
-        """Ties two bodies at once."""
+        """Connects two bodies at the same time."""
         check(lib.fettle_joint_connect(self._pointer, self.id, id_of(a, Body), id_of(b, Body)))
 
     def disconnect(self):
-        """Takes both bodies off; the joint keeps its settings."""
+        """Disconnects both bodies; the joint keeps its settings."""
         check(lib.fettle_joint_disconnect(self._pointer, self.id))
 
 

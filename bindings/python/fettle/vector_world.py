@@ -1,4 +1,4 @@
-"""Many copies of one world, for learning."""
+"""Many copies of one world, for machine learning."""
 
 import os
 from concurrent.futures import ThreadPoolExecutor
@@ -74,7 +74,7 @@ class VectorWorld:
         return self.observation
 
     def reset(self, which=None):
-        """Brings all copies, or those whose numbers or flags `which` has, back to the begin."""
+        """Brings all copies, or those whose numbers or flags `which` has, back to the beginning."""
         chosen = self._chosen(which)
         with hold(self.worlds, "reset"):
             for i in chosen:

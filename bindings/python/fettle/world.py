@@ -244,7 +244,7 @@ class World(Queries):
         return out[0]
 
     def set_contact_data(self, a, b, number):
-        """Sets a number for two shapes that touch. It is kept while their touch lasts."""
+        """Sets a number for two shapes that touch. It is kept as long as they touch."""
         number = to_number("uint64_t", number, "number")
         check(lib.fettle_world_set_contact_data(self._pointer, id_of(a, Shape), id_of(b, Shape), number))
 
@@ -267,7 +267,7 @@ class World(Queries):
         return self._object_in(lib.fettle_world_shape_in, slot, Shape)
 
     def reserve(self, bodies=0, shapes=0, contacts=0, joints=0):
-        """Makes room for so many objects at least."""
+        """Reserves memory for at least so many objects."""
         self._columns.may_move("reserve")
         counts = dict(bodies=bodies, shapes=shapes, contacts=contacts, joints=joints)
         check(lib.fettle_world_reserve(self._pointer, *(to_number("uint32_t", n, f"reserve: {name}") for name, n in counts.items())))
@@ -336,13 +336,13 @@ class World(Queries):
             check(lib.fettle_world_restore(self._pointer, data, len(data)))
 
     def clone(self):
-        """A copy with the same future; ids are valid in both. It has no callbacks."""
+        """A copy that goes on in the same way; ids are valid in both. It has no callbacks."""
         made = ffi.new("fettle_world**")
         check(lib.fettle_world_clone(self._pointer, made))
         return World._of(made[0])
 
     def take(self, other):
-        """Gets the state of another world, without a copy; the other one is empty afterwards."""
+        """Takes over the state of another world without copying it; the other one is empty afterwards."""
         if not isinstance(other, World):
             raise Invalid(f"expected a World, got {other!r}")
         for world in (self, other):
@@ -406,7 +406,7 @@ class World(Queries):
 
     def start_recording(self, write):
         """Records the world: `write(bytes)` gets its state now and the changes in every step, as `file.write` does. If it raises,
-        the recording ends; the exception comes out of the call, and what was written before can be replayed."""
+        the recording ends; the call raises the exception, and the part that was written before can be replayed."""
         if to_function(write, "start_recording") is None:
             raise Invalid("start_recording: expected a function, got None")
         sink = _callbacks.RecordingSink(self, write)

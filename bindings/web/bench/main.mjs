@@ -1,8 +1,8 @@
-// Prints a table: milliseconds of processor time a step of each engine that is installed, and what became of the scene in it.
+// Prints a table: milliseconds of processor time a step of each engine that is installed, and the final state of the scene in it.
 //
 //   node main.mjs [SECONDS] [SCENE ...]    SECONDS: the limit for a scene in an engine; 10 by default
 //
-// Each engine makes as many steps as fit into the limit. Its time, and what became of the scene, are compared with those of Fettle after the
+// Each engine makes as many steps as fit into the limit. Its time, and the final state of the scene, are compared with those of Fettle after the
 // same number of steps. Each engine makes some steps of a scene before it is measured, since a program of JavaScript or WebAssembly is slow until it has run
 // for a while.
 
@@ -40,7 +40,7 @@ for (const [name, open] of Object.entries(engines)) {
   }
 }
 
-console.log(`${"scene".padEnd(16)}${"engine".padEnd(11)}${"steps".padStart(5)}${"ms a step".padStart(11)}${"x Fettle".padStart(10)}  what became of it`);
+console.log(`${"scene".padEnd(16)}${"engine".padEnd(11)}${"steps".padStart(5)}${"ms a step".padStart(11)}${"x Fettle".padStart(10)}  final state`);
 function print(scene, engine, steps, time, ratio, figure) {
   console.log(`${scene.padEnd(16)}${engine.padEnd(11)}${String(steps).padStart(5)}${time.padStart(11)}${ratio.padStart(10)}  ${figure}`);
 }

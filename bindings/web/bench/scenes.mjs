@@ -6,7 +6,7 @@
 //        { loop }, with density, friction, restitution, category, mask.
 // pin: { a, b, x, y, speed, torque }: bodies by number, and a point of the world, where both are held together.
 //
-// `figure(motions, scene)` says what became of it: [what, number]; `without` says why an engine cannot have it.
+// `figure(motions, scene)` describes its final state: [what, number]; `without` says why an engine cannot have it.
 
 export const dt = 1 / 60;
 

@@ -50,7 +50,7 @@ declare class WorldBase {
   constructor(definition?: WorldDef);
   /** Destroys the world and all in it. A world that nothing refers to any more is destroyed too, at some time. */
   destroy(): void;
-  /** Calls the methods of `target` for all that is to be drawn; those that it has not are left out. Colors are 0xRRGGBB. */
+  /** Calls the methods of `target` for everything that is to be drawn; methods that it does not have are skipped. Colors are 0xRRGGBB. */
   draw(target: DrawTarget, options?: Partial<DebugDraw>): void;
   /** x, y, angle, angular velocity, velocity x and y, cosine and sine of the body in each slot. A view without a copy, until
       bodies are made or a step needs more memory. */
@@ -59,14 +59,14 @@ declare class WorldBase {
   readonly previousPoses: Float32Array;
 }
 
-/** A character that moves through a world. It is destroyed by nobody: it is a definition and a state, without a place in the world. */
+/** A character that moves through a world. It need not be destroyed: it consists of a definition and a state, and is not part of the world. */
 declare class MoverBase {
   constructor(world: World, definition?: MoverDef, position?: Vec2);
   readonly world: World;
-  /** All settings. One that is set has the defaults for what it does not name. */
+  /** All settings. Members that are missing when it is set get their defaults. */
   get definition(): Required<MoverDef>;
   set definition(definition: MoverDef);
-  /** All that it keeps from move to move: to be saved, and to be set again. */
+  /** Everything that it keeps from move to move, to be saved and set again. */
   get state(): Required<MoverState>;
   set state(state: MoverState);
   /** Of its feet, m. Where it is set, the mover leaves the ground. */

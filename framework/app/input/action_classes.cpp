@@ -106,32 +106,34 @@ Property computed_property(State& state, const char* name, Type type, const char
 }
 
 std::vector<Property> action_properties(State& state) {
-    return {computed_property(state, "pressed", Type::boolean,
-                              "Whether it began to be held: true in one step, and in one update.",
-                              [](State& s, Row row) { return bool{s.actions[row].pressed.seen}; }),
-            computed_property(state, "released", Type::boolean,
-                              "Whether it ceased to be held: true in one step, and in one update.",
-                              [](State& s, Row row) { return bool{s.actions[row].released.seen}; }),
-            {.name = "held",
-             .type = Type::boolean,
-             .default_value = false,
-             .doc = "Whether it is held. Setting it to true holds it until it is set to false.",
-             .binding = accessor(
-                 state, [](State& s, Row row) { return bool{s.actions[row].held}; },
-                 [](State& s, Row row, const Value& held) {
-                     s.actions[row].forced = held.boolean();
-                     s.update_actions();
-                 }),
-             .transient = true,
-             .simulated = true},
-            computed_property(state, "strength", Type::number,
-                              "How far the strongest of its switches is down, 0 to 1: triggers and "
-                              "sticks have values in between.",
-                              [](State& s, Row row) -> double { return s.actions[row].strength; }),
-            computed_property(state, "direction", Type::vec2,
-                              "The direction of its sticks and sets of four keys, right and up "
-                              "positive, of length 1 at most.",
-                              [](State& s, Row row) -> Vec2 { return s.actions[row].direction; })};
+    return {
+        computed_property(state, "pressed", Type::boolean,
+                          "Whether it began to be held: true in one step, and in one update.",
+                          [](State& s, Row row) { return bool{s.actions[row].pressed.seen}; }),
+        computed_property(state, "released", Type::boolean,
+                          "Whether it ceased to be held: true in one step, and in one update.",
+                          [](State& s, Row row) { return bool{s.actions[row].released.seen}; }),
+        {.name = "held",
+         .type = Type::boolean,
+         .default_value = false,
+         .doc = "Whether it is held. Setting it to true holds it until it is set to false.",
+         .binding = accessor(
+             state, [](State& s, Row row) { return bool{s.actions[row].held}; },
+             [](State& s, Row row, const Value& held) {
+                 s.actions[row].forced = held.boolean();
+                 s.update_actions();
+             }),
+         .transient = true,
+         .simulated = true},
+        computed_property(
+            state, "strength", Type::number,
+            "How far the strongest of its keys, buttons and axes is pressed, 0 to 1: triggers and "
+            "sticks have values in between.",
+            [](State& s, Row row) -> double { return s.actions[row].strength; }),
+        computed_property(state, "direction", Type::vec2,
+                          "The direction of its sticks and sets of four keys, right and up "
+                          "positive, of length 1 at most.",
+                          [](State& s, Row row) -> Vec2 { return s.actions[row].direction; })};
 }
 
 property::ClassDescriptor action_descriptor(State& state) {

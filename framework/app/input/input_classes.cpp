@@ -223,7 +223,7 @@ Property dead_zone_property(State& state) {
             .type = Type::number,
             .default_value = 0.2,
             .range = {0, 0.9},
-            .doc = "How far a stick must be moved before actions take notice of it.",
+            .doc = "How far a stick must be moved before actions react to it.",
             .binding = column(state, Native::f64, 0, [](State& s) { return &s.dead_zone; }),
             .transient = true};
 }

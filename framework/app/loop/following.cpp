@@ -39,8 +39,8 @@ std::vector<Property> following_properties() {
          .type = Type::vec2,
          .unit = "m",
          .range = {0, 1e9},
-         .doc = "Width and height of the box round the center in which what it follows moves "
-                "without moving it."},
+         .doc = "Width and height of the box round the center: while the followed instance is in "
+                "this box, the picture does not move."},
         {.name = "limits",
          .type = Type::list,
          .unit = "m",

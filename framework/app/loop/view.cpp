@@ -240,8 +240,8 @@ std::vector<Property> picture_properties(View& view) {
          .type = Type::vec2,
          .default_value = view.screen,
          .unit = "px",
-         .doc = "Size of the picture on the screen: of the window, without the bars of `fit`. A "
-                "headless run pretends to have a window.",
+         .doc = "Size of the picture on the screen: of the window, without the bars of `fit`. In a "
+                "headless run, the size that a window would have.",
          .binding = accessor(view, [](View& v, property::Row) { return Value(v.picture()); }),
          .read_only = true,
          .transient = true,
@@ -269,7 +269,7 @@ std::vector<Property> overlays(Show& show) {
         overlay(show, "centers", "Centers of mass.", [](Show& s) { return &s.centers; }),
         overlay(show, "velocities", "Velocities of bodies, as lines.",
                 [](Show& s) { return &s.velocities; }),
-        overlay(show, "names", "Names of bodies. Of those that would overlap one is drawn.",
+        overlay(show, "names", "Names of bodies. Where names would overlap, only one is drawn.",
                 [](Show& s) { return &s.names; }),
         overlay(show, "islands",
                 "Islands: bodies that sleep and wake together, each island in a color of its own.",
@@ -284,8 +284,8 @@ std::vector<Property> overlays(Show& show) {
                 "something else.",
                 [](Show& s) { return &s.shapes; }),
         overlay(show, "blame",
-                "Who wrote last: what is drawn has the color of the line of a script, the console, "
-                "the inspector or the physics that wrote it.",
+                "What wrote last: each instance has the color of the line of a script, the "
+                "console, the inspector or the physics that wrote it.",
                 [](Show& s) { return &s.blame; }),
         overlay(show, "wires", "Formulas: arrows from what a formula reads to what it writes.",
                 [](Show& s) { return &s.wires; }),

@@ -85,8 +85,7 @@ void define_window(property::Tree& tree, property::Handle view_instance, View& v
                            [](View& v) { return &v.window.resizable; }),
              window_switch(
                  view, "vsync", true,
-                 "Whether frames wait for the screen. Off, they are drawn as fast as they "
-                 "go.",
+                 "Whether frames wait for the screen. false: they are drawn as fast as possible.",
                  [](View& v) { return &v.window.vsync; }),
              window_switch(view, "cursor_visible", true,
                            "Whether the pointer of the mouse is seen over the window.",

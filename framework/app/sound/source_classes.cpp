@@ -261,7 +261,7 @@ void define_audio(State& state) {
                         {.name = "pauses",
                          .type = Type::boolean,
                          .default_value = true,
-                         .doc = "Whether its sounds pause with the game (time.paused). Off, they "
+                         .doc = "Whether its sounds pause with the game (time.paused). false: they "
                                 "go on in real time."}}});
     state.of_bus.volume = state.classes.bus->property("volume");
     state.of_bus.muted = state.classes.bus->property("muted");
@@ -298,8 +298,8 @@ void define_sources(State& state) {
     state.classes.music = &tree.define(
         {.name = "Music",
          .base = "SoundSource",
-         .doc = "Music from a file, decoded while it plays. One of a bus sounds at a time: another "
-                "one fades in while it fades out.",
+         .doc = "Music from a file, decoded while it plays. In each bus only one sounds at a time: "
+                "another one fades in while it fades out.",
          .properties = {file_property(state),
                         {.name = "fade",
                          .type = Type::number,

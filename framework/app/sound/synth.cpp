@@ -73,7 +73,7 @@ constexpr std::array numbers_of_synth{
                 {0, 50},
                 "ms",
                 0.5,
-                "The sound is heard a second time, so much later. 0: once."},
+                "The sound is heard a second time, with this delay. 0: once."},
     SynthNumber{
         "flanger_slide", &P::flanger_slide, {-1000, 1000}, "ms/s", 2, "How fast that delay grows."},
     SynthNumber{"low_pass",

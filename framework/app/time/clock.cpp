@@ -98,7 +98,7 @@ std::vector<Property> timeline_settings(Clock& clock) {
                   .type = Type::integer,
                   .default_value = 0,
                   .unit = "",
-                  .doc = "The first step one can go back to.",
+                  .doc = "The first step to which you can go back.",
                   .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.oldest; })}),
         computed({.name = "newest",
                   .type = Type::integer,
@@ -371,14 +371,14 @@ property::Handle define_clock(property::Tree& tree, Clock& clock) {
     for (Property& property : timeline_settings(clock)) properties.push_back(std::move(property));
     const property::Class& time =
         tree.define({.name = "Time",
-                     .doc = "Simulation time: how fast it passes, and how far it is.",
+                     .doc = "Simulation time: how fast it passes, and how much has passed.",
                      .creatable = false,
                      .properties = std::move(properties),
                      .methods = methods_of_time(clock)});
     const property::Class& timings = tree.define(
         {.name = "Timings",
-         .doc = "Where a frame's time goes, smoothed over about half a second. In a headless run "
-                "a frame is a turn, and the half second is one of the simulation.",
+         .doc = "Where a frame's time goes, smoothed over about half a second. In a headless run a "
+                "frame is one turn of the loop, and the half second is simulation time.",
          .creatable = false,
          .properties = timings_of(clock.timings)});
     const property::Handle instance = tree.create(time, tree.root(), "time");

@@ -32,8 +32,8 @@ void Themes::define(property::Tree& tree) {
                                   {.name = "border", .doc = "Line around panels and fields."}),
             field<&Theme::focus>(
                 *this, {.name = "focus", .doc = "Ring around the widget that has the keyboard."}),
-            field<&Theme::shade>(
-                *this, {.name = "shade", .doc = "What is behind a modal widget is covered by it."}),
+            field<&Theme::shade>(*this,
+                                 {.name = "shade", .doc = "Covers what is behind a modal widget."}),
             field<&Theme::font>(
                 *this,
                 {.name = "font",

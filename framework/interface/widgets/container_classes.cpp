@@ -65,7 +65,7 @@ property::ClassDescriptor list_descriptor(Widgets& widgets) {
                  .fields = {{.name = "selected",
                              .type = property::Type::integer,
                              .doc = "Number of the line."}},
-                 .doc = "The player has pressed return on a line, or clicked on the chosen one."}}};
+                 .doc = "The player has pressed Enter on a line, or clicked on the chosen one."}}};
 }
 
 }  // namespace

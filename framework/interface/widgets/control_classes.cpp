@@ -30,7 +30,7 @@ property::ClassDescriptor button(Widgets& widgets) {
     return {
         .name = "Button",
         .base = "Widget",
-        .doc = "Something to press: with the mouse, return or space, or A on the gamepad.",
+        .doc = "Something to press: with the mouse, Enter or Space, or A on the gamepad.",
         .properties = joined(
             {text_property(widgets, "What is written on it."),
              image_property(widgets, "A picture before its text: a file in the game's folder."),
@@ -134,7 +134,7 @@ property::ClassDescriptor text_field(Widgets& widgets) {
         .events = {changed(Type::text),
                    {.name = "submitted",
                     .fields = {{.name = "text", .type = Type::text, .doc = "What is in it."}},
-                    .doc = "The player has pressed return."}}};
+                    .doc = "The player has pressed Enter."}}};
 }
 
 property::ClassDescriptor progress_bar(Widgets& widgets) {

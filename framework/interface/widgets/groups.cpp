@@ -175,8 +175,8 @@ Properties text_properties(Widgets& widgets, const char* align, const char* over
     align_property.default_value = Value(align);
     Property overflow_property = field<&Widget::style, &Style::overflow>(
         widgets, {.name = "overflow",
-                  .doc = "What becomes of text that is too long for its width: cut ends it with "
-                         "\"…\", wrap goes on in another line.",
+                  .doc = "What happens with text that is too long for its width: cut ends it with "
+                         "\"…\", wrap continues it in another line.",
                   .enumerators = {"cut", "wrap"}});
     overflow_property.default_value = Value(overflow);
     return {

@@ -22,7 +22,7 @@ ClassDescriptor object_descriptor() {
     object.doc = "A plain node: a place for children and for properties of your own.";
     Property name{.name = "name",
                   .type = Type::text,
-                  .doc = "What its parent calls it: the last part of its path."};
+                  .doc = "Its name among the children of its parent: the last part of its path."};
     name.transient = true;
     name.binding.kind = BindingKind::node;
     name.binding.node_get = [](void*, const Tree& in, Handle self) { return Value(in.name(self)); };
@@ -60,7 +60,7 @@ ClassDescriptor object_descriptor() {
                          {.name = "cause",
                           .type = Type::text,
                           .doc = "Who deleted it, and at which step."}},
-              .doc = "It was deleted; its handle is dead."},
+              .doc = "It was deleted; its handle is no longer valid."},
     };
     return object;
 }
@@ -71,13 +71,16 @@ ClassDescriptor game_descriptor() {
     game.doc =
         "The root of the tree: its children are the services and whatever a game puts beside them.";
     game.creatable = false;
-    game.events = {Event{
-        .name = "restored",
-        .fields =
-            {{.name = "step", .type = Type::integer, .doc = "Where simulation time goes on from."},
-             {.name = "left", .type = Type::integer, .doc = "The step that time had come to."}},
-        .doc = "A snapshot was restored, or time rewound: everything in the tree "
-               "is as it was then. What a script keeps for itself is not."}};
+    game.events = {
+        Event{.name = "restored",
+              .fields = {{.name = "step",
+                          .type = Type::integer,
+                          .doc = "Where simulation time goes on from."},
+                         {.name = "left",
+                          .type = Type::integer,
+                          .doc = "The step at which the game was before."}},
+              .doc = "A snapshot was restored, or time rewound: everything in the tree "
+                     "is as it was then. Variables of scripts that are not in the tree are not."}};
     return game;
 }
 

@@ -18,11 +18,11 @@ const std::vector<GlobalDoc>& global_docs() {
          "going back in time does not change it, and no saved game contains it."},
         {"alias", "alias(word: string, command?: string)",
          "In the console the word stands for the command; what is typed after it is put after "
-         "the command. Without a command the word means itself again."},
+         "the command. Without a command the alias is removed."},
         {"bind", "bind(key: string, command?: string)",
          "Runs the command whenever the key goes down, also while the console is closed: "
          "bind(\"f5\", \"rewind(5)\"). Keys have the names of the class Keys. The game does not "
-         "get the key. Without a command the key is the game's again."},
+         "get the key. Without a command the game gets the key again."},
         {"bookmark", "bookmark(name?: string, step?: integer)",
          "Sets a bookmark on the time bar of the console: at the present step if step is left out. "
          "The same name again moves it. Bookmarks end with the run, because another run has "
@@ -31,7 +31,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "The steps of the bookmarks by their names: time:go_to(bookmarks().start) goes to one."},
         {"break_when", "break_when(condition?: string|fun(): any)",
          "Pauses the game after the step in which the condition becomes true, and prints its old "
-         "and new value and who wrote it. A value that is not a boolean breaks when it changes. "
+         "and new value and what wrote it. If the value is not a boolean, the game pauses when it "
+         "changes. "
          "`breaks` lists the conditions, `unbreak` ends one; without a condition all end."},
         {"breaks", "breaks(): string[]",
          "The conditions that `break_when` waits for, as texts. In the console the parentheses may "
@@ -94,7 +95,7 @@ const std::vector<GlobalDoc>& global_docs() {
          "file). keep(\"world.ball.*\")."},
         {"last_time", "last_time(condition: string|fun(): any)",
          "Searches the kept past for the last step at which the condition was true, and goes "
-         "there. While it is true now, it goes to the step at which it became so."},
+         "there. If it is true now, it goes to the step at which it became true."},
         {"load_game", "load_game(slot: string)",
          "Continues with a saved game at the next barrier. A save that is damaged, newer, of "
          "another game or of classes that are not defined is an error, and nothing changes. "
@@ -103,9 +104,9 @@ const std::vector<GlobalDoc>& global_docs() {
          "Adds a path or an expression to the watch list of the console: "
          "pin(\"world.ball.mass\")."},
         {"play_back", "play_back(seconds?: number)",
-         "In the console: shows the last seconds once more, as they were; at the present the game "
-         "goes on, unless it was paused before. Without seconds, or with more than is kept, it "
-         "begins with the oldest step that is kept. In the past it shows what follows."},
+         "In the console: shows the last seconds once more, as they were; then the game goes on, "
+         "unless it was paused before. Without seconds, or with more than is kept, it "
+         "begins with the oldest step that is kept. After going back it shows what followed."},
         {"plot", "plot(...: string|fun(): any)",
          "Shows values over time, of numbers, vectors and booleans, with the past as far as it is "
          "kept: plot(\"world.ball.velocity\"). Without an argument the plot ends."},
@@ -115,8 +116,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "star, which stands for every property, the result is a table of values by path: "
          "query(\"world.*.mass\"). If nothing matches, it is an empty set. Formulas in error are "
          "left out. A condition gives the set of instances for which it holds: query(\"Body and "
-         "mass > 5 and position.x < 0\"). It can compare and compute, and calls nothing. The "
-         "name of a class is one, unless something of that name is at the top: query(\"Body\")."},
+         "mass > 5 and position.x < 0\"). It can compare and compute, and calls nothing. The name "
+         "of a class is a condition, unless `game` has something of that name: query(\"Body\")."},
         {"quit", "quit(status?: integer|boolean)",
          "Ends the game with that exit status, 0 to 255; 0 without one."},
         {"random",
@@ -134,9 +135,9 @@ const std::vector<GlobalDoc>& global_docs() {
          "run, from its first step to the present one and then all that follows, until "
          "record(false) or the end of the run. `fettle run --replay FILE` plays it again, and "
          "compares every step that was made while it was written. The file is in the folder "
-         "`recordings` of the player's files, and the command prints where. A run in a window "
-         "can be recorded so, until one of its files changes and is read again; the first 64 MB of "
-         "it are kept for that."},
+         "`recordings` of the player's files, and the command prints where. This works for a run "
+         "in a window until one of its files changes and is read again; for this purpose the first "
+         "64 MB of a recording are kept."},
         {"redo", "redo()", "Repeats the last edit that undo reversed."},
         {"require", "require(name: string): any",
          "Runs another file of the game once, and returns what it returned."},
@@ -177,8 +178,8 @@ const std::vector<GlobalDoc>& global_docs() {
         {"state", "state(name: string, value: any): any",
          "Declares a variable of the game that is a property of `game`: state(\"score\", 0). From "
          "then on, `score` reads and writes game.score, so it is saved, rewound, watched and "
-         "inspected. The value is given only if there is none yet: one that a saved game or a "
-         "reload has brought stays. Returns the current value."},
+         "inspected. The value is set only if there is none yet: one from a saved game or from "
+         "before a reload stays. Returns the current value."},
         {"tweaks", "tweaks()",
          "Lists what people, and scripts inside edit(), changed while the game ran, in this run "
          "and in earlier ones, and which of these changes are kept."},
@@ -216,7 +217,7 @@ const std::vector<GlobalDoc>& global_docs() {
          "Calls the function after a property that matches has changed: "
          "watch(\"world.*.velocity\", handler)."},
         {"who", "who(path: string)",
-         "Prints who wrote a property last, and at which step: \"console:1, step 49\". After "
+         "Prints what wrote a property last, and at which step: \"console:1, step 49\". After "
          "going back in time, that is the last write before that moment, or \"restore, step 30\" "
          "if none is known. The file and line of a script are known if the property was watched "
          "when it was written; "
@@ -253,12 +254,13 @@ const std::vector<GlobalDoc>& callback_docs() {
          "paused; in a headless run, one step."},
         {"step", "step(dt: number)",
          "Called before every fixed step of the simulation, time.dt seconds long."},
-        {"draw", "draw(pen: Pen)", "Called for every picture, over what draws itself."},
+        {"draw", "draw(pen: Pen)",
+         "Called for every picture, after the instances that draw themselves."},
         {"draw_behind", "draw_behind(pen: Pen)",
          "Called for every picture, before everything else that is drawn."},
         {"key_pressed", "key_pressed(key: string)", "A key went down: \"space\", \"a\", \"left\"."},
         {"key_released", "key_released(key: string)", "A key came up."},
-        {"text_input", "text_input(text: string)", "A character was typed, by whatever keys."},
+        {"text_input", "text_input(text: string)", "A character was typed, by one key or several."},
         {"mouse_pressed", "mouse_pressed(button: string, position: vec, screen: vec)",
          "A button went down, at a position in the world and on the screen in pixels."},
         {"mouse_released", "mouse_released(button: string, position: vec, screen: vec)",
@@ -296,9 +298,10 @@ const std::vector<GlobalDoc>& callback_docs() {
          "Files of the game have changed while it runs, and the game uses them now; start() is not "
          "called again."},
         {"closing", "closing()",
-         "The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for "
-         "it. quit() and the end of --steps do not call it. After it no update and no "
-         "draw is called; watchers and handlers of events still hear what it changed. After a "
+         "The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) was "
+         "received. quit() and the end of --steps do not call it. After it no update and no "
+         "draw is called; watchers and handlers of events are still called for what it changed. "
+         "After a "
          "signal it may take five seconds."},
     };
     return docs;

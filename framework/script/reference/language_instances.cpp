@@ -7,7 +7,7 @@ namespace fettle::script {
 const std::vector<GlobalDoc>& instance_docs() {
     static const std::vector<GlobalDoc> docs = {
         {"add", "add(self: Object, child: Object, name?: string): Object",
-         "Gives a new instance its place here and returns it."},
+         "Makes a new instance a child of this one and returns it."},
         {"after",
          "after(self: Object, seconds: number, action: fun(self: Object), options?: table): "
          "Connection",

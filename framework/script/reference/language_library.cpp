@@ -15,7 +15,7 @@ const std::vector<GlobalDoc>& library_docs() {
         {"coroutine.create", "coroutine.create(action: function): thread",
          "A coroutine that runs the function."},
         {"coroutine.isyieldable", "coroutine.isyieldable(): boolean",
-         "Whether what runs can yield."},
+         "Whether the running function can yield."},
         {"coroutine.resume", "coroutine.resume(thread: thread, ...: any): boolean, any",
          "Starts or continues a coroutine."},
         {"coroutine.running", "coroutine.running(): thread, boolean",
@@ -27,7 +27,8 @@ const std::vector<GlobalDoc>& library_docs() {
          "A function that starts or continues a new coroutine."},
         {"coroutine.yield", "coroutine.yield(...: any): any",
          "Suspends the coroutine; its arguments are what resume returns."},
-        {"error", "error(message: any, level?: integer)", "Stops what runs with an error."},
+        {"error", "error(message: any, level?: integer)",
+         "Raises an error, which ends the running function."},
         {"getmetatable", "getmetatable(value: any): any",
          "The metatable of a value, or the value of its field __metatable."},
         {"ipairs", "ipairs(list: table): function, table, integer",
@@ -77,23 +78,21 @@ const std::vector<GlobalDoc>& library_docs() {
          "Whether a is less than b, both as unsigned integers."},
         {"next", "next(table: table, key?: any): any, any",
          "The next entry of a table after `key`; pairs visits them in order."},
-        {"os.clock", "os.clock(): number",
-         "Processor time used, in seconds. A recording does not hold it."},
+        {"os.clock", "os.clock(): number", "Processor time used, in seconds. It is not recorded."},
         {"os.date", "os.date(format?: string, time?: integer): string|table",
          "Date and time of day."},
         {"os.difftime", "os.difftime(later: integer, earlier: integer): number",
          "Seconds between two times."},
         {"os.time", "os.time(date?: table): integer",
-         "Seconds since 1970. A recording does not hold it: a game that keeps it in a property is "
-         "not "
-         "replayed as it was."},
+         "Seconds since 1970. It is not recorded: a game that keeps it in a property differs in a "
+         "replay."},
         {"pairs", "pairs(table: table): function, table, nil",
          "Visits all entries: numbers first, then names, in order; then instances, in an order "
          "that a replay repeats. Other keys (tables, functions) come in any order."},
         {"pcall", "pcall(action: function, ...: any): boolean, any",
          "Calls the function; false and the error when it raises one."},
         {"print", "print(...: any)",
-         "Prints values: to the console, and to the terminal. Of a table it prints what is in it, "
+         "Prints values: to the console, and to the terminal. For a table it prints the entries, "
          "on one line."},
         {"rawequal", "rawequal(a: any, b: any): boolean", "Whether both are the same, without ==."},
         {"rawget", "rawget(table: table, key: any): any", "An entry, without metatables."},
@@ -130,9 +129,10 @@ const std::vector<GlobalDoc>& library_docs() {
          "How many bytes pack would make."},
         {"string.rep", "string.rep(text: string, count: integer, separator?: string): string",
          "The text repeated `count` times."},
-        {"string.reverse", "string.reverse(text: string): string", "Its bytes backwards."},
+        {"string.reverse", "string.reverse(text: string): string",
+         "The bytes of a text in reverse order."},
         {"string.sub", "string.sub(text: string, from: integer, to?: integer): string",
-         "A part of it; negative places count from the end."},
+         "A part of a text; negative places count from the end."},
         {"string.unpack", "string.unpack(format: string, text: string, from?: integer): any",
          "What pack made into bytes."},
         {"string.upper", "string.upper(text: string): string", "In upper case."},
@@ -171,7 +171,8 @@ const std::vector<GlobalDoc>& library_docs() {
          "At which byte the n-th character begins."},
         {"xpcall",
          "xpcall(action: function, handler: fun(error: any): any, ...: any): boolean, any",
-         "Calls the function; the handler sees an error where it arises."},
+         "Calls the function; the handler is called with an error at the place where it was "
+         "raised."},
     };
     return docs;
 }

@@ -71,7 +71,7 @@ TypeDoc store_type() {
 
 TypeDoc connection_type() {
     return {"Connection",
-            "What watch, on, after and every return.",
+            "The result of watch, on, after and every.",
             {{"active", "active(self: Connection): boolean",
               "Whether the function can still be called."},
              {"stop", "stop(self: Connection)", "The function is not called again."}}};
@@ -160,7 +160,7 @@ TypeDoc property_description() {
             "What a property is. Read-only.",
             {{"class", "Class?", "The class that a reference, or a list of them, takes."},
              {"clamp", "boolean", "Whether what is out of range is clamped instead of refused."},
-             {"default", "any", "Nil for what is computed."},
+             {"default", "any", "nil if the property is computed."},
              {"derives_from", "string[]", "What it is computed from, as paths from its instance."},
              {"doc", "string", "What it means."},
              {"element", "string?", "Type of a list's elements."},

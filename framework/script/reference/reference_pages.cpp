@@ -87,7 +87,7 @@ class ClassPage {
 
     void making() {
         out_ += of_.creatable() ? "\nMake one with `" + of_.name() + " { ... }`.\n"
-                                : "\nThe framework makes what there is of it; games cannot.\n";
+                                : "\nOnly the framework makes instances of it; games cannot.\n";
     }
 
     void properties() {
@@ -113,7 +113,7 @@ class ClassPage {
     void children() {
         const auto fixed = fixed_children(tree_, of_);
         if (fixed.empty()) return;
-        out_ += "\n## Children\n\nThese are its children from the beginning.\n\n" +
+        out_ += "\n## Children\n\nIt has these children from the beginning.\n\n" +
                 head({"child", "class", "what it is"});
         for (const auto& [name, of] : fixed) out_ += row({code(name), link(*of), cell(of->doc())});
     }
@@ -210,8 +210,8 @@ std::string functions_page() {
     text += "\n## Variables\n";
     for (const GlobalDoc& doc : variable_docs()) text += function_section(doc);
     text +=
-        "\n## Of Lua\n\nThe rest of Lua's library is not there: files, bytecode, `debug` and "
-        "programs are out of reach of scripts.\n";
+        "\n## Of Lua\n\nThe rest of Lua's library is missing: scripts can use no files, no "
+        "bytecode, no `debug` and no other programs.\n";
     for (const GlobalDoc& doc : library_docs()) text += function_section(doc);
     return text + "\n" + written_by;
 }
@@ -229,7 +229,7 @@ std::string callbacks_page() {
 }
 
 std::string values_page() {
-    std::string text = "# Values\n\nWhat scripts meet besides instances.\n";
+    std::string text = "# Values\n\nTypes of values in scripts, besides instances.\n";
     for (const TypeDoc& type : type_docs()) {
         text += "\n## " + std::string(type.name) + "\n\n" + type.doc + "\n";
         if (!type.members.empty()) text += "\n" + head({"member", "type", "what it is"});
@@ -267,14 +267,14 @@ std::string index_page(const Tree& tree) {
         "# Reference\n\nEverything a game can use. The console knows the same: `help(Body)`, "
         "`world.ball.mass?`, `find(\"fric\")`; and so does a script: `Body.properties.mass.unit`."
         "\n\n- [Functions and globals](functions.md)\n- [Callbacks](callbacks.md)\n- "
-        "[Values](values.md)\n- [Annotations for editors](fettle.lua): let "
-        "lua-language-server's `workspace.library` name the folder with that file\n";
+        "[Values](values.md)\n- [Annotations for editors](fettle.lua): set `workspace.library` of "
+        "lua-language-server to the folder with that file\n";
     text +=
-        "\n## Classes\n\nA page names the range of each property. The properties of physics are "
-        "kept in single precision: where no end is named, they take numbers to 3.4e38, and "
-        "round to seven digits.\n\n";
+        "\n## Classes\n\nA page gives the range of each property. The properties of physics are "
+        "stored in single precision: where no limit is given, they accept numbers up to 3.4e38, "
+        "and they are rounded to seven digits.\n\n";
     add_tree(tree, tree.object_class(), 0, text);
-    text += "\n## From the beginning\n\nThe children of `game`; each is a global too.\n\n" +
+    text += "\n## From the beginning\n\nChildren of `game`; each is a global too.\n\n" +
             head({"name", "class", "what it is"});
     const auto fixed = fixed_children(tree, tree.class_of(tree.root()));
     for (const auto& [name, of] : fixed)

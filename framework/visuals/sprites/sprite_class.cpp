@@ -228,8 +228,8 @@ void Sprites::define(property::Tree& tree) {
     property::ClassDescriptor described{
         .name = "Sprite",
         .doc =
-            "A picture in the world or, in a layer, on the screen. Its parent moves it: "
-            "a body, another sprite, or any instance with a `position`.",
+            "A picture in the world or, in a layer, on the screen. Its parent moves it: a body, "
+            "another sprite, or any instance with a `position`.",
         .weight = 200};
     for (const auto& group :
          {picture_properties(), look_properties(), frame_properties(), derived_properties()})

@@ -131,8 +131,8 @@ void Texts::define(property::Tree& tree) {
     property::ClassDescriptor described{
         .name = "Text",
         .doc =
-            "Written text in the world or, in a layer, on the screen. Its parent moves "
-            "it, as a Sprite.",
+            "Written text in the world or, in a layer, on the screen. Its parent moves it, as that "
+            "of a Sprite does.",
         .properties = properties(),
         .weight = 600};
     described.lifecycle = lifecycle();

@@ -56,11 +56,12 @@ std::vector<Property> Tilemaps::layer_properties() {
          .doc = "The colors of its tiles are multiplied by it."},
         blend_property(),
         visible_property(),
-        followed({.name = "solid",
-                  .type = Type::boolean,
-                  .default_value = true,
-                  .doc = "Whether bodies meet its solid tiles: those with collision shapes, and "
-                         "those with the custom property `solid`."}),
+        followed(
+            {.name = "solid",
+             .type = Type::boolean,
+             .default_value = true,
+             .doc = "Whether bodies collide with its solid tiles: those with collision shapes, and "
+                    "those with the custom property `solid`."}),
         followed({.name = "friction",
                   .type = Type::number,
                   .default_value = 0.6,

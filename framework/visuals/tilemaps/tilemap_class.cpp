@@ -54,7 +54,7 @@ std::vector<Property> Tilemaps::map_properties() {
         followed({.name = "solid_tiles",
                   .type = Type::list,
                   .range = {1, 1e6},
-                  .doc = "For an image `tileset`: the numbers of the tiles that bodies meet.",
+                  .doc = "For an image `tileset`: the numbers of the solid tiles.",
                   .element = Type::integer}),
         followed({.name = "corner",
                   .type = Type::vec2,
@@ -163,7 +163,7 @@ void Tilemaps::define_map(property::Tree& tree) {
             "A map of the Tiled editor, or one that a script makes of a `tileset`. Its tile "
             "layers, "
             "image layers and objects become instances below it, and solid tiles a body with "
-            "smooth outlines. Belongs below a World if bodies are to meet it.",
+            "smooth outlines. Belongs below a World if bodies are to collide with it.",
         .properties = map_properties(),
         .methods = methods(),
         .events = {

@@ -248,12 +248,12 @@ std::vector<Property> forces(Hosting& hosting) {
 }
 
 Property sleep_speed(Hosting& hosting) {
-    Property property = amount(
-        "sleep_speed", physics::WorldDef().sleep_speed, "m/s",
-        "It rests below this speed; that of the world unless it is set; nil uses that of the "
-        "world again.",
-        overridable<&Body::sleep_speed, &Body::set_sleep_speed, &Body::sleep_speed_override>(
-            hosting));
+    Property property =
+        amount("sleep_speed", physics::WorldDef().sleep_speed, "m/s",
+               "Speed below which it counts as at rest. Unless it is set, that of the world; nil "
+               "uses that of the world again.",
+               overridable<&Body::sleep_speed, &Body::set_sleep_speed, &Body::sleep_speed_override>(
+                   hosting));
     property.simulated = true;  // an edit of the world changes it
     return property;
 }

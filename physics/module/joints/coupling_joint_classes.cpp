@@ -137,7 +137,7 @@ void define_gear_joint(Hosting& hosting) {
                    "positive for wheels with a belt.",
                    setting<&GearJoint::ratio, &GearJoint::set_ratio>(hosting)),
             measured_number("phase", "rad",
-                            "The angle of body_b less ratio times that of body_a. Unless it is "
+                            "The angle of body_b minus ratio times that of body_a. Unless it is "
                             "set, its value when the joint began to act.",
                             measured_setting<JointType::gear, &GearJoint::phase,
                                              &GearJoint::set_phase, phase_now>(hosting)),

@@ -42,15 +42,15 @@ void define_joint(Hosting& hosting) {
                "It breaks if its force is larger, as the mean of a step; infinite: never.",
                setting<&Joint::break_force, &Joint::set_break_force>(hosting)),
         amount("break_torque", physics::infinity, "N m",
-               "It breaks if its torque, besides that of its force, is larger.",
+               "It breaks if its torque, not counting that of its force, is larger.",
                setting<&Joint::break_torque, &Joint::set_break_torque>(hosting)),
         amount("report_force", physics::infinity, "N",
                "The event loaded is emitted in each step in which its force, as the mean of the "
                "step, is larger; infinite: never.",
                setting<&Joint::report_force, &Joint::set_report_force>(hosting)),
         amount("report_torque", physics::infinity, "N m",
-               "The event loaded is emitted in each step in which its torque, besides that of its "
-               "force, is larger.",
+               "The event loaded is emitted in each step in which its torque, not counting that of "
+               "its force, is larger.",
                setting<&Joint::report_torque, &Joint::set_report_torque>(hosting)),
         amount("constraint_hertz", 0, "Hz",
                "How fast it corrects an error of its position, at most a quarter of the rate of "
@@ -73,25 +73,28 @@ void define_joint(Hosting& hosting) {
          .transient = true,
          .simulated = true,
          .single_precision = true},
-        figure("torque", "N m", "Torque on body_b in the last step, besides that of its force.",
+        figure("torque", "N m",
+               "Torque on body_b in the last step, not counting that of its force.",
                read_only<&Joint::torque>(hosting)),
         figure("separation", "m",
                "Distance of its bodies from where it should hold them: what a rigid part or a "
                "limit has yielded.",
                reading<&Joint::separation>(hosting)),
-        figure("angular_separation", "rad", "The same for the angle that it should hold.",
+        figure("angular_separation", "rad",
+               "Difference between the angle of its bodies and the angle that it should hold.",
                reading<&Joint::angular_separation>(hosting))};
     for (const std::size_t strength : {1, 2, 3, 4}) joint.properties[strength].infinity = true;
-    joint.events = {{.name = "broke",
-                     .fields = {{"force", Type::vec2, "N", "Force of the joint when it broke."},
-                                {"torque", Type::number, "N m",
-                                 "Torque of the joint when it broke, besides that of the force."}},
-                     .doc = "Its force or torque was larger than break_force or break_torque."},
-                    {.name = "loaded",
-                     .fields = {{"force", Type::vec2, "N", "Force of the joint in the step."},
-                                {"torque", Type::number, "N m",
-                                 "Torque of the joint in the step, besides that of the force."}},
-                     .doc = "Its force or torque was larger than report_force or report_torque."}};
+    joint.events = {
+        {.name = "broke",
+         .fields = {{"force", Type::vec2, "N", "Force of the joint when it broke."},
+                    {"torque", Type::number, "N m",
+                     "Torque of the joint when it broke, not counting that of the force."}},
+         .doc = "Its force or torque was larger than break_force or break_torque."},
+        {.name = "loaded",
+         .fields = {{"force", Type::vec2, "N", "Force of the joint in the step."},
+                    {"torque", Type::number, "N m",
+                     "Torque of the joint in the step, not counting that of the force."}},
+         .doc = "Its force or torque was larger than report_force or report_torque."}};
     const property::Class& defined = hosting.tree.define(std::move(joint));
     hosting.classes.abstract.push_back(&defined);
     hosting.declared.broke = defined.event("broke");

@@ -26,7 +26,7 @@ void define_limiting_joints(Hosting& hosting) {
         hosting, "RotaryLimitJoint", "rotary_limit_joint",
         "Keeps the angle of body_b relative to body_a between two angles, wherever the bodies are.",
         {
-            figure("angle", "rad", "Angle of body_b relative to body_a, less the reference_angle.",
+            figure("angle", "rad", "Angle of body_b relative to body_a, minus the reference_angle.",
                    limited_angle(hosting)),
             measured_number(
                 "reference_angle", "rad",

@@ -18,7 +18,7 @@ Binding revolute_angle(Hosting& hosting) {
 
 std::vector<Property> properties(Hosting& hosting) {
     return {
-        figure("angle", "rad", "Angle of body_b relative to body_a, less the reference_angle.",
+        figure("angle", "rad", "Angle of body_b relative to body_a, minus the reference_angle.",
                revolute_angle(hosting)),
         measured_number(
             "reference_angle", "rad",

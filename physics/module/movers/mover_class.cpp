@@ -98,7 +98,8 @@ std::vector<Property> form(Hosting& h) {
                number("crouch_height", widen(0.9f, 0).x, "m", "Height while it crouches.",
                       setting_of<&MoverSettings::crouch_height, true>(h))),
         flag("crouch", false,
-             "True: it crouches. After false it stands up as soon as there is room: `crouched`.",
+             "True if it is to crouch. After false it stands up as soon as there is room; "
+             "`crouched` says whether it is still low.",
              switch_of<&MoverSettings::crouch, true>(h)),
     };
 }
@@ -160,11 +161,12 @@ std::vector<Property> limits(Hosting& h) {
         {.name = "mask",
          .type = Type::integer,
          .default_value = -1,
-         .doc = "Categories of the shapes that stop it and that meet it, as bits; -1 is all.",
+         .doc = "Categories of the shapes with which it collides, as bits; -1 is all.",
          .binding =
              of_capsule<&physics::Shape::mask, &physics::Shape::set_mask, ~std::uint64_t{0}>(h),
          .bits = true},
-        flag("visible", true, "True if its capsule is drawn; turn it off under a sprite.",
+        flag("visible", true,
+             "True if its capsule is drawn; set it to false if a sprite is drawn in its place.",
              capsule_visible(h)),
     };
 }
@@ -289,7 +291,8 @@ void define_mover(Hosting& hosting) {
     mover.base = "Body";
     mover.weight = 3500;
     mover.doc =
-        "A character: a body with the form of an upright capsule, which walks up slopes and steps, "
+        "A character: a body with the shape of an upright capsule, which walks up slopes and "
+        "steps, "
         "rides on platforms, passes through ledges from below and pushes crates. Its position is "
         "at its feet. It moves by itself while its type is \"kinematic\"; with \"dynamic\" it is "
         "a body like others.";

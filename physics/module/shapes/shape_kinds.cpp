@@ -117,7 +117,7 @@ std::vector<Property> ends(Hosting& hosting, const physics::Segment& defaults) {
 
 void define_ellipse(Hosting& hosting) {
     const physics::Ellipse ellipse;
-    define(hosting, 5, "Ellipse", "An ellipse, exactly.",
+    define(hosting, 5, "Ellipse", "An exact ellipse, without corners.",
            {length("radius_x", ellipse.radius_x, size, "Half its width at angle 0.",
                    bound<&Shape::radius_x, &Shape::set_radius_x>(hosting)),
             length("radius_y", ellipse.radius_y, size, "Half its height at angle 0.",

@@ -52,7 +52,7 @@ const std::vector<Field> found_contact_fields = {
     {"normal", Type::vec2, "", "Direction from a to b; its length is 1."},
     {"separation", Type::number, "m",
      "Distance of the surfaces; below 0: the depth of their overlap."},
-    {"force", Type::number, "N", "Impulse that separates them."},
+    {"force", Type::number, "N", "Force that separates them."},
 };
 
 const Field group{"group", Type::integer, "",
@@ -303,7 +303,7 @@ std::vector<Method> world_methods(Hosting& hosting) {
                        .reference_class = "Body",
                        .element = Type::reference};
     const Field corner{"corner", Type::vec2, "m", "A corner of the box."};
-    const Field opposite{"opposite", Type::vec2, "m", "The corner across."};
+    const Field opposite{"opposite", Type::vec2, "m", "The opposite corner."};
     return {
         method<raycast>(hosting,
                         {.name = "raycast",
