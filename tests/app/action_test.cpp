@@ -33,7 +33,7 @@ std::string failure(Game& game, const std::string& chunk) {
 
 }  // namespace
 
-TEST_CASE("an action is held while any of its keys and buttons is") {
+TEST_CASE("an action is held while any of its keys or buttons is held") {
     Game game(jumper);
     CHECK_FALSE(game.get("input.jump.held").boolean());
     game.press("space");
@@ -158,7 +158,7 @@ TEST_CASE("actions have events and callbacks and formulas") {
     CHECK_FALSE(game.get("up").boolean());
 }
 
-TEST_CASE("actions are bound anew live") {
+TEST_CASE("new bindings of an action apply at once in a running game") {
     Game game(jumper);
     game.press("k");
     game.runtime.run("input.actions.jump = { 'k' }", "test");
@@ -178,7 +178,7 @@ TEST_CASE("actions are bound anew live") {
     CHECK(game.get("input.jump.held").boolean());
 }
 
-TEST_CASE("a script holds an action as a player does") {
+TEST_CASE("an action that a script sets as held notifies the game like a key") {
     Game game(jumper);
     game.runtime.run("input.jump.held = true", "test");
     game.loop.frame(tick);
@@ -245,7 +245,7 @@ TEST_CASE("bindings that are assigned again make an action that was deleted") {
     CHECK(game.get("input.jump.held").boolean());
 }
 
-TEST_CASE("bindings that cannot be are refused with the nearest spelling") {
+TEST_CASE("impossible bindings are refused with the nearest spelling") {
     Game game;
     CHECK_THAT(failure(game, "input.actions.jump = { 'spcae' }"),
                contains("input.actions.jump: no key, button or axis is called \"spcae\" (did you "

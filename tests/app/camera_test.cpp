@@ -160,7 +160,7 @@ TEST_CASE_METHOD(Pictures, "instances on the screen are drawn once and last") {
     CHECK(near(circles[2].pixel, {5, 5}));
 }
 
-TEST_CASE_METHOD(Pictures, "points and pixels of a camera") {
+TEST_CASE_METHOD(Pictures, "a camera converts between points of the world and pixels") {
     runtime.run(R"(
         game.camera.viewport = { vec(0.5, 0), vec(1, 1) }
         game.camera.center = vec(3, 4)

@@ -68,7 +68,7 @@ TEST_CASE("the text of an error is in the part of the window that an open consol
     CHECK(none.line_with("R  reload") > 0);
 }
 
-TEST_CASE("the game is seen above a strip while the past before an error is looked at") {
+TEST_CASE("the game is visible above a strip while the past before an error is shown") {
     bool past = false;
     app::ErrorScreen screen({.reload = {},
                              .go_on = {},

@@ -96,7 +96,7 @@ TEST_CASE("the directional pad and its buttons are one") {
     CHECK_FALSE(game.get("input.gamepad_1.dpad_left").boolean());
 }
 
-TEST_CASE("axes move sticks and triggers as they are named") {
+TEST_CASE("an axis moves the stick or trigger of its name") {
     Game game;
     axis(game, "left_x", 0.5);
     axis(game, "left_y", 0.25);

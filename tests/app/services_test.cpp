@@ -46,7 +46,7 @@ TEST_CASE("services that end before their tree leave none of their instances in 
     tree.restore(tree.snapshot());
 }
 
-TEST_CASE("services that have ended leave classes that can have no instances") {
+TEST_CASE("no instances of the classes of ended services can be made") {
     property::Tree tree;
     std::optional<Services> services(std::in_place, tree);
     tree.define({.name = "Louder", .base = "Audio"});
@@ -78,7 +78,7 @@ TEST_CASE("services may end after their tree") {
     CHECK(services.clock.step == 0);
 }
 
-TEST_CASE("services that find no room in a tree leave nothing in it") {
+TEST_CASE("services that cannot be added to a tree leave nothing in it") {
     // Each name that the services take is taken once before them.
     std::vector<std::string> classes, children;
     {
@@ -113,7 +113,7 @@ TEST_CASE("services that find no room in a tree leave nothing in it") {
     }
 }
 
-TEST_CASE("a jump in time that was requested from a loop ends with it") {
+TEST_CASE("a jump in time that a destroyed loop requested is not made") {
     property::Tree tree;
     Services services(tree);
     script::Runtime runtime(tree, {});

@@ -29,7 +29,7 @@ void tell_cost(const char* who, const Game& game) {
 
 }  // namespace
 
-TEST_CASE("hundreds of connections take no place from a terminal") {
+TEST_CASE("hundreds of silent connections keep no terminal out") {
     Game game;
     Visitor terminal = game.terminal();
     std::vector<Visitor> crowd;
@@ -50,7 +50,8 @@ TEST_CASE("hundreds of connections take no place from a terminal") {
     tell_cost("600 silent connections", game);
 }
 
-TEST_CASE("garbage and lines without an end are not kept") {
+TEST_CASE(
+    "a connection that sends garbage or an endless line is closed and its bytes are dropped") {
     Game game;
     Visitor terminal = game.terminal();
     std::minstd_rand random(3);
@@ -88,7 +89,7 @@ TEST_CASE("deep nesting costs no more than other lines") {
     tell_cost("a line of brackets", game);
 }
 
-TEST_CASE("a flood of requests waits for its turn") {
+TEST_CASE("many requests of one terminal do not delay another terminal") {
     Game game({.busy_seconds = 1e9});
     Visitor flood = game.terminal(), terminal = game.terminal();
     std::string many;

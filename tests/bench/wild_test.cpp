@@ -153,7 +153,8 @@ TEST_CASE("small random worlds keep what every world keeps") {
 }
 
 TEST_CASE(
-    "a ball between a moving wall and a fixed body may have any speed but only if it bounces") {
+    "the invariant of speed allows any speed only to a bouncing ball between a moving wall and a "
+    "fixed body") {
     for (const float restitution : {0.0f, 1.0f}) {
         WorldPlan plan;
         plan.bodies.push_back({.def = {.type = BodyType::static_body, .position = {0.5f, 0}},

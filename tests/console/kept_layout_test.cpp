@@ -118,7 +118,7 @@ TEST_CASE("conditions of break_when stay when the game begins again") {
     CHECK(breaks.size() == 0);
 }
 
-TEST_CASE("a pinned value of a run before that is not there yet is no message") {
+TEST_CASE("a value pinned in an earlier run whose instance does not exist yet causes no message") {
     console::Layout layout;
     layout.pins = {"world.boss.mass"};
     layout.plots = {"world.boss.position"};

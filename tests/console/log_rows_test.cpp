@@ -25,7 +25,8 @@ TEST_CASE("wrapped rows of a table begin below its last column") {
     CHECK(rows.back().find("bbb") == rows[rows.size() - 2].find("aaa"));
 }
 
-TEST_CASE("wrapped rows of a command begin as the command does, whatever blanks are in it") {
+TEST_CASE(
+    "wrapped rows of a command are indented like the command even if it contains runs of blanks") {
     Rig rig;
     rig.key("grave");
     rig.draw(3);
@@ -34,7 +35,7 @@ TEST_CASE("wrapped rows of a command begin as the command does, whatever blanks 
     CHECK(rig.state().views.log_view.shown_rows().back().starts_with("bbb"));
 }
 
-TEST_CASE("a column of a table that begins behind the middle of the log has rows of its own") {
+TEST_CASE("a column that begins beyond the middle of the log is shown in rows of its own") {
     Rig rig;
     rig.key("grave");
     rig.draw(3);

@@ -43,7 +43,7 @@ TEST_CASE("numbers in names of added properties count as numbers in the inspecto
     CHECK(names == "gap_1 gap_2 gap_10 ");
 }
 
-TEST_CASE("what a step wrote has no reset mark even if its module takes it for set") {
+TEST_CASE("a value that a step wrote has no reset mark even if its module reports it as set") {
     Rig rig;
     rig.key("grave");
     bool awake = false;

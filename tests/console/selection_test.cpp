@@ -233,7 +233,7 @@ TEST_CASE("arrows move the selection after a click into the game") {
     CHECK(rig.value("world.ball.position").vec2().x == Approx(before.x + pixel));
 }
 
-TEST_CASE("all selected are deleted and cloned by one command") {
+TEST_CASE("one command deletes or clones all selected instances") {
     SelectionRig rig;
     CHECK(console::delete_command(rig.tree, {rig.ball, rig.crate}) ==
           "world.ball:delete(); world.crate:delete()");
@@ -297,7 +297,7 @@ TEST_CASE("deleted instances leave the selection") {
     CHECK(rig.selection().empty());
 }
 
-TEST_CASE("of many selected instances some are looked at in a frame, and all in a few") {
+TEST_CASE("a frame checks a limited number of the selected instances and a few frames check all") {
     using console::Selection;
     property::Tree tree;
     console::test::make_game(tree);

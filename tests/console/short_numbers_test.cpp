@@ -33,7 +33,7 @@ TEST_CASE("printed values have four significant digits") {
         CHECK(shown(same) == same);
 }
 
-TEST_CASE("observed numbers keep the width of their place") {
+TEST_CASE("observed numbers have a constant width") {
     using console::aligned_number;
     for (const double number :
          {0.0, 1.5, -1.5, 12.3456, -0.123456, -0.00123456, 98.7, 1e-5, -1.2e-5})
@@ -46,14 +46,14 @@ TEST_CASE("observed numbers keep the width of their place") {
     CHECK(aligned_number(1.25, 2, 2) == "  1.2");
 }
 
-TEST_CASE("the source of a formula stays as it is") {
+TEST_CASE("numbers in the text of a formula are not shortened") {
     CHECK(with_short_numbers("a.b: is 1.23456 * c = 2.46912 m").text ==
           "a.b: is 1.23456 * c = 2.469 m");
     CHECK(with_short_numbers("a.b = 2.46912 m   is 1.23456 * c").text ==
           "a.b = 2.469 m   is 1.23456 * c");
 }
 
-TEST_CASE("an old and a new value that differ are seen to differ") {
+TEST_CASE("an old and a new value that differ are printed differently") {
     const auto shown = [](std::string_view line) { return with_short_numbers(line).text; };
     CHECK(shown("a.b: 1.2345678 → 2.3456789 kg") == "a.b: 1.235 → 2.346 kg");
     CHECK(shown("a.b: 1.2345678 → 1.2345789 kg") == "a.b: 1.23457 → 1.23458 kg");
@@ -61,7 +61,7 @@ TEST_CASE("an old and a new value that differ are seen to differ") {
           "a.b: vec(1.235, 7.123457) → vec(1.235, 7.12346)");
 }
 
-TEST_CASE("whole numbers stand for short ones in each part of a text that touches them") {
+TEST_CASE("a copied part of a text contains the whole numbers in place of the short ones") {
     const auto made = with_short_numbers("vec(-1.23456789, 2) m");
     REQUIRE(made.text == "vec(-1.235, 2) m");
     const auto whole = [&](std::size_t begin, std::size_t end) {

@@ -279,7 +279,7 @@ TEST_CASE("the console draws on another surface and on tiny ones") {
     CHECK(rig.surface.faults() == 0);
 }
 
-TEST_CASE("the console draws whatever the numbers of a host are") {
+TEST_CASE("the console can be drawn with any numbers from the host") {
     /// Only its size is used.
     struct Sized : app::Surface {
         float wide = 0, high = 0;

@@ -66,7 +66,7 @@ struct Listening {
 
 }  // namespace
 
-TEST_CASE("a terminal types into a game that runs") {
+TEST_CASE("a command typed in a terminal runs in a running game") {
     Listening running({"--listen"});
     REQUIRE(running.ready());
     const Outcome said = attached(
@@ -100,7 +100,7 @@ TEST_CASE("a terminal types into a game that runs") {
     CHECK(contains(none.err, "no game listens"));
 }
 
-TEST_CASE("a property of the console begins and ends listening") {
+TEST_CASE("a property of the console opens and closes the connection for terminals") {
     Listening running({"--eval", "console.listen = true"});
     REQUIRE(running.ready());
     const Outcome last = attached(running.folder, "console.listen = false\n1 + 1\n");
@@ -112,7 +112,7 @@ TEST_CASE("a property of the console begins and ends listening") {
     running.program->end();
 }
 
-TEST_CASE("a game without a console and a game in a sandbox do not listen") {
+TEST_CASE("a game without a console and a game in a sandbox accept no terminals") {
     const Folder folder;
     folder.write("drop/main.lua", "console.listen = true");
     const std::string drop = (folder / "drop").string();

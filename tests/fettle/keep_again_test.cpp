@@ -165,7 +165,7 @@ TEST_CASE("the final names are kept") {
     }
 }
 
-TEST_CASE("a name that would change other names or that a script sets is refused") {
+TEST_CASE("a new name is not kept if it changes other names in the file or if a script sets it") {
     const Folder folder;
     folder.write("main.lua", "world.boss = scene.load(\"lvl.json\", world, \"own\")");
     const std::string text =

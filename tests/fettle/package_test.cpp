@@ -279,7 +279,7 @@ TEST_CASE("a package brings the native modules of its game along") {
     CHECK(folder.text("result") == to + "/game/physics.so\n");
 }
 
-TEST_CASE("a package takes the place of nothing but a file, and leaves what lies beside it") {
+TEST_CASE("a package replaces only a regular file and leaves the files beside it") {
     const Folder folder;
     folder.write("game/main.lua", "");
     const std::string game = (folder / "game").string();
@@ -311,7 +311,7 @@ TEST_CASE("a package takes the place of nothing but a file, and leaves what lies
 }
 
 #ifdef FETTLE_TEST_MODULES
-TEST_CASE("a module that ends its process or crashes is refused, and no package is made") {
+TEST_CASE("no package is made of a game with a module that exits or crashes") {
     const Folder folder;
     folder.write("game/main.lua", "");
     const std::string game = (folder / "game").string();

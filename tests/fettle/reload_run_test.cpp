@@ -96,7 +96,8 @@ TEST_CASE("an error of a changed file is reported and the game goes on") {
     CHECK(contains(end.err, "reloaded main.lua in "));
 }
 
-TEST_CASE("an image or a setting in error is reported and not as read again") {
+TEST_CASE(
+    "a changed image or setting that is invalid is reported as an error and not as reloaded") {
     Run run;
     const std::string head("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\x20\0", 18);
     run.folder.write("game/hero.tga", head + "\x10\x20\x30\xff");
@@ -140,7 +141,7 @@ TEST_CASE("files that are reloaded have their names whatever path the game was g
     CHECK(contains(end.err, "reloaded main.tweaks.json in "));
 }
 
-TEST_CASE("what a run writes itself is not read again") {
+TEST_CASE("files that a run writes itself are not reloaded") {
     Run run;
     const std::string scene = R"({"fettle_scene": 1, "class": "Body", "properties": {"mass": )";
     run.folder.write("game/top.json", scene + "2}}");
@@ -197,7 +198,7 @@ TEST_CASE("a changed scene is reported correctly and an error in it has its line
     CHECK(contains(end.err, "reloaded top.json in "));
 }
 
-TEST_CASE("a run follows no files without the option and none while it is recorded") {
+TEST_CASE("a run without the option and a recorded run do not reload changed files") {
     Run run;
     run.folder.write("game/main.lua",
                      "local first = not store.again store.again = true "

@@ -295,7 +295,7 @@ TEST_CASE("a slider with steps has short numbers") {
           "1.0 1.1 1.2 1.3 1.4 1.5 1.6 1.7 1.8 1.9 2.0");
 }
 
-TEST_CASE("the button that has the keyboard is lighter than the others, and has a thick ring") {
+TEST_CASE("the button that has the keyboard is lighter than the others and has a thick ring") {
     Screen s(R"(game.m = Column { modal = true, Button { text = "a" }, Button { text = "b" } }
         interface.theme.focus = color("#00ff00"))");
     s.point({700, 700});
@@ -309,7 +309,7 @@ TEST_CASE("the button that has the keyboard is lighter than the others, and has 
     CHECK(drawn[2].fill.r > drawn[0].fill.r + 0.05f);
 }
 
-TEST_CASE("a list of which fewer lines are left than the chosen one has none chosen") {
+TEST_CASE("a list has no chosen line after the chosen line is removed") {
     Screen s(R"(
         game.l = List { items = { "a", "b", "c" }, selected = 3, size = vec(200, 150),
             changed = function(e) print("c", e.selected) end, submitted = function(e) print("s", e.selected) end }
@@ -349,7 +349,7 @@ TEST_CASE("a button listens for a key and binds an action") {
     CHECK(s.heard() == "got\tmouse.right");
 }
 
-TEST_CASE("the menu in front has the keyboard and gives it back") {
+TEST_CASE("the menu in front has the keyboard until it is closed") {
     Screen s(
         R"(game.m = Panel { modal = true, Column { Button { name = "a", text = "a" }, Button { name = "b", text = "b" } } })");
     s.tap("down");

@@ -174,7 +174,7 @@ TEST_CASE("a theme holds for everything below the widget that has it") {
     CHECK(s.size("p.column.row.label").y > 1.8 * small);
 }
 
-TEST_CASE("widgets in each other a thousand deep do no harm") {
+TEST_CASE("a thousand nested widgets do no harm") {
     Placed s(R"(local inner = Panel { padding = 1 }
         for i = 1, 300 do inner = Panel { padding = 1, inner } end
         game.p = inner)");

@@ -38,7 +38,7 @@ struct Game {
 
 }  // namespace
 
-TEST_CASE("a handler answers what a module asks within its step") {
+TEST_CASE("a handler answers a question of a module within the step") {
     Game game;
     game.step();
     const double before = game.level();

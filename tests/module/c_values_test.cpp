@@ -69,8 +69,7 @@ TEST_CASE("the stride of a column must suit its elements") {
     }
 }
 
-TEST_CASE(
-    "a module makes rows for its own classes and their derived classes and for no other module's") {
+TEST_CASE("a module makes rows only for its own classes and the classes derived from them") {
     module::Plugins plugins;
     property::Tree tree;
     CHECK_NOTHROW(plugins.open(built("odder")).attach(tree));

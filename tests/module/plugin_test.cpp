@@ -253,7 +253,7 @@ TEST_CASE("no copy of a module file is left") {
 }
 
 // Each making of a copy removes those of killed processes, which are the ones without a lock.
-TEST_CASE("copies of a module that are made at the same time leave each other alone") {
+TEST_CASE("copies of a module that are made at the same time do not overwrite each other") {
     const ModuleFile module("weather");
     std::atomic<int> missing = 0;
     const auto make_copies = [&] {

@@ -22,7 +22,7 @@ void add_heap(World& world) {
 
 }  // namespace
 
-TEST_CASE("a callback orders edits that are made once after the step") {
+TEST_CASE("edits that a callback requests are made once after the step") {
     World world;
     add_floor(world);
     Body ball = add_ball(world, {0, 0.52f});
@@ -46,7 +46,8 @@ TEST_CASE("a callback orders edits that are made once after the step") {
 }
 
 TEST_CASE(
-    "functions are called in their order and one that is given meanwhile after the next step") {
+    "functions are called in their order and one that is added during these calls after the next "
+    "step") {
     World world;
     std::string order;
     world.after_step([&] {

@@ -141,7 +141,8 @@ TEST_CASE("numbers without a meaning from functions of a body change nothing or 
     REQUIRE_FALSE(odd.validate());
 }
 
-TEST_CASE("functions are not called for bodies that rest or stand and follow no copy") {
+TEST_CASE(
+    "functions are not called for static or sleeping bodies and are not copied with a world") {
     World world;
     Body floor = add_floor(world);
     Body box = add_box(world, {0, 0.5f});

@@ -118,7 +118,7 @@ TEST_CASE("a world is not moved by a function that it calls") {
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("reserved memory changes no result and holds what was promised") {
+TEST_CASE("reserved memory changes no result and is as large as requested") {
     World world, plain;
     world.reserve({.bodies = 500, .shapes = 600, .contacts = 900, .joints = 10});
     size_t reserved = 0, used = 0;

@@ -40,7 +40,7 @@ TEST_CASE("a contact begins once and ends once") {
     REQUIRE_FALSE(ball.is_touching());
 }
 
-TEST_CASE("a bounce that is over within a step begins and ends too") {
+TEST_CASE("a bounce that is over within a step is reported with its begin and its end") {
     World world({.gravity = {0, 0}});
     add_floor(world, 50.0f, {.restitution = 1.0f});
     Body ball = add_ball(world, {0, 3}, 0.5f, {.restitution = 1.0f});

@@ -61,7 +61,7 @@ TEST_CASE("bodies around the center are pushed away from it") {
     CHECK(centered.velocity().length() > 1);
 }
 
-TEST_CASE("an explosion wakes bodies and asks the filter") {
+TEST_CASE("an explosion wakes bodies and pushes only those that the filter accepts") {
     World world;
     add_floor(world);
     Body asleep = add_box(world, {0, 0.5f}), other = add_box(world, {3, 0.5f});

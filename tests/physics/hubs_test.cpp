@@ -58,7 +58,7 @@ struct Momentum {
 
 }  // namespace
 
-TEST_CASE("impulses on the copies of a hub count in full") {
+TEST_CASE("impulses on the copies of a hub act on the hub in full") {
     for (const uint32_t strips : {1u, 2u, 8u}) {
         auto bodies = hub_and_light();
         const SolverBody before = bodies[1];
@@ -114,7 +114,7 @@ TEST_CASE("impulses on the copies of a hub count in full") {
     }
 }
 
-TEST_CASE("a body that is not much lighter meets the hub itself") {
+TEST_CASE("the contact of a body that is not much lighter acts on the hub itself") {
     auto bodies = hub_and_light();
     Hubs hubs;
     hubs.begin(4);
@@ -140,7 +140,7 @@ TEST_CASE("a body that is not much lighter meets the hub itself") {
     REQUIRE(c.node == 1);
 }
 
-TEST_CASE("a raft that is pelted keeps what momentum there is") {
+TEST_CASE("a raft hit by many bodies conserves momentum") {
     World world({.gravity = {0, 0}, .sleeping = false});
     Raft raft(world, 64 * 3, {5, 3});
     std::mt19937 random(11);

@@ -49,7 +49,7 @@ Vec2 beside(const EllipseForm& ellipse, const Convex& polygon, Vec2 d, float gap
 
 }  // namespace
 
-TEST_CASE("of many edges only a few times their logarithm are looked at") {
+TEST_CASE("a search for the deepest of many edges evaluates only a few times their logarithm") {
     std::mt19937 random(17);
     std::uniform_real_distribution<float> angle(0.0f, 6.2831853f), gap(-0.02f, 3.0f);
     for (int count : {16, 128, 1024}) {

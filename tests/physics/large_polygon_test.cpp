@@ -9,7 +9,7 @@ namespace large_polygon_test {
 using namespace scenes;
 using namespace fettle::physics::detail;
 
-TEST_CASE("the farthest vertex is found by bisection as by looking at all") {
+TEST_CASE("bisection finds the same farthest vertex as a search of all vertices") {
     std::mt19937 random(3);
     for (int count : {3, 8, 9, 10, 17, 64, 255, 1000, 4096}) {
         const Twofold shape(random, count, 0.0f);

@@ -140,7 +140,7 @@ TEST_CASE("a kinematic body moves by its velocity and carries what lies on it") 
     REQUIRE(box.awake());
 }
 
-TEST_CASE("spinning slowly adds up however large the angle is") {
+TEST_CASE("a slow rotation changes the angle however large it is") {
     World world({.gravity = {0, 0}, .sleeping = false});
     Body top = world.create_body({.angle = 40000.0f, .angular_velocity = 0.05f});
     top.add(Box{});

@@ -81,7 +81,7 @@ bool ends_within(int64_t allocations, Act&& act) {
 
 }  // namespace
 
-TEST_CASE("wherever memory ends a world is as good as before or refuses all until it is restored") {
+TEST_CASE("when memory runs out a world is unchanged or refuses all calls until it is restored") {
     World intact;
     add_floor(intact);
     add_box(intact, {0, 3});

@@ -39,7 +39,7 @@ bool kept(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("the owner of a world alone makes and ends what is in it") {
+TEST_CASE("only the owner of a world creates and destroys its objects") {
     World world;
     Things things = make_things(world);
     Owner owner("it belongs to a tree: destroy the instance instead");
@@ -99,7 +99,7 @@ TEST_CASE("only the owner changes the kind and the user data of a field and anyo
     REQUIRE(field.definition().user_data == 7);
 }
 
-TEST_CASE("a callback that holds the last reference of its world may be replaced") {
+TEST_CASE("a callback that has the last reference to its world may be replaced") {
     for (int which = 0; which < 4; ++which) {
         auto world = std::make_shared<World>();
         const std::weak_ptr<World> life = world;
@@ -121,7 +121,7 @@ TEST_CASE("a callback that holds the last reference of its world may be replaced
     }
 }
 
-TEST_CASE("the call of an owner may replace itself") {
+TEST_CASE("a function that an owner calls may replace itself") {
     Owner owner("ask it");
     World world;
     world.set_owner(&owner);

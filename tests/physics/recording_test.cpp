@@ -264,7 +264,7 @@ TEST_CASE("a step that differs is found and ends the replay") {
     REQUIRE_FALSE(replay.step());
 }
 
-TEST_CASE("a recording that ends inside a step is replayed to there") {
+TEST_CASE("a recording that ends inside a step is replayed up to that step") {
     Bytes bytes;
     World world;
     add_floor(world);

@@ -198,7 +198,7 @@ TEST_CASE("a saved world that is cut off or goes on is refused") {
     }
 }
 
-TEST_CASE("the seal covers how many bytes there are and where each stands") {
+TEST_CASE("the seal of a saved world covers the number and the order of its bytes") {
     std::vector<std::byte> zeros;
     std::vector<uint64_t> seen;
     for (size_t size = 0; size < 100; ++size) {

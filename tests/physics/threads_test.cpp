@@ -111,7 +111,7 @@ TEST_CASE("a pool does every block once whatever the number of threads") {
     }
 }
 
-TEST_CASE("what blocks throw the caller of a pool throws when all are done") {
+TEST_CASE("an exception in a block reaches the caller of the pool after all blocks are done") {
     ThreadPool pool(3, 3);
     for (int round = 0; round < 100; ++round) {
         std::atomic<int> done = 0;

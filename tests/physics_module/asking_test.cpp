@@ -30,7 +30,7 @@ TEST_CASE_METHOD(Game, "a handler of before_solve lets a body through a platform
     CHECK(Question::current() == nullptr);
 }
 
-TEST_CASE_METHOD(Game, "an answer outside its range is refused and the mixed value stays") {
+TEST_CASE_METHOD(Game, "an answer outside its range is refused and the mixed value is kept") {
     floor();
     const Handle crate = body("Box", {0, 0.5});
     std::vector<std::string> refused;

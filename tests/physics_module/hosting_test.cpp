@@ -148,7 +148,7 @@ TEST_CASE_METHOD(
     CHECK_THROWS_AS(physics.body(crate), property::Error);
 }
 
-TEST_CASE("physics is attached once") {
+TEST_CASE("physics can be attached only once") {
     Game game;
     CHECK_THROWS_AS(game.physics.attach(game.tree), std::logic_error);
 }
@@ -200,8 +200,7 @@ TEST_CASE("the length of a step that is refused is reported with few digits") {
     CHECK_THROWS_WITH(game.physics.step(1e300), contains("from 0 to 3.4e38 s"));
 }
 
-TEST_CASE(
-    "physics that is destroyed in the middle of a step or a query ends the program with words") {
+TEST_CASE("destroying physics in the middle of a step or a query ends the program with a message") {
     const bool in_step = GENERATE(true, false);
     const std::string words = last_words([&] {
         property::Tree tree;

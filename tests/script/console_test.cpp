@@ -81,7 +81,7 @@ TEST_CASE("an instance prints as a table with units and a set as rows") {
     CHECK(s.console("world:all('Circle'):set('radius', 1) and nil") != "");
 }
 
-TEST_CASE("query takes the words behind it and the name of a class and reports a misspelt name") {
+TEST_CASE("query accepts conditions without quotes and a class and reports a misspelt name") {
     Stage s;
     s.run("Ball = class('Ball', Body) {} world.ball = Ball { mass = 2, Circle {} }");
     CHECK_THAT(s.console("query mass > 1"), contains("world.ball"));
@@ -135,7 +135,7 @@ TEST_CASE("the console says what the name of a new property may mean") {
     CHECK(s.console("world.ball.hq = 3") == "world.ball.hq: nil → 3");
 }
 
-TEST_CASE("what a list leaves out is folded behind the line that counts it") {
+TEST_CASE("the entries that a list leaves out are folded into the line with their number") {
     Stage s;
     s.run("for i = 1, 107 do world['b' .. i] = Body {} end");
     const stage::Evaluation typed = s.runtime->evaluate("world:children()");

@@ -114,7 +114,8 @@ result = spin()
     CHECK(s.prints("print(result)") == "7");
 }
 
-TEST_CASE("the host is asked again at intervals about a long call until it is stopped") {
+TEST_CASE(
+    "the function of the host for long calls is called at intervals until the call is stopped") {
     Stage s;
     int asked = 0;
     s.runtime->limit_calls(patience, [&](const LongCall&) { return ++asked < 4; });

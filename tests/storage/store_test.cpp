@@ -243,7 +243,8 @@ TEST_CASE("a damaged file is reported and kept beside the new one") {
 }
 
 TEST_CASE(
-    "a store without a file says once that its values end with the run, unless that is wanted") {
+    "a store without a file warns once that its values end with the run unless that was "
+    "requested") {
     const bool wanted = GENERATE(false, true);
     std::vector<std::string> told;
     Store store("", {.writes = !wanted,

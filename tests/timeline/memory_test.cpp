@@ -176,7 +176,7 @@ TEST_CASE("a smaller limit of memory applies from the next step") {
     game.check(game.time().newest());
 }
 
-TEST_CASE("a state larger than the limit leaves an empty timeline and no error") {
+TEST_CASE("a state larger than the memory limit leaves an empty timeline without an error") {
     Playing game("world.text = string.rep('x', 3000000)");
     game.console("time.rewind_memory = 1");
     game.play(100);

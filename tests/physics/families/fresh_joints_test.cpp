@@ -158,7 +158,7 @@ TEST_CASE("shapes that are welded as they touch gain no energy") {
     CHECK(most < 0.05f);
 }
 
-TEST_CASE("a body that is put away from its joints is soon back and nothing is thrown") {
+TEST_CASE("a body that is moved away from its joints is soon back and nothing is thrown") {
     unsigned slow = 0, fast = 0;
     float time = 0, speed = 0;
     const unsigned seeds = families::seeds_or(50);
