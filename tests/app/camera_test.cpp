@@ -127,7 +127,7 @@ TEST_CASE_METHOD(Pictures, "a shake moves the picture of one camera and ends") {
         CHECK(near(circles[0].pixel, {640, 400}));
         most = std::max(most, (circles[1].pixel - still).length());
     }
-    CHECK(most > 4);  // px, of 20
+    CHECK(most > 4);  // px; the amplitude is 0.5 m, which is 20 px
     CHECK(most < 0.75 * 40);
     CHECK(get("camera.center").vec2() == Vec2(0, 0));
     for (int i = 0; i < 3; ++i) draw();
@@ -143,7 +143,7 @@ TEST_CASE_METHOD(Pictures, "the zoom of a camera is in pixels of its viewport") 
     CHECK(get("camera.zoom").number() == Approx(40));
     set("camera.visible", true);
     CHECK(draw()[1].radius == Approx(40));
-    CHECK_THROWS(set("camera.zoom", 1e6));  // 0.4 mm
+    CHECK_THROWS(set("camera.zoom", 1e6));  // 0.4 mm would be visible
     runtime.run("game.second = Camera { zoom = 10 } print(game.second.height)", "t");
     CHECK(heard() == "80.0");
 }

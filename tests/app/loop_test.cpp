@@ -184,7 +184,7 @@ TEST_CASE("a hook of a loop may replace itself") {
     Game game;
     std::weak_ptr<int> life;
     bool lived = false;
-    // Replaces the hook and then looks whether what the hook holds is still there.
+    // Replaces the hook while it runs; its captures must still exist afterwards.
     const auto hook = [&](auto set) {
         auto held = std::make_shared<int>();
         life = held;

@@ -110,7 +110,7 @@ TEST_CASE("a voice moves to another time when the game does and ignores small di
         Mixer mixer;
         mixer.set_voices({heard});
         (void)mixed(mixer, 0.5);
-        heard.time = 0.45;  // the device is a little behind, or ahead
+        heard.time = 0.45;  // less than the tolerance for the clock of the device
         mixer.set_voices({heard});
         const Signal same = mixed(mixer, 0.3);
         CHECK(frequency(same.left) == Approx(300).margin(1));

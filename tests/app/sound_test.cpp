@@ -122,7 +122,7 @@ TEST_CASE("a bus that does not pause and a sound that began in the pause are hea
     CHECK(game.printed == "song");
     CHECK(game.errors.empty());
 
-    // The device hears only the sound that holds: nothing.
+    // The only voice that is left is paused, so the mixer makes silence.
     Mixer rest;
     rest.set_voices(game.heard());
     CHECK(level(sound_measures::mixed(rest, 0.2).left) == 0);

@@ -53,7 +53,7 @@ TEST_CASE("a line that is not a request is refused") {
     }
     CHECK(!read_request(std::string(longest_request, '[')));
     CHECK(!read_request(R"({"run": )" + std::string(20000, '[') + std::string(20000, ']') + "}"));
-    // Nothing is built in memory that no request has, so reading ends there.
+    // Reading ends at the first value that no request has, so such values take no memory.
     CHECK(!read_request(R"({"run": "x", "more": []})"));
     CHECK(!read_request(R"({"run": "x", "more": {}})"));
     const auto with_members = [](std::size_t count) {

@@ -1,4 +1,4 @@
-// The machine that draws random worlds, watches them and minimizes what fails.
+// The generator of random worlds, the checks of their steps, and the minimizer of failing worlds.
 
 #include <algorithm>
 #include <set>

@@ -224,7 +224,7 @@ TEST_CASE_METHOD(CompareRig, "the pictures of two runs have room beside plots") 
     std::erase_if(shown, [](const console::Rect& each) { return each.empty(); });
     for (std::size_t i = 0; i < shown.size(); ++i)
         for (std::size_t k = 0; k < i; ++k) CHECK(apart(shown[i], shown[k]));
-    // What is selected moves nothing.
+    // The selection does not change the layout.
     state().choose(selected ? property::Handle{}
                             : tree.child(tree.child(tree.root(), "world"), "ball"));
     for (int i = 0; i < 3; ++i) console.draw(window, 1.0 / 60);

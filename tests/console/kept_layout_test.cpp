@@ -80,7 +80,7 @@ TEST_CASE("the game that begins again has the same instance selected") {
     CHECK(next.lua->selected() == property::resolve(next.tree, "world.ball").instance);
     next.lua->state().run("it.mass = 7");
     CHECK(property::get(next.tree, "world.ball.mass") == Value(7.0));
-    // After `it = nil` nothing comes back.
+    // Without a selection, the next run selects nothing.
     next.lua->select(std::vector<property::Handle>{});
     next.frame();
     CHECK_FALSE(next.lua->selected());

@@ -102,7 +102,8 @@ TEST_CASE("a text of several lines is edited in one line and keeps its line ends
         rig.draw(3);
     };
     append("!");
-    CHECK(rig.value("world.ball.label").text() == "one\ntwo ↵");  // would not come back as it was
+    CHECK(rig.value("world.ball.label").text() ==
+          "one\ntwo ↵");  // a line end in it could not be told from this sign
     rig.tree.set(ball, "label", Value("one\ntwo"));
     rig.draw(3);
     append(" and more");

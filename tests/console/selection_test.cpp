@@ -276,7 +276,7 @@ TEST_CASE("the button that deletes all selected leaves no error") {
         rig.tree.destroy(rig.crate);
     };
     const console::Rect& all = rig.state().screen.inspector_rect;
-    // From below the buttons upwards, where a click does nothing, until it is found.
+    // Clicks from below upwards until one hits the button; between the buttons nothing happens.
     for (float y = (all.low.y + all.high.y) / 2; y > all.low.y + 60 && !deleted; y -= 8)
         rig.click(all.low.x + 45, y);
     REQUIRE(deleted);

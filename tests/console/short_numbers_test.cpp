@@ -1,4 +1,4 @@
-// Numbers with four significant digits in the log, and the whole ones behind them.
+// Numbers with four significant digits in the log, and the whole numbers that they stand for.
 
 #include <string>
 #include <string_view>
@@ -26,7 +26,7 @@ TEST_CASE("printed values have four significant digits") {
     CHECK(shown("a - 1.23456") == "a - 1.235");
     CHECK(shown("3-1.23456") == "3-1.235");
     CHECK(shown("{1.23456, x = 2.34567}") == "{1.235, x = 2.346}");
-    // What has no more digits than that, is whole, or is no decimal number stays as it is.
+    // Numbers with few digits, whole numbers and other texts are not changed.
     for (const std::string_view same :
          {"0.25", "1e-05", "123456789", "1.2345.6", "0x1.23456p3", "1.23456…", "step 123456",
           "07:42:48", "world.brick_1.23456", "\"1.23456\"", "~/a-1.23456/b", ""})

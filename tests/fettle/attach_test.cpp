@@ -86,7 +86,7 @@ TEST_CASE("a command typed in a terminal runs in a running game") {
     CHECK(contains(attached(running.folder, "x\n", {"drop"}).out, "  3\n"));
     CHECK(contains(attached(running.folder, "x\n", {(running.folder / "drop").string()}).out,
                    "  3\n"));
-    // Longer commands would delay a frame; what is refused says what runs them.
+    // Longer commands would delay a frame; the refusal names the function that runs them.
     const Outcome large = attached(running.folder, std::string(4096, '(') + "\nx\n");
     CHECK(contains(large.out, "at most 4096 bytes; exec(\"FILE\") runs more"));
     CHECK(large.out.ends_with("  3\n"));

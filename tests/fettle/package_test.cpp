@@ -300,7 +300,7 @@ TEST_CASE("a package replaces only a regular file and leaves the files beside it
     CHECK(contains(fettle(folder, {"package", game, "--linux", (folder / "c.tar.gz").string()}).err,
                    "there is something already that is not a file"));
     CHECK(fettle(folder, {"package", game, "--deb", (folder / "x").string()}).status == 2);
-    // No draft is left: its name would be that of the package, with more behind it.
+    // No temporary file is left: its name would begin with that of the package.
     for (const auto& each : fs::directory_iterator(folder / "")) {
         const std::string name = each.path().filename().string();
         CAPTURE(name);

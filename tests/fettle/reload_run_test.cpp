@@ -25,7 +25,7 @@ struct Run {
     }
 };
 
-/// Notes in the store what happened, which the test can see.
+/// Lua that writes into the store what a reload did, where the test reads it.
 const std::string tells =
     "function reloaded(files) store.files = files[1] store.mass = world.ball.mass "
     "store.played = world.ball.position.y < 0 quit() end ";

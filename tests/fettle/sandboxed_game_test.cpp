@@ -137,8 +137,8 @@ TEST_CASE("one replacement of a text takes no more memory than a game may have")
     CAPTURE(replacement);
     const Folder folder;
     folder.write("game/main.lua", "return (('a'):rep(1e7)):" + replacement);
-    // One of very many pieces costs time before it costs memory. The others have so much time that
-    // a slow machine needs the memory first.
+    // Very many pieces reach the limit of time before that of memory. The others get so much time
+    // that a slow machine needs the memory first.
     const bool in_pieces = contains(replacement, "%%");
     const Outcome run = fettle(folder,
                                {"run", (folder / "game").string(), "--sandbox", "--headless",

@@ -238,7 +238,7 @@ TEST_CASE_METHOD(Menu, "text is typed at the caret") {
     CHECK(get("menu.column.f.text").text() == "hell ");
     tap("enter");
     CHECK(heard() == "f\thell ");
-    // A caret behind the end, and in a shorter text, is one at the end.
+    // A caret beyond the end of its text, or of a shorter text, is moved to the end.
     set("menu.column.f.caret", Value(1000));
     tap("backspace");
     CHECK(get("menu.column.f.text").text() == "hell");
@@ -398,7 +398,7 @@ TEST_CASE("a menu that is not modal has the keyboard again after a modal one abo
     s.run("o:delete() n:delete()");
     s.turn();
     CHECK(s.focus() == "m.column.a");
-    // It has not got it, if the player or the game has taken it away.
+    // It does not get the keyboard back if the player or the game has taken it away.
     s.tap("escape");
     open_and_close(R"(Button { text = "c" })", "n:delete()");
     CHECK(s.focus().empty());

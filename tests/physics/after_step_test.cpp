@@ -8,7 +8,7 @@
 
 namespace after_step_test {
 
-// Edits that a callback orders, and that are made after the step.
+// Edits that a callback requests and that are made after the step.
 
 using namespace scenes;
 
@@ -102,7 +102,7 @@ TEST_CASE("a function may destroy the world and the later ones are not called") 
 }
 
 TEST_CASE("functions of a destroyed world are not called for a world in its place") {
-    // The new world may be at the same address, and it has the link of the old one.
+    // The new world may have the address of the old one; in the second case it always has.
     int calls = 0;
     auto world = std::make_unique<World>();
     world->after_step([&] {
@@ -116,7 +116,7 @@ TEST_CASE("functions of a destroyed world are not called for a world in its plac
     other.after_step([&] { ++calls; });
     other.step(frame);
     REQUIRE(calls == 0);
-    // A world that moves is still the same.
+    // A world that is moved is still the same world.
     World from, to;
     from.after_step([&] { to = std::move(from); });
     from.after_step([&] { ++calls; });

@@ -121,7 +121,7 @@ TEST_CASE("sleeping joints are not looked at and go on where they were") {
     box.set_awake(true);
     world.step(frame);
     REQUIRE(world.statistics().awake_joints == 1);
-    REQUIRE(std::fabs(box.velocity().y) < 0.001f);  // warm: it does not sag
+    REQUIRE(std::fabs(box.velocity().y) < 0.001f);  // warm started: it does not sag
     REQUIRE_FALSE(world.validate());
     REQUIRE_FALSE(twin.validate());
 }

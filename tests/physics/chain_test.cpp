@@ -278,8 +278,8 @@ TEST_CASE("ten thousand segments cost no more than those that are near") {
     REQUIRE(world.statistics().shapes == 51);
 }
 
-// The search for touches that begin and end between the many parts of an outline and one body went
-// through all parts: these tests took 50 s and 40 s.
+// When the search for contacts that begin or end visited all parts of an outline for each body,
+// these two tests took 50 s and 40 s.
 TEST_CASE(
     "the cost of a long chain across the border of the world does not grow with the square of its "
     "points") {

@@ -8,7 +8,7 @@
 
 namespace copy_test {
 
-// Copying a world has a name; moving it moves what it has.
+// World::clone copies a world; moving a world keeps its handles, callbacks and future.
 
 using namespace scenes;
 

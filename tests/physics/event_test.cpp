@@ -83,8 +83,7 @@ TEST_CASE("a hit of a shape with hit events reports its speed and impulse and po
 
 namespace {
 
-/// What the events say about the first impact of a body that comes down on a fixed floor, and what
-/// happened.
+/// The first impact of a body that falls on a fixed floor: as the events report it, and as it was.
 struct Impact {
     int hits = 0, begins = 0;
     float speed = 0.0f, impulse = 0.0f, begin_speed = 0.0f, begin_impulse = 0.0f;

@@ -10,8 +10,8 @@
 
 namespace function_life_test {
 
-// What a function of the user holds is destroyed with it, and may use the world meanwhile, or
-// destroy it.
+// The captures of a callback are destroyed with it; their destructors may use the world or destroy
+// it.
 
 using namespace scenes;
 

@@ -5,7 +5,7 @@
 
 namespace handles_test {
 
-// Handles and ids that name nothing, or something of another world.
+// Handles and ids of no object, of a destroyed one, or of one in another world.
 
 using namespace scenes;
 

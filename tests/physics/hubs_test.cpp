@@ -127,7 +127,7 @@ TEST_CASE("the contact of a body that is not much lighter acts on the hub itself
     hubs.choose_node(c, bodies);
     REQUIRE(c.hub == 0);
     REQUIRE(c.node == 1);
-    // Nor does what is solved one at a time, or what does not move.
+    // The same for a contact that is solved serially, or whose other body does not move.
     bodies[2].inverse_mass = 1.0f;
     c.serially = true;
     hubs.choose_node(c, bodies);
@@ -186,7 +186,7 @@ TEST_CASE("light boxes and a heavy one rest on a raft as they do on the ground")
 }
 
 TEST_CASE("a raft sinks as deep as what is on it weighs") {
-    // On a spring: what its copies give it in all sub-steps has to add up.
+    // The raft rests on a spring, so the impulses of its copies in all sub-steps have to add up.
     World world({.sleeping = false});
     Raft raft(world, 64 * 2, {0, 0});
     Body ground = world.create_body({.type = BodyType::static_body});

@@ -35,7 +35,7 @@ TEST_CASE("jointed bodies sleep and wake as one island") {
     rod.set_enabled(false);
     REQUIRE(left.awake());
     right.set_awake(false);
-    REQUIRE(left.awake());  // nothing ties them
+    REQUIRE(left.awake());  // the disabled joint connects no islands
     REQUIRE_FALSE(world.validate());
 }
 

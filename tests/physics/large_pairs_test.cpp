@@ -11,7 +11,7 @@ namespace large_pairs_test {
 using namespace scenes;
 using namespace fettle::physics::detail;
 
-// Large polygons with every other kind of shape: as if all their vertices had been looked at.
+// Large polygons with every other kind of shape: the results are those of a search of all vertices.
 
 namespace {
 
@@ -42,7 +42,7 @@ float separation_of_all(const EllipseForm& ellipse, const Convex& polygon, Vec2 
     return most;
 }
 
-/// A polygon with an ellipse beside it, gap (m) given but for the direction of least overlap.
+/// The offset of a polygon that puts it `gap` (m) away from the ellipse along `d`.
 Vec2 beside(const EllipseForm& ellipse, const Convex& polygon, Vec2 d, float gap) {
     return (gap - separation_along(d, ellipse, polygon, {})) * d;
 }

@@ -94,7 +94,7 @@ TEST_CASE("a polygon of four thousand vertices rolls like a disc") {
     const double expected = 2.0 / 3.0 * 10.0 * std::sin(double(slope)) * 2.0;
     REQUIRE(double(body.velocity().length()) == Approx(expected).epsilon(0.01));
     REQUIRE_FALSE(world.validate());
-    // Its questions.
+    // Queries of the polygon.
     const Position center = body.world_center();
     REQUIRE(shape.contains(center + Vec2(0, 0.49f)));
     REQUIRE_FALSE(shape.contains(center + Vec2(0, 0.51f)));

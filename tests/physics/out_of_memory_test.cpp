@@ -14,7 +14,7 @@ using namespace scenes;
 
 namespace {
 
-/// Edits, steps, copies and questions of all kinds.
+/// Edits, steps, copies and queries of all kinds.
 void live(World& world) {
     world.create_body({.type = BodyType::static_body})
         .add(Chain{.points = {{-20, 0}, {0, 0}, {5, -0.5f}, {20, 0}}});

@@ -71,8 +71,8 @@ TEST_CASE("nearly straight points are dropped") {
 
 namespace {
 
-/// The algorithm of Douglas and Peucker as it is written down: all points between two corners are
-/// looked at.
+/// The algorithm of Douglas and Peucker as it was published, which visits all points between two
+/// corners.
 void keep_corners(const std::vector<Vec2>& points, size_t begin, size_t end, float straight,
                   std::vector<bool>& kept) {
     float farthest = straight * straight;

@@ -7,7 +7,7 @@
 
 namespace owner_test {
 
-// A world that belongs to a host: the host alone makes and ends what is in it.
+// A world with an owner: only the owner creates and destroys its objects.
 
 using namespace scenes;
 

@@ -168,7 +168,7 @@ TEST_CASE("a replay of a world with a filter can be checked while it runs and af
     add_box(world, {0, 0.5f});
     add_box(world, {0.3f, 0.5f});
     world.set_filter([](const Shape& a, const Shape& b) {
-        return a.body().type() != b.body().type();  // the boxes are in each other
+        return a.body().type() != b.body().type();  // the boxes overlap
     });
     run(world, 0.1f);
     world.start_recording(into(bytes));

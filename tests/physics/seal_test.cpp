@@ -11,7 +11,7 @@ using namespace scenes;
 
 namespace {
 
-/// Small worlds of all that there is.
+/// Small worlds that together contain every kind of object.
 std::vector<std::vector<std::byte>> several() {
     std::vector<std::vector<std::byte>> all;
     World empty({.gravity = {0, 0}});

@@ -66,7 +66,7 @@ class Arguments {
             if (fettle_world_destroy(place) == FETTLE_DONE)
                 place = made.world;
             else
-                fettle_world_destroy(made.world);  // the call is inside one of the place
+                fettle_world_destroy(made.world);  // `place` is not destroyed inside its own call
         }
         bool locked;
         for (int i = 0; i < 3; ++i)

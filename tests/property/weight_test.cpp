@@ -65,7 +65,7 @@ TEST_CASE("the weight of texts and lists is counted as long as their instance ex
         tree.destroy(line);
         tree.barrier();
     }
-    // The name stays known.
+    // What is left is the name, which the tree does not forget.
     CHECK(tree.weight() - empty < 1000);
 }
 

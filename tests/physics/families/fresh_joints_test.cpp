@@ -42,8 +42,8 @@ Geometry any_shape(Random& random, float size) {
     return Ellipse{.radius_x = size * random(0.4f, 0.8f), .radius_y = size * random(0.3f, 0.5f)};
 }
 
-/// Energy after a body was thrown at another one that it is welded to over a third, by the energy
-/// before.
+/// A body is thrown at another one, to which it is welded by way of a third one. Returns the energy
+/// afterwards as a share of the energy before.
 float thrown_at_its_own(unsigned seed) {
     Random random{std::mt19937(seed)};
     World world(WorldDef{.gravity = {0, 0}});
@@ -66,8 +66,8 @@ float thrown_at_its_own(unsigned seed) {
     return most / before;
 }
 
-/// The energy by which a rain of shapes gains, where each that touches another one is welded to
-/// it, by its energy at the start.
+/// Shapes fall, and each that touches another one is welded to it. Returns the energy that they
+/// gain as a share of their energy at the start.
 float rain_of_sticky_shapes(unsigned seed) {
     Random random{std::mt19937(seed)};
     World world;
@@ -93,7 +93,7 @@ float rain_of_sticky_shapes(unsigned seed) {
     return gain / before;
 }
 
-/// What becomes of a chain of pinned boxes, one of which was put somewhere else.
+/// A chain of pinned boxes after one of them was moved somewhere else.
 struct Drawn {
     float time = 0;      ///< s, until no joint is wider than 2 cm for good
     float speed = 0;     ///< m/s, of the fastest body in the end
