@@ -79,7 +79,7 @@ TEST_CASE_METHOD(Pictures, "a camera follows an instance") {
         print(game.camera:to_world(vec(640, 400)))  -- no step was made yet
     )",
                 "t");
-    CHECK(heard() == "vec(0, 3)");
+    CHECK(new_output() == "vec(0, 3)");
     set("camera.visible", true);
     CHECK(near(draw()[1].pixel, {640, 400 + 3 * 40}));
     set("place.position", Vec2(1, 0));
@@ -145,7 +145,7 @@ TEST_CASE_METHOD(Pictures, "the zoom of a camera is in pixels of its viewport") 
     CHECK(draw()[1].radius == Approx(40));
     CHECK_THROWS(set("camera.zoom", 1e6));  // 0.4 mm would be visible
     runtime.run("game.second = Camera { zoom = 10 } print(game.second.height)", "t");
-    CHECK(heard() == "80.0");
+    CHECK(new_output() == "80.0");
 }
 
 TEST_CASE_METHOD(Pictures, "instances on the screen are drawn once and last") {
@@ -167,7 +167,7 @@ TEST_CASE_METHOD(Pictures, "a camera converts between points of the world and pi
         print(game.camera:to_world(vec(960, 400)), game.camera:to_screen(vec(4, 4)))
     )",
                 "t");
-    CHECK(heard() == "vec(3, 4)\tvec(1000, 400)");
+    CHECK(new_output() == "vec(3, 4)\tvec(1000, 400)");
 }
 
 TEST_CASE_METHOD(Pictures, "a viewport without an area shows nothing") {

@@ -190,10 +190,10 @@ TEST_CASE("later widgets and those with a higher z are in front") {
         game.a:on("pressed", function() print("a") end)
         game.b:on("pressed", function() print("b") end))");
     s.click(Vec2(20, 20));
-    CHECK(s.heard() == "b");
+    CHECK(s.new_output() == "b");
     s.set("a.z", Value(1.0));
     s.click(Vec2(20, 20));
-    CHECK(s.heard() == "a");
+    CHECK(s.new_output() == "a");
 }
 
 TEST_CASE("the widget that is seen at a point of the screen") {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
-std::string error_of(const std::function<void()>& act) {
+std::string message_of(const std::function<void()>& act) {
     try {
         act();
     } catch (const std::invalid_argument& error) {
@@ -27,7 +27,7 @@ void require_errors(Things& things, const std::string& what) {
     for (const Method& method : every_method()) {
         if (method.name.starts_with("World::")) continue;
         INFO(method.name);
-        CHECK_THAT(error_of([&] { method.call(things); }), contains(what));
+        CHECK_THAT(message_of([&] { method.call(things); }), contains(what));
     }
     REQUIRE_FALSE(things.body.is_valid());
     REQUIRE_FALSE(things.circle.is_valid());
@@ -98,7 +98,7 @@ TEST_CASE("a joint is not made of destroyed or missing bodies or of bodies of an
     const auto refused = [&](const JointDef& def, const std::string& what) {
         for (const auto& [name, create] : every_joint()) {
             INFO(name << ": " << what);
-            CHECK_THAT(error_of([&, &create = create] { create(world, def); }), contains(what));
+            CHECK_THAT(message_of([&, &create = create] { create(world, def); }), contains(what));
         }
     };
     refused({.body_a = stale, .body_b = good}, "body_a: body");
@@ -213,7 +213,7 @@ TEST_CASE("the body that carries the bounds can be read and not edited") {
         Things things = {.world = world};
         things.body = border;
         INFO(method.name);
-        CHECK_THAT(error_of([&] { method.call(things); }), contains("carries the bounds"));
+        CHECK_THAT(message_of([&] { method.call(things); }), contains("carries the bounds"));
     }
     REQUIRE_THROWS_WITH(side.destroy(), contains("set its bounds"));
     REQUIRE_THROWS_WITH(ball.shapes()[0].attach(border), contains("bounds of the world"));

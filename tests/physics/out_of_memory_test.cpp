@@ -15,7 +15,7 @@ using namespace scenes;
 namespace {
 
 /// Edits, steps, copies and queries of all kinds.
-void live(World& world) {
+void use_everything(World& world) {
     world.create_body({.type = BodyType::static_body})
         .add(Chain{.points = {{-20, 0}, {0, 0}, {5, -0.5f}, {20, 0}}});
     const std::vector<Vec2> notched = {
@@ -89,7 +89,7 @@ TEST_CASE("when memory runs out a world is unchanged or refuses all calls until 
     for (int64_t allocations = 0;; ++allocations) {
         INFO("memory ends after " << allocations << " allocations");
         World world;
-        if (!ends_within(allocations, [&] { live(world); })) break;
+        if (!ends_within(allocations, [&] { use_everything(world); })) break;
         ++(is_damaged(world) ? damaged : whole);
         if (is_damaged(world)) {
             REQUIRE(world.bodies().empty());

@@ -23,7 +23,7 @@ const std::set<std::string>& kept_for_the_owner() {
     return names;
 }
 
-std::string error_of(const std::function<void()>& act) {
+std::string message_of(const std::function<void()>& act) {
     try {
         act();
     } catch (const Locked& error) {
@@ -50,7 +50,7 @@ TEST_CASE("only the owner of a world creates and destroys its objects") {
     for (const Method& method : every_method()) {
         if (!method.edits || !kept(method.name)) continue;
         INFO(method.name);
-        const std::string error = error_of([&] { method.call(things); });
+        const std::string error = message_of([&] { method.call(things); });
         CHECK(error == method.name + ": it belongs to a tree: destroy the instance instead");
         if (error.starts_with(method.name)) refused.insert(method.name);
     }

@@ -69,14 +69,14 @@ struct Course {
     size_t broken = 0, hits = 0;
 };
 
-/// Runs with `hands` threads, however many processors there are.
-Course run_with(int hands, int steps, int heaps = 1) {
-    ThreadPool pool(hands, hands);
+/// Runs with `threads` threads, however many processors there are.
+Course run_with(int threads, int steps, int heaps = 1) {
+    ThreadPool pool(threads, threads);
     World world({.sleeping = false});
     world.create_body({.type = BodyType::static_body})
         .add(Box{.width = 400.0f * float(heaps), .height = 2, .center = {0, -1}});
     for (int i = 0; i < heaps; ++i) add_heap(world, 200.0f * float(i));
-    WorldInside::of(world).threads = hands > 1 ? &pool : nullptr;
+    WorldInside::of(world).threads = threads > 1 ? &pool : nullptr;
     Course course;
     for (int i = 0; i < steps; ++i) {
         world.step(frame);
@@ -218,8 +218,8 @@ TEST_CASE("a heap of everything ends the same however many threads share out its
     REQUIRE(one.has_hub);
     REQUIRE(one.broken > 0);
     REQUIRE(one.hits > 0);
-    for (const int hands : {2, 3, 4, 8}) {
-        const Course several = run_with(hands, 70);
+    for (const int threads : {2, 3, 4, 8}) {
+        const Course several = run_with(threads, 70);
         REQUIRE(several.hashes == one.hashes);
         REQUIRE(several.broken == one.broken);
         REQUIRE(several.hits == one.hits);
@@ -230,7 +230,7 @@ TEST_CASE("a heap larger than the cache ends the same however many threads share
     constexpr int steps = 12;
     const Course one = run_with(1, steps, 5);
     REQUIRE(one.strips == most_strips);
-    for (const int hands : {3, 4}) REQUIRE(run_with(hands, steps, 5).hashes == one.hashes);
+    for (const int threads : {3, 4}) REQUIRE(run_with(threads, steps, 5).hashes == one.hashes);
 }
 
 TEST_CASE("the index of bodies stays valid when strips sort an unordered list") {

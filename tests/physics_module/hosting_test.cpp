@@ -202,7 +202,7 @@ TEST_CASE("the length of a step that is refused is reported with few digits") {
 
 TEST_CASE("destroying physics in the middle of a step or a query ends the program with a message") {
     const bool in_step = GENERATE(true, false);
-    const std::string words = last_words([&] {
+    const std::string words = termination_message([&] {
         property::Tree tree;
         auto physics = std::make_unique<physics_module::PhysicsModule>();
         physics->attach(tree);

@@ -248,15 +248,15 @@ Result squeeze_many(float (*family)(unsigned, Solver), const char* name, Solver 
 
 constexpr Solver solvers[] = {Solver::soft_step, Solver::sequential, Solver::direct};
 
-/// Of five hundred worlds, two.
-int exceptions() {
+/// How many worlds may fail: two of five hundred.
+int allowed_failures() {
     return int(families::seeds_or(50)) / 250;
 }
 
 void check_none_is_thrown(float (*family)(unsigned, Solver), const char* name) {
     INFO(name);
     for (const Solver solver : solvers)
-        CHECK(squeeze_many(family, name, solver).thrown <= exceptions());
+        CHECK(squeeze_many(family, name, solver).thrown <= allowed_failures());
 }
 
 TEST_CASE("a body between a mallet and a wall is not thrown") {
