@@ -85,8 +85,7 @@ TEST_CASE("an error of a changed file is reported and the game goes on") {
     RunningProgram program = run.begin();
     REQUIRE(program.makes("game/begun.json"));
     run.folder.write("game/main.lua", "world.ball = Body { mas = 3 }");
-    // The run that goes on makes another file when the error is mended.
-    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    REQUIRE(program.reports("Body has no property \"mas\""));
     run.folder.write("game/main.lua",
                      "world.ball = Body { Circle { } } function reloaded() quit() end");
     const auto end = program.end();
@@ -110,10 +109,11 @@ TEST_CASE(
     RunningProgram program = run.begin();
     REQUIRE(program.makes("game/begun.json"));
     const auto pause = [](int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); };
-    pause(500);  // the files of the first step are followed from the next look on
+    pause(500);  // until the run has noted the files that it has read
     run.folder.write("game/hero.tga", "no image");
     run.folder.write("game/game.json", R"({"nam": "Hero"})");
-    pause(1500);
+    REQUIRE(program.reports("\"hero.tga\": cannot be read as PNG"));
+    REQUIRE(program.reports("(did you mean \"name\"?)"));
     run.folder.write("game/hero.tga", head + "\x40\x20\x30\xff");
     const auto end = program.end();
     INFO(end.out << end.err);
@@ -179,13 +179,13 @@ TEST_CASE("a changed scene is reported correctly and an error in it has its line
     RunningProgram program = run.begin();
     REQUIRE(program.makes("game/begun.json"));
     const auto pause = [](int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); };
-    pause(500);
+    pause(500);  // until the run has noted the files that it has read
     run.folder.write("game/later.json", "{ nonsense");
-    pause(1000);
+    REQUIRE(program.reports("later.json:1:"));
     run.folder.write("game/later.json", "{\n\"fettle_scene\": 1, \"class\": \"Bodi\"}");
-    pause(1000);
+    REQUIRE(program.reports("later.json:2:"));
     run.folder.write("game/later.json", scene + "30}}");
-    pause(1000);
+    REQUIRE(program.reports("later.json has changed"));
     run.folder.write("game/top.json", scene + "30}}");
     const auto end = program.end();
     INFO(end.out << end.err);
