@@ -64,8 +64,8 @@ TEST_CASE("undo and redo bring back and remove the action with its keys") {
     const auto after = [&](const char* command) {
         game.runtime.run(command, "test");
         game.loop.frame(tick);
-        const std::string said = game.new_output();
-        CHECK(said.find("any more") == std::string::npos);  // no note about what is missing
+        const std::string output = game.new_output();
+        CHECK(output.find("any more") == std::string::npos);  // no note about what is missing
         game.runtime.run("names()", "test");
         return game.new_output();
     };

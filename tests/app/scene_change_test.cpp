@@ -72,10 +72,10 @@ TEST_CASE("wrong calls of go to scene are errors with the nearest name") {
         try("Levle") try("Level", { transtion = "fade" }) try("Level", { transition = "fad" })
         try("Level", { seconds = -1 }) try("Level", { args = { f = print } }) try("Level", 3) try()
         try("Object") try("../x"))");
-    const std::string said = game.new_output();
+    const std::string output = game.new_output();
     for (const char* part : {"did you mean \"Level\"", "did you mean \"transition\"",
                              "did you mean \"fade\"", "expected 0 to 3600", "args.f"})
-        CHECK(said.find(part) != std::string::npos);
+        CHECK(output.find(part) != std::string::npos);
     game.loop.turn();
     CHECK_FALSE(bool(game.tree.child(game.tree.root(), "scene")));
 }

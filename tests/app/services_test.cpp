@@ -20,9 +20,9 @@ TEST_CASE("services that end before their tree leave none of their instances in 
     std::optional<Services> services(std::in_place, tree);
     const property::Handle view = tree.child(tree.root(), "view");
     const property::Handle child = tree.create(tree.object_class(), view, "child");
-    std::string told;
+    std::string deleted_paths;
     tree.watch_deleted(tree.object_class(), [&](const property::Existence& gone) {
-        told += gone.path + " ";
+        deleted_paths += gone.path + " ";
         if (gone.path != "view") return;
         CHECK(gone.last_values.size() > 5);
         CHECK(gone.cause.where == "the end of app::Services");
@@ -39,7 +39,7 @@ TEST_CASE("services that end before their tree leave none of their instances in 
     for (const char* path :
          {"time ", "time.timings ", "view ", "view.show ", "audio ", "audio.buses ",
           "audio.buses.music ", "input ", "input.keys ", "input.mouse ", "input.gamepad_1 "})
-        CHECK_THAT(told, contains(path));
+        CHECK_THAT(deleted_paths, contains(path));
     // No undo and no restore can create them again.
     tree.undo();
     CHECK(tree.size() == 2);

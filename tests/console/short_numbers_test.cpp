@@ -76,10 +76,10 @@ TEST_CASE("a copied part of a text contains the whole numbers in place of the sh
 
 TEST_CASE("what print prints has every digit in the log") {
     Log log;
-    script::Evaluation said;
-    said.lines = {"1.23456789", "1.23456789", "2.3456789 kg"};
-    said.printed = {0};
-    log.output(said);
+    script::Evaluation evaluation;
+    evaluation.lines = {"1.23456789", "1.23456789", "2.3456789 kg"};
+    evaluation.printed = {0};
+    log.output(evaluation);
     REQUIRE(log.lines().size() == 3);
     CHECK(log.lines()[0].text == "1.23456789");
     CHECK(log.lines()[1].text == "1.235");
@@ -100,14 +100,14 @@ TEST_CASE("lines that differ in digits that are not shown are not counted as one
 }
 
 TEST_CASE("a table with short numbers has narrow columns below each other") {
-    script::Evaluation said;
-    said.lines = {"path  at                         unit m²   end",
-                  "a     vec(1.23456789, 2.345678)  7         x",
-                  "b     vec(1, 2)                  5.123456  y"};
+    script::Evaluation evaluation;
+    evaluation.lines = {"path  at                         unit m²   end",
+                        "a     vec(1.23456789, 2.345678)  7         x",
+                        "b     vec(1, 2)                  5.123456  y"};
     // The sign of a square has two bytes.
-    said.tables = {{0, true, {{0, 6, 33, 44}, {0, 6, 33, 43}, {0, 6, 33, 43}}}};
+    evaluation.tables = {{0, true, {{0, 6, 33, 44}, {0, 6, 33, 43}, {0, 6, 33, 43}}}};
     Log log;
-    log.output(said);
+    log.output(evaluation);
     REQUIRE(log.lines().size() == 3);
     CHECK(log.lines()[0].text == "path  at                 unit m²  end");
     CHECK(log.lines()[1].text == "a     vec(1.235, 2.346)  7        x");

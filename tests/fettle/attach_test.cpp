@@ -69,18 +69,18 @@ struct Listening {
 TEST_CASE("a command typed in a terminal runs in a running game") {
     Listening running({"--listen"});
     REQUIRE(running.ready());
-    const Outcome said = attached(
+    const Outcome outcome = attached(
         running.folder,
         "x = 3\nx + 4\nfor i = 1, 2 do\nprint(i)\nend\nworld.gravity = vec(0, -2)\nworld.gravty\n"
         "world.ball.mass\nwhile true do\n");
-    INFO(said.out << said.err);
-    CHECK(said.status == 0);
-    CHECK(contains(said.out, "  7\n"));
-    CHECK(contains(said.out, "  1\n  2\n"));
-    CHECK(contains(said.out, "  world.gravity: vec(0, -10) → vec(0, -2) m/s²\n"));
-    CHECK(contains(said.out, "did you mean \"gravity\"?"));
-    CHECK(contains(said.out, "  3.1415927 kg\n"));
-    CHECK(said.out.ends_with("✗ the command ends too early\n"));
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK(contains(outcome.out, "  7\n"));
+    CHECK(contains(outcome.out, "  1\n  2\n"));
+    CHECK(contains(outcome.out, "  world.gravity: vec(0, -10) → vec(0, -2) m/s²\n"));
+    CHECK(contains(outcome.out, "did you mean \"gravity\"?"));
+    CHECK(contains(outcome.out, "  3.1415927 kg\n"));
+    CHECK(outcome.out.ends_with("✗ the command ends too early\n"));
     // A variable that one terminal has set exists for the next one, which finds the game by its
     // name and its path.
     CHECK(contains(attached(running.folder, "x\n", {"drop"}).out, "  3\n"));

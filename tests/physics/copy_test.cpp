@@ -43,21 +43,21 @@ TEST_CASE("a moved world has its handles callbacks and future at the new place")
     World plain, world;
     add_heap(plain);
     add_heap(world);
-    int asked = 0;
-    world.set_before_solve([&asked](ContactEdit&) { ++asked; });
+    int filter_calls = 0;
+    world.set_before_solve([&filter_calls](ContactEdit&) { ++filter_calls; });
     run(world, 0.5f);
     run(plain, 0.5f);
     const Body body = world.bodies()[3];
-    REQUIRE(asked > 0);
+    REQUIRE(filter_calls > 0);
 
     World there = std::move(world);
     REQUIRE(body.is_valid());
     REQUIRE(&body.world() == &there);
     REQUIRE(there.body(body.id()) == body);
-    asked = 0;
+    filter_calls = 0;
     run(there, 0.5f);
     run(plain, 0.5f);
-    REQUIRE(asked > 0);
+    REQUIRE(filter_calls > 0);
     REQUIRE(there.hash() == plain.hash());
     REQUIRE_FALSE(there.validate());
 

@@ -337,11 +337,11 @@ TEST_CASE("the exception of a callback reaches the caller and the world stays va
             World world, plain;
             world.set_threads(threads);
             Things things = make_things(world), same = make_things(plain);
-            int asked = 0, asked_there = 0;
+            int calls = 0, calls_there = 0;
             // Of any type, and the first of them.
             int caught = 0;
             try {
-                way.call(world, things, [&] { throw ++asked; });
+                way.call(world, things, [&] { throw ++calls; });
             } catch (const int thrown) {
                 caught = thrown;
             }
@@ -357,8 +357,8 @@ TEST_CASE("the exception of a callback reaches the caller and the world stays va
             REQUIRE_FALSE(world.validate());
             // As if no callback had been set.
             if (way.in_the_middle) {
-                way.call(plain, same, [&] { ++asked_there; });
-                REQUIRE(asked == asked_there);  // the others are asked all the same
+                way.call(plain, same, [&] { ++calls_there; });
+                REQUIRE(calls == calls_there);  // the others are asked all the same
                 plain.set_filter({});
                 plain.set_mixing({});
                 plain.set_before_solve({});

@@ -88,9 +88,9 @@ TEST_CASE("a handler that uses an instance deleted by a script is an error") {
 TEST_CASE("the name of a deleted instance is not taken for a method") {
     Game s;
     s.run("world.ball = Body {} world.ball:delete()");
-    const std::string said = s.fails("print(world.ball)");
-    CHECK_THAT(said, contains("world.ball: no such name"));
-    CHECK(said.find("did you mean") == std::string::npos);
+    const std::string message = s.fails("print(world.ball)");
+    CHECK_THAT(message, contains("world.ball: no such name"));
+    CHECK(message.find("did you mean") == std::string::npos);
 }
 
 TEST_CASE("a vector in a variable is connected and a note says so once") {

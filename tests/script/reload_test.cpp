@@ -66,9 +66,9 @@ TEST_CASE("a reload reports that start has changed and is not called again") {
         return game.runtime->reload({"main.lua"}).notes;
     };
     CHECK(notes("world.size = 0 " + code("local x = 1\n", "-10")).empty());
-    const std::vector<std::string> told = notes("world.size = 0 " + code("", "-2"));
-    REQUIRE(told.size() == 1);
-    CHECK_THAT(told[0], contains("start() has changed"));
+    const std::vector<std::string> reported = notes("world.size = 0 " + code("", "-2"));
+    REQUIRE(reported.size() == 1);
+    CHECK_THAT(reported[0], contains("start() has changed"));
     CHECK(stage::joined(game.printed) == "start");
     CHECK(notes("world.size = 0 " + code("", "-2")).empty());
     CHECK(notes("world.size = 0").empty());

@@ -86,10 +86,10 @@ TEST_CASE("a game with an empty path is a file that cannot be read") {
 TEST_CASE("an exception of no known type of a function of the host is an error with a text") {
     Stage stage;
     stage.runtime->add_function("spill", [](auto) -> fettle::property::Value { throw 3; });
-    std::string said;
-    stage.runtime->on_print([&](std::string_view line) { said += line; });
+    std::string message;
+    stage.runtime->on_print([&](std::string_view line) { message += line; });
     CHECK(stage.runtime->run("local ok, text = pcall(spill) print(text)", "main.lua"));
-    CHECK(said == "main.lua:1: an exception of no known type");
+    CHECK(message == "main.lua:1: an exception of no known type");
 }
 
 TEST_CASE("a function of the host has a name and a function") {

@@ -61,20 +61,20 @@ TEST_CASE("an undo that the memory does not allow says which property allows it"
     Playing game("");
     game.services.clock.rewind_memory = 1;
     game.loop->turn();
-    const auto said = [&](const char* command) {
+    const auto output_of = [&](const char* command) {
         std::string all;
         for (const std::string& line : game.runtime->evaluate(command).lines) all += line + "\n";
         return all;
     };
-    said("for i = 1, 2000 do world:add(Body { position = vec(i, 0), Circle {} }) end");
-    const std::string undone = said("undo");
+    output_of("for i = 1, 2000 do world:add(Body { position = vec(i, 0), Circle {} }) end");
+    const std::string undone = output_of("undo");
     INFO(undone);
     CHECK(undone.find("more memory than the history may") != std::string::npos);
     CHECK(undone.find("larger time.rewind_memory (1 MiB now)") != std::string::npos);
     game.services.clock.rewind_memory = 128;
     game.loop->turn();
-    said("for i = 1, 2000 do world:add(Body { position = vec(i, 0), Circle {} }) end");
-    CHECK(said("undo").find("deleted") != std::string::npos);
+    output_of("for i = 1, 2000 do world:add(Body { position = vec(i, 0), Circle {} }) end");
+    CHECK(output_of("undo").find("deleted") != std::string::npos);
 }
 
 TEST_CASE("the timeline keeps its memory limit in any game") {
