@@ -76,7 +76,7 @@ TEST_CASE("setting a button by name has the effect of pressing it") {
     CHECK(game.new_output() == "-1.8 -1.start");
 }
 
-TEST_CASE("the directional pad and its buttons are one") {
+TEST_CASE("the directional pad and its buttons have the same state") {
     Game game(listener);
     axis(game, "pad_y", 1);
     CHECK(game.get("input.gamepad_1.dpad_up").boolean());
@@ -109,7 +109,7 @@ TEST_CASE("an axis moves the stick or trigger of its name") {
     CHECK(game.get("input.gamepad_1.left_trigger").number() == 1);
 }
 
-TEST_CASE("a mapping says which button and axis is which") {
+TEST_CASE("a mapping names the buttons and axes") {
     Game game;
     game.set("input.gamepad_1.mapping",
              "03000000de2800,Some Pad,a:b2,b:b1,righttrigger:b7,rightx:a2,righty:a5~,"
@@ -132,7 +132,7 @@ TEST_CASE("a mapping says which button and axis is which") {
     CHECK(game.get("input.gamepad_1.left").vec2() == Vec2(0, 0));
 }
 
-TEST_CASE("a mapping that changes gives new names to what is down") {
+TEST_CASE("a changed mapping gives new names to buttons that are held") {
     Game game;
     button(game, "3", true);
     CHECK(game.get("input.gamepad_1.x").boolean());

@@ -120,7 +120,7 @@ TEST_CASE("going back in time before a transition and into one") {
     CHECK(game.errors.empty());
 }
 
-TEST_CASE("actions that enter began belong to its scene also after going back in time") {
+TEST_CASE("timers and watchers made in enter belong to their scene also after going back in time") {
     Game game(R"(
         class("A", Object) { }  class("B", Object) { }
         function A:enter()

@@ -146,7 +146,7 @@ TEST_CASE("an edit goes to all that are selected as one step of undo") {
     CHECK(rig.value("world.crate.angle").number() == 0);
 }
 
-TEST_CASE("of a vector only the edited component goes to the others") {
+TEST_CASE("an edit of a component of a vector sets only this component of the others") {
     SelectionRig rig;
     rig.tree.set(rig.crate, "position", Value(Vec2(3, 8)));
     rig.select_all();

@@ -78,7 +78,7 @@ TEST_CASE_METHOD(Menu, "without a modal widget the game gets what no widget take
     CHECK(new_output().find("mouse\tleft") == 0);
 }
 
-TEST_CASE_METHOD(Menu, "a key that the menu got stays its own until it is released") {
+TEST_CASE_METHOD(Menu, "a key that the menu got does not reach the game until it is released") {
     set("input.keys.space", true);
     turn();
     CHECK(new_output() == "a!");
@@ -94,7 +94,7 @@ TEST_CASE_METHOD(Menu, "a key that the menu got stays its own until it is releas
     CHECK(get("input.jump.held").boolean());
 }
 
-TEST_CASE_METHOD(Menu, "keys and the gamepad go through the menu") {
+TEST_CASE_METHOD(Menu, "keys and the gamepad move the keyboard focus through the menu") {
     CHECK(focus() == "menu.column.a");
     tap("down");
     CHECK(focus() == "menu.column.b");
@@ -173,7 +173,7 @@ TEST_CASE_METHOD(Menu, "disabled and invisible widgets are left out") {
     CHECK_FALSE(get("menu.column.t.value").boolean());
 }
 
-TEST_CASE("left and right stay in a row and pass what is disabled") {
+TEST_CASE("left and right move within a row and skip disabled widgets") {
     Screen s(R"(
         game.m = Panel { modal = true, Column {
             Row { name = "cards", Button { name = "a", text = "one", min_size = vec(200, 80) },

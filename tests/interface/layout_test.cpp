@@ -196,7 +196,7 @@ TEST_CASE("later widgets and those with a higher z are in front") {
     CHECK(s.new_output() == "a");
 }
 
-TEST_CASE("the widget that is seen at a point of the screen") {
+TEST_CASE("the visible widget at a point of the screen is found") {
     Placed s(R"(
         game.around = Column { size = vec(600, 0), offset = vec(100, 100), spacing = 20,
             Label { text = "a label" }, Button { text = "a button", disabled = true } }

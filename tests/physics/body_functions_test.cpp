@@ -108,7 +108,7 @@ TEST_CASE("a position function holds a body on a path and the drawn pose follows
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("numbers without a meaning from functions of a body change nothing or are limited") {
+TEST_CASE("invalid numbers from functions of a body change nothing or are limited") {
     World plain, odd;
     for (World* world : {&plain, &odd}) {
         add_floor(*world);

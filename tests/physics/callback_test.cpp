@@ -172,7 +172,7 @@ TEST_CASE("a touch that lasts is reported in every step after its first") {
     REQUIRE(world.events().contact_persist.empty());
 }
 
-TEST_CASE("passive callbacks change nothing and belong to no snapshot") {
+TEST_CASE("callbacks that only count change no result and are not saved") {
     auto build = [](World& world) {
         add_floor(world);
         for (int i = 0; i < 30; ++i) add_box(world, {0.3f * float(i % 5), 1 + 1.1f * float(i)});

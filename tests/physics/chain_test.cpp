@@ -208,7 +208,7 @@ TEST_CASE("a chain is found by rays from its front and by every other query") {
     REQUIRE(distance(ball.shapes()[0], chain).distance == Approx(1.5f));
 }
 
-TEST_CASE("the points of a chain are live") {
+TEST_CASE("a change of the points of a chain has an effect at once") {
     World world;
     Shape chain = ground_of(world, flat(10, 1.0f, -5.0f));
     Body ball = add_ball(world, {0.5f, 0.5f}, 0.5f);
@@ -241,7 +241,7 @@ TEST_CASE("the points of a chain are live") {
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("points without meaning make no chain and say why") {
+TEST_CASE("invalid points make no chain and the error has the reason") {
     World world;
     const auto refused = [&](const Chain& chain, const std::string& why) {
         try {

@@ -74,7 +74,7 @@ TEST_CASE("an explosion wakes bodies and pushes only those that the filter accep
     CHECK_FALSE(other.awake());
 }
 
-TEST_CASE("an explosion without meaning is refused and pushes nothing") {
+TEST_CASE("an invalid explosion is refused and pushes nothing") {
     World world({.gravity = {0, 0}});
     Body box = add_box(world, {1, 0});
     const float nan = std::nanf("");

@@ -104,7 +104,7 @@ TEST_CASE("a box of half the density of water floats half under it and level") {
     REQUIRE(ball.position().y < 0.0f);
 }
 
-TEST_CASE("every property of a field is live and wakes what sleeps") {
+TEST_CASE("every property of a field has an effect at once and wakes sleeping bodies") {
     World world;
     Field water = world.create_field({.force = BuoyancyField{.level = 3.0f}});
     Body box = add_box(world, {0, 3});

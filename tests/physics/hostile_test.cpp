@@ -15,7 +15,7 @@ constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 
-TEST_CASE("values without meaning are refused by name and change nothing") {
+TEST_CASE("invalid values are refused by name and change nothing") {
     World world;
     Body body = add_box(world, {1, 2});
     Shape shape = body.shapes()[0];

@@ -185,7 +185,7 @@ TEST_CASE("light boxes and a heavy one rest on a raft as they do on the ground")
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("a raft sinks as deep as what is on it weighs") {
+TEST_CASE("a raft on a spring sinks by the weight of the bodies on it") {
     // The raft rests on a spring, so the impulses of its copies in all sub-steps have to add up.
     World world({.sleeping = false});
     Raft raft(world, 64 * 2, {0, 0});

@@ -75,7 +75,7 @@ TEST_CASE("a search for the deepest of many edges evaluates only a few times the
     }
 }
 
-TEST_CASE("an ellipse is as far from a large polygon as from all its edges") {
+TEST_CASE("the distance between an ellipse and a large polygon is that of a search of all edges") {
     std::mt19937 random(23);
     std::uniform_real_distribution<float> angle(0.0f, 6.2831853f), gap(-0.05f, 2.0f);
     for (int trial = 0; trial < 300; ++trial) {
@@ -104,7 +104,7 @@ TEST_CASE("an ellipse is as far from a large polygon as from all its edges") {
     }
 }
 
-TEST_CASE("rays and points meet large polygons as they meet their edges") {
+TEST_CASE("rays and points find large polygons as in a search of all edges") {
     std::mt19937 random(29);
     std::uniform_real_distribution<float> angle(0.0f, 6.2831853f), far(0.0f, 5.0f);
     int hits = 0, inside = 0;

@@ -26,7 +26,7 @@ TEST_CASE("bisection finds the same farthest vertex as a search of all vertices"
     }
 }
 
-TEST_CASE("large polygons collide as they do edge by edge") {
+TEST_CASE("contacts of large polygons are those of a search of all edges") {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> angle(0.0f, 6.2831853f), gap(-0.2f, 0.03f);
     int met = 0, apart = 0;
@@ -58,7 +58,7 @@ TEST_CASE("large polygons collide as they do edge by edge") {
     REQUIRE(apart > 100);
 }
 
-TEST_CASE("distances to large polygons are those of all their edges") {
+TEST_CASE("distances to large polygons are those of a search of all edges") {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> angle(0.0f, 6.2831853f), gap(0.01f, 3.0f);
     for (int trial = 0; trial < 500; ++trial) {

@@ -196,7 +196,7 @@ TEST_CASE("a sleeping body that is hit wakes") {
     REQUIRE(scene.box.position().x > 0.05f);
 }
 
-TEST_CASE("a kinematic platform that starts to move wakes what sleeps on it") {
+TEST_CASE("a kinematic platform that starts to move wakes bodies that sleep on it") {
     World world;
     Body platform = world.create_body({.type = BodyType::kinematic_body});
     platform.add(Box{.width = 10, .height = 1});

@@ -111,7 +111,9 @@ TEST_CASE("a ray through a corner does not slip between two edges") {
     REQUIRE(calls > 9000);
 }
 
-TEST_CASE("an AABB query finds what overlaps the box and not what only its own box does") {
+TEST_CASE(
+    "an AABB query finds shapes that overlap the box and none of which only the own box overlaps "
+    "it") {
     World world;
     Body diamond = world.create_body({.angle = 0.785398f});
     Shape shape = diamond.add(Box{.width = 2, .height = 2});

@@ -418,7 +418,7 @@ TEST_CASE("a recording that ends within a part is replayed up to the part before
     REQUIRE(Replay(longer).is_cut_off());
 }
 
-TEST_CASE("damage below right checksums is refused or replayed and never harmful") {
+TEST_CASE("a damaged recording with valid checksums is refused or replayed without harm") {
     const Bytes bytes = some_recording();
     const auto chunks = chunks_in(bytes);
     uint64_t state = 77;

@@ -218,7 +218,7 @@ TEST_CASE("the seal of a saved world covers the number and the order of its byte
     REQUIRE((exchanged == bytes || detail::checksum(exchanged) != detail::checksum(bytes)));
 }
 
-TEST_CASE("a world that was saved behind other bytes is sealed by itself") {
+TEST_CASE("a world that is saved after other bytes has a seal of its own") {
     World world;
     add_ball(world, {0, 5});
     std::vector<std::byte> bytes(13, std::byte{7});

@@ -315,7 +315,7 @@ TEST_CASE("a spring swings with its period in the direct solver") {
     CHECK(crossed == Approx(9.5f).epsilon(0.005));
 }
 
-TEST_CASE("the solver changes while a world runs and what sleeps wakes") {
+TEST_CASE("the solver can be changed while a world runs and sleeping bodies wake") {
     World world;
     add_floor(world);
     std::vector<Body> stack;

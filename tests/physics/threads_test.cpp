@@ -194,7 +194,7 @@ TEST_CASE(
     REQUIRE(ram.position().x > 20.0f);
 }
 
-TEST_CASE("the number of threads is live and no part of what is copied or restored") {
+TEST_CASE("the number of threads can be changed at any time and is not copied or restored") {
     World world, other;
     pyramid_and_stacks(world);
     pyramid_and_stacks(other);

@@ -272,7 +272,7 @@ TEST_CASE("finished is emitted once in the step in which the value is reached") 
     CHECK(stage::joined(s.printed) == "2.0\ttrue\t30");
 }
 
-TEST_CASE("a tween is paused and moved and stopped live") {
+TEST_CASE("a tween can be paused and moved and stopped while it runs") {
     Game s;
     s.run("ball.mass = 1 t = tween(ball, 'mass', 2, 1)");
     s.step(15);

@@ -147,7 +147,7 @@ TEST_CASE("a window that becomes larger stays on the screen") {
     }));
 }
 
-TEST_CASE("the icon of the window is that which the game names last") {
+TEST_CASE("a window gets the icon that the game sets and an invalid icon is reported") {
     if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) {
         std::cout << "SKIPPED: xvfb-run not found\n";
         return;
