@@ -127,7 +127,7 @@ TEST_CASE("a press is seen in exactly one update as well") {
     CHECK(game.new_output() == "step");
 }
 
-TEST_CASE("a press in a paused game is seen by update and not when the game goes on") {
+TEST_CASE("a press in a paused game is seen by update and not again when the game continues") {
     Game game(R"(input.actions.jump = "space"
         function update() if input.jump.pressed then print("update") end end
         function step() if input.jump.pressed then print("step") end end

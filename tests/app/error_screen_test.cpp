@@ -25,7 +25,7 @@ script::ScriptError an_error() {
 
 }  // namespace
 
-TEST_CASE("the keys of the error screen are above what covers the lower edge") {
+TEST_CASE("the keys of the error screen are above layers that cover the lower edge") {
     float covered = 0;
     app::ErrorScreen screen({.reload = {}, .go_on = {}, .covered_below = [&] { return covered; }});
     screen.show(an_error());

@@ -113,7 +113,7 @@ TEST_CASE_METHOD(Game, "a shake moves the picture only and ends") {
     CHECK_THROWS_AS(tree.call(self, "shake", {Value(-1.0)}), property::Error);
 }
 
-TEST_CASE_METHOD(Game, "snapshots contain what the view follows") {
+TEST_CASE_METHOD(Game, "snapshots contain the instance that the view follows") {
     tree.set(self, "limits", Value(List{Vec2(-50, -50), Vec2(50, 50)}));
     const property::Snapshot before = tree.snapshot();
     tree.set(self, "follow", Value(Handle{}));

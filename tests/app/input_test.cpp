@@ -402,7 +402,7 @@ TEST_CASE("a value impossible for a gamepad is refused and not reported") {
     CHECK(game.get("input.gamepad_1.left").vec2() == Vec2(0, 0));
 }
 
-TEST_CASE("unplugging a gamepad releases what it held") {
+TEST_CASE("unplugging a gamepad releases its held buttons") {
     Game game(listener);
     game.runtime.run("input.gamepad_2.left = vec(1, 0) input.gamepad_2.button_3 = true", "test");
     game.loop.frame(tick);

@@ -11,7 +11,7 @@ namespace scene_change_test {
 using namespace fettle::app;
 using fettle::property::Value;
 
-TEST_CASE("a scene is replaced at a barrier and what it owns ends") {
+TEST_CASE("a scene is replaced at a barrier and its timers and watchers end") {
     Game game(R"(
         class("First", Object) { }
         function First:enter(args)

@@ -258,7 +258,7 @@ TEST_CASE_METHOD(AheadRig, "in a low window the row of overlays leaves the log i
 
 // --- Small windows
 
-TEST_CASE_METHOD(AheadRig, "a selection does not move what is at the lower edge") {
+TEST_CASE_METHOD(AheadRig, "a selection does not move the views at the lower edge") {
     property::set(tree, "view.show.timings", Value(true));
     draw(3);
     const float frames = state().views.frame_view.rect().high.x;

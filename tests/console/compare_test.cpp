@@ -312,7 +312,9 @@ TEST_CASE("a property that differs in many instances is one line") {
     CHECK(lines[1] == "world.late: in B only");
 }
 
-TEST_CASE_METHOD(TwoBranches, "two branches are compared from where they part with what differs") {
+TEST_CASE_METHOD(
+    TwoBranches,
+    "two branches are compared from the step at which they part and their differences are listed") {
     runs().request_branch("");
     console.between_frames();
     REQUIRE(runs().shown());

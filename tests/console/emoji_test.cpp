@@ -34,7 +34,7 @@ bool installed(const char* font) {
 
 }  // namespace
 
-TEST_CASE("emoji take two cells and what joins them takes none") {
+TEST_CASE("emoji take two cells and characters that join them take none") {
     CHECK(console::cell_count("a🚀b") == 4);
     CHECK(console::cell_count("⭐") == 2);
     CHECK(console::cell_count("❤\uFE0F") == 1);

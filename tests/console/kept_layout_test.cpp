@@ -131,7 +131,7 @@ TEST_CASE("a value pinned in an earlier run whose instance does not exist yet ca
     CHECK(run.text().find("pin: world.boss: no such name") != std::string::npos);
 }
 
-TEST_CASE("sizes and what is pinned and plotted are kept from run to run") {
+TEST_CASE("sizes and pinned and plotted values are kept from run to run") {
     std::optional<console::Layout> kept;
     {
         Run first({}, {}, &kept);

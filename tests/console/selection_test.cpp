@@ -107,7 +107,7 @@ TEST_CASE("an instance below another selected one is left out in any order of se
     CHECK(console::topmost(rig.tree, {rig.ball, rig.ball, ring}) == std::vector{rig.ball});
 }
 
-TEST_CASE("a box drawn with shift selects what is in it") {
+TEST_CASE("a box drawn with shift selects the instances in it") {
     SelectionRig rig;
     const ImVec2 from = rig.pixel(Vec2(-1, -3)), to = rig.pixel(Vec2(4, -5));
     rig.with_key("left_shift", [&] { rig.drag(from.x, from.y, to.x, to.y); });

@@ -74,7 +74,7 @@ TEST_CASE("a copied part of a text contains the whole numbers in place of the sh
     CHECK(whole(12, 13) == "2");
 }
 
-TEST_CASE("what print prints has every digit in the log") {
+TEST_CASE("printed numbers have every digit in the log") {
     Log log;
     script::Evaluation evaluation;
     evaluation.lines = {"1.23456789", "1.23456789", "2.3456789 kg"};

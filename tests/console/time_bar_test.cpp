@@ -366,7 +366,7 @@ TEST_CASE("bookmarks have names and each branch has its own marks") {
     CHECK(marks.unbookmark("") == 2);
 }
 
-TEST_CASE("what is drawn above the time bar leaves room for its tooltips") {
+TEST_CASE("views above the time bar leave room for its tooltips") {
     Bar bar;
     Rig& rig = bar.rig;
     rig.draw(2);

@@ -119,7 +119,7 @@ TEST_CASE("a game that would not run elsewhere is not packaged") {
     CHECK_FALSE(fs::exists(folder / "a.fettle"));
 }
 
-TEST_CASE("a package has no sources of pictures and what game json excludes") {
+TEST_CASE("a package has no sources of pictures and no files that game json excludes") {
     const Folder folder;
     folder.write("game/main.lua", "world.a = Sprite { image = 'art/hero.png' }");
     folder.write("game/game.json",
@@ -147,7 +147,7 @@ TEST_CASE("a package has no sources of pictures and what game json excludes") {
 }
 
 TEST_CASE(
-    "packages of the complete games leave out what draws their pictures and makes their music") {
+    "packages of the complete games leave out the scripts that make their pictures and music") {
     const Folder folder;
     const std::string name = GENERATE(as<std::string>{}, "amber", "lantern", "russet");
     const Outcome packed =

@@ -53,7 +53,7 @@ TEST_CASE("a headless run follows its files if it is asked to") {
     CHECK(contains(store, "\"played\": true"));
 }
 
-TEST_CASE("a reload leaves what the player has set") {
+TEST_CASE("a reload leaves the settings of the player") {
     Run run;
     run.folder.write("game/game.json", R"({"id": "org.example.settings"})");
     const std::string main = "audio.volume = 0.9 input.actions.jump = { 'space' } ";

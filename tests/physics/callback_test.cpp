@@ -330,7 +330,7 @@ TEST_CASE("after a step with more sub-steps a callback gets the impulse of that 
     REQUIRE(impulse == Approx(box.mass() * 10.0f * length).epsilon(0.1));
 }
 
-TEST_CASE("mixing is called for every piece and what before_solve does not set stays as mixed") {
+TEST_CASE("mixing is called for every piece and values that before_solve does not set stay mixed") {
     World world({.sleeping = false});
     Body ground = world.create_body({.type = BodyType::static_body});
     ground.add(Chain{{{-20, 0}, {0, 0}, {20, 0}}});

@@ -109,7 +109,7 @@ TEST_CASE("a chain is solid on its left side and bodies pass through it from its
     REQUIRE(back.position().y > 20.0f);
 }
 
-TEST_CASE("a closed chain holds what is inside and a clockwise one what is outside") {
+TEST_CASE("a closed chain keeps bodies inside and a clockwise one keeps bodies outside") {
     World world;
     ground_of(world, circle(60, 5.0f), true);
     std::vector<Body> inside;

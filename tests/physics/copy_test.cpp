@@ -71,7 +71,7 @@ TEST_CASE("a moved world has its handles callbacks and future at the new place")
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("a move onto a world destroys what was there") {
+TEST_CASE("a move onto a world destroys the objects of that world") {
     World world, other;
     Body gone = add_ball(world, {0, 0}), kept = add_ball(other, {1, 0});
     world = std::move(other);

@@ -208,7 +208,7 @@ TEST_CASE("the list of methods in these tests has every method of the headers") 
             const bool plain = method == type || method == "is_valid" || method == "id" ||
                                method == "index" || method == "operator" || method == "bool" ||
                                method == "self" || method == "uint32_t";
-            // By slot: nothing is thrown, or another test looks at them.
+            // These take a slot and throw nothing, or have a test of their own.
             const bool by_slot =
                 type == "World" &&
                 (method == "write" || method == "set_velocity" || method == "write_velocity");
@@ -358,7 +358,7 @@ TEST_CASE("the exception of a callback reaches the caller and the world stays va
             // As if no callback had been set.
             if (way.in_the_middle) {
                 way.call(plain, same, [&] { ++calls_there; });
-                REQUIRE(calls == calls_there);  // the others are asked all the same
+                REQUIRE(calls == calls_there);  // the other callbacks are called all the same
                 plain.set_filter({});
                 plain.set_mixing({});
                 plain.set_before_solve({});

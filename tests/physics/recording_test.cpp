@@ -218,7 +218,7 @@ TEST_CASE("callbacks that throw are replayed as callbacks that gave no answer") 
     REQUIRE(replayed(bytes, world.hash()) == 40);
 }
 
-TEST_CASE("a replay names the calls before each step and can be looked at") {
+TEST_CASE("a replay names the calls before each step and its world can be read") {
     Bytes bytes;
     World world;
     Body ball = add_ball(world, {0, 5});

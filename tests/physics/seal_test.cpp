@@ -184,7 +184,7 @@ TEST_CASE("a saved world with any byte changed is refused and the world stays as
     REQUIRE_FALSE(target.validate());
 }
 
-TEST_CASE("a saved world that is cut off or goes on is refused") {
+TEST_CASE("a saved world with missing or additional bytes is refused") {
     World target;
     for (const auto& bytes : several()) {
         const std::span all(bytes);

@@ -26,7 +26,7 @@ std::vector<uint64_t> hashes(World& world, int steps) {
     return all;
 }
 
-/// Saves after `before` steps, goes on, changes the world by `meddle`, restores, goes on again:
+/// Saves after `before` steps, goes on, changes the world by `meddle`, restores it, goes on again:
 /// both futures must be the same.
 void check_restored(World& world, int before, int after,
                     const std::function<void(World&)>& meddle = {}) {

@@ -120,7 +120,7 @@ TEST_CASE_METHOD(Game, "the bodies of a filter joint pass through each other") {
     CHECK((vec(high, "position") - vec(low, "position")).length() > 0.9);
 }
 
-TEST_CASE_METHOD(Game, "an explosion by surface pushes what is larger with more impulse") {
+TEST_CASE_METHOD(Game, "an explosion by surface pushes larger bodies with more impulse") {
     const Handle small = body("Box", {3, 5}), large = body("Box", {-4, 5});
     set(shape_of(large), "width", 2);
     set(shape_of(large), "height", 2);

@@ -40,7 +40,8 @@ TEST_CASE_METHOD(Scene, "a mover stands on the floor and names it as its ground"
     CHECK(y(hero) == Approx(0.01).margin(0.006));
 }
 
-TEST_CASE_METHOD(Scene, "a search asks about a mover for its capsule") {
+TEST_CASE_METHOD(
+    Scene, "a search calls its function with the mover when it finds the capsule of the mover") {
     std::vector<Handle> filtered;
     property::Acceptance accept(tree, "raycast", [&](Handle instance) {
         filtered.push_back(instance);

@@ -158,7 +158,7 @@ TEST_CASE("children and values that the file adds to game itself are compared wi
     CHECK(game.number("sounds.n") == 2);
     CHECK(game.get("sounds.played").boolean());
     CHECK(game.number("more.n") == 5);
-    CHECK(game.number("level") == 7);  // the file says what it said before
+    CHECK(game.number("level") == 7);  // the value in the file has not changed
     game.run("assert(game.menu == kept)");
     CHECK(game.change("game:add(Object { n = 2 }, 'sounds') game.level = 4").empty());
     CHECK(game.number("level") == 4);

@@ -359,7 +359,7 @@ TEST_CASE("tweens run together and groups within groups") {
     CHECK(s.tweens() == 0);
 }
 
-TEST_CASE("a group refuses what is not a tween and groups too deep") {
+TEST_CASE("a group refuses other instances than tweens and too many levels of groups") {
     Game s;
     CHECK_THAT(s.fails("tween.sequence { ball }"), contains("element 1 is a Body"));
     CHECK_THAT(s.fails("tween.parallel { 1 }"), contains("element 1 is an integer"));

@@ -191,7 +191,7 @@ TEST_CASE("two processes keep each other's keys") {
     CHECK(at(one, "both") == Value("one"));
 }
 
-TEST_CASE("clear removes what is there and what another process has written") {
+TEST_CASE("clear also removes values that another process has written") {
     const Place place;
     Store one(place.file(), {}), other(place.file(), {});
     one.set(Store::root, "old", table({}));

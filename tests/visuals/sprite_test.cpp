@@ -392,7 +392,7 @@ TEST_CASE_METHOD(Gallery, "many long tags of a file of Aseprite are refused") {
                                    ".image: \"a.json\": its tags have more than 1000000 frames"});
 }
 
-TEST_CASE_METHOD(Gallery, "an image that is cut off says so") {
+TEST_CASE_METHOD(Gallery, "an incomplete image is reported as cut off") {
     write("empty.png", "");
     // The header of a PNG file of 8 by 8 pixels, and a part of the next name.
     const std::string header(

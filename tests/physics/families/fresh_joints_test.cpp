@@ -135,7 +135,7 @@ MovedChain moved_chain(unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("a body that is thrown at what it is welded to gains no energy") {
+TEST_CASE("a body that is thrown at bodies that it is welded to gains no energy") {
     const unsigned seeds = families::seeds_or(200);
     float most = 0;
     unsigned gained = 0;
