@@ -33,7 +33,7 @@ std::string failure(Game& game, const std::string& chunk) {
 
 }  // namespace
 
-TEST_CASE("an action is held while any of its keys and buttons is") {
+TEST_CASE("an action is held while any of its keys or buttons is held") {
     Game game(jumper);
     CHECK_FALSE(game.get("input.jump.held").boolean());
     game.press("space");
@@ -64,10 +64,10 @@ TEST_CASE("undo and redo bring back and remove the action with its keys") {
     const auto after = [&](const char* command) {
         game.runtime.run(command, "test");
         game.loop.frame(tick);
-        const std::string said = game.heard();
-        CHECK(said.find("any more") == std::string::npos);  // no note about what is missing
+        const std::string output = game.new_output();
+        CHECK(output.find("any more") == std::string::npos);  // no note about what is missing
         game.runtime.run("names()", "test");
-        return game.heard();
+        return game.new_output();
     };
     CHECK(after("") == "new");
     CHECK(after("undo()") == "new,old");
@@ -87,21 +87,21 @@ TEST_CASE("a press is seen in exactly one step") {
     Game game(jumper);
     game.press("space");
     game.loop.frame(3 * tick);  // several steps in one frame
-    CHECK(game.heard() == "+");
+    CHECK(game.new_output() == "+");
     game.loop.frame(tick);
-    CHECK(game.heard() == "");
+    CHECK(game.new_output() == "");
     game.release("space");
     game.loop.frame(0.1 * tick);  // frames without a step
     game.loop.frame(0.1 * tick);
-    CHECK(game.heard() == "");
+    CHECK(game.new_output() == "");
     game.loop.frame(tick);
-    CHECK(game.heard() == "-");
+    CHECK(game.new_output() == "-");
     game.press("space");
     game.release("space");  // in the same frame: it is held in one step
     game.loop.frame(tick);
-    CHECK(game.heard() == "+");
+    CHECK(game.new_output() == "+");
     game.loop.frame(tick);
-    CHECK(game.heard() == "-");
+    CHECK(game.new_output() == "-");
     CHECK_FALSE(game.get("input.jump.pressed").boolean());
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("a press within a step is seen in the next one") {
             if input.jump.pressed then print(time.step) end
         end)");
     for (int i = 0; i < 6; ++i) game.loop.turn();
-    CHECK(game.heard() == "3");
+    CHECK(game.new_output() == "3");
 }
 
 TEST_CASE("a press is seen in exactly one update as well") {
@@ -122,12 +122,12 @@ TEST_CASE("a press is seen in exactly one update as well") {
     game.press("space");
     game.loop.frame(0.1 * tick);
     game.loop.frame(0.1 * tick);
-    CHECK(game.heard() == "update");
+    CHECK(game.new_output() == "update");
     game.loop.frame(2 * tick);
-    CHECK(game.heard() == "step");
+    CHECK(game.new_output() == "step");
 }
 
-TEST_CASE("a press in a paused game is seen by update and not when the game goes on") {
+TEST_CASE("a press in a paused game is seen by update and not again when the game continues") {
     Game game(R"(input.actions.jump = "space"
         function update() if input.jump.pressed then print("update") end end
         function step() if input.jump.pressed then print("step") end end
@@ -135,10 +135,10 @@ TEST_CASE("a press in a paused game is seen by update and not when the game goes
     game.set("time.paused", true);
     game.press("space");
     game.loop.frame(tick);
-    CHECK(game.heard() == "pressed jump update");
+    CHECK(game.new_output() == "pressed jump update");
     game.set("time.paused", false);
     game.loop.frame(2 * tick);
-    CHECK(game.heard() == "");
+    CHECK(game.new_output() == "");
 }
 
 TEST_CASE("actions have events and callbacks and formulas") {
@@ -150,43 +150,43 @@ TEST_CASE("actions have events and callbacks and formulas") {
         game.up = formula(function() return input.jump.held end))");
     game.press("space");
     game.loop.frame(tick);
-    CHECK(game.heard() == "+jump event jump");
+    CHECK(game.new_output() == "+jump event jump");
     CHECK(game.get("up").boolean());
     game.release("space");
     game.loop.frame(tick);
-    CHECK(game.heard() == "-jump end");
+    CHECK(game.new_output() == "-jump end");
     CHECK_FALSE(game.get("up").boolean());
 }
 
-TEST_CASE("actions are bound anew live") {
+TEST_CASE("new bindings of an action apply at once in a running game") {
     Game game(jumper);
     game.press("k");
     game.runtime.run("input.actions.jump = { 'k' }", "test");
     CHECK(game.get("input.jump.held").boolean());
     game.loop.frame(tick);
-    CHECK(game.heard() == "");  // k was pressed for another purpose
+    CHECK(game.new_output() == "");  // k was pressed for another purpose
     game.press("space");
     game.release("k");
     game.loop.frame(tick);
-    CHECK(game.heard() == "-");
+    CHECK(game.new_output() == "-");
     game.press("k");
     game.loop.frame(tick);
-    CHECK(game.heard() == "+");
+    CHECK(game.new_output() == "+");
     game.runtime.run("input.actions.jump = nil function step() end", "test");
     CHECK_THAT(failure(game, "print(input.jump)"), contains("no such name"));
     game.runtime.run("input.actions.jump = 'space'", "test");
     CHECK(game.get("input.jump.held").boolean());
 }
 
-TEST_CASE("a script holds an action as a player does") {
+TEST_CASE("an action that a script sets as held notifies the game like a key") {
     Game game(jumper);
     game.runtime.run("input.jump.held = true", "test");
     game.loop.frame(tick);
-    CHECK(game.heard() == "+");
+    CHECK(game.new_output() == "+");
     CHECK(game.get("input.jump.held").boolean());
     game.runtime.run("input.jump.held = false", "test");
     game.loop.frame(tick);
-    CHECK(game.heard() == "-");
+    CHECK(game.new_output() == "-");
 }
 
 TEST_CASE("input.move is a vec of keys and sticks") {
@@ -245,7 +245,7 @@ TEST_CASE("bindings that are assigned again make an action that was deleted") {
     CHECK(game.get("input.jump.held").boolean());
 }
 
-TEST_CASE("bindings that cannot be are refused with the nearest spelling") {
+TEST_CASE("impossible bindings are refused with the nearest spelling") {
     Game game;
     CHECK_THAT(failure(game, "input.actions.jump = { 'spcae' }"),
                contains("input.actions.jump: no key, button or axis is called \"spcae\" (did you "

@@ -47,7 +47,7 @@ int winding(const std::vector<Points>& outlines, float x, float y) {
 }
 
 /// Whether the center of a pixel is so near to an edge that rounding decides on which side it is.
-bool doubtful(const std::vector<Points>& outlines, float x, float y) {
+bool is_near_edge(const std::vector<Points>& outlines, float x, float y) {
     for (const Points& outline : outlines)
         for (std::size_t i = 0; i < outline.size(); ++i) {
             const sf::Vector2f a = outline[i], edge = outline[(i + 1) % outline.size()] - a;
@@ -66,7 +66,7 @@ int wrong_pixels(const std::vector<Points>& outlines, Area::Rule rule,
     for (int y = 0; y < 100; y += step)
         for (int x = 0; x < 100; x += step) {
             const float cx = static_cast<float>(x) + 0.5f, cy = static_cast<float>(y) + 0.5f;
-            if (doubtful(outlines, cx, cy)) continue;
+            if (is_near_edge(outlines, cx, cy)) continue;
             const int round = winding(outlines, cx, cy);
             const bool expected = rule == Area::Rule::forward ? round > 0 : round != 0;
             wrong += covers(inside, x, y) != (expected ? 1 : 0);

@@ -79,7 +79,7 @@ TEST_CASE_METHOD(Pictures, "a camera follows an instance") {
         print(game.camera:to_world(vec(640, 400)))  -- no step was made yet
     )",
                 "t");
-    CHECK(heard() == "vec(0, 3)");
+    CHECK(new_output() == "vec(0, 3)");
     set("camera.visible", true);
     CHECK(near(draw()[1].pixel, {640, 400 + 3 * 40}));
     set("place.position", Vec2(1, 0));
@@ -127,7 +127,7 @@ TEST_CASE_METHOD(Pictures, "a shake moves the picture of one camera and ends") {
         CHECK(near(circles[0].pixel, {640, 400}));
         most = std::max(most, (circles[1].pixel - still).length());
     }
-    CHECK(most > 4);  // px, of 20
+    CHECK(most > 4);  // px; the amplitude is 0.5 m, which is 20 px
     CHECK(most < 0.75 * 40);
     CHECK(get("camera.center").vec2() == Vec2(0, 0));
     for (int i = 0; i < 3; ++i) draw();
@@ -143,9 +143,9 @@ TEST_CASE_METHOD(Pictures, "the zoom of a camera is in pixels of its viewport") 
     CHECK(get("camera.zoom").number() == Approx(40));
     set("camera.visible", true);
     CHECK(draw()[1].radius == Approx(40));
-    CHECK_THROWS(set("camera.zoom", 1e6));  // 0.4 mm
+    CHECK_THROWS(set("camera.zoom", 1e6));  // 0.4 mm would be visible
     runtime.run("game.second = Camera { zoom = 10 } print(game.second.height)", "t");
-    CHECK(heard() == "80.0");
+    CHECK(new_output() == "80.0");
 }
 
 TEST_CASE_METHOD(Pictures, "instances on the screen are drawn once and last") {
@@ -160,14 +160,14 @@ TEST_CASE_METHOD(Pictures, "instances on the screen are drawn once and last") {
     CHECK(near(circles[2].pixel, {5, 5}));
 }
 
-TEST_CASE_METHOD(Pictures, "points and pixels of a camera") {
+TEST_CASE_METHOD(Pictures, "a camera converts between points of the world and pixels") {
     runtime.run(R"(
         game.camera.viewport = { vec(0.5, 0), vec(1, 1) }
         game.camera.center = vec(3, 4)
         print(game.camera:to_world(vec(960, 400)), game.camera:to_screen(vec(4, 4)))
     )",
                 "t");
-    CHECK(heard() == "vec(3, 4)\tvec(1000, 400)");
+    CHECK(new_output() == "vec(3, 4)\tvec(1000, 400)");
 }
 
 TEST_CASE_METHOD(Pictures, "a viewport without an area shows nothing") {

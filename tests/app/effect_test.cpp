@@ -82,7 +82,7 @@ TEST_CASE_METHOD(Shown, "an effect has the values that its code declares") {
                           "view.uniforms.strong: glow.frag declares no uniform of that name"});
 }
 
-TEST_CASE_METHOD(Shown, "while the code of an effect is in error, its uniforms are not reported") {
+TEST_CASE_METHOD(Shown, "the uniforms of an effect are not reported while its code is in error") {
     write("glow.frag", "uniform float strength");
     set("view.effect", Value("glow.frag"));
     add("strong", Value(1));

@@ -25,7 +25,7 @@ script::ScriptError an_error() {
 
 }  // namespace
 
-TEST_CASE("the keys of the error screen are above what covers the lower edge") {
+TEST_CASE("the keys of the error screen are above layers that cover the lower edge") {
     float covered = 0;
     app::ErrorScreen screen({.reload = {}, .go_on = {}, .covered_below = [&] { return covered; }});
     screen.show(an_error());
@@ -68,7 +68,7 @@ TEST_CASE("the text of an error is in the part of the window that an open consol
     CHECK(none.line_with("R  reload") > 0);
 }
 
-TEST_CASE("the game is seen above a strip while the past before an error is looked at") {
+TEST_CASE("the game is visible above a strip while the past before an error is shown") {
     bool past = false;
     app::ErrorScreen screen({.reload = {},
                              .go_on = {},

@@ -56,13 +56,13 @@ TEST_CASE_METHOD(Game, "the view is where the instance is") {
     CHECK(near(after(5), {1, 2}));
 }
 
-TEST_CASE_METHOD(Game, "with damping the view comes later") {
+TEST_CASE_METHOD(Game, "with damping the view follows with a delay") {
     tree.set(self, "follow_damping", Value(0.5));
     CHECK(near(after(30), Vec2(8, 4) * (1 - std::exp(-1.0)), 1e-6));
     CHECK(near(after(600), {8, 4}, 1e-3));
 }
 
-TEST_CASE_METHOD(Game, "within the dead zone the view rests") {
+TEST_CASE_METHOD(Game, "the view does not move while the instance stays in the dead zone") {
     tree.set(self, "dead_zone", Value(Vec2(2, 100)));
     CHECK(near(after(1), {7, 0}));
     place({6.5, 3});
@@ -71,7 +71,7 @@ TEST_CASE_METHOD(Game, "within the dead zone the view rests") {
     CHECK(near(after(1), {6, 0}));
 }
 
-TEST_CASE_METHOD(Game, "nothing beyond the limits is seen") {
+TEST_CASE_METHOD(Game, "the view stays within its limits") {
     tree.set(self, "limits", Value(List{Vec2(-30, -12), Vec2(20, 12)}));
     after(1);
     CHECK(view.upper().x <= 20 + 1e-9);
@@ -113,7 +113,7 @@ TEST_CASE_METHOD(Game, "a shake moves the picture only and ends") {
     CHECK_THROWS_AS(tree.call(self, "shake", {Value(-1.0)}), property::Error);
 }
 
-TEST_CASE_METHOD(Game, "snapshots contain what the view follows") {
+TEST_CASE_METHOD(Game, "snapshots contain the instance that the view follows") {
     tree.set(self, "limits", Value(List{Vec2(-50, -50), Vec2(50, 50)}));
     const property::Snapshot before = tree.snapshot();
     tree.set(self, "follow", Value(Handle{}));
@@ -123,7 +123,7 @@ TEST_CASE_METHOD(Game, "snapshots contain what the view follows") {
     CHECK(view.limits.size() == 2);
 }
 
-TEST_CASE_METHOD(Game, "a turned view converts and bounds what is seen") {
+TEST_CASE_METHOD(Game, "a turned view converts points and has the corners of what is visible") {
     tree.set(self, "follow", Value(Handle{}));
     tree.set(self, "angle", Value(std::acos(0.0)));
     const Vec2 right = view.to_screen({0, 1});  // what is up in the world is to the right

@@ -35,7 +35,7 @@ struct Game {
         property::set(tree, path, value);
     }
     /// Text printed since the last call; lines are joined by blanks.
-    std::string heard() {
+    std::string new_output() {
         std::string all;
         for (const std::string& line : printed) all += (all.empty() ? "" : " ") + line;
         printed.clear();

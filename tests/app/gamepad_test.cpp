@@ -58,10 +58,10 @@ TEST_CASE("a button has a number and a name") {
     CHECK(game.get("input.gamepad_1.left_shoulder").boolean());
     CHECK(game.get("input.gamepad_1.button_5").boolean());
     game.loop.frame(tick);
-    CHECK(game.heard() == "+1.5 +1.left_shoulder");
+    CHECK(game.new_output() == "+1.5 +1.left_shoulder");
     button(game, "5", false);
     game.loop.frame(tick);
-    CHECK(game.heard() == "-1.5 -1.left_shoulder");
+    CHECK(game.new_output() == "-1.5 -1.left_shoulder");
 }
 
 TEST_CASE("setting a button by name has the effect of pressing it") {
@@ -69,14 +69,14 @@ TEST_CASE("setting a button by name has the effect of pressing it") {
     game.set("input.gamepad_1.start", true);
     CHECK(game.get("input.gamepad_1.button_8").boolean());
     game.loop.frame(tick);
-    CHECK(game.heard() == "+1.start +1.8");
+    CHECK(game.new_output() == "+1.start +1.8");
     game.set("input.gamepad_1.button_8", false);
     CHECK_FALSE(game.get("input.gamepad_1.start").boolean());
     game.loop.frame(tick);
-    CHECK(game.heard() == "-1.8 -1.start");
+    CHECK(game.new_output() == "-1.8 -1.start");
 }
 
-TEST_CASE("the directional pad and its buttons are one") {
+TEST_CASE("the directional pad and its buttons have the same state") {
     Game game(listener);
     axis(game, "pad_y", 1);
     CHECK(game.get("input.gamepad_1.dpad_up").boolean());
@@ -84,10 +84,10 @@ TEST_CASE("the directional pad and its buttons are one") {
     CHECK_FALSE(game.get("input.gamepad_1.dpad_up").boolean());
     CHECK(game.get("input.gamepad_1.dpad_down").boolean());
     game.loop.frame(tick);
-    CHECK(game.heard() == "pad_y=1.0 +1.dpad_up pad_y=-1.0 -1.dpad_up +1.dpad_down");
+    CHECK(game.new_output() == "pad_y=1.0 +1.dpad_up pad_y=-1.0 -1.dpad_up +1.dpad_down");
     axis(game, "pad_y", -0.0f);
     game.loop.frame(tick);
-    CHECK(game.heard() == "pad_y=0.0 -1.dpad_down");
+    CHECK(game.new_output() == "pad_y=0.0 -1.dpad_down");
     game.set("input.gamepad_1.dpad_down", false);
     CHECK(game.get("input.gamepad_1.pad").vec2() == Vec2(0, 0));
     game.set("input.gamepad_1.dpad_left", true);
@@ -96,7 +96,7 @@ TEST_CASE("the directional pad and its buttons are one") {
     CHECK_FALSE(game.get("input.gamepad_1.dpad_left").boolean());
 }
 
-TEST_CASE("axes move sticks and triggers as they are named") {
+TEST_CASE("an axis moves the stick or trigger of its name") {
     Game game;
     axis(game, "left_x", 0.5);
     axis(game, "left_y", 0.25);
@@ -109,7 +109,7 @@ TEST_CASE("axes move sticks and triggers as they are named") {
     CHECK(game.get("input.gamepad_1.left_trigger").number() == 1);
 }
 
-TEST_CASE("a mapping says which button and axis is which") {
+TEST_CASE("a mapping names the buttons and axes") {
     Game game;
     game.set("input.gamepad_1.mapping",
              "03000000de2800,Some Pad,a:b2,b:b1,righttrigger:b7,rightx:a2,righty:a5~,"
@@ -132,7 +132,7 @@ TEST_CASE("a mapping says which button and axis is which") {
     CHECK(game.get("input.gamepad_1.left").vec2() == Vec2(0, 0));
 }
 
-TEST_CASE("a mapping that changes gives new names to what is down") {
+TEST_CASE("a changed mapping gives new names to buttons that are held") {
     Game game;
     button(game, "3", true);
     CHECK(game.get("input.gamepad_1.x").boolean());

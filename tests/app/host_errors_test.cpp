@@ -131,7 +131,7 @@ TEST_CASE("a loop that is destroyed by a function it calls ends the program with
         script::Runtime runtime(tree, script::Options{});
         auto loop = std::make_unique<Loop>(tree, runtime, services);
         hook(*loop, [&] { loop.reset(); });
-        CHECK_THAT(last_words([&] { call(*loop); }),
+        CHECK_THAT(termination_message([&] { call(*loop); }),
                    contains("the loop is destroyed by a function that its `" + std::string(where) +
                             "` is calling, which must not do so"));
     };

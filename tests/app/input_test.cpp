@@ -55,13 +55,13 @@ TEST_CASE("a key is a property while it is held and a callback when it changes")
     game.press("space");
     CHECK(game.get("input.keys.space").boolean());
     game.loop.frame(tick);
-    CHECK(game.heard() == "+space");
+    CHECK(game.new_output() == "+space");
     game.loop.frame(tick);
-    CHECK(game.heard() == "");
+    CHECK(game.new_output() == "");
     game.release("space");
     CHECK_FALSE(game.get("input.keys.space").boolean());
     game.loop.frame(tick);
-    CHECK(game.heard() == "-space");
+    CHECK(game.new_output() == "-space");
 }
 
 TEST_CASE("a key held down is one press however often it repeats") {
@@ -72,7 +72,7 @@ TEST_CASE("a key held down is one press however often it repeats") {
     game.press("a", true);
     game.press("a");  // a driver that does not mark repetitions
     game.loop.frame(tick);
-    CHECK(game.heard() == "+a");
+    CHECK(game.new_output() == "+a");
 }
 
 TEST_CASE("a key pressed and released between two frames is reported") {
@@ -81,7 +81,7 @@ TEST_CASE("a key pressed and released between two frames is reported") {
     game.release("a");
     game.press("a");
     game.loop.frame(tick);
-    CHECK(game.heard() == "+a -a +a");
+    CHECK(game.new_output() == "+a -a +a");
 }
 
 TEST_CASE("every key has a property of its own name") {
@@ -100,21 +100,21 @@ TEST_CASE("watchers of a key are notified at the next barrier") {
     Game game(R"(input.keys:watch("space", function(new) print("space", new) end))");
     game.press("space");
     game.loop.frame(tick);
-    CHECK(game.heard() == "space\ttrue");
+    CHECK(game.new_output() == "space\ttrue");
 }
 
 TEST_CASE("a script that sets a key has the effect of pressing it") {
     Game game(listener);
     game.runtime.run("input.keys.space = true", "test");
     game.loop.frame(tick);
-    CHECK(game.heard() == "+space");
+    CHECK(game.new_output() == "+space");
 }
 
 TEST_CASE("a script that moves and presses the mouse has the effect of the mouse") {
     Game game(listener);
     game.runtime.run("input.mouse.world = vec(2, 1); input.mouse.left = true", "test");
     game.loop.frame(tick);
-    CHECK(game.heard() == "to 2,1 720,360 +left 2,1 720,360");
+    CHECK(game.new_output() == "to 2,1 720,360 +left 2,1 720,360");
     CHECK(game.get("input.mouse.screen").vec2() == Vec2(720, 360));
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("the mouse is known in world and screen units") {
     CHECK(game.get("input.mouse.left").boolean());
     CHECK(game.get("input.mouse.world").vec2() == Vec2(1, 1));
     game.loop.frame(tick);
-    CHECK(game.heard() == "to 1,1 680,360 +left 1,1 680,360");
+    CHECK(game.new_output() == "to 1,1 680,360 +left 1,1 680,360");
     game.set("view.center", Vec2(10, 0));
     CHECK(game.get("input.mouse.world").vec2() == Vec2(11, 1));
 }
@@ -138,10 +138,10 @@ TEST_CASE("watchers of the mouse position in the world follow the view in a paus
     )");
     game.mouse(EventKind::mouse_moved, 640, 400);
     game.loop.frame(tick);
-    game.heard();
+    game.new_output();
     game.set("view.center", Vec2(10, 0));
     game.loop.frame(tick);
-    CHECK(game.heard() == "10.0");
+    CHECK(game.new_output() == "10.0");
 }
 
 TEST_CASE("several mouse moves between two presses are reported as one") {
@@ -151,10 +151,10 @@ TEST_CASE("several mouse moves between two presses are reported as one") {
     game.mouse(EventKind::mouse_pressed, 640, 360, "left");
     game.mouse(EventKind::mouse_moved, 680, 360);
     game.loop.frame(tick);
-    CHECK(game.heard() == "to 0,1 640,360 +left 0,1 640,360 to 1,1 680,360");
+    CHECK(game.new_output() == "to 0,1 640,360 +left 0,1 640,360 to 1,1 680,360");
     game.mouse(EventKind::mouse_released, 680, 360, "left");
     game.loop.frame(tick);
-    CHECK(game.heard() == "-left");
+    CHECK(game.new_output() == "-left");
 }
 
 TEST_CASE("the wheel counts the notches turned in a frame") {
@@ -165,7 +165,7 @@ TEST_CASE("the wheel counts the notches turned in a frame") {
     game.loop.handle(notch);
     CHECK(game.get("input.mouse.wheel").number() == 2);
     game.loop.frame(tick);
-    CHECK(game.heard().find("wheel 1.0 wheel 1.0") != std::string::npos);
+    CHECK(game.new_output().find("wheel 1.0 wheel 1.0") != std::string::npos);
     CHECK(game.get("input.mouse.wheel").number() == 0);
 }
 
@@ -182,16 +182,16 @@ TEST_CASE("a wheel turned by a script is reported in the next update like the mo
     notch.delta = 1;
     game.loop.handle(notch);
     game.loop.frame(tick);
-    CHECK(game.heard().ends_with("wheel\t1.0\t1.0 1.0"));
+    CHECK(game.new_output().ends_with("wheel\t1.0\t1.0 1.0"));
     game.loop.handle(notch);
     game.loop.frame(tick);
-    CHECK(game.heard().ends_with("wheel\t2.0\t3.0 wheel\t1.0\t3.0 3.0"));
+    CHECK(game.new_output().ends_with("wheel\t2.0\t3.0 wheel\t1.0\t3.0 3.0"));
     game.loop.frame(tick);
-    CHECK(game.heard() == "0.0");
+    CHECK(game.new_output() == "0.0");
     game.loop.frame(tick);
-    CHECK(game.heard() == "wheel\t1.0\t1.0 1.0");
+    CHECK(game.new_output() == "wheel\t1.0\t1.0 1.0");
     game.loop.frame(tick);
-    CHECK(game.heard() == "0.0");
+    CHECK(game.new_output() == "0.0");
 }
 
 TEST_CASE("control keys that the operating system reports as text produce no text") {
@@ -202,7 +202,7 @@ TEST_CASE("control keys that the operating system reports as text produce no tex
         game.loop.handle(text);
     }
     game.loop.frame(tick);
-    CHECK(game.heard() == "text a text   text \u00A0");
+    CHECK(game.new_output() == "text a text   text \u00A0");
 }
 
 TEST_CASE("properties cannot be added to the input") {
@@ -225,10 +225,10 @@ TEST_CASE("losing the focus releases everything held") {
     game.press("left");
     game.mouse(EventKind::mouse_pressed, 640, 400, "right");
     game.loop.frame(tick);
-    game.heard();
+    game.new_output();
     game.loop.handle(event(EventKind::focus));
     game.loop.frame(tick);
-    CHECK(game.heard() == "-left -right focus false");
+    CHECK(game.new_output() == "-left -right focus false");
     CHECK_FALSE(game.get("input.keys.left").boolean());
     CHECK_FALSE(game.get("input.mouse.right").boolean());
 }
@@ -242,7 +242,7 @@ TEST_CASE("typed text is reported as text") {
         game.loop.handle(typed);
     }
     game.loop.frame(tick);
-    CHECK(game.heard() == "text ä text € text 😀");
+    CHECK(game.new_output() == "text ä text € text 😀");
 }
 
 TEST_CASE("the view gets a new size of the window") {
@@ -252,7 +252,7 @@ TEST_CASE("the view gets a new size of the window") {
     size.y = 500;
     game.loop.handle(size);
     game.loop.frame(tick);
-    CHECK(game.heard() == "resized 1000 500");
+    CHECK(game.new_output() == "resized 1000 500");
     CHECK(game.get("view.screen").vec2() == Vec2(1000, 500));
     CHECK(game.get("view.width").number() == 40);
 }
@@ -262,7 +262,7 @@ TEST_CASE("closing is reported to the game and to the loop") {
     game.loop.handle(event(EventKind::closing));
     CHECK(game.loop.closing());
     game.loop.frame(tick);
-    CHECK(game.heard() == "closing");
+    CHECK(game.new_output() == "closing");
 }
 
 TEST_CASE("an event consumed by a layer does not reach the game") {
@@ -273,7 +273,7 @@ TEST_CASE("an event consumed by a layer does not reach the game") {
     game.mouse(EventKind::mouse_pressed, 1, 1, "left");
     game.mouse(EventKind::mouse_moved, 640, 400);
     game.loop.frame(tick);
-    CHECK(game.heard() == "");
+    CHECK(game.new_output() == "");
     CHECK_FALSE(game.get("input.keys.a").boolean());
     CHECK_FALSE(game.get("input.mouse.left").boolean());
     CHECK(game.get("input.mouse.screen").vec2() ==
@@ -289,14 +289,14 @@ TEST_CASE("a key held when a layer opens is released for the game when it is rel
     game.press("a");
     game.mouse(EventKind::mouse_pressed, 640, 400, "left");
     game.loop.frame(tick);
-    game.heard();
+    game.new_output();
     curtain.on = true;
     game.mouse(EventKind::mouse_moved, 680, 400);  // the drag continues
     game.release("a");
     game.mouse(EventKind::mouse_released, 680, 400, "left");
     game.mouse(EventKind::mouse_moved, 690, 400);
     game.loop.frame(tick);
-    CHECK(game.heard() == "to 1,0 680,400 -a -left");
+    CHECK(game.new_output() == "to 1,0 680,400 -a -left");
 }
 
 TEST_CASE("the layer added last gets events first") {
@@ -325,31 +325,31 @@ TEST_CASE("gamepads are properties") {
     button.name = "3";
     game.loop.handle(button);
     game.loop.frame(tick);
-    CHECK(game.heard() == "pad 2 left_y 0.5 pad 2 +3 pad 2 +x");
+    CHECK(game.new_output() == "pad 2 left_y 0.5 pad 2 +3 pad 2 +x");
     CHECK(game.get("input.gamepad_2.left").vec2() == Vec2(0, 0.5));
     CHECK(game.get("input.gamepad_2.connected").boolean());
     CHECK(game.get("input.gamepad_2.button_3").boolean());
     CHECK_FALSE(game.get("input.gamepad_1.button_3").boolean());
     game.runtime.run("print(input.gamepads[2].left.y)", "test");
-    CHECK(game.heard() == "0.5");
+    CHECK(game.new_output() == "0.5");
 }
 
 TEST_CASE("a script that moves a stick or pulls a trigger has the effect of the gamepad") {
     Game game(listener);
     game.runtime.run("input.gamepad_1.left = vec(0.5, -1)", "test");
     game.loop.frame(tick);
-    CHECK(game.heard() == "pad 1 left_x 0.5 pad 1 left_y -1.0");
+    CHECK(game.new_output() == "pad 1 left_x 0.5 pad 1 left_y -1.0");
     game.runtime.run("input.gamepads[3].right.y = 0.25 input.gamepad_3.pad = vec(1, 0)", "test");
     game.loop.frame(tick);
-    CHECK(game.heard() == "pad 3 right_y 0.25 pad 3 pad_x 1.0 pad 3 +dpad_right");
+    CHECK(game.new_output() == "pad 3 right_y 0.25 pad 3 pad_x 1.0 pad 3 +dpad_right");
     game.runtime.run("input.gamepad_4.left_trigger = 1 input.gamepad_4.right_trigger = 0.5",
                      "test");
     game.loop.frame(tick);
-    CHECK(game.heard() == "pad 4 left_trigger 1.0 pad 4 right_trigger 0.5");
+    CHECK(game.new_output() == "pad 4 left_trigger 1.0 pad 4 right_trigger 0.5");
     game.runtime.run("input.gamepad_1.left = vec(0.5, -1) input.gamepad_4.left_trigger = 1",
                      "test");
     game.loop.frame(tick);
-    CHECK(game.heard() == "");  // the sticks are in these positions already
+    CHECK(game.new_output() == "");  // the sticks are in these positions already
 }
 
 TEST_CASE("every axis of a gamepad has the same name as an event and as a callback") {
@@ -361,7 +361,7 @@ TEST_CASE("every axis of a gamepad has the same name as an event and as a callba
         axis.delta = -0.5f;
         game.loop.handle(axis);
         game.loop.frame(tick);
-        CHECK(game.heard() == "pad 1 " + name + " -0.5");
+        CHECK(game.new_output() == "pad 1 " + name + " -0.5");
         const Vec2 stick = game.get("input.gamepad_1." + name.substr(0, name.size() - 2)).vec2();
         CHECK(stick[name.back() == 'x' ? 0 : 1] == -0.5);
     }
@@ -372,7 +372,7 @@ TEST_CASE("every axis of a gamepad has the same name as an event and as a callba
         axis.delta = 0;  // the device reports values from -1 to 1
         game.loop.handle(axis);
         game.loop.frame(tick);
-        CHECK(game.heard() == "pad 1 " + name + " 0.5");
+        CHECK(game.new_output() == "pad 1 " + name + " 0.5");
         CHECK(game.get("input.gamepad_1." + name).number() == 0.5);
     }
 }
@@ -398,15 +398,15 @@ TEST_CASE("a value impossible for a gamepad is refused and not reported") {
     wrong.delta = std::numeric_limits<float>::quiet_NaN();
     game.loop.handle(wrong);
     game.loop.frame(tick);
-    CHECK(game.heard() == "");
+    CHECK(game.new_output() == "");
     CHECK(game.get("input.gamepad_1.left").vec2() == Vec2(0, 0));
 }
 
-TEST_CASE("unplugging a gamepad releases what it held") {
+TEST_CASE("unplugging a gamepad releases its held buttons") {
     Game game(listener);
     game.runtime.run("input.gamepad_2.left = vec(1, 0) input.gamepad_2.button_3 = true", "test");
     game.loop.frame(tick);
-    game.heard();
+    game.new_output();
     InputEvent gone = event(EventKind::gamepad_disconnected);
     gone.gamepad = 2;
     SECTION("by the player") {
@@ -420,7 +420,7 @@ TEST_CASE("unplugging a gamepad releases what it held") {
                          "test");
     }
     game.loop.frame(tick);
-    CHECK(game.heard() == "pad 2 left_x 0.0 pad 2 -3 pad 2 -x");
+    CHECK(game.new_output() == "pad 2 left_x 0.0 pad 2 -3 pad 2 -x");
     CHECK_FALSE(game.get("input.gamepad_2.connected").boolean());
     CHECK_FALSE(game.get("input.gamepad_2.button_3").boolean());
 }
@@ -432,10 +432,10 @@ TEST_CASE("going back in time does not press keys again") {
     game.loop.frame(tick);
     game.release("a");
     for (int i = 0; i < 30; ++i) game.loop.frame(tick);
-    game.heard();
+    game.new_output();
     game.runtime.run("input.keys.b = true rewind(0.2)", "test");
     for (int i = 0; i < 3; ++i) game.loop.frame(tick);
-    CHECK(game.heard() == "+b");
+    CHECK(game.new_output() == "+b");
     CHECK(game.get("input.keys.b").boolean());
     CHECK_FALSE(game.get("input.keys.a").boolean());
 }
@@ -445,7 +445,7 @@ TEST_CASE("a callback that raises an error ends the delivery of events in the fr
     game.press("a");
     game.press("b");
     game.loop.frame(tick);
-    CHECK(game.heard() == "a");
+    CHECK(game.new_output() == "a");
     CHECK(game.errors.size() == 1);
 }
 
@@ -460,7 +460,7 @@ TEST_CASE("the error screen keeps input from the game and handles its own keys")
     game.press("r");
     CHECK(reloads == 0);  // there is no error, so the game gets the key
     game.loop.frame(tick);
-    CHECK(game.heard() == "+r");
+    CHECK(game.new_output() == "+r");
     game.release("r");
 
     script::ScriptError error;
@@ -481,7 +481,7 @@ TEST_CASE("the error screen keeps input from the game and handles its own keys")
     CHECK(resumes == 1);
     CHECK_FALSE(screen.visible());
     game.loop.frame(tick);
-    CHECK(game.heard() == "-r");
+    CHECK(game.new_output() == "-r");
 }
 
 }  // namespace fettle::app

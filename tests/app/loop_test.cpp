@@ -27,10 +27,10 @@ TEST_CASE("a frame runs input then update then step with a barrier after each") 
     Game game(phases);
     game.loop.add({.name = "module", .step = [&](double) { game.printed.push_back("module"); }});
     game.tree.barrier();
-    game.heard();
+    game.new_output();
     game.press("space");
     game.loop.frame(tick);
-    CHECK(game.heard() == "key watcher100 update watcher101 step watcher111 module");
+    CHECK(game.new_output() == "key watcher100 update watcher101 step watcher111 module");
     CHECK(game.errors.empty());
 }
 
@@ -45,9 +45,9 @@ TEST_CASE("an event of a module reaches handlers at the barrier after its step")
                    .step = [&](double) { game.printed.push_back("step"); },
                    .report = [&] { game.set("box.hits", game.get("box.hits").integer() + 1); }});
     game.tree.barrier();
-    game.heard();
+    game.new_output();
     game.loop.frame(tick);
-    CHECK(game.heard() == "update step hits 1");
+    CHECK(game.new_output() == "update step hits 1");
 }
 
 TEST_CASE("sixty frames of 1 s / 60 make sixty steps and one second") {
@@ -84,7 +84,7 @@ TEST_CASE("a slow frame makes at most max_steps steps and counts the dropped one
 TEST_CASE("update gets no more time than the steps of the frame") {
     Game game("function update(dt) print(dt < 0.1) end");
     game.loop.frame(3);
-    CHECK(game.heard() == "true");
+    CHECK(game.new_output() == "true");
 }
 
 TEST_CASE("scale makes time pass slower or faster") {
@@ -112,7 +112,7 @@ TEST_CASE("a paused game makes no steps but calls update") {
     Game game("function update(dt) print('update ' .. dt) end function step() print('step') end");
     game.set("time.paused", true);
     game.loop.frame(1);
-    CHECK(game.heard() == "update 0.0");
+    CHECK(game.new_output() == "update 0.0");
     CHECK(game.get("time.alpha").number() == 1.0);
     game.set("time.paused", false);
     game.loop.frame(0.001);
@@ -127,13 +127,13 @@ TEST_CASE("step_once makes one step of a paused game and notifies its watchers")
     )");
     game.set("time.paused", true);
     game.loop.frame(tick);
-    game.heard();
+    game.new_output();
     game.set("time.step_once", true);
     game.loop.frame(tick);
-    CHECK(game.heard() == "once true step");
+    CHECK(game.new_output() == "once true step");
     CHECK_FALSE(game.get("time.step_once").boolean());
     game.loop.frame(tick);
-    CHECK(game.heard() == "once false");
+    CHECK(game.new_output() == "once false");
     CHECK(game.get("time.step").integer() == 1);
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("a headless turn makes one update and one step whatever the scale is")
     game.set("time.scale", 0.1);
     game.loop.turn();
     game.loop.turn();
-    CHECK(game.heard() == "update step update step");
+    CHECK(game.new_output() == "update step update step");
     CHECK(game.get("time.step").integer() == 2);
 }
 
@@ -158,17 +158,17 @@ TEST_CASE("the hook of step n runs before the callbacks of step n") {
     SECTION("in a headless turn") {
         game.loop.turn();
         game.loop.turn();
-        CHECK(game.heard() == "1 update step 2 update step");
+        CHECK(game.new_output() == "1 update step 2 update step");
     }
     SECTION("in a frame of several steps") {
         game.loop.frame(2 * tick);
-        CHECK(game.heard() == "1 update step 2 step");
+        CHECK(game.new_output() == "1 update step 2 step");
     }
     SECTION("in a frame without a step it does not run") {
         game.loop.frame(0.5 * tick);
-        CHECK(game.heard() == "update");
+        CHECK(game.new_output() == "update");
         game.loop.frame(tick);
-        CHECK(game.heard() == "1 update step");
+        CHECK(game.new_output() == "1 update step");
     }
     SECTION("in a headless turn of a paused game it can end the pause") {
         game.loop.before_step([&](std::uint64_t n) {
@@ -184,7 +184,7 @@ TEST_CASE("a hook of a loop may replace itself") {
     Game game;
     std::weak_ptr<int> life;
     bool lived = false;
-    // Replaces the hook and then looks whether what the hook holds is still there.
+    // Replaces the hook while it runs; its captures must still exist afterwards.
     const auto hook = [&](auto set) {
         auto held = std::make_shared<int>();
         life = held;
@@ -272,10 +272,10 @@ TEST_CASE("an error stops the frame at once and edits still take effect") {
     game.loop.frame(tick);
     REQUIRE(game.errors.size() == 1);
     CHECK(game.loop.halted());
-    CHECK(game.heard() == "");
+    CHECK(game.new_output() == "");
     game.set("mark.n", 7);
     game.loop.frame(tick);
-    CHECK(game.heard() == "n 7");
+    CHECK(game.new_output() == "n 7");
     CHECK(game.errors.size() == 1);
     CHECK(game.get("time.step").integer() == 0);
 }
@@ -296,7 +296,7 @@ TEST_CASE("quit ends the frame immediately") {
     game.loop.frame(tick);
     CHECK(game.loop.stopped());
     CHECK(game.runtime.quit_status() == 4);
-    CHECK(game.heard() == "");
+    CHECK(game.new_output() == "");
 }
 
 TEST_CASE("handlers that change things without end cause an error and do not end the game") {
@@ -348,13 +348,13 @@ TEST_CASE("update gets game time and real time") {
     Game game("function update(dt, real_dt) print(dt, real_dt) end");
     game.set("time.scale", 0.5);
     game.loop.frame(0.25);
-    CHECK(game.heard() == "0.08333333333333333\t0.25");  // at most five steps
+    CHECK(game.new_output() == "0.08333333333333333\t0.25");  // at most five steps
     game.set("time.max_steps", 1000);
     game.loop.frame(0.25);
-    CHECK(game.heard() == "0.125\t0.25");
+    CHECK(game.new_output() == "0.125\t0.25");
     game.set("time.paused", true);
     game.loop.frame(0.5);
-    CHECK(game.heard() == "0.0\t0.5");
+    CHECK(game.new_output() == "0.0\t0.5");
     CHECK(game.get("time.real").number() == 1);
     game.loop.turn();
     CHECK(game.get("time.real").number() == Approx(1 + tick));

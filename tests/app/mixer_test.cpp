@@ -58,7 +58,7 @@ TEST_CASE("a voice of twice the rate is an octave higher and half as long") {
     CHECK(length(all.left) == Approx(0.25).margin(0.01));
 }
 
-TEST_CASE("a voice may be on one side") {
+TEST_CASE("the left and right loudness of a voice and the channels of a sound are kept apart") {
     Mixer mixer;
     AudibleVoice heard = sound(tone_file(440, 1));
     heard.loudness = {0.5f, 0.1f};
@@ -105,12 +105,12 @@ TEST_CASE("a voice that pauses is silent and goes on where it was") {
     CHECK(length(rest.left) == Approx(1.5).margin(0.05));
 }
 
-TEST_CASE("a voice follows the time that it should have") {
+TEST_CASE("a voice moves to another time when the game does and ignores small differences") {
     for (AudibleVoice heard : {sound(two_tones()), music(two_tones())}) {
         Mixer mixer;
         mixer.set_voices({heard});
         (void)mixed(mixer, 0.5);
-        heard.time = 0.45;  // the device is a little behind, or ahead
+        heard.time = 0.45;  // less than the tolerance for the clock of the device
         mixer.set_voices({heard});
         const Signal same = mixed(mixer, 0.3);
         CHECK(frequency(same.left) == Approx(300).margin(1));

@@ -25,7 +25,7 @@ std::string writer_of(const Game& game, const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("the writer of an instance is the last one") {
+TEST_CASE("blame names the last writer of an instance") {
     Game game("game.crate = Object {}\ngame.crate.position = vec(1, 2)\ngame.empty = Object {}");
     CHECK(writer_of(game, "crate") == "script");
     CHECK(writer_of(game, "empty") == "nobody");
@@ -47,7 +47,7 @@ TEST_CASE("the writer of an instance is the last one") {
     CHECK(writer_of(game, "crate") == "inspector");
 }
 
-TEST_CASE("the writer of a part counts for the whole") {
+TEST_CASE("blame names the writer of a child as the writer of its parent") {
     Game game;
     game.set("view.show.blame", true);
     game.loop.turn();
@@ -59,7 +59,7 @@ TEST_CASE("the writer of a part counts for the whole") {
     CHECK(writer_of(game, "crate.lid") == "nobody");
 }
 
-TEST_CASE("physics counts for what it moves a second after other writers") {
+TEST_CASE("blame names physics for a moved instance a second after the last other write") {
     Game game("game.crate = Object {}\ngame.crate.position = vec(1, 2)\ngame.crate.awake = true");
     CHECK(writer_of(game, "crate") == "script");
     for (int i = 0; i < 61; ++i) game.loop.turn();
@@ -69,7 +69,7 @@ TEST_CASE("physics counts for what it moves a second after other writers") {
     CHECK(writer_of(game, "crate") == "script");
 }
 
-TEST_CASE("blame tints added light as light and leaves faint pictures faint") {
+TEST_CASE("the tint of blame keeps the blend mode and the opacity of pictures") {
     struct Pictures : app::NotingPainter {
         std::vector<std::pair<property::Blend, property::Color>> all;
         void picture(const property::Picture&, const property::PictureArea&, const Vec2&,
@@ -190,7 +190,7 @@ TEST_CASE("a wire leads from what a formula reads to what it writes") {
     CHECK(app::wires(game.tree).empty());
 }
 
-TEST_CASE("no more formulas have wires than are asked for") {
+TEST_CASE("the number of formulas with wires is limited") {
     Game game("game.a = Object {}\ngame.a.x = 1");
     for (const char* name : {"p", "q", "r"})
         game.runtime.evaluate(std::string("a.") + name + " is a.x + 1");

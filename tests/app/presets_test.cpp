@@ -10,7 +10,7 @@ namespace presets_test {
 
 using sound_game::SoundGame;
 
-TEST_CASE("presets sound and mutations are those of the seed") {
+TEST_CASE("every preset can be heard and equal seeds give equal mutations") {
     const char* script = R"(
         for _, name in ipairs { "coin", "jump", "hit", "explosion", "blip", "power_up" } do
             local synth = Synth[name] { volume = 0.3 }
@@ -62,7 +62,7 @@ TEST_CASE("the filter of a synth is its low pass") {
     CHECK(game.print("(pcall(function() game.s.filter = 5 end))") == "false");
 }
 
-TEST_CASE("a synth that nothing holds lives until its voices end") {
+TEST_CASE("a synth without references is deleted when its voices end") {
     SoundGame game;
     game.run("Synth.explosion():play()");
     game.run("for i = 1, 200 do Synth {} end");

@@ -11,7 +11,7 @@ namespace scene_change_test {
 using namespace fettle::app;
 using fettle::property::Value;
 
-TEST_CASE("a scene is replaced at a barrier and what it owns ends") {
+TEST_CASE("a scene is replaced at a barrier and its timers and watchers end") {
     Game game(R"(
         class("First", Object) { }
         function First:enter(args)
@@ -28,21 +28,21 @@ TEST_CASE("a scene is replaced at a barrier and what it owns ends") {
         go_to_scene("First", { args = { n = 3 } })
         print(game:has("scene")))");
     CHECK(game.errors.empty());
-    CHECK(game.heard() == "false");
+    CHECK(game.new_output() == "false");
     game.loop.turn();
-    CHECK(game.heard() == "first\t3 game own made");
+    CHECK(game.new_output() == "first\t3 game own made");
     game.set("view.height", Value(10.0));
     game.loop.turn();
-    CHECK(game.heard() == "watched game own made");
+    CHECK(game.new_output() == "watched game own made");
     game.runtime.run("go_to_scene('Second', { args = 7 })", "test");
     game.loop.turn();
-    CHECK(game.heard() == "left\ttrue enter\t7 game");
+    CHECK(game.new_output() == "left\ttrue enter\t7 game");
     game.set("view.height", Value(11.0));
     game.loop.turn();
-    CHECK(game.heard() == "game");
+    CHECK(game.new_output() == "game");
     game.runtime.run("go_to_scene('Second')", "test");
     game.loop.turn();
-    CHECK(game.heard() == "leave enter\tnil game");
+    CHECK(game.new_output() == "leave enter\tnil game");
     CHECK(game.errors.empty());
 }
 
@@ -54,13 +54,13 @@ TEST_CASE("a transition replaces the scene in its middle in real time") {
     game.runtime.run("time.paused = true  go_to_scene('B', { transition = 'wipe', seconds = 1 })",
                      "test");
     for (int i = 0; i < 20; ++i) game.loop.turn();
-    CHECK(game.heard().empty());
+    CHECK(game.new_output().empty());
     CHECK(game.get("transition.progress").number() == Approx(20.0 / 60));
     // Called again, the new scene is the target.
     game.runtime.run("go_to_scene('A', { transition = 'fade', seconds = 1 })", "test");
     game.runtime.run("go_to_scene('B', { transition = 'fade', seconds = 1 })", "test");
     for (int i = 0; i < 11; ++i) game.loop.turn();
-    CHECK(game.heard() == "b");
+    CHECK(game.new_output() == "b");
     for (int i = 0; i < 31; ++i) game.loop.turn();
     CHECK_FALSE(bool(game.tree.child(game.tree.root(), "transition")));
     CHECK(game.errors.empty());
@@ -72,10 +72,10 @@ TEST_CASE("wrong calls of go to scene are errors with the nearest name") {
         try("Levle") try("Level", { transtion = "fade" }) try("Level", { transition = "fad" })
         try("Level", { seconds = -1 }) try("Level", { args = { f = print } }) try("Level", 3) try()
         try("Object") try("../x"))");
-    const std::string said = game.heard();
+    const std::string output = game.new_output();
     for (const char* part : {"did you mean \"Level\"", "did you mean \"transition\"",
                              "did you mean \"fade\"", "expected 0 to 3600", "args.f"})
-        CHECK(said.find(part) != std::string::npos);
+        CHECK(output.find(part) != std::string::npos);
     game.loop.turn();
     CHECK_FALSE(bool(game.tree.child(game.tree.root(), "scene")));
 }
@@ -92,10 +92,10 @@ TEST_CASE("a snapshot brings the old scene back") {
     for (int i = 0; i < 20; ++i) game.loop.turn();
     CHECK(game.tree.class_of(game.tree.child(game.tree.root(), "scene")).name() == "B");
     game.tree.restore(then);
-    game.heard();
+    game.new_output();
     CHECK(game.get("game.scene.n") == n);
     game.loop.turn();
-    CHECK(game.heard() == "a");
+    CHECK(game.new_output() == "a");
     CHECK(game.get("game.scene.n").integer() == n.integer() + 1);
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("going back in time before a transition and into one") {
     CHECK(game.errors.empty());
 }
 
-TEST_CASE("actions that enter began belong to its scene also after going back in time") {
+TEST_CASE("timers and watchers made in enter belong to their scene also after going back in time") {
     Game game(R"(
         class("A", Object) { }  class("B", Object) { }
         function A:enter()
@@ -137,16 +137,16 @@ TEST_CASE("actions that enter began belong to its scene also after going back in
     game.runtime.run("go_to_scene('B')", "test");
     for (int i = 0; i < 3; ++i) game.loop.turn();
     game.tree.restore(then);
-    game.heard();
+    game.new_output();
     game.set("view.height", Value(10.0));
     game.loop.turn();
     // Functions of timers come back, coroutines that ended do not, and the scene B is not there.
-    CHECK(game.heard() == "a");
+    CHECK(game.new_output() == "a");
     game.runtime.run("go_to_scene('B') every(0, function() print('game') end)", "test");
     game.loop.turn();
-    game.heard();
+    game.new_output();
     game.loop.turn();
-    CHECK(game.heard() == "game b");
+    CHECK(game.new_output() == "game b");
     CHECK(game.errors.empty());
 }
 
@@ -164,7 +164,7 @@ TEST_CASE("callbacks of scenes may go on to another scene or delete theirs") {
     game.loop.resume();
     game.runtime.run("go_to_scene('C')", "test");
     game.loop.turn();
-    CHECK(game.heard() == "c");
+    CHECK(game.new_output() == "c");
     CHECK_FALSE(bool(game.tree.child(game.tree.root(), "scene")));
 }
 

@@ -20,9 +20,9 @@ TEST_CASE("services that end before their tree leave none of their instances in 
     std::optional<Services> services(std::in_place, tree);
     const property::Handle view = tree.child(tree.root(), "view");
     const property::Handle child = tree.create(tree.object_class(), view, "child");
-    std::string told;
+    std::string deleted_paths;
     tree.watch_deleted(tree.object_class(), [&](const property::Existence& gone) {
-        told += gone.path + " ";
+        deleted_paths += gone.path + " ";
         if (gone.path != "view") return;
         CHECK(gone.last_values.size() > 5);
         CHECK(gone.cause.where == "the end of app::Services");
@@ -39,14 +39,14 @@ TEST_CASE("services that end before their tree leave none of their instances in 
     for (const char* path :
          {"time ", "time.timings ", "view ", "view.show ", "audio ", "audio.buses ",
           "audio.buses.music ", "input ", "input.keys ", "input.mouse ", "input.gamepad_1 "})
-        CHECK_THAT(told, contains(path));
+        CHECK_THAT(deleted_paths, contains(path));
     // No undo and no restore can create them again.
     tree.undo();
     CHECK(tree.size() == 2);
     tree.restore(tree.snapshot());
 }
 
-TEST_CASE("services that have ended leave classes that can have no instances") {
+TEST_CASE("no instances of the classes of ended services can be made") {
     property::Tree tree;
     std::optional<Services> services(std::in_place, tree);
     tree.define({.name = "Louder", .base = "Audio"});
@@ -78,7 +78,7 @@ TEST_CASE("services may end after their tree") {
     CHECK(services.clock.step == 0);
 }
 
-TEST_CASE("services that find no room in a tree leave nothing in it") {
+TEST_CASE("services that cannot be added to a tree leave nothing in it") {
     // Each name that the services take is taken once before them.
     std::vector<std::string> classes, children;
     {
@@ -113,7 +113,7 @@ TEST_CASE("services that find no room in a tree leave nothing in it") {
     }
 }
 
-TEST_CASE("a jump in time that was requested from a loop ends with it") {
+TEST_CASE("a jump in time that a destroyed loop requested is not made") {
     property::Tree tree;
     Services services(tree);
     script::Runtime runtime(tree, {});

@@ -41,11 +41,11 @@ TEST_CASE("a press that is shorter than a frame is down in its callback and in o
     pad(EventKind::gamepad_released);
     game.mouse(EventKind::mouse_moved, 700, 400);
     game.loop.frame(tick / 4);  // a frame without a step
-    CHECK(game.heard() == "press 0\ttrue");
+    CHECK(game.new_output() == "press 0\ttrue");
     game.loop.frame(tick);
-    CHECK(game.heard() == "step 1\ttrue");
+    CHECK(game.new_output() == "step 1\ttrue");
     game.loop.frame(tick);
-    CHECK(game.heard() == "release 1\tfalse vec(680, 360)\tvec(700, 400) step 2\tfalse");
+    CHECK(game.new_output() == "release 1\tfalse vec(680, 360)\tvec(700, 400) step 2\tfalse");
 }
 
 TEST_CASE("a press that is shorter than a frame of a paused game ends with the frame") {
@@ -54,9 +54,9 @@ TEST_CASE("a press that is shorter than a frame of a paused game ends with the f
     game.press("a");
     game.release("a");
     game.loop.frame(tick);
-    CHECK(game.heard() == "+a");
+    CHECK(game.new_output() == "+a");
     game.loop.frame(tick);
-    CHECK(game.heard() == "-a");
+    CHECK(game.new_output() == "-a");
 }
 
 TEST_CASE("in slow motion a key that is released waits for no step") {
@@ -66,11 +66,11 @@ TEST_CASE("in slow motion a key that is released waits for no step") {
     game.release("a");
     for (int i = 0; i < 10; ++i) {
         game.loop.frame(tick);
-        CHECK(game.heard() == (i == 0 ? "+a" : ""));
+        CHECK(game.new_output() == (i == 0 ? "+a" : ""));
         CHECK(game.get("input.keys.a").boolean() == (i < 9));
     }
     game.loop.frame(tick);
-    CHECK(game.heard() == "-a");
+    CHECK(game.new_output() == "-a");
 }
 
 TEST_CASE("the loss of the focus ends a press that is shorter than a frame once") {
@@ -81,7 +81,7 @@ TEST_CASE("the loss of the focus ends a press that is shorter than a frame once"
     focus.kind = EventKind::focus;
     game.loop.handle(focus);
     for (int i = 0; i < 3; ++i) game.loop.frame(tick);
-    CHECK(game.heard() == "+a -a focus false");
+    CHECK(game.new_output() == "+a -a focus false");
 }
 
 }  // namespace fettle::app

@@ -122,13 +122,13 @@ TEST_CASE("a bus that does not pause and a sound that began in the pause are hea
     CHECK(game.printed == "song");
     CHECK(game.errors.empty());
 
-    // The device hears only the sound that holds: nothing.
+    // The only voice that is left is paused, so the mixer makes silence.
     Mixer rest;
     rest.set_voices(game.heard());
     CHECK(level(sound_measures::mixed(rest, 0.2).left) == 0);
 }
 
-TEST_CASE("nothing is heard while the past is looked at") {
+TEST_CASE("nothing is heard while the past is shown") {
     SoundGame game;
     game.run(R"(
         audio.buses.music.pauses = false
@@ -154,7 +154,7 @@ TEST_CASE("nothing is heard while the past is looked at") {
     CHECK(game.errors.empty());
 }
 
-TEST_CASE("the oldest voice ends where there are too many") {
+TEST_CASE("the oldest voice ends when there are too many") {
     SoundGame game;
     game.run(R"(
         hit = Sound { file = "hit.wav", max_voices = 2 }
@@ -230,7 +230,7 @@ TEST_CASE("loudness is that of the source and its voice and its bus and everythi
     CHECK(game.heard().at(0).loudness.left == 0);
 }
 
-TEST_CASE("a sound is heard from where it is") {
+TEST_CASE("the loudness of a sound on each side depends on its position") {
     SoundGame game;
     game.run(R"(
         thing = class("Thing") { position = vec(0, 0), angle = 0.0 }

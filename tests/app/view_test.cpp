@@ -85,7 +85,7 @@ TEST_CASE("the mouse and the size of the screen are those of the picture inside 
     game.loop.frame(tick);
     CHECK(game.get("input.mouse.screen").vec2() == Vec2(0, 500));
     CHECK(game.get("input.mouse.world").vec2() == Vec2(-10, -10));
-    CHECK(game.heard() == "vec(0, 500)\tvec(-10, -10)");
+    CHECK(game.new_output() == "vec(0, 500)\tvec(-10, -10)");
 }
 
 TEST_CASE("a rewind without a past is reported once") {
@@ -125,15 +125,15 @@ TEST_CASE("a watcher of a property derived from the view is notified when the so
     game.loop.frame(tick);
     game.set("view.height", 10);
     game.loop.frame(tick);
-    CHECK(game.heard() == "16.0");
+    CHECK(game.new_output() == "16.0");
 }
 
 TEST_CASE("scripts convert between world and screen") {
     Game game;
     game.runtime.run("local p = view:to_screen(vec(1, 1)) print(p.x, p.y)", "test");
-    CHECK(game.heard() == "680.0\t360.0");
+    CHECK(game.new_output() == "680.0\t360.0");
     game.runtime.run("local p = view:to_world(vec(640, 0)) print(p.x, p.y)", "test");
-    CHECK(game.heard() == "0.0\t10.0");
+    CHECK(game.new_output() == "0.0\t10.0");
 }
 
 TEST_CASE("an overlay is shown while its property is true") {

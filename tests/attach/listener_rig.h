@@ -22,28 +22,28 @@
 namespace fettle::program::test {
 
 /// A terminal or another program that connects. Its socket never blocks.
-class Visitor {
+class Client {
   public:
-    explicit Visitor(const RunningGame& to) {
+    explicit Client(const RunningGame& to) {
         socket_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
         const auto address = SocketAddress::of(to.socket);
         REQUIRE(address);
         connected_ = ::connect(socket_, address->any(), address->size()) == 0;
     }
-    Visitor(Visitor&& other) noexcept
+    Client(Client&& other) noexcept
         : socket_(std::exchange(other.socket_, -1)), connected_(other.connected_) {}
-    ~Visitor() {
+    ~Client() {
         if (socket_ >= 0) ::close(socket_);
     }
 
     bool connected() const { return connected_; }
     /// Returns how many bytes were taken.
-    std::size_t say(std::string_view text) const {
+    std::size_t send(std::string_view text) const {
         const ssize_t count = ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL);
         return count > 0 ? static_cast<std::size_t>(count) : 0;
     }
     /// The messages that have come.
-    std::vector<Message> hear() {
+    std::vector<Message> receive() {
         std::array<char, 65536> bytes;
         for (;;) {
             const ssize_t count = ::recv(socket_, bytes.data(), bytes.size(), 0);
@@ -61,7 +61,7 @@ class Visitor {
     }
     /// Whether the game has ended the connection.
     bool ended() {
-        hear();
+        receive();
         return ended_;
     }
 
@@ -120,15 +120,15 @@ class Game {
             largest_buffer = std::max(largest_buffer, listener_->largest_buffer());
         }
     }
-    Visitor visitor() const { return Visitor(place()); }
-    Visitor terminal() {
-        Visitor made = visitor();
+    Client client() const { return Client(place()); }
+    Client terminal() {
+        Client made = client();
         REQUIRE(made.connected());
-        made.say(greeting(place().token));
+        made.send(greeting(place().token));
         frames();
-        const auto heard = made.hear();
-        REQUIRE(!heard.empty());
-        REQUIRE(heard[0].kind == Message::Kind::welcome);
+        const auto messages = made.receive();
+        REQUIRE(!messages.empty());
+        REQUIRE(messages[0].kind == Message::Kind::welcome);
         return made;
     }
     void stop() { listener_.reset(); }
@@ -147,11 +147,11 @@ class Game {
 };
 
 /// The line of the one answer that a terminal gets to a command.
-inline std::string answer_to(Game& game, Visitor& terminal, const std::string& command) {
-    terminal.say(text_of({.text = command}));
+inline std::string answer_to(Game& game, Client& terminal, const std::string& command) {
+    terminal.send(text_of({.text = command}));
     for (int i = 0; i < 5; ++i) {
         game.frames();
-        for (const Message& each : terminal.hear())
+        for (const Message& each : terminal.receive())
             if (each.kind == Message::Kind::answer) return each.lines.at(0);
     }
     return "no answer";

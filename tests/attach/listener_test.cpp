@@ -15,8 +15,8 @@ namespace listener_test {
 using namespace fettle;
 using namespace fettle::program;
 using test::answer_to;
+using test::Client;
 using test::Game;
-using test::Visitor;
 
 namespace {
 
@@ -30,21 +30,21 @@ mode_t mode_of(const std::filesystem::path& file) {
 
 TEST_CASE("several terminals send commands and receive what the game prints") {
     Game game;
-    Visitor one = game.terminal(), two = game.terminal();
+    Client one = game.terminal(), two = game.terminal();
     CHECK(answer_to(game, one, "1") == "  said 1");
     CHECK(answer_to(game, two, "2") == "  said 2");
     CHECK(game.commands == std::vector<std::string>{"1", "2"});
-    one.say(text_of({.kind = Request::Kind::complete, .text = "wor", .cursor = 3}));
+    one.send(text_of({.kind = Request::Kind::complete, .text = "wor", .cursor = 3}));
     game.frames();
-    const auto found = one.hear();
+    const auto found = one.receive();
     REQUIRE(found.size() == 1);
     CHECK(found[0].found.at(0).text == "word");
     game.listener().print("a line");
     game.frames();
-    CHECK(one.hear().at(0).text == "a line");
-    CHECK(two.hear().at(0).text == "a line");
+    CHECK(one.receive().at(0).text == "a line");
+    CHECK(two.receive().at(0).text == "a line");
     CHECK(game.notes == std::vector<std::string>(2, "a terminal is attached"));
-    { const Visitor goes = std::move(one); }
+    { const Client goes = std::move(one); }
     game.frames();
     CHECK(game.listener().connections() == 1);
     CHECK(game.notes.back() == "a terminal is no longer attached");
@@ -87,10 +87,10 @@ TEST_CASE("without the token nothing is answered") {
           std::string("GET / HTTP/1.1\r\n\r\n"), std::string(1000, 'x'), std::string("\n"),
           std::string(200, '\0')}) {
         INFO(first);
-        Visitor visitor = game.visitor();
-        visitor.say(first + text_of({.text = "1"}));
+        Client client = game.client();
+        client.send(first + text_of({.text = "1"}));
         game.frames(2);
-        CHECK(visitor.ended());
+        CHECK(client.ended());
     }
     CHECK(game.commands.empty());
     CHECK(game.notes.empty());
@@ -99,23 +99,23 @@ TEST_CASE("without the token nothing is answered") {
 
 TEST_CASE("a greeting and a request may come in any pieces") {
     Game game;
-    Visitor slow = game.visitor();
+    Client slow = game.client();
     const std::string all = greeting(game.place().token) + text_of({.text = "1"});
     for (const char each : all) {
         CHECK(game.commands.empty());
-        slow.say(std::string_view(&each, 1));
+        slow.send(std::string_view(&each, 1));
         game.frames();
     }
     CHECK(game.commands.size() == 1);
-    Visitor fast = game.visitor();
-    fast.say(all + text_of({.text = "2"}));
+    Client fast = game.client();
+    fast.send(all + text_of({.text = "2"}));
     game.frames(2);
     CHECK(game.commands.size() == 3);
 }
 
 TEST_CASE("a connection that never sends a greeting is closed") {
     Game game({.greeting_seconds = 0});
-    Visitor silent = game.visitor();
+    Client silent = game.client();
     game.frames(2);
     CHECK(silent.ended());
     CHECK(game.listener().connections() == 0);
@@ -123,12 +123,12 @@ TEST_CASE("a connection that never sends a greeting is closed") {
 
 TEST_CASE("there are no more terminals than the limit") {
     Game game({.terminals = 2});
-    Visitor one = game.terminal(), two = game.terminal(), three = game.visitor();
-    three.say(greeting(game.place().token));
+    Client one = game.terminal(), two = game.terminal(), three = game.client();
+    three.send(greeting(game.place().token));
     game.frames();
-    const auto heard = three.hear();
-    REQUIRE(heard.size() == 1);
-    CHECK(heard[0].kind == Message::Kind::refusal);
+    const auto messages = three.receive();
+    REQUIRE(messages.size() == 1);
+    CHECK(messages[0].kind == Message::Kind::refusal);
     CHECK(three.ended());
     CHECK(answer_to(game, one, "1") == "  said 1");
     CHECK(game.listener().connections() == 2);
@@ -136,11 +136,11 @@ TEST_CASE("there are no more terminals than the limit") {
 
 TEST_CASE("a completion has a frame of its own and the next one after other requests") {
     Game game;
-    Visitor one = game.terminal(), two = game.terminal();
+    Client one = game.terminal(), two = game.terminal();
     const std::string run = text_of({.text = "1"}), complete = text_of({Request::Kind::complete});
     for (int i = 0; i < 10; ++i) {
-        one.say(run + run + complete + run);
-        two.say(complete + run);
+        one.send(run + run + complete + run);
+        two.send(complete + run);
     }
     for (int i = 0; i < 60; ++i) {
         const std::size_t commands = game.commands.size(), completions = game.completions;
@@ -148,8 +148,8 @@ TEST_CASE("a completion has a frame of its own and the next one after other requ
         const bool others = game.commands.size() > commands;
         CHECK(game.completions - completions <= (others ? 0U : 1U));
     }
-    CHECK(one.hear().size() == 40);
-    CHECK(two.hear().size() == 20);
+    CHECK(one.receive().size() == 40);
+    CHECK(two.receive().size() == 20);
 }
 
 }  // namespace listener_test

@@ -53,7 +53,7 @@ TEST_CASE("a line that is not a request is refused") {
     }
     CHECK(!read_request(std::string(longest_request, '[')));
     CHECK(!read_request(R"({"run": )" + std::string(20000, '[') + std::string(20000, ']') + "}"));
-    // Nothing is built in memory that no request has, so reading ends there.
+    // Reading ends at the first value that no request has, so such values take no memory.
     CHECK(!read_request(R"({"run": "x", "more": []})"));
     CHECK(!read_request(R"({"run": "x", "more": {}})"));
     const auto with_members = [](std::size_t count) {
@@ -78,10 +78,10 @@ TEST_CASE("messages come back as they were") {
         without_end(answer_text({.incomplete = true, .lines = {}, .error = {}, .result = {}})));
     CHECK(unfinished->incomplete);
     CHECK(unfinished->lines.empty());
-    script::Evaluation said{.lines = {"3 kg"}, .error = {}, .result = {}};
-    said.error.emplace();
-    said.error->message = "console:1: no";
-    const auto answer = read_message(without_end(answer_text(said)));
+    script::Evaluation evaluation{.lines = {"3 kg"}, .error = {}, .result = {}};
+    evaluation.error.emplace();
+    evaluation.error->message = "console:1: no";
+    const auto answer = read_message(without_end(answer_text(evaluation)));
     CHECK(answer->lines == std::vector<std::string>{"  3 kg", "✗ console:1: no"});
     CHECK(!answer->incomplete);
     const script::Evaluation signs{
@@ -100,9 +100,9 @@ TEST_CASE("messages come back as they were") {
 }
 
 TEST_CASE("long answers are cut and say so and bytes that are not text are replaced") {
-    const script::Evaluation said{
+    const script::Evaluation evaluation{
         .lines = std::vector<std::string>(5000, std::string(100, 'x')), .error = {}, .result = {}};
-    const std::string text = answer_text(said);
+    const std::string text = answer_text(evaluation);
     CHECK(text.size() < 2 * longest_answer);
     const auto answer = read_message(without_end(text));
     REQUIRE(answer);

@@ -1,4 +1,4 @@
-// The machine that draws random worlds, watches them and minimizes what fails.
+// The generator of random worlds, the checks of their steps, and the minimizer of failing worlds.
 
 #include <algorithm>
 #include <set>
@@ -140,7 +140,7 @@ TEST_CASE("removing a body removes its joints and edits and renumbers the others
     CHECK(plan.edits[0].step == 21);
 }
 
-TEST_CASE("small random worlds keep what every world keeps") {
+TEST_CASE("small random worlds violate no invariant") {
     const Survey found = survey(
         {.seed = 1,
          .count = 200,
@@ -153,7 +153,8 @@ TEST_CASE("small random worlds keep what every world keeps") {
 }
 
 TEST_CASE(
-    "a ball between a moving wall and a fixed body may have any speed but only if it bounces") {
+    "the invariant of speed allows any speed only to a bouncing ball between a moving wall and a "
+    "fixed body") {
     for (const float restitution : {0.0f, 1.0f}) {
         WorldPlan plan;
         plan.bodies.push_back({.def = {.type = BodyType::static_body, .position = {0.5f, 0}},

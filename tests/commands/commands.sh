@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The behavior of `play`, `check` and cmake/bootstrap.sh. Each case_* function is one test; CTest runs
 # `commands.sh NAME`. A case works on a copy of the commands in a small project whose path has a space,
-# with a dpkg-query, apt-get, apt-cache, id, sudo and xvfb-run that only pretend and write down what was asked.
+# with a dpkg-query, apt-get, apt-cache, id, sudo and xvfb-run that do nothing but write down how they were called.
 set -euo pipefail
 
 repository=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 project="$work/a project"
 fakes=$work/fakes
-asked=$work/asked
+calls=$work/calls
 installed=$work/installed
 known=$work/known
 
@@ -20,7 +20,7 @@ pretend() {
 
 set_up() {
     mkdir -p "$project/cmake" "$project/tests" "$fakes"
-    touch "$asked" "$installed" "$known"
+    touch "$calls" "$installed" "$known"
     cp "$repository/play" "$repository/check" "$repository/CMakePresets.json" "$project/"
     cp "$repository/cmake/bootstrap.sh" "$project/cmake/"
     cat >"$project/cmake/packages.txt" <<'LIST'
@@ -41,7 +41,7 @@ sed 's/^/installed /' '$installed'"
 for name; do :; done
 grep -qx -- \"\$name\" '$known'"
     pretend apt-get <<<"#!/bin/sh
-echo \"apt-get \$*\" >>'$asked'
+echo \"apt-get \$*\" >>'$calls'
 case \" \$* \" in
 *' update '*) [ ! -e '$work/newer' ] || cp '$work/newer' '$known' ;;
 *' install '*)
@@ -56,11 +56,11 @@ cat '$work/user'"
     echo 0 >"$work/user"
     pretend sudo <<<"#!/bin/sh
 [ -e '$work/sudo' ] || exit 1
-echo sudo >>'$asked'
+echo sudo >>'$calls'
 shift
 exec \"\$@\""
     pretend xvfb-run <<<"#!/bin/sh
-echo \"xvfb-run \$*\" >>'$asked'"
+echo \"xvfb-run \$*\" >>'$calls'"
 
     # A program that repeats its arguments, and three tests with the three possible ends.
     mkdir "$project/scripts"
@@ -102,20 +102,20 @@ run() {
 }
 
 wrong() {
-    printf 'wrong: %s\n--- status %s, output:\n%s\n--- asked of the tools:\n' "$1" "$status" "$output"
-    cat "$asked"
+    printf 'wrong: %s\n--- status %s, output:\n%s\n--- calls of tools:\n' "$1" "$status" "$output"
+    cat "$calls"
     exit 1
 }
 expect_status() { [[ $status == "$1" ]] || wrong "the status should be $1"; }
 expect_output() { [[ $output == *"$1"* ]] || wrong "the output should contain: $1"; }
-expect_asked() { grep -qF -- "$1" "$asked" || wrong "this should have been asked: $1"; }
-expect_not_asked() { ! grep -qF -- "$1" "$asked" || wrong "this should not have been asked: $1"; }
+expect_call() { grep -qF -- "$1" "$calls" || wrong "this call should have been made: $1"; }
+expect_no_call() { ! grep -qF -- "$1" "$calls" || wrong "this call should not have been made: $1"; }
 last_line() { tail -n 1 <<<"$output"; }
 
-case_nothing_missing_means_no_word_to_apt() {
+case_apt_is_not_called_when_no_package_is_missing() {
     run "$project/check"
     expect_status 0
-    [[ ! -s $asked ]] || wrong "no tool should have been asked"
+    [[ ! -s $calls ]] || wrong "no tool should have been called"
 }
 
 case_the_name_of_a_folder_of_tests_builds_and_runs_only_these() {
@@ -147,10 +147,10 @@ case_root_installs_only_what_is_missing() {
     run "$project/check"
     expect_status 0
     expect_output "installing 1 missing packages: screen"
-    expect_asked "--no-install-recommends install screen"
-    expect_not_asked compiler
-    expect_not_asked update
-    expect_not_asked sudo
+    expect_call "--no-install-recommends install screen"
+    expect_no_call compiler
+    expect_no_call update
+    expect_no_call sudo
 }
 
 case_sudo_without_a_password_installs() {
@@ -159,24 +159,24 @@ case_sudo_without_a_password_installs() {
     echo compiler >"$installed"
     run "$project/play" --build
     expect_status 0
-    expect_asked sudo
-    expect_asked "install driver new-name rival"
+    expect_call sudo
+    expect_call "install driver new-name rival"
 }
 
-case_without_root_the_one_line_to_run_is_printed() {
+case_without_root_the_command_to_run_is_printed() {
     echo 1000 >"$work/user"
     echo compiler >"$installed"
     run "$project/play"
     expect_status 2
     expect_output "sudo apt-get update && sudo apt-get install -y --no-install-recommends driver new-name"
-    [[ ! -s $asked ]] || wrong "no tool should have been asked"
+    [[ ! -s $calls ]] || wrong "no tool should have been called"
 }
 
-case_any_installed_alternative_will_do() {
+case_any_installed_alternative_of_a_package_is_enough() {
     printf '%s\n' compiler old-name driver screen rival >"$installed"
     run "$project/check"
     expect_status 0
-    [[ ! -s $asked ]] || wrong "no tool should have been asked"
+    [[ ! -s $calls ]] || wrong "no tool should have been called"
 }
 
 case_the_first_alternative_that_apt_knows_is_installed() {
@@ -184,16 +184,16 @@ case_the_first_alternative_that_apt_knows_is_installed() {
     printf '%s\n' compiler driver screen rival >"$installed"
     run "$project/check"
     expect_status 0
-    expect_asked "install old-name"
+    expect_call "install old-name"
 }
 
 case_an_optional_package_is_installed_only_where_apt_knows_it() {
     run "$project/check"
-    [[ ! -s $asked ]] || wrong "no tool should have been asked"
+    [[ ! -s $calls ]] || wrong "no tool should have been called"
     echo nicety >>"$known"
     run "$project/check"
     expect_status 0
-    expect_asked "install nicety"
+    expect_call "install nicety"
 }
 
 case_missing_package_lists_are_read_first() {
@@ -202,21 +202,21 @@ case_missing_package_lists_are_read_first() {
     : >"$installed"
     run "$project/play" --build
     expect_status 0
-    [[ $(head -n 1 "$asked") == *" update" ]] || wrong "the lists should have been read first"
-    expect_asked "install compiler"
-    expect_asked "install driver new-name rival"
+    [[ $(head -n 1 "$calls") == *" update" ]] || wrong "the lists should have been read first"
+    expect_call "install compiler"
+    expect_call "install driver new-name rival"
 }
 
-case_outdated_package_lists_are_read_anew() {
+case_outdated_package_lists_are_read_again() {
     : >"$installed"
     touch "$work/stale"
     run "$project/play" --build
     expect_status 0
-    expect_asked " update"
-    (($(grep -c " install compiler" "$asked") == 2)) || wrong "it should have been tried twice"
+    expect_call " update"
+    (($(grep -c " install compiler" "$calls") == 2)) || wrong "it should have been tried twice"
 }
 
-case_what_apt_says_is_shown_when_it_fails() {
+case_the_output_of_apt_is_shown_when_it_fails() {
     : >"$installed"
     pretend apt-get <<<"#!/bin/sh
 echo 'E: no space left' >&2
@@ -234,13 +234,13 @@ status=\$(echo \"\$*\" | sed 's/.*Status-Fd=\([0-9]*\).*/\1/')
 eval \"echo pmstatus:compiler:50:half >&\$status\"
 eval \"exec \$status>&-\"
 printf 'Regenerating... ' || { echo 'E: the script failed' >&2; exit 100; }
-echo install >>'$asked'"
+echo install >>'$calls'"
     run "$project/check"
     expect_status 0
-    expect_asked "install"
+    expect_call "install"
 }
 
-case_elsewhere_than_debian_the_packages_are_listed() {
+case_on_systems_without_apt_the_packages_are_listed() {
     # Only these tools: no dpkg-query, no apt-get.
     mkdir "$work/tools"
     local tool
@@ -253,7 +253,7 @@ case_elsewhere_than_debian_the_packages_are_listed() {
     expect_output "new-name|old-name"
 }
 
-case_play_hands_its_arguments_to_fettle_run() {
+case_play_passes_its_arguments_to_fettle_run() {
     mkdir "$work/elsewhere"
     cd "$work/elsewhere"
     run "$project/play" "my game" --seed 3
@@ -261,13 +261,13 @@ case_play_hands_its_arguments_to_fettle_run() {
     expect_output $'[run]\n[my game]\n[--seed]\n[3]\n'"$work/elsewhere"
 }
 
-case_what_only_running_needs_is_installed_before_the_game_runs() {
+case_packages_that_only_running_needs_are_installed_before_the_game_runs() {
     printf '%s\n' compiler new-name >"$installed"
     run "$project/play" game
     expect_status 7
     expect_output "[run]"
-    expect_asked "install driver"
-    expect_not_asked compiler
+    expect_call "install driver"
+    expect_no_call compiler
 }
 
 case_the_core_is_built_while_other_packages_are_installed() {
@@ -275,12 +275,12 @@ case_the_core_is_built_while_other_packages_are_installed() {
     # Waits for the core as long as a slow machine may need for it.
     pretend apt-get <<<"#!/bin/sh
 for i in \$(seq 600); do [ ! -e '$project/build/release/core of physics_module' ] || break; sleep 0.1; done
-ls '$project/build/release' >>'$asked'
+ls '$project/build/release' >>'$calls'
 echo dlstatus:1:50:half"
     run "$project/play" game
     expect_status 7
     expect_output "installing 2 missing packages: driver new-name"
-    expect_asked "core of physics_module"
+    expect_call "core of physics_module"
     grep -qx "FETTLE_PARTS:STRING=everything" "$project/build/release/CMakeCache.txt" || wrong "all parts should be configured in the end"
     rm "$project/build/release/core of physics_module"
     pretend apt-get <<<"#!/bin/sh"
@@ -297,7 +297,7 @@ case_a_build_of_the_core_that_stopped_is_completed() {
     grep -qx "FETTLE_PARTS:STRING=everything" "$project/build/release/CMakeCache.txt" || wrong "all parts should be configured"
 }
 
-case_a_game_does_not_run_without_what_running_needs() {
+case_a_game_does_not_run_without_the_packages_that_running_needs() {
     printf '%s\n' compiler new-name >"$installed"
     pretend apt-get <<<"#!/bin/sh
 echo 'E: no space left' >&2
@@ -336,24 +336,24 @@ case_play_alone_opens_the_showcase() {
     expect_output $'[run]\n['"$project/scripts/showcase]"
 }
 
-case_play_without_a_display_leaves_a_picture() {
+case_play_without_a_display_writes_a_picture() {
     unset DISPLAY
     run "$project/play"
     expect_status 0
     expect_output "no display"
     expect_output "$project/build/showcase.png"
-    expect_asked "run $project/scripts/showcase --screenshot $project/build/showcase.png --steps 240"
+    expect_call "run $project/scripts/showcase --screenshot $project/build/showcase.png --steps 240"
 }
 
 case_play_runs_a_headless_game_without_a_display() {
     unset DISPLAY
     run "$project/play" game.lua --headless --steps 3
     expect_status 7
-    expect_not_asked xvfb-run
+    expect_no_call xvfb-run
     expect_output $'[game.lua]\n[--headless]\n[--steps]\n[3]'
 }
 
-case_a_build_folder_from_another_place_is_made_anew() {
+case_a_build_folder_that_was_moved_is_made_again() {
     run "$project/check"
     expect_status 0
     mv "$project" "$work/moved"
@@ -403,7 +403,7 @@ case_a_broken_build_fails_the_check() {
     expect_status 1
 }
 
-case_a_name_selects_tests() {
+case_a_part_of_a_name_selects_tests() {
     touch "$project/broken"
     run "$project/check" works
     expect_status 0

@@ -25,7 +25,7 @@ const std::vector<property::Field> ghost_fields = {
 /// right for each second.
 struct AheadRig : Rig {
     app::FrameLog log;
-    int asked = 0;
+    int predictions = 0;
 
     AheadRig() {
         property::Method ghosts;
@@ -39,7 +39,7 @@ struct AheadRig : Rig {
         ghosts.call = [](void* self, property::Tree& of, Handle, property::Row,
                          std::span<const Value> arguments) -> property::Result {
             auto& rig = *static_cast<AheadRig*>(self);
-            ++rig.asked;
+            ++rig.predictions;
             const Vec2 from = rig.value("world.ball.position").vec2();
             property::List points;
             for (int i = 0; i <= static_cast<int>(arguments[0].number()); ++i)
@@ -103,22 +103,22 @@ struct AheadRig : Rig {
 
 TEST_CASE_METHOD(AheadRig, "an edit of a paused game shows what will move") {
     edit("world.ball.mass", 2.0, property::Writer::inspector);
-    CHECK(asked == 0);  // the game runs
+    CHECK(predictions == 0);  // the game runs
     pause(true);
     draw(3);
-    CHECK(asked == 0);  // nothing was edited
+    CHECK(predictions == 0);  // nothing was edited
     edit("world.ball.mass", 3.0, property::Writer::inspector);
     REQUIRE(ghosts().size() == 1);
     CHECK(ghosts()[0].points.size() == 3);  // console.ghost_time is 2
-    CHECK(asked == 1);
+    CHECK(predictions == 1);
     draw(3);
-    CHECK(asked == 1);  // once for each edit
+    CHECK(predictions == 1);  // once for each edit
     CHECK(faint({1, -4}) > 0);
     CHECK(faint({3, -4}) > 0);
     CHECK(faint({5, -4}) == 0);
     save("ghosts");
     edit("world.ball.position", Vec2(0, -6), property::Writer::console);
-    CHECK(asked == 2);
+    CHECK(predictions == 2);
     CHECK(faint({1, -4}) == 0);
     CHECK(faint({1, -6}) > 0);
 }
@@ -158,12 +158,12 @@ TEST_CASE_METHOD(AheadRig, "only edits of persons show ghosts") {
     edit("world.ball.mass", 3.0, property::Writer::script);
     edit("world.ball.position", Vec2(1, -4), property::Writer::simulation);
     edit("view.show.contacts", true, property::Writer::console);  // no part of the game
-    CHECK(asked == 0);
+    CHECK(predictions == 0);
     edit("world.ball.mass", 4.0, property::Writer::console);
-    CHECK(asked == 1);
+    CHECK(predictions == 1);
     tree.undo();
     draw();
-    CHECK(asked == 2);
+    CHECK(predictions == 2);
 }
 
 TEST_CASE_METHOD(AheadRig, "drags in the inspector show ghosts before the button is released") {
@@ -177,7 +177,7 @@ TEST_CASE_METHOD(AheadRig, "drags in the inspector show ghosts before the button
         draw();
     }
     draw();
-    CHECK(asked > 1);
+    CHECK(predictions > 1);
     CHECK_FALSE(ghosts().empty());
     button(false, at.x + 20, at.y);
     draw();
@@ -258,7 +258,7 @@ TEST_CASE_METHOD(AheadRig, "in a low window the row of overlays leaves the log i
 
 // --- Small windows
 
-TEST_CASE_METHOD(AheadRig, "a selection does not move what is at the lower edge") {
+TEST_CASE_METHOD(AheadRig, "a selection does not move the views at the lower edge") {
     property::set(tree, "view.show.timings", Value(true));
     draw(3);
     const float frames = state().views.frame_view.rect().high.x;

@@ -112,9 +112,11 @@ struct BranchedRig : Rig {
 
 }  // namespace
 
-TEST_CASE_METHOD(BranchedRig, "after another branch is gone to nothing of the former one is kept") {
+TEST_CASE_METHOD(
+    BranchedRig,
+    "a switch to another branch drops everything that the console kept of the former branch") {
     step_to(100);
-    // The game goes on from an earlier step: what is known up to there stays known.
+    // The game goes on from an earlier step: what the console read up to that step is kept.
     const int before = reads;
     place(fork);
     console.between_frames();

@@ -106,7 +106,9 @@ TEST_CASE_METHOD(PictureRig, "the pictures of both runs are drawn on a surface t
     CHECK(other.textures() == 2);  // that of the fonts, and the picture
 }
 
-TEST_CASE_METHOD(CompareRig, "a comparison holds the past as it was and as it would have been") {
+TEST_CASE_METHOD(
+    CompareRig,
+    "a comparison contains the past as it was and as it would have been after a change") {
     runs().request_change("world.ball.mass", Value(3.0), 1);
     CHECK_FALSE(runs().shown());
     console.between_frames();
@@ -123,7 +125,8 @@ TEST_CASE_METHOD(CompareRig, "a comparison holds the past as it was and as it wo
     CHECK(value("world.ball.mass") == Value(1.0));
 }
 
-TEST_CASE_METHOD(CompareRig, "a comparison says that it lacks what scripts draw by themselves") {
+TEST_CASE_METHOD(CompareRig,
+                 "a comparison reports that it does not show what draw functions of scripts draw") {
     bool scripts_draw = false;
     runs().scripts_draw = [&] { return scripts_draw; };
     const auto triangles = [&] {
@@ -143,7 +146,7 @@ TEST_CASE_METHOD(CompareRig, "a comparison says that it lacks what scripts draw 
     CHECK(triangles() > before + 40);  // two for each letter
 }
 
-TEST_CASE_METHOD(CompareRig, "instances on the screen are in neither run") {
+TEST_CASE_METHOD(CompareRig, "neither run of a comparison contains instances in screen layers") {
     property::ClassDescriptor layer{.name = "Sheet"};
     layer.properties = {{.name = "space",
                          .type = property::Type::text,
@@ -162,7 +165,7 @@ TEST_CASE_METHOD(CompareRig, "instances on the screen are in neither run") {
     CHECK(runs().a().back().find(score) != nullptr);
 }
 
-TEST_CASE_METHOD(CompareRig, "both runs are shown side by side and play again and again") {
+TEST_CASE_METHOD(CompareRig, "both runs are shown side by side and played in a loop") {
     runs().request_change("world.ball.mass", Value(3.0), 1);
     console.between_frames();
     draw(2);
@@ -187,7 +190,7 @@ TEST_CASE_METHOD(CompareRig, "both runs are shown side by side and play again an
     CHECK_FALSE(runs().shown());
 }
 
-TEST_CASE_METHOD(CompareRig, "two runs have room for their pictures beside plots") {
+TEST_CASE_METHOD(CompareRig, "the pictures of two runs have room beside plots") {
     struct Size {
         unsigned width, height;
     };
@@ -221,7 +224,7 @@ TEST_CASE_METHOD(CompareRig, "two runs have room for their pictures beside plots
     std::erase_if(shown, [](const console::Rect& each) { return each.empty(); });
     for (std::size_t i = 0; i < shown.size(); ++i)
         for (std::size_t k = 0; k < i; ++k) CHECK(apart(shown[i], shown[k]));
-    // What is selected moves nothing.
+    // The selection does not change the layout.
     state().choose(selected ? property::Handle{}
                             : tree.child(tree.child(tree.root(), "world"), "ball"));
     for (int i = 0; i < 3; ++i) console.draw(window, 1.0 / 60);
@@ -309,7 +312,9 @@ TEST_CASE("a property that differs in many instances is one line") {
     CHECK(lines[1] == "world.late: in B only");
 }
 
-TEST_CASE_METHOD(TwoBranches, "two branches are compared from where they part with what differs") {
+TEST_CASE_METHOD(
+    TwoBranches,
+    "two branches are compared from the step at which they part and their differences are listed") {
     runs().request_branch("");
     console.between_frames();
     REQUIRE(runs().shown());

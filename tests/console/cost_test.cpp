@@ -13,7 +13,7 @@ namespace cost_test {
 
 using namespace fettle;
 
-TEST_CASE("the drawing of the console does not grow with the game") {
+TEST_CASE("the cost of drawing the console does not grow with the game") {
     const std::vector<bench::ConsoleCost> few = bench::console_costs(1'000, 1, nullptr),
                                           many = bench::console_costs(20'000, 1, nullptr);
     REQUIRE(few.size() == many.size());

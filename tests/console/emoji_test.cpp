@@ -34,7 +34,7 @@ bool installed(const char* font) {
 
 }  // namespace
 
-TEST_CASE("emoji take two cells and what joins them takes none") {
+TEST_CASE("emoji take two cells and characters that join them take none") {
     CHECK(console::cell_count("a🚀b") == 4);
     CHECK(console::cell_count("⭐") == 2);
     CHECK(console::cell_count("❤\uFE0F") == 1);
@@ -63,7 +63,7 @@ TEST_CASE("a character beyond U+FFFF without a picture in colors is drawn as oth
     CHECK(same);
 }
 
-TEST_CASE("a text with emoji stays what it is when it is edited and copied and pasted") {
+TEST_CASE("a text with emoji is unchanged by editing and copying and pasting") {
     Rig rig;
     rig.key("grave");
     rig.console.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));
@@ -107,7 +107,7 @@ TEST_CASE("a text with emoji stays what it is when it is edited and copied and p
     CHECK(rig.surface.faults() == 0);
 }
 
-TEST_CASE("more characters than there are stand-ins do not change a text") {
+TEST_CASE("a text with more different emoji than the font has room for is unchanged") {
     Rig rig;
     rig.key("grave");
     rig.console.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));

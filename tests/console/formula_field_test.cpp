@@ -182,9 +182,9 @@ TEST_CASE("a text that begins with is becomes a formula") {
 }
 
 TEST_CASE("the gutter leads to the line of the script that wrote a value") {
-    std::string asked;
+    std::string requested_file;
     FormulaRig rig({.script = [&](const std::string& file) {
-        asked = file;
+        requested_file = file;
         return std::string("one\ntwo\nthree\nfour\nfive\nsix\nseven");
     }});
     rig.tree.locate_writes(true);
@@ -197,7 +197,7 @@ TEST_CASE("the gutter leads to the line of the script that wrote a value") {
     const console::Rect at = rig.editor().gutter_rect(rig.property("mass"));
     REQUIRE_FALSE(at.empty());
     rig.click(at.middle());
-    CHECK(asked == "main.lua");
+    CHECK(requested_file == "main.lua");
     CHECK(rig.text().find("› 2  two") != std::string::npos);
     CHECK(rig.text().find("  5  five") != std::string::npos);
     CHECK(rig.text().find("six") == std::string::npos);

@@ -155,7 +155,7 @@ TEST_CASE("a click on a body selects it and sets it") {
     CHECK(rig.tree.path(rig.console.selected()) == "world.ball");
 }
 
-TEST_CASE("an instance that the game makes anew is selected again") {
+TEST_CASE("a selected instance that the game makes again is selected again") {
     Rig rig;
     property::Handle world = rig.tree.child(rig.tree.root(), "world");
     rig.console.select(rig.tree.child(world, "crate"));

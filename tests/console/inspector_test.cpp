@@ -206,7 +206,7 @@ TEST_CASE("a refused number keeps the focus until it is mended or given up") {
     }
 }
 
-TEST_CASE("a value that the simulation writes has no mark and no button of an edit") {
+TEST_CASE("a click beside a value that the simulation writes changes nothing") {
     BallRig rig;
     rig.tree.set(rig.ball, "speed", Value(-2.9e-11));
     ImVec2 at = rig.widget("speed", 1.0f);

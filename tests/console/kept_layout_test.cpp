@@ -80,7 +80,7 @@ TEST_CASE("the game that begins again has the same instance selected") {
     CHECK(next.lua->selected() == property::resolve(next.tree, "world.ball").instance);
     next.lua->state().run("it.mass = 7");
     CHECK(property::get(next.tree, "world.ball.mass") == Value(7.0));
-    // After `it = nil` nothing comes back.
+    // Without a selection, the next run selects nothing.
     next.lua->select(std::vector<property::Handle>{});
     next.frame();
     CHECK_FALSE(next.lua->selected());
@@ -118,7 +118,7 @@ TEST_CASE("conditions of break_when stay when the game begins again") {
     CHECK(breaks.size() == 0);
 }
 
-TEST_CASE("a pinned value of a run before that is not there yet is no message") {
+TEST_CASE("a value pinned in an earlier run whose instance does not exist yet causes no message") {
     console::Layout layout;
     layout.pins = {"world.boss.mass"};
     layout.plots = {"world.boss.position"};
@@ -131,7 +131,7 @@ TEST_CASE("a pinned value of a run before that is not there yet is no message") 
     CHECK(run.text().find("pin: world.boss: no such name") != std::string::npos);
 }
 
-TEST_CASE("sizes and what is pinned and plotted are kept from run to run") {
+TEST_CASE("sizes and pinned and plotted values are kept from run to run") {
     std::optional<console::Layout> kept;
     {
         Run first({}, {}, &kept);

@@ -25,7 +25,8 @@ TEST_CASE("wrapped rows of a table begin below its last column") {
     CHECK(rows.back().find("bbb") == rows[rows.size() - 2].find("aaa"));
 }
 
-TEST_CASE("wrapped rows of a command begin as the command does, whatever blanks are in it") {
+TEST_CASE(
+    "wrapped rows of a command are indented like the command even if it contains runs of blanks") {
     Rig rig;
     rig.key("grave");
     rig.draw(3);
@@ -34,7 +35,7 @@ TEST_CASE("wrapped rows of a command begin as the command does, whatever blanks 
     CHECK(rig.state().views.log_view.shown_rows().back().starts_with("bbb"));
 }
 
-TEST_CASE("a column of a table that begins behind the middle of the log has rows of its own") {
+TEST_CASE("a column that begins beyond the middle of the log is shown in rows of its own") {
     Rig rig;
     rig.key("grave");
     rig.draw(3);
@@ -64,10 +65,10 @@ TEST_CASE("the rows of a table that is wider than the log break before the same 
         }
         lines.push_back(line);
     }
-    script::Evaluation said;
-    said.lines = lines;
-    said.tables = {table};
-    rig.state().log.output(said);
+    script::Evaluation evaluation;
+    evaluation.lines = lines;
+    evaluation.tables = {table};
+    rig.state().log.output(evaluation);
     rig.draw(3);
     const auto rows = rig.state().views.log_view.shown_rows();
     REQUIRE(rows.size() >= 6);
@@ -143,23 +144,23 @@ TEST_CASE("the topmost row of the log is whole") {
 }
 
 TEST_CASE("the rows of a long table that are left out are below a fold") {
-    script::Evaluation said;
+    script::Evaluation evaluation;
     script::TableLines table{0, true, {}};
     script::FoldedLines folded{3, {}, {}};
     for (const char* row : {"path  mass", "a     1.23456789", "b     2"}) {
-        said.lines.emplace_back(row);
+        evaluation.lines.emplace_back(row);
         table.cells.push_back({0, 6});
     }
-    said.lines.emplace_back("… 2 more (4 instances)");
+    evaluation.lines.emplace_back("… 2 more (4 instances)");
     for (const char* row : {"long  3.23456789", "d     4"}) {
         folded.lines.emplace_back(row);
         folded.cells.push_back({0, 6});
     }
     folded.lines.emplace_back("… 7 more");  // more than are folded
-    said.tables = {table};
-    said.folded = {folded};
+    evaluation.tables = {table};
+    evaluation.folded = {folded};
     console::Log log;
-    log.output(said);
+    log.output(evaluation);
     REQUIRE(log.lines().size() == 4);
     CHECK(log.lines().back().kind == console::LineKind::fold);
     CHECK(log.lines().back().text == "… 2 more (4 instances)");

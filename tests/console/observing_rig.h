@@ -70,9 +70,9 @@ class ObservingRig : public Rig {
         return all;
     }
     bool press_key(std::string_view name) {
-        const bool taken = lua.handle(key_event(name, true));
+        const bool consumed = lua.handle(key_event(name, true));
         lua.handle(key_event(name, false));
-        return taken;
+        return consumed;
     }
     void click_at(ImVec2 at, const char* which = "left") {
         for (const auto kind : {app::EventKind::mouse_moved, app::EventKind::mouse_pressed,

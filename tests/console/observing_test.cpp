@@ -18,7 +18,7 @@ using console::test::ObservingRig;
 using property::Value;
 using property::Vec2;
 
-TEST_CASE("what cannot be computed is told when it is observed, with the nearest name") {
+TEST_CASE("observing an unknown name is an error with the nearest name") {
     ObservingRig rig;
     rig.run("pin world.ball.mss");
     rig.run("plot world.ball.positon");
@@ -363,7 +363,7 @@ TEST_CASE("columns of a table have quotes where they need them and gaps where no
           "step,seconds,\"f(1, \"\"a\"\")\",late\r\n5,2.5,1,\r\n6,3,2.5,2.5\r\n");
 }
 
-TEST_CASE("the menu of an instance asks who moved it and breaks when it moves") {
+TEST_CASE("the menu of an instance lists who moved it and adds a break on its movement") {
     ObservingRig rig;
     rig.show();
     auto& menu = rig.lua.state().context_menu;

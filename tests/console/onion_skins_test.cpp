@@ -86,7 +86,7 @@ TEST_CASE_METHOD(SkinnedRig, "onion skins are along the whole past and are read 
     console.between_frames();
     CHECK(reads == 1);
     step_to(2100);
-    CHECK(reads == 1);  // what the game does is seen without reading
+    CHECK(reads == 1);  // new steps are recorded without reading the past
     const auto shows_all_around = [&](std::int64_t step) {
         place(step);
         console.between_frames();

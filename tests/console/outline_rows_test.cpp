@@ -15,7 +15,7 @@ using namespace fettle;
 using console::test::Rig;
 using property::Handle;
 
-TEST_CASE("the selected row stays in sight while the outline becomes lower, and no row is cut") {
+TEST_CASE("the selected row stays visible while the outline becomes lower and no row is cut") {
     Rig rig;
     rig.key("grave");
     const Handle world = rig.tree.child(rig.tree.root(), "world");

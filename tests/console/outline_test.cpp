@@ -82,8 +82,8 @@ TEST_CASE_METHOD(Haunted, "the outline of the selected instance is where the ins
     CHECK(std::abs(lit({x + 2, -5}, 8) - lit({x - 2, -5}, 8)) < 6);
 }
 
-TEST_CASE_METHOD(Haunted,
-                 "a function of the host that throws costs only its own part of the picture") {
+TEST_CASE_METHOD(
+    Haunted, "when a function of the host throws only its own part of the console is not drawn") {
     state().options.to_pixels = [](const Vec2&) -> Vec2 {
         throw std::runtime_error("no view yet");
     };
@@ -196,7 +196,9 @@ TEST_CASE_METHOD(Cards, "the outline of a picture is where its layer places it")
     CHECK_FALSE(lit({3, -4}));
 }
 
-TEST_CASE_METHOD(Cards, "all that are selected in a layer are outlined in one walk") {
+TEST_CASE_METHOD(
+    Cards,
+    "the outlines of all selected instances in a layer are found in one walk over the tree") {
     std::vector<Handle> all{card};
     for (int i = 1; i < 20; ++i) all.push_back(tree.create(tree.class_of(card), tree.parent(card)));
     console.select(all);

@@ -301,18 +301,18 @@ TEST_CASE("several pasted lines are one command") {
 TEST_CASE("a paste that is not possible says why") {
     OpenRig rig;
     rig.type("world.ball");
-    rig.clipboard.text = "";  // also if a long text is not handed over
+    rig.clipboard.text = "";  // the same as for a text that is too long for the window system
     rig.key("ctrl+v");
     CHECK(rig.input() == "world.ball");
     CHECK(rig.logged("nothing is pasted: the clipboard has no text, or one that is too long"));
-    // A command that is cut somewhere would do something else.
+    // The text is not cut to fit, because a part of a command may have another effect.
     rig.clipboard.text = std::string(TextEdit::max_bytes - 9, 'x');
     rig.key("ctrl+v");
     CHECK(rig.input() == "world.ball");
     CHECK(
         rig.logged("nothing is pasted: the text has 1048567 bytes, and a command has at most "
                    "1048576"));
-    // Here it takes the place of what is selected.
+    // It fits if it replaces the selected text.
     rig.key("ctrl+a");
     rig.key("ctrl+v");
     CHECK(rig.input() == rig.clipboard.text);
@@ -331,7 +331,7 @@ TEST_CASE("ctrl Z undoes an edit with the mouse and not a text that was deleted 
     CHECK(rig.input().empty());
     REQUIRE(rig.commands.size() == 1);
     CHECK(rig.commands[0] == "undo");
-    // A text that is there keeps its steps.
+    // While the prompt has a text, ctrl Z undoes its typing.
     rig.type("world");
     rig.click(600, 500);
     rig.key("ctrl+z");
@@ -387,7 +387,7 @@ TEST_CASE("a frame with a long text in the prompt takes no longer than its text"
     std::string words, lines;
     for (int i = 0; i < 16'000; ++i) words += "x = 12 ";
     for (int i = 0; i < 5'000; ++i) lines += "line = " + std::to_string(i) + "\n";
-    // It took minutes, and seconds, while the columns before each word were counted anew.
+    // These took minutes and seconds when the columns before each word were counted again.
     CHECK(seconds(words) < 1);
     CHECK(seconds(lines) < 1);
 }

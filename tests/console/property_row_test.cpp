@@ -43,7 +43,7 @@ TEST_CASE("numbers in names of added properties count as numbers in the inspecto
     CHECK(names == "gap_1 gap_2 gap_10 ");
 }
 
-TEST_CASE("what a step wrote has no reset mark even if its module takes it for set") {
+TEST_CASE("a value that a step wrote has no reset mark even if its module reports it as set") {
     Rig rig;
     rig.key("grave");
     bool awake = false;
@@ -102,7 +102,8 @@ TEST_CASE("a text of several lines is edited in one line and keeps its line ends
         rig.draw(3);
     };
     append("!");
-    CHECK(rig.value("world.ball.label").text() == "one\ntwo ↵");  // would not come back as it was
+    CHECK(rig.value("world.ball.label").text() ==
+          "one\ntwo ↵");  // a line end in it could not be told from this sign
     rig.tree.set(ball, "label", Value("one\ntwo"));
     rig.draw(3);
     append(" and more");

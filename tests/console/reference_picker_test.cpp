@@ -10,7 +10,7 @@ using console::test::Rig;
 using property::Handle;
 using property::Value;
 
-TEST_CASE("Escape clears what is searched in the list of references, then closes it") {
+TEST_CASE("Escape first clears the search in the list of references and then closes the list") {
     Rig rig;
     rig.key("grave");
     rig.draw();

@@ -130,10 +130,10 @@ Rig::Rig(Options options, const std::filesystem::path& game)
                           : std::make_unique<property::Tweaks>(
                                 tree, game, [](const std::string& text) { FAIL(text); })),
       surface(1280, 720),
-      console((make_game(tree), tree), stand_in(), with_view(std::move(options))) {}
+      console((make_game(tree), tree), simple_interpreter(), with_view(std::move(options))) {}
 
-/// The tweaks that a command changed, as text; "" for other commands.
-std::string Rig::tweaked(const std::string& command) {
+/// Runs a command that keeps, drops or reapplies tweaks; returns its report, "" for other commands.
+std::string Rig::run_tweak_command(const std::string& command) {
     const std::size_t open = command.find("(\"");
     if (tweaks == nullptr || open == std::string::npos) return {};
     const std::string function = command.substr(0, open);
@@ -152,7 +152,7 @@ std::string Rig::tweaked(const std::string& command) {
     return {};
 }
 
-Interpreter Rig::stand_in() {
+Interpreter Rig::simple_interpreter() {
     Interpreter interpreter;
     interpreter.evaluate = [this](std::string_view command) {
         script::Evaluation evaluation;
@@ -172,7 +172,7 @@ Interpreter Rig::stand_in() {
         }
         std::size_t sign = text.find(" = ");
         try {
-            if (std::string done = tweaked(text); !done.empty()) {
+            if (std::string done = run_tweak_command(text); !done.empty()) {
                 evaluation.lines.push_back(done);
                 evaluation.ok = true;
                 return evaluation;
@@ -230,10 +230,10 @@ bool Rig::key(std::string_view combination) {
     event.control = control;
     event.shift = shift;
     event.alt = alt;
-    bool taken = console.handle(event);
+    bool consumed = console.handle(event);
     event.kind = app::EventKind::key_released;
     console.handle(event);
-    return taken;
+    return consumed;
 }
 
 bool Rig::press(std::string_view name) {

@@ -71,8 +71,8 @@ class Rig {
     Console console;
 
   private:
-    std::string tweaked(const std::string& command);
-    Interpreter stand_in();
+    std::string run_tweak_command(const std::string& command);
+    Interpreter simple_interpreter();
     Options with_view(Options options);
 };
 

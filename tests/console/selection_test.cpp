@@ -107,7 +107,7 @@ TEST_CASE("an instance below another selected one is left out in any order of se
     CHECK(console::topmost(rig.tree, {rig.ball, rig.ball, ring}) == std::vector{rig.ball});
 }
 
-TEST_CASE("a box drawn with shift selects what is in it") {
+TEST_CASE("a box drawn with shift selects the instances in it") {
     SelectionRig rig;
     const ImVec2 from = rig.pixel(Vec2(-1, -3)), to = rig.pixel(Vec2(4, -5));
     rig.with_key("left_shift", [&] { rig.drag(from.x, from.y, to.x, to.y); });
@@ -146,7 +146,7 @@ TEST_CASE("an edit goes to all that are selected as one step of undo") {
     CHECK(rig.value("world.crate.angle").number() == 0);
 }
 
-TEST_CASE("of a vector only the edited component goes to the others") {
+TEST_CASE("an edit of a component of a vector sets only this component of the others") {
     SelectionRig rig;
     rig.tree.set(rig.crate, "position", Value(Vec2(3, 8)));
     rig.select_all();
@@ -233,7 +233,7 @@ TEST_CASE("arrows move the selection after a click into the game") {
     CHECK(rig.value("world.ball.position").vec2().x == Approx(before.x + pixel));
 }
 
-TEST_CASE("all selected are deleted and cloned by one command") {
+TEST_CASE("one command deletes or clones all selected instances") {
     SelectionRig rig;
     CHECK(console::delete_command(rig.tree, {rig.ball, rig.crate}) ==
           "world.ball:delete(); world.crate:delete()");
@@ -276,7 +276,7 @@ TEST_CASE("the button that deletes all selected leaves no error") {
         rig.tree.destroy(rig.crate);
     };
     const console::Rect& all = rig.state().screen.inspector_rect;
-    // From below the buttons upwards, where a click does nothing, until it is found.
+    // Clicks from below upwards until one hits the button; between the buttons nothing happens.
     for (float y = (all.low.y + all.high.y) / 2; y > all.low.y + 60 && !deleted; y -= 8)
         rig.click(all.low.x + 45, y);
     REQUIRE(deleted);
@@ -297,7 +297,7 @@ TEST_CASE("deleted instances leave the selection") {
     CHECK(rig.selection().empty());
 }
 
-TEST_CASE("of many selected instances some are looked at in a frame, and all in a few") {
+TEST_CASE("a frame checks a limited number of the selected instances and a few frames check all") {
     using console::Selection;
     property::Tree tree;
     console::test::make_game(tree);

@@ -1,4 +1,4 @@
-// Numbers with four significant digits in the log, and the whole ones behind them.
+// Numbers with four significant digits in the log, and the whole numbers that they stand for.
 
 #include <string>
 #include <string_view>
@@ -26,14 +26,14 @@ TEST_CASE("printed values have four significant digits") {
     CHECK(shown("a - 1.23456") == "a - 1.235");
     CHECK(shown("3-1.23456") == "3-1.235");
     CHECK(shown("{1.23456, x = 2.34567}") == "{1.235, x = 2.346}");
-    // What has no more digits than that, is whole, or is no decimal number stays as it is.
+    // Numbers with few digits, whole numbers and other texts are not changed.
     for (const std::string_view same :
          {"0.25", "1e-05", "123456789", "1.2345.6", "0x1.23456p3", "1.23456…", "step 123456",
           "07:42:48", "world.brick_1.23456", "\"1.23456\"", "~/a-1.23456/b", ""})
         CHECK(shown(same) == same);
 }
 
-TEST_CASE("observed numbers keep the width of their place") {
+TEST_CASE("observed numbers have a constant width") {
     using console::aligned_number;
     for (const double number :
          {0.0, 1.5, -1.5, 12.3456, -0.123456, -0.00123456, 98.7, 1e-5, -1.2e-5})
@@ -46,14 +46,14 @@ TEST_CASE("observed numbers keep the width of their place") {
     CHECK(aligned_number(1.25, 2, 2) == "  1.2");
 }
 
-TEST_CASE("the source of a formula stays as it is") {
+TEST_CASE("numbers in the text of a formula are not shortened") {
     CHECK(with_short_numbers("a.b: is 1.23456 * c = 2.46912 m").text ==
           "a.b: is 1.23456 * c = 2.469 m");
     CHECK(with_short_numbers("a.b = 2.46912 m   is 1.23456 * c").text ==
           "a.b = 2.469 m   is 1.23456 * c");
 }
 
-TEST_CASE("an old and a new value that differ are seen to differ") {
+TEST_CASE("an old and a new value that differ are printed differently") {
     const auto shown = [](std::string_view line) { return with_short_numbers(line).text; };
     CHECK(shown("a.b: 1.2345678 → 2.3456789 kg") == "a.b: 1.235 → 2.346 kg");
     CHECK(shown("a.b: 1.2345678 → 1.2345789 kg") == "a.b: 1.23457 → 1.23458 kg");
@@ -61,7 +61,7 @@ TEST_CASE("an old and a new value that differ are seen to differ") {
           "a.b: vec(1.235, 7.123457) → vec(1.235, 7.12346)");
 }
 
-TEST_CASE("whole numbers stand for short ones in each part of a text that touches them") {
+TEST_CASE("a copied part of a text contains the whole numbers in place of the short ones") {
     const auto made = with_short_numbers("vec(-1.23456789, 2) m");
     REQUIRE(made.text == "vec(-1.235, 2) m");
     const auto whole = [&](std::size_t begin, std::size_t end) {
@@ -74,12 +74,12 @@ TEST_CASE("whole numbers stand for short ones in each part of a text that touche
     CHECK(whole(12, 13) == "2");
 }
 
-TEST_CASE("what print prints has every digit in the log") {
+TEST_CASE("printed numbers have every digit in the log") {
     Log log;
-    script::Evaluation said;
-    said.lines = {"1.23456789", "1.23456789", "2.3456789 kg"};
-    said.printed = {0};
-    log.output(said);
+    script::Evaluation evaluation;
+    evaluation.lines = {"1.23456789", "1.23456789", "2.3456789 kg"};
+    evaluation.printed = {0};
+    log.output(evaluation);
     REQUIRE(log.lines().size() == 3);
     CHECK(log.lines()[0].text == "1.23456789");
     CHECK(log.lines()[1].text == "1.235");
@@ -100,14 +100,14 @@ TEST_CASE("lines that differ in digits that are not shown are not counted as one
 }
 
 TEST_CASE("a table with short numbers has narrow columns below each other") {
-    script::Evaluation said;
-    said.lines = {"path  at                         unit m²   end",
-                  "a     vec(1.23456789, 2.345678)  7         x",
-                  "b     vec(1, 2)                  5.123456  y"};
+    script::Evaluation evaluation;
+    evaluation.lines = {"path  at                         unit m²   end",
+                        "a     vec(1.23456789, 2.345678)  7         x",
+                        "b     vec(1, 2)                  5.123456  y"};
     // The sign of a square has two bytes.
-    said.tables = {{0, true, {{0, 6, 33, 44}, {0, 6, 33, 43}, {0, 6, 33, 43}}}};
+    evaluation.tables = {{0, true, {{0, 6, 33, 44}, {0, 6, 33, 43}, {0, 6, 33, 43}}}};
     Log log;
-    log.output(said);
+    log.output(evaluation);
     REQUIRE(log.lines().size() == 3);
     CHECK(log.lines()[0].text == "path  at                 unit m²  end");
     CHECK(log.lines()[1].text == "a     vec(1.235, 2.346)  7        x");

@@ -170,9 +170,9 @@ TEST_CASE("a repeated line is stored once with its number") {
 
 TEST_CASE("long output of a command is folded and can be opened") {
     Log log;
-    Evaluation said;
-    for (int i = 0; i < 100; ++i) said.lines.push_back("line " + std::to_string(i));
-    log.output(said);
+    Evaluation evaluation;
+    for (int i = 0; i < 100; ++i) evaluation.lines.push_back("line " + std::to_string(i));
+    log.output(evaluation);
     log.note("after it");
     REQUIRE(log.lines().size() == Log::shown_of_folded + 2);
     CHECK(log.lines()[Log::shown_of_folded].text == "… 60 more lines");
@@ -185,8 +185,8 @@ TEST_CASE("long output of a command is folded and can be opened") {
     CHECK(log.lines()[100].text == "after it");
     CHECK(log.rearranged() != before);
     log.clear();
-    said.lines.resize(Log::max_unfolded);
-    log.output(said);
+    evaluation.lines.resize(Log::max_unfolded);
+    log.output(evaluation);
     CHECK(log.lines().size() == Log::max_unfolded);
 }
 

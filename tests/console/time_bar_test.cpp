@@ -14,25 +14,25 @@ using property::Value;
 namespace {
 
 /// The method `branches` of `time`, with the branches of the test.
-struct Told {
+struct BranchList {
     std::vector<console::OtherBranch> all;
 };
-const std::vector<property::Field> told_fields = {
+const std::vector<property::Field> branch_fields = {
     {.name = "name", .type = property::Type::text},
     {.name = "fork", .type = property::Type::integer},
     {.name = "newest", .type = property::Type::integer}};
 
-property::Method branches_method(Told& told) {
+property::Method branches_method(BranchList& branches) {
     return {.name = "branches",
-            .returns = told_fields,
+            .returns = branch_fields,
             .many = true,
-            .context = &told,
+            .context = &branches,
             .call = [](void* context, property::Tree&, property::Handle, property::Row,
                        std::span<const Value>) -> property::Result {
                 std::vector<property::Record> all;
-                for (const console::OtherBranch& each : static_cast<Told*>(context)->all)
+                for (const console::OtherBranch& each : static_cast<BranchList*>(context)->all)
                     all.push_back(
-                        {&told_fields, {Value(each.name), Value(each.fork), Value(each.newest)}});
+                        {&branch_fields, {Value(each.name), Value(each.fork), Value(each.newest)}});
                 return all;
             },
             .effect = property::Effect::nothing};
@@ -41,7 +41,7 @@ property::Method branches_method(Told& told) {
 /// A game at step 300 that can go back to step 100; `commands` are the requested ones.
 struct Bar {
     Rig rig;
-    explicit Bar(std::int64_t step = 300, bool paused = false, Told* told = nullptr,
+    explicit Bar(std::int64_t step = 300, bool paused = false, BranchList* branches = nullptr,
                  console::Options options = {})
         : rig(std::move(options)) {
         property::Tree& tree = rig.tree;
@@ -59,11 +59,11 @@ struct Bar {
             {.name = "paused", .type = property::Type::boolean, .default_value = Value(paused)});
         time.properties.push_back(
             {.name = "step_once", .type = property::Type::boolean, .default_value = Value(false)});
-        if (told != nullptr) {
+        if (branches != nullptr) {
             time.properties.push_back({.name = "branch",
                                        .type = property::Type::text,
                                        .default_value = Value(std::string("2"))});
-            time.methods.push_back(branches_method(*told));
+            time.methods.push_back(branches_method(*branches));
         }
         tree.create(tree.define(std::move(time)), tree.root(), "time");
         rig.key("grave");
@@ -213,8 +213,8 @@ namespace {
 
 /// A bar of a game at step 300 with the branch "1", which parts after step 200 and ends at 400.
 struct Branched {
-    Told told{{{"1", 200, 400}}};
-    Bar bar{300, true, &told};
+    BranchList branches{{{"1", 200, 400}}};
+    Bar bar{300, true, &branches};
     void right_click(const console::Rect& place) {
         const ImVec2 at = place.middle();
         bar.rig.move(at.x, at.y);
@@ -250,7 +250,7 @@ TEST_CASE("each branch has a lane of the time bar with a menu") {
     CHECK(bar.rig.input() == "time:name_branch(\"\", \"1\")");
     bar.rig.type("high");
     CHECK(bar.rig.input() == "time:name_branch(\"high\", \"1\")");
-    with.told.all.clear();
+    with.branches.all.clear();
     bar.rig.draw(2);
     CHECK(bar.bar().lanes().empty());
     CHECK(bar.bar().height() < tall);
@@ -366,7 +366,7 @@ TEST_CASE("bookmarks have names and each branch has its own marks") {
     CHECK(marks.unbookmark("") == 2);
 }
 
-TEST_CASE("what is drawn above the time bar leaves room for its tooltips") {
+TEST_CASE("views above the time bar leave room for its tooltips") {
     Bar bar;
     Rig& rig = bar.rig;
     rig.draw(2);

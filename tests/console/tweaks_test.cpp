@@ -108,7 +108,7 @@ TEST_CASE("a command of a menu or a key shows its output in place of the list of
     CHECK(rig.logged("world.ball.mass: 5"));
 }
 
-TEST_CASE("the file of a plot is told in place of the list of tweaks") {
+TEST_CASE("the name of the file of a plot is shown in place of the list of tweaks") {
     TweakedRig rig;
     rig.state().observing.exports().push_back("csv");
     rig.console.between_frames();

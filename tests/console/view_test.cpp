@@ -164,9 +164,9 @@ TEST_CASE("a click opens folded output") {
     rig.draw(3);
     std::vector<std::string> lines;
     for (int i = 0; i < 70; ++i) lines.push_back("line " + std::to_string(i));
-    script::Evaluation said;
-    said.lines = lines;
-    rig.state().log.output(said);
+    script::Evaluation evaluation;
+    evaluation.lines = lines;
+    rig.state().log.output(evaluation);
     rig.draw(3);
     const auto& view = rig.state().views.log_view;
     rig.click(view.text_end().x + 4 * view.cell(), view.text_end().y - view.line_height() / 2);
@@ -279,7 +279,7 @@ TEST_CASE("the console draws on another surface and on tiny ones") {
     CHECK(rig.surface.faults() == 0);
 }
 
-TEST_CASE("the console draws whatever the numbers of a host are") {
+TEST_CASE("the console can be drawn with any numbers from the host") {
     /// Only its size is used.
     struct Sized : app::Surface {
         float wide = 0, high = 0;

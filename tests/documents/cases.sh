@@ -233,7 +233,7 @@ PAGE
     expect_failure "page.md:3: these commands fail"
 }
 
-case_a_mark_that_means_nothing_is_a_failure() {
+case_an_unknown_mark_is_a_failure() {
     follow <<'PAGE'
 <!-- test: sometimes -->
 ```sh
@@ -277,7 +277,7 @@ PAGE
     expect_failure "this output belongs to no commands"
 }
 
-case_a_project_may_lie_in_a_folder_with_a_space() {
+case_a_project_may_be_in_a_folder_with_a_space() {
     mv "$project" "$work/a project"
     mv "$work/build" "$work/a project/build"
     ln -s "$work/a project/build" "$work/build"
@@ -312,7 +312,7 @@ PAGE
     expect_failure "page.md:1: a picture needs a mark"
 }
 
-case_a_kept_picture_must_be_there() {
+case_a_kept_picture_that_is_missing_is_a_failure() {
     printf 'a picture' >"$work/ball.png"
     follow <<'PAGE'
 <!-- test: picture kept -->
@@ -367,7 +367,7 @@ mkdir inside && cd inside && echo "<svg/>" >ball.svg
     expect_failure "the commands before wrote no box.svg"
 }
 
-case_full_runs_what_is_marked_so_and_nothing_else() {
+case_full_runs_only_the_blocks_that_are_marked_full() {
     local page='<!-- test: full -->
 ```sh
 echo long; false
@@ -392,7 +392,7 @@ reference() {
     if [[ $status == 77 ]]; then exit 77; fi
 }
 
-case_a_public_member_without_a_comment_is_no_reference() {
+case_a_public_member_without_a_comment_is_a_failure() {
     reference a.h <<'HEADER'
 /// A thing.
 struct Thing {
@@ -420,7 +420,7 @@ HEADER
     [[ $(grep -c 'in kilograms' "$work/reference/html/structThing.html") == 2 ]] || wrong "both should have the comment"
 }
 
-case_functions_in_c_without_a_line_between_share_a_comment_in_the_reference() {
+case_functions_in_c_without_an_empty_line_between_them_share_a_comment_in_the_reference() {
     reference host/a.h <<'HEADER'
 /* Things. */
 

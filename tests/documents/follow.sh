@@ -63,15 +63,15 @@ else
 fi
 printf 'cd %q\n' "$checkout" >"$terminal"
 
-# in_terminal COMMANDS: runs them in the same terminal as the commands before; their output goes to $said.
+# in_terminal COMMANDS: runs them in the same terminal as the commands before; their output goes to $printed.
 in_terminal() {
     local status=0
     # shellcheck disable=SC2016
-    said=$("${environment[@]}" timeout "$limit" bash -ec '
+    printed=$("${environment[@]}" timeout "$limit" bash -ec '
         source "$1"
         trap '\''status=$?; { export -p; printf "cd %q\n" "$PWD"; } >"$1"; exit $status'\'' EXIT
         eval "$2"' terminal "$terminal" "$1" 2>&1 </dev/null && printf .) || status=$?
-    said=${said%.}
+    printed=${printed%.}
     return "$status"
 }
 
@@ -85,14 +85,14 @@ fail() {
 run_commands() {
     in_terminal "$1" || fail "these commands fail:
 $1--- they print:
-$said"
+$printed"
     has_output=1
 }
 
 write_file() {
     # shellcheck disable=SC2016
-    in_terminal 'mkdir -p -- "$(dirname -- "'"${block_file[i]}"'")"; pwd' || fail "$said"
-    printf '%s' "${block_text[i]}" >"${said%$'\n'}/${block_file[i]}"
+    in_terminal 'mkdir -p -- "$(dirname -- "'"${block_file[i]}"'")"; pwd' || fail "$printed"
+    printf '%s' "${block_text[i]}" >"${printed%$'\n'}/${block_file[i]}"
 }
 
 # The only parts of an output that may differ from the document: the time of day, the reader's home, which it calls ~, and the
@@ -102,7 +102,7 @@ without_clock() { sed -E -e 's/\b[0-2][0-9]:[0-5][0-9]:[0-5][0-9]\b/HH:MM:SS/g' 
 compare_output() {
     ((has_output)) || fail "this output belongs to no commands"
     diff -u --label "what the document shows" --label "what is printed" \
-        <(without_clock <<<"$1") <(without_clock <<<"${said%$'\n'}") || fail "the output is another one"
+        <(without_clock <<<"$1") <(without_clock <<<"${printed%$'\n'}") || fail "the output is another one"
     has_output=0
 }
 
@@ -141,7 +141,7 @@ draw_picture() {
     case $mark in
         # In a copy, so that the edits of the block before are not there twice.
         'picture console'*)
-            in_terminal "rm -rf '$folder/copy' && cp -r '$console_game' '$folder/copy' && rm -rf '$folder/copy/.fettle'" || fail "$said"
+            in_terminal "rm -rf '$folder/copy' && cp -r '$console_game' '$folder/copy' && rm -rf '$folder/copy/.fettle'" || fail "$printed"
             printf -v words '%q run %q %s --eval console.open=true %s' \
                 "$finished/bin/fettle" "$folder/copy" "$console_words" "${mark#picture console}"
             ;;
@@ -149,7 +149,7 @@ draw_picture() {
         'picture made '*)
             in_terminal "test -s ${mark#picture made } && pwd" || fail "the commands before wrote no ${mark#picture made }"
             words=
-            cp -- "${said%$'\n'}/${mark#picture made }" "$drawn"
+            cp -- "${printed%$'\n'}/${mark#picture made }" "$drawn"
             ;;
         'picture moment '*)
             # The file that `share` wrote in the console block before.
@@ -196,7 +196,7 @@ draw_picture() {
     fi
 }
 
-tested=0 has_output=0 said= console_words= console_game= last_pictures=()
+tested=0 has_output=0 printed= console_words= console_game= last_pictures=()
 for i in "${!block_kind[@]}"; do
     kind=${block_kind[i]} file=${block_file[i]} mark=${block_mark[i]}
     if [[ $mark == full ]]; then

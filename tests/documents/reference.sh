@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the reference of the public headers. What Doxygen warns about fails: a public member without a comment, the name of a
-# parameter that does not exist. Exit status 77: Doxygen is not here.
+# Builds the reference of the public headers. Each warning of Doxygen is a failure: a public member without a comment, the name of
+# a parameter that does not exist. Exit status 77: Doxygen is not here.
 #
 #   reference.sh FOLDER [HEADERS]    the pages are in FOLDER/html; HEADERS: other headers than those of docs/doxygen/Doxyfile
 set -euo pipefail

@@ -66,27 +66,27 @@ struct Listening {
 
 }  // namespace
 
-TEST_CASE("a terminal types into a game that runs") {
+TEST_CASE("a command typed in a terminal runs in a running game") {
     Listening running({"--listen"});
     REQUIRE(running.ready());
-    const Outcome said = attached(
+    const Outcome outcome = attached(
         running.folder,
         "x = 3\nx + 4\nfor i = 1, 2 do\nprint(i)\nend\nworld.gravity = vec(0, -2)\nworld.gravty\n"
         "world.ball.mass\nwhile true do\n");
-    INFO(said.out << said.err);
-    CHECK(said.status == 0);
-    CHECK(contains(said.out, "  7\n"));
-    CHECK(contains(said.out, "  1\n  2\n"));
-    CHECK(contains(said.out, "  world.gravity: vec(0, -10) → vec(0, -2) m/s²\n"));
-    CHECK(contains(said.out, "did you mean \"gravity\"?"));
-    CHECK(contains(said.out, "  3.1415927 kg\n"));
-    CHECK(said.out.ends_with("✗ the command ends too early\n"));
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK(contains(outcome.out, "  7\n"));
+    CHECK(contains(outcome.out, "  1\n  2\n"));
+    CHECK(contains(outcome.out, "  world.gravity: vec(0, -10) → vec(0, -2) m/s²\n"));
+    CHECK(contains(outcome.out, "did you mean \"gravity\"?"));
+    CHECK(contains(outcome.out, "  3.1415927 kg\n"));
+    CHECK(outcome.out.ends_with("✗ the command ends too early\n"));
     // A variable that one terminal has set exists for the next one, which finds the game by its
     // name and its path.
     CHECK(contains(attached(running.folder, "x\n", {"drop"}).out, "  3\n"));
     CHECK(contains(attached(running.folder, "x\n", {(running.folder / "drop").string()}).out,
                    "  3\n"));
-    // Longer commands would delay a frame; what is refused says what runs them.
+    // Longer commands would delay a frame; the refusal names the function that runs them.
     const Outcome large = attached(running.folder, std::string(4096, '(') + "\nx\n");
     CHECK(contains(large.out, "at most 4096 bytes; exec(\"FILE\") runs more"));
     CHECK(large.out.ends_with("  3\n"));
@@ -100,7 +100,7 @@ TEST_CASE("a terminal types into a game that runs") {
     CHECK(contains(none.err, "no game listens"));
 }
 
-TEST_CASE("a property of the console begins and ends listening") {
+TEST_CASE("a property of the console opens and closes the connection for terminals") {
     Listening running({"--eval", "console.listen = true"});
     REQUIRE(running.ready());
     const Outcome last = attached(running.folder, "console.listen = false\n1 + 1\n");
@@ -112,7 +112,7 @@ TEST_CASE("a property of the console begins and ends listening") {
     running.program->end();
 }
 
-TEST_CASE("a game without a console and a game in a sandbox do not listen") {
+TEST_CASE("a game without a console and a game in a sandbox accept no terminals") {
     const Folder folder;
     folder.write("drop/main.lua", "console.listen = true");
     const std::string drop = (folder / "drop").string();

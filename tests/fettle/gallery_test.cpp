@@ -27,7 +27,7 @@ TEST_CASE("the gallery lists the games beside it") {
     CHECK_FALSE(contains(run.out, "gallery"));
 }
 
-TEST_CASE("whole games come first in the gallery") {
+TEST_CASE("complete games come first in the gallery") {
     const Folder folder;
     const Outcome run =
         run_gallery(folder, "for _, g in ipairs(gallery_games()) do print(g[1]) end");
@@ -61,7 +61,7 @@ TEST_CASE("the gallery opens a game of its list and nothing else") {
     CHECK(run_gallery(folder, "gallery_show('car')").status == 1);
 }
 
-TEST_CASE("the gallery chooses the game from which the player comes back") {
+TEST_CASE("after a game the gallery has this game selected") {
     const Folder folder;
     CHECK(contains(run_gallery(folder, "print(gallery.chosen)").out, "1\n"));
     const std::string right = "input.keys.right = true";

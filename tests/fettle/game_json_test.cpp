@@ -23,7 +23,7 @@ Outcome run_with(const Folder& folder, const std::string& settings, const std::s
 
 }  // namespace
 
-TEST_CASE("the window of a headless run is as game.json says") {
+TEST_CASE("the window of a headless run has the size that game.json sets") {
     const Folder folder;
     const Outcome run = run_with(
         folder,
@@ -59,7 +59,7 @@ TEST_CASE("the seed of game.json is that of random unless the command line has o
     CHECK(run_with(folder, R"({"seed": 7})", chunk, {"--seed", "0"}).out == none.out);
 }
 
-TEST_CASE("game.json says whether images are smooth unless an instance says it") {
+TEST_CASE("game.json sets whether images are smooth unless an instance sets it") {
     const Folder folder;
     const std::string chunk =
         "Coin = class('Coin', Sprite) {} print(Sprite {}.smooth, Coin {}.smooth, Emitter "
@@ -93,7 +93,7 @@ TEST_CASE("a game without a console refuses commands for it") {
     CHECK(contains(off.err, "this game has no console"));
 }
 
-TEST_CASE("saves of a game with an id are found wherever the game lies") {
+TEST_CASE("saves of a game with an id are found from any folder of the game") {
     const Folder folder;
     const std::string id = R"({"id": "org.example.saved"})";
     folder.write("one/game.json", id);

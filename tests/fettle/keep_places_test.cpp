@@ -32,7 +32,7 @@ TEST_CASE("a scene file that refers to its instances from the root gets their ne
     const auto joined = [](const std::string& edit, const std::string& joint) {
         const Game game;
         run(game, {"2:" + edit, "3:keep(\"**\")"});
-        return next(game, "print(" + joint + ".body_a, " + joint + ".body_b)");
+        return output_of_next_run(game, "print(" + joint + ".body_a, " + joint + ".body_b)");
     };
     CHECK(joined("world.l.name=\"m\"", "world.m.j") == "world.m.a\tworld.m.c\n");
     CHECK(joined("world.l.c.name=\"cc\"", "world.l.j") == "world.l.a\tworld.l.cc\n");
@@ -50,16 +50,16 @@ TEST_CASE("a scene file that refers to instances of another one gets their new n
     const std::string joint = "print(world.b.body_a)";
     SECTION("renamed") {
         run(game, {"2:world.l.a.name=\"aa\"", "3:keep(\"**\")"});
-        CHECK(next(game, joint) == "world.l.aa\n");
+        CHECK(output_of_next_run(game, joint) == "world.l.aa\n");
     }
     SECTION("deleted and not restored") {
         run(game, {"2:world.l.a:delete()", "3:keep(\"**\")", "4:print(1)"});
-        CHECK(next(game, joint) == "nil\n");
+        CHECK(output_of_next_run(game, joint) == "nil\n");
     }
     SECTION("deleted and restored in one run") {
         run(game, {"2:world.l.a:delete()", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
         CHECK(game.text("b.json") == before);
-        CHECK(next(game, joint) == "world.l.a\n");
+        CHECK(output_of_next_run(game, joint) == "world.l.a\n");
     }
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("any name can be kept and none has a special meaning") {
         const Game game(script);
         const Outcome first = run(game, edits);
         INFO(first.out << first.err);
-        return next(game, look);
+        return output_of_next_run(game, look);
     };
     // Instances in the place of a renamed one, and below an instance with an unusual name.
     for (const char* const name : {"my_new_ball", "_new_", "_deleted_3", "_in_between_1",
@@ -125,7 +125,7 @@ TEST_CASE("a scene that is loaded by an edit is kept as a copy with the instance
     run(game, {"1:world.k = scene.load(\"l.json\")", "2:world.k.a.c = Circle {}",
                "3:world.k.q = Body {}", "4:keep(\"**\")"});
     CHECK(game.text("l.json") == two);
-    CHECK(next(game, "print(world.k.a.c, world.k.q, world.l:has(\"q\"))") ==
+    CHECK(output_of_next_run(game, "print(world.k.a.c, world.k.q, world.l:has(\"q\"))") ==
           "world.k.a.c\tworld.k.q\tfalse\n");
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("a child followed by a comma on the next line is deleted") {
                "[\n  {\"class\": \"Body\", \"name\": \"a\"}\n, {\"class\": \"Body\", "
                "\"name\": \"c\"}\n, {\"class\": \"Body\", \"name\": \"d\"}\n]}\n");
     run(game, {"1:world.l.a:delete()", "2:keep(\"**\")", "3:world.l.d:delete()", "4:keep(\"**\")"});
-    CHECK(next(game, "print(#world.l:children(), world.l.c)") == "1\tworld.l.c\n");
+    CHECK(output_of_next_run(game, "print(#world.l:children(), world.l.c)") == "1\tworld.l.c\n");
 }
 
 TEST_CASE("a value derived from a kept formula is right before the first step") {
@@ -170,12 +170,12 @@ TEST_CASE("an instance that was deleted below another one stays deleted when tha
     const Game game("world.s = Object { h = Object {} }");
     run(game, {"1:world.s.h:delete()", "2:world.s:delete()", "3:keep(\"**\")", "4:undo()",
                "5:keep(\"**\")"});
-    CHECK(next(game, "print(world.s, world.s:has(\"h\"))") == "world.s\tfalse\n");
+    CHECK(output_of_next_run(game, "print(world.s, world.s:has(\"h\"))") == "world.s\tfalse\n");
     // The same for an instance that was made by an edit in an earlier run.
     run(game, {"1:world.s.k = Object {}", "2:keep(\"**\")"});
     run(game, {"1:world.s.k:delete()", "2:world.s:delete()", "3:keep(\"**\")", "4:undo()",
                "5:keep(\"**\")"});
-    CHECK(next(game, "print(world.s, world.s:has(\"k\"))") == "world.s\tfalse\n");
+    CHECK(output_of_next_run(game, "print(world.s, world.s:has(\"k\"))") == "world.s\tfalse\n");
 }
 
 }  // namespace keep_places_test

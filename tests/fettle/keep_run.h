@@ -24,7 +24,7 @@ inline Outcome run(const Folder& folder, const std::vector<std::string>& command
 }
 
 /// The output of `eval` in a run after everything was kept; fails if the run prints anything else.
-inline std::string next(const Folder& folder, const std::string& eval) {
+inline std::string output_of_next_run(const Folder& folder, const std::string& eval) {
     const Outcome outcome = run(folder, {}, eval);
     CHECK(outcome.status == 0);
     CHECK(without_notes(outcome.err) == "");

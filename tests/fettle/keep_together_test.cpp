@@ -73,7 +73,8 @@ TEST_CASE(
     // An instance of another class never gets this name.
     const Game other(R"({"class": "Object", "name": "a"}, {"class": "Body"})");
     run(other, {"2:world.top.a.name = \"b\"", "3:keep(\"**\")"});
-    CHECK(next(other, "print(world.top.b, world.top.body)") == "world.top.b\tworld.top.body\n");
+    CHECK(output_of_next_run(other, "print(world.top.b, world.top.body)") ==
+          "world.top.b\tworld.top.body\n");
 }
 
 TEST_CASE("a name that a script sets is not kept in a file") {

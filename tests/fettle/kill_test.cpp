@@ -60,9 +60,9 @@ end
 
 /// The output of the game until it is killed. The game writes to a terminal, so that each line
 /// arrives at once.
-class Victim {
+class KilledGame {
   public:
-    explicit Victim(const std::string& file, const std::vector<std::string>& more = {}) {
+    explicit KilledGame(const std::string& file, const std::vector<std::string>& more = {}) {
         std::vector<std::string> words = {"fettle",     "run",     file,
                                           "--headless", "--steps", "1000000000"};
         words.insert(words.end(), more.begin(), more.end());
@@ -92,11 +92,11 @@ class Victim {
         execv(FETTLE_PROGRAM, arguments.data());
         _exit(127);
     }
-    ~Victim() {
-        if (process_ > 0) die();
+    ~KilledGame() {
+        if (process_ > 0) kill_it();
         close(terminal_);
     }
-    Victim(const Victim&) = delete;
+    KilledGame(const KilledGame&) = delete;
 
     /// Reads for that time after the first line, or from now if `at_once`.
     void listen(std::chrono::microseconds time, bool at_once) {
@@ -110,39 +110,39 @@ class Victim {
                 end = Clock::now() + time;
             }
             if ((ready.revents & (POLLHUP | POLLERR)) != 0 && (ready.revents & POLLIN) == 0) {
-                FAIL("the game ended by itself: " << said_);
+                FAIL("the game ended by itself: " << output_);
             }
         }
     }
     /// Reads until the output contains the text; false if it does not within a minute.
-    bool says(const std::string& text) {
+    bool prints(const std::string& text) {
         const Clock::time_point end = Clock::now() + std::chrono::minutes(1);
-        while (said_.find(text) == std::string::npos && Clock::now() < end) {
+        while (output_.find(text) == std::string::npos && Clock::now() < end) {
             pollfd ready{.fd = terminal_, .events = POLLIN, .revents = 0};
             poll(&ready, 1, 20);
             if ((ready.revents & POLLIN) != 0) read_some();
         }
-        return said_.find(text) != std::string::npos;
+        return output_.find(text) != std::string::npos;
     }
-    std::string die() {
+    std::string kill_it() {
         kill(process_, SIGKILL);
         waitpid(process_, nullptr, 0);
         process_ = -1;
         while (read_some()) {
         }
-        return said_.substr(0, said_.rfind('\n') + 1);  // without the last, incomplete line
+        return output_.substr(0, output_.rfind('\n') + 1);  // without the last, incomplete line
     }
 
   private:
     bool read_some() {
         char buffer[1 << 16];
         const ssize_t count = read(terminal_, buffer, sizeof buffer);
-        if (count > 0) said_.append(buffer, static_cast<std::size_t>(count));
+        if (count > 0) output_.append(buffer, static_cast<std::size_t>(count));
         return count > 0;
     }
     int terminal_ = -1;
     pid_t process_ = -1;
-    std::string said_;
+    std::string output_;
 };
 
 /// Parses lines like "o.t1: nothing → 1   step 1, ..."; the key is the path.
@@ -165,10 +165,10 @@ std::map<std::string, std::string> found_by_next_run(const Folder& folder,
 
 /// Compares the tweaks that the game reported with those that the next run found; returns the
 /// number of reported ones.
-int check(const std::string& said, const std::map<std::string, std::string>& found) {
+int check(const std::string& output, const std::map<std::string, std::string>& found) {
     std::map<std::string, std::string> expected;
     int often = 0, lines = 0;
-    std::istringstream in(said);
+    std::istringstream in(output);
     for (std::string line; std::getline(in, line); ++lines) {
         std::istringstream words(line);
         std::string what, name, value;
@@ -210,12 +210,12 @@ TEST_CASE("every reported tweak is found after a kill at any instant") {
             folder = std::make_unique<Folder>();
             file = folder->write("main.lua", game);
         }
-        Victim victim(file);
+        KilledGame game_run(file);
         // Some kills happen while the game starts.
-        victim.listen(std::chrono::microseconds(instant(random)), i % 5 == 4);
-        const std::string said = victim.die();
+        game_run.listen(std::chrono::microseconds(instant(random)), i % 5 == 4);
+        const std::string output = game_run.kill_it();
         INFO("kill " << i + 1 << " of " << kills);
-        const int lines = check(said, found_by_next_run(*folder, file));
+        const int lines = check(output, found_by_next_run(*folder, file));
         reported += lines;
         silent += lines == 0 ? 1 : 0;
     }
@@ -263,14 +263,14 @@ TEST_CASE("edits and undo and rewind and keep in the console survive a kill") {
     type(502, "keep('world.things.ball.**')");
     type(503, "world.things.ball.gravity_scale = 3");
     type(504, "print('now', 'kill it')");
-    Victim victim(file, commands);
-    REQUIRE(victim.says("now\tkill it"));
-    const std::string said = victim.die();
-    INFO(said);
+    KilledGame game_run(file, commands);
+    REQUIRE(game_run.prints("now\tkill it"));
+    const std::string output = game_run.kill_it();
+    INFO(output);
     const auto follows = [&](const std::string& command, const std::string& answer) {
         const std::string both = "› " + command + "\n  " + answer;
         INFO(both);
-        CHECK(contains(said, both));
+        CHECK(contains(output, both));
     };
     follows("world.things.ball.circle.radius = 0.8",
             "world.things.ball.circle.radius: 0.5 → 0.8 m\n");

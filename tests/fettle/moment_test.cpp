@@ -39,7 +39,7 @@ std::string last_line(const std::string& out) {
 
 }  // namespace
 
-TEST_CASE("a shared moment opens where it was and goes on as the game does") {
+TEST_CASE("a shared moment opens at its step and continues like the game") {
     const Folder folder;
     const std::string game = folder.write("game/main.lua", game_text);
     const Outcome shared = share(folder, (folder / "game").string(), "fall");
@@ -77,7 +77,7 @@ TEST_CASE("a moment can be shared again from a moment") {
     CHECK(contains(opened.out, "98"));
 }
 
-TEST_CASE("names that lead elsewhere and runs that write no files share nothing") {
+TEST_CASE("a moment is not shared under a path or from a sandbox or by a script") {
     const Folder folder;
     const std::string game = folder.write("game/main.lua", game_text);
     for (const char* name : {"../out", "a/b", "", "a.fettle"}) {

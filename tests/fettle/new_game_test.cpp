@@ -81,7 +81,7 @@ TEST_CASE("a new game overwrites nothing") {
     CHECK_FALSE(fs::exists(folder / "there/main.lua"));
     fs::create_directory(folder / "empty");
     CHECK(fettle(folder, {"new", (folder / "empty").string()}).status == 0);
-    // A folder that is there stays the same one: a shell may be in it.
+    // An existing folder is filled and not replaced: it may be the working folder of a shell.
     fs::create_directory(folder / "here");
     fs::create_directory_symlink("here", folder / "link");
     CHECK(fettle(folder, {"new", (folder / "link").string()}).status == 0);

@@ -119,7 +119,7 @@ TEST_CASE("a game that would not run elsewhere is not packaged") {
     CHECK_FALSE(fs::exists(folder / "a.fettle"));
 }
 
-TEST_CASE("a package has no sources of pictures and what game json excludes") {
+TEST_CASE("a package has no sources of pictures and no files that game json excludes") {
     const Folder folder;
     folder.write("game/main.lua", "world.a = Sprite { image = 'art/hero.png' }");
     folder.write("game/game.json",
@@ -147,7 +147,7 @@ TEST_CASE("a package has no sources of pictures and what game json excludes") {
 }
 
 TEST_CASE(
-    "packages of the complete games leave out what draws their pictures and makes their music") {
+    "packages of the complete games leave out the scripts that make their pictures and music") {
     const Folder folder;
     const std::string name = GENERATE(as<std::string>{}, "amber", "lantern", "russet");
     const Outcome packed =
@@ -279,7 +279,7 @@ TEST_CASE("a package brings the native modules of its game along") {
     CHECK(folder.text("result") == to + "/game/physics.so\n");
 }
 
-TEST_CASE("a package takes the place of nothing but a file, and leaves what lies beside it") {
+TEST_CASE("a package replaces only a regular file and leaves the files beside it") {
     const Folder folder;
     folder.write("game/main.lua", "");
     const std::string game = (folder / "game").string();
@@ -300,7 +300,7 @@ TEST_CASE("a package takes the place of nothing but a file, and leaves what lies
     CHECK(contains(fettle(folder, {"package", game, "--linux", (folder / "c.tar.gz").string()}).err,
                    "there is something already that is not a file"));
     CHECK(fettle(folder, {"package", game, "--deb", (folder / "x").string()}).status == 2);
-    // No draft is left: its name would be that of the package, with more behind it.
+    // No temporary file is left: its name would begin with that of the package.
     for (const auto& each : fs::directory_iterator(folder / "")) {
         const std::string name = each.path().filename().string();
         CAPTURE(name);
@@ -311,7 +311,7 @@ TEST_CASE("a package takes the place of nothing but a file, and leaves what lies
 }
 
 #ifdef FETTLE_TEST_MODULES
-TEST_CASE("a module that ends its process or crashes is refused, and no package is made") {
+TEST_CASE("no package is made of a game with a module that exits or crashes") {
     const Folder folder;
     folder.write("game/main.lua", "");
     const std::string game = (folder / "game").string();

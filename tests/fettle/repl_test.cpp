@@ -118,16 +118,16 @@ TEST_CASE("an alias stands for a command also in the terminal") {
 
 TEST_CASE("commands from a file are run one after another") {
     const Folder folder;
-    const Outcome said = repl(folder,
-                              "x = 3\nx + 4\nfor i = 1, 2 do\nprint(i)\nend\ntime.step\n"
-                              "advance(1)\ntime.step\nworld.gravity = vec(0, -2)\n"
-                              "world.gravty\nquit(4)\nprint('too late')\n");
-    INFO(said.out << said.err);
-    CHECK(said.status == 4);
-    CHECK(said.out.starts_with("  7\n  1\n  2\n  0\n  60\n  60\n"));
-    CHECK(contains(said.out, "  world.gravity: vec(0, -10) → vec(0, -2) m/s²\n"));
-    CHECK(contains(said.out, "did you mean \"gravity\"?"));
-    CHECK(!contains(said.out, "too late"));
+    const Outcome outcome = repl(folder,
+                                 "x = 3\nx + 4\nfor i = 1, 2 do\nprint(i)\nend\ntime.step\n"
+                                 "advance(1)\ntime.step\nworld.gravity = vec(0, -2)\n"
+                                 "world.gravty\nquit(4)\nprint('too late')\n");
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.status == 4);
+    CHECK(outcome.out.starts_with("  7\n  1\n  2\n  0\n  60\n  60\n"));
+    CHECK(contains(outcome.out, "  world.gravity: vec(0, -10) → vec(0, -2) m/s²\n"));
+    CHECK(contains(outcome.out, "did you mean \"gravity\"?"));
+    CHECK(!contains(outcome.out, "too late"));
 }
 
 TEST_CASE("a game stands still between commands from a file") {
@@ -136,17 +136,17 @@ TEST_CASE("a game stands still between commands from a file") {
         folder.write("game/main.lua",
                      "world.ball = Body { position = vec(0, 50), Circle { radius = 1 } }\n"
                      "function step(dt) if time.step == 30 then print('half a second') end end\n");
-    const Outcome said =
+    const Outcome outcome =
         repl(folder,
              "world.ball.position.y\nworld.ball.position.y\nadvance(0.5)\n"
              "world.ball.position.y < 50\nworld.ball.mass is time.now\nworld.ball.mass\n",
              {game});
-    INFO(said.out << said.err);
-    CHECK(said.status == 0);
-    CHECK(said.out.starts_with("  50 m\n  50 m\n  30\n"));
-    CHECK(contains(said.out, "half a second\n"));
-    CHECK(contains(said.out, "  true\n"));
-    CHECK(said.out.ends_with("  0.5 kg\n"));
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out.starts_with("  50 m\n  50 m\n  30\n"));
+    CHECK(contains(outcome.out, "half a second\n"));
+    CHECK(contains(outcome.out, "  true\n"));
+    CHECK(outcome.out.ends_with("  0.5 kg\n"));
 }
 
 TEST_CASE("the repl reports errors of commands and games that it cannot open") {

@@ -61,6 +61,10 @@ bool RunningProgram::makes(const std::string& file) {
     return eventually([&] { return std::filesystem::exists(folder_ / file); });
 }
 
+bool RunningProgram::reports(const std::string& text) {
+    return eventually([&] { return contains(folder_.text("err"), text); });
+}
+
 void RunningProgram::send(int signal) const {
     ::kill(process_, signal);
 }

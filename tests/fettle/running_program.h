@@ -21,6 +21,8 @@ class RunningProgram {
 
     /// Waits until the file exists; false if it does not within a minute.
     bool makes(const std::string& file);
+    /// Waits until the error output contains the text; false if it does not within a minute.
+    bool reports(const std::string& text);
     void send(int signal) const;
     /// Waits for the end of the process, a minute at most. `status`: as a shell gives it, so 128 +
     /// number for a signal that killed the process. `signal`: that number; 0 if the process ended

@@ -89,7 +89,7 @@ TEST_CASE("the time of a call in a sandbox is that of the command line") {
     CHECK(contains(run.err, "main.lua:1: stopped: it ran for 0.2 seconds"));
 }
 
-TEST_CASE("what a trusted game adds is limited, by its own setting or by the command line") {
+TEST_CASE("the limits of what a trusted game adds come from its settings or the command line") {
     const Folder folder;
     folder.write("game/main.lua",
                  "print(pcall(function() for i = 1, 1e7 do world:add(Body { }) end end))");
@@ -137,8 +137,8 @@ TEST_CASE("one replacement of a text takes no more memory than a game may have")
     CAPTURE(replacement);
     const Folder folder;
     folder.write("game/main.lua", "return (('a'):rep(1e7)):" + replacement);
-    // One of very many pieces costs time before it costs memory. The others have so much time that
-    // a slow machine needs the memory first.
+    // Very many pieces reach the limit of time before that of memory. The others get so much time
+    // that a slow machine needs the memory first.
     const bool in_pieces = contains(replacement, "%%");
     const Outcome run = fettle(folder,
                                {"run", (folder / "game").string(), "--sandbox", "--headless",
@@ -251,7 +251,7 @@ TEST_CASE("a hostile file is a message and the game goes on") {
     CHECK_FALSE(contains(run.out + run.err, "root:"));
 }
 
-TEST_CASE("work that a game gives to the engine is bounded") {
+TEST_CASE("the work that a game can cause in the engine is limited") {
     const std::string main = GENERATE(
         as<std::string>{},
         "for i = 1, 3000 do game:add(Emitter { limit = 200000, burst = 200000, lifetime = 1e4 "
@@ -278,7 +278,7 @@ TEST_CASE("work that a game gives to the engine is bounded") {
     CHECK((run.status == 0 || contains(run.err, "stopped: it ran for 2 seconds")));
 }
 
-TEST_CASE("files outside of a game stay unread") {
+TEST_CASE("files outside of a game are not read") {
     const Folder folder;
     folder.write("secret.json", R"({"secret": "found it"})");
     folder.write("scenes/secret.json", R"({"secret": "found it"})");

@@ -48,7 +48,7 @@ TEST_CASE("the texts of games fit into small windows and do not cover each other
     const Outcome done = fettle(
         Folder(), {"run", std::string("scripts/") + game, "--headless", "--steps", "4", "--at",
                    std::string("1:view.window.size = vec(") + size + ")", "--at", "3:" + look});
-    INFO(done.err);  // may name edits that somebody has made in the demo
+    INFO(done.err);  // may list tweaks that were made in the demo on this machine
     CHECK(done.status == 0);
     CHECK(done.out == "true\n");
 }

@@ -33,8 +33,7 @@ Outcome run_tests(const Folder& folder, const std::string& tests,
 
 }  // namespace
 
-TEST_CASE(
-    "a test that waits for time or makes another test is told the right way in its own line") {
+TEST_CASE("a test that calls wait or test is an error that names its line and the right way") {
     const Folder folder;
     const Outcome run = run_tests(folder, R"lua(
 test("waits", function(t) wait(1) end)

@@ -216,7 +216,7 @@ class Builder {
         for (unsigned n = 1 + choose_.of(2); n > 0; --n) add_shape(body);
     }
 
-    /// A great many contacts on one body.
+    /// Makes a body with very many contacts.
     void crowd_one_body() {
         if (world_.body_count() > 60) return;
         const Vec2 at = choose_.place();
@@ -377,25 +377,24 @@ class Builder {
                 return world_.restore(saved);
             }
             case 7:
-                return let_some_pass();
+                return disable_some_contacts();
             case 8:
-                return ask();
+                return check_queries();
             default:
                 return world_.set_continuous(choose_.flip());
         }
     }
 
-    /// Disables some of the contacts.
-    void let_some_pass() {
+    void disable_some_contacts() {
         const unsigned every = choose_.byte();
         if (every == 0) return world_.set_before_solve({});
-        world_.set_before_solve([every, asked = 0u](ContactEdit& contact) mutable {
-            contact.enabled = ++asked % every != 0;
+        world_.set_before_solve([every, calls = 0u](ContactEdit& contact) mutable {
+            contact.enabled = ++calls % every != 0;
         });
     }
 
     /// The results of queries are finite.
-    void ask() {
+    void check_queries() {
         const Vec2 from = choose_.place(), to = choose_.place();
         bool finite = true;
         if (const auto hit = world_.cast_ray(from, to))
@@ -415,7 +414,7 @@ class Builder {
             }
         }
         if (finite) return;
-        std::fputs("an answer is not finite\n", stderr);
+        std::fputs("a result of a query is not finite\n", stderr);
         std::abort();
     }
 

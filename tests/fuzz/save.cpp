@@ -34,7 +34,7 @@ struct Folder {
 
 const std::vector<std::byte> state(600, std::byte{42});
 
-std::string true_file(const property::Saves& saves, const fs::path& file) {
+std::string valid_file(const property::Saves& saves, const fs::path& file) {
     property::Thumbnail picture{.width = 4, .height = 2};
     picture.pixels.assign(32, 7);
     saves.save("slot", 120, state, picture);
@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const Folder folder;
     static const property::Saves saves(folder.path, "game", "fuzz");
     static const fs::path file = folder.path / "slot.sqlite";
-    static const std::string saved = true_file(saves, file);
+    static const std::string saved = valid_file(saves, file);
 
     std::string bytes = saved;
     bool forged = false;

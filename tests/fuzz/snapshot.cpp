@@ -52,11 +52,11 @@ every(0.05, function()
 end)
 )lua";
 
-struct Played : fuzz::Game {
+struct ScriptedGame : fuzz::Game {
     script::Runtime runtime{tree, script::Options{.assets = {}}};
     double now = 0;
 
-    Played() {
+    ScriptedGame() {
         runtime.on_error([](const script::ScriptError&) {});
         runtime.on_print([](std::string_view) {});
         tree.on_handler_error([](const property::HandlerError&) {});
@@ -76,8 +76,8 @@ struct Played : fuzz::Game {
     }
 };
 
-std::vector<std::byte> true_save() {
-    Played game;
+std::vector<std::byte> valid_save() {
+    ScriptedGame game;
     for (int i = 0; i < 20; ++i) game.step();
     return game.tree.snapshot().to_bytes();
 }
@@ -125,7 +125,7 @@ void change(std::vector<std::byte>& bytes, const std::uint8_t* data, std::size_t
     if (size % 5 == 1) bytes.resize(bytes.size() * data[size - 1] / 256);
 }
 
-[[noreturn]] void give_up(const std::string& why) {
+[[noreturn]] void fail(const std::string& why) {
     std::fprintf(stderr, "%s\n", why.c_str());
     std::abort();
 }
@@ -141,10 +141,10 @@ void check_values(property::Tree& tree, property::Handle top) {
             if (follows && !tree.overridden(handle, *property)) continue;
             try {
                 if (!(tree.coerce(handle, *property, value) == value))
-                    give_up(tree.path(handle, *property) + " would not be " + tree.text(value));
+                    fail(tree.path(handle, *property) + " would not be " + tree.text(value));
             } catch (const property::Error& error) {
                 // References in lists may refer to deleted instances.
-                if (error.kind() != property::ErrorKind::deleted) give_up(error.what());
+                if (error.kind() != property::ErrorKind::deleted) fail(error.what());
             }
         }
     });
@@ -166,7 +166,7 @@ void seal_worlds(const std::vector<std::byte>& before, std::vector<std::byte>& b
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const std::vector<std::byte> saved = true_save();
+    static const std::vector<std::byte> saved = valid_save();
     constexpr std::size_t header = 24, end = 8;  // docs/design/time.md
     std::vector<std::byte> state(saved.begin() + header, saved.end() - end);
     const std::vector<std::byte> before_it = state;
@@ -180,7 +180,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto* const sum = reinterpret_cast<const std::byte*>(&checksum);
     file.insert(file.end(), sum, sum + sizeof checksum);
 
-    Played game;
+    ScriptedGame game;
     for (int i = 0; i < 2; ++i) game.step();
     const property::Snapshot before = game.tree.snapshot();
     try {

@@ -21,7 +21,7 @@ TEST_CASE("a program in C hosts a game and watches it") {
     CHECK(changes == 1);
 }
 
-TEST_CASE("one thread uses all games, until they are destroyed") {
+TEST_CASE("all games are used by one thread until they are destroyed") {
     Game game = make("world.ball = Body { Circle {} }");
     fettle_property_id y = 0;
     fettle_instance ball = 0;

@@ -15,13 +15,13 @@
 #include "hosted.h"
 #include "numbers.h"
 
-// Arguments for functions of fettle_host.h: some with a meaning, some without.
+// Arguments for functions of fettle_host.h: valid ones and invalid ones.
 
 namespace random_hosting {
 
 using namespace hosted;
 
-/// Arguments for functions in C: some with a meaning, some without. Pointers are null or lead to
+/// Arguments for functions in C: valid ones and invalid ones. Pointers are null or point to
 /// enough memory, as the headers demand; all numbers and texts may be anything.
 class Arguments {
   public:
@@ -38,7 +38,7 @@ class Arguments {
     Arguments(const Arguments&) = delete;
 
     uint32_t below(uint32_t count) { return random_.below(count); }
-    /// Whether the input that chooses the arguments ended.
+    /// True if the input that chooses the arguments has ended.
     bool ended() const { return random_.ended(); }
 
     template <class Result, class... Parameters>
@@ -267,7 +267,7 @@ class Arguments {
             (void)fettle_property_get_number(game, self.numbers_[0], &number);
         }
     }
-    /// Makes a call inside a function that a call called; `user` leads to the arguments.
+    /// Makes a call inside a callback of another call; `user` points to the arguments.
     static void inside(void* user);
     /// A callback answers with a value in memory that no call uses.
     fettle_hosted_value answer() {
@@ -276,7 +276,7 @@ class Arguments {
         --depth_;
         return made;
     }
-    /// What a callback gets must stay until it returns.
+    /// The arguments of a callback must be valid until it returns.
     static void read(const char* text) {
         if (text != nullptr && strlen(text) > 100'000'000) std::abort();
     }
@@ -364,10 +364,10 @@ class Arguments {
     std::array<fettle_hosted*, 2> games_{};
     fettle_hosted* stale_ = nullptr;
     std::array<uint64_t, 12> numbers_{};  // ids of instances, properties and connections
-    /// What pointers of a call lead to. A call inside a callback must not write to that of the
-    /// outer call.
+    /// The memory that the pointers of a call point to. A call inside a callback must not write to
+    /// that of the outer call.
     struct Memory {
-        fettle_hosted* game = nullptr;  // what the call made
+        fettle_hosted* game = nullptr;  // made by the call
         std::array<uint64_t, 3> outs{};
         fettle_hosted_value values[8] = {}, elements[4][4] = {};
         fettle_hosted_def def{};
@@ -384,7 +384,7 @@ class Arguments {
     Memory& memory() { return memory_[depth_]; }
 
     std::array<Memory, 4> memory_{};
-    size_t depth_ = 0;  // how many calls the present one is inside
+    size_t depth_ = 0;  // number of calls around the present one
     uint32_t calls_inside_ = 0;
 };
 

@@ -50,13 +50,13 @@ std::vector<Listed> listed(const Game& game) {
     return found;
 }
 
-void keep_problems(const Game& game, std::vector<std::string>* told) {
+void keep_problems(const Game& game, std::vector<std::string>* messages) {
     require(fettle_hosted_on_problem(
         game.get(),
         [](void* user, const fettle_hosted_problem* problem) {
             static_cast<std::vector<std::string>*>(user)->push_back(problem->message);
         },
-        told));
+        messages));
 }
 
 const char* const falling = "world.ball = Body { Circle {}, position = vec(0, 5) }";
@@ -77,21 +77,21 @@ TEST_CASE("a save and a snapshot report in the same words what does not fit the 
         state.assign(static_cast<const char*>(bytes), static_cast<const char*>(bytes) + size);
         require(fettle_hosted_save(game.get(), "old"));
     }
-    std::vector<std::string> told;
+    std::vector<std::string> messages;
     const Game game = created(def, "class('Door', Body) { wide = 'very' } world.door = Door {}");
-    keep_problems(game, &told);
+    keep_problems(game, &messages);
     require(fettle_hosted_load_save(game.get(), "old"));
-    const std::vector<std::string> loaded = std::exchange(told, {});
+    const std::vector<std::string> loaded = std::exchange(messages, {});
     require(fettle_hosted_restore(game.get(), state.data(), state.size()));
     REQUIRE_FALSE(loaded.empty());
-    REQUIRE(told.size() == loaded.size());
+    REQUIRE(messages.size() == loaded.size());
     const std::string of_save = "the saved game \"old\": ", of_state = "the restored state: ";
-    for (size_t i = 0; i < told.size(); ++i) {
+    for (size_t i = 0; i < messages.size(); ++i) {
         REQUIRE(loaded[i].starts_with(of_save));
-        REQUIRE(told[i].starts_with(of_state));
-        CHECK(told[i].substr(of_state.size()) == loaded[i].substr(of_save.size()));
+        REQUIRE(messages[i].starts_with(of_state));
+        CHECK(messages[i].substr(of_state.size()) == loaded[i].substr(of_save.size()));
     }
-    CHECK_THAT(told[0], contains("Door"));
+    CHECK_THAT(messages[0], contains("Door"));
 }
 
 TEST_CASE("a host saves games in slots and loads them in another run") {
@@ -166,12 +166,12 @@ TEST_CASE("a host that cannot write its saves keeps the older one") {
     const Game game = created(def, falling);
     CHECK(fettle_hosted_save(game.get(), "first") == FETTLE_INVALID);
     CHECK_THAT(fettle_last_error(), contains(file));
-    std::vector<std::string> told;
-    keep_problems(game, &told);
+    std::vector<std::string> messages;
+    keep_problems(game, &messages);
     require(fettle_hosted_run(game.get(), "save_game('first')", "test"));
     require(fettle_hosted_step(game.get()));
-    REQUIRE(told.size() == 1);
-    CHECK_THAT(told[0], contains("the game was not saved"));
+    REQUIRE(messages.size() == 1);
+    CHECK_THAT(messages[0], contains("the game was not saved"));
 }
 
 TEST_CASE("a host without a folder for saves has none") {
@@ -219,10 +219,10 @@ TEST_CASE("the store of a hosted game outlives it") {
     CHECK(best(created(def)).as.integer == 7);
     std::ofstream(file) << "{ damaged";
     const Game game = created(def);
-    std::vector<std::string> told;
-    keep_problems(game, &told);
-    REQUIRE(told.size() == 1);
-    CHECK_THAT(told[0], contains("the store of the game is empty"));
+    std::vector<std::string> messages;
+    keep_problems(game, &messages);
+    REQUIRE(messages.size() == 1);
+    CHECK_THAT(messages[0], contains("the store of the game is empty"));
     CHECK(best(game).type == FETTLE_VALUE_NIL);
     const Game without = make();
     CHECK(fettle_hosted_run(without.get(), "store.best = 1", "test") == FETTLE_FAILED);
@@ -248,13 +248,13 @@ TEST_CASE("edits in the console of a hosted game are kept for later runs") {
         CHECK_THAT(output, contains("kept 1 tweak"));
     }
     const Game later = created(def);
-    std::vector<std::string> told;
-    keep_problems(later, &told);
+    std::vector<std::string> messages;
+    keep_problems(later, &messages);
     require(fettle_hosted_load(later.get(), path.c_str()));
     CHECK(number_at(later.get(), "world.ball.gravity_scale") == 0.5);
     CHECK(get(later.get(), "world.ball.bullet").as.boolean == 0);
-    REQUIRE(told.size() == 1);
-    CHECK_THAT(told[0], contains("edits of earlier runs that were not kept: 1"));
+    REQUIRE(messages.size() == 1);
+    CHECK_THAT(messages[0], contains("edits of earlier runs that were not kept: 1"));
     require(fettle_hosted_evaluate(later.get(), "reapply_tweaks('**')", nullptr, nullptr));
     CHECK(get(later.get(), "world.ball.bullet").as.boolean == 1);
 }

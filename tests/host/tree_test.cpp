@@ -188,7 +188,7 @@ TEST_CASE("classes and their members are listed and methods are called") {
     CHECK_THAT(fettle_last_error(), contains("did you mean \"apply_impulse\"?"));
 }
 
-TEST_CASE("changes and births and deaths and events reach functions in C") {
+TEST_CASE("changes and creations and deletions and events are reported to functions in C") {
     const Game game = make(ball);
     fettle_hosted* const g = game.get();
     std::vector<std::string> seen;

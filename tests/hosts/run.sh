@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fettle in a host of other people: builds or opens it there, runs it and looks at its picture.
+# Fettle in programs of other engines and languages: builds and runs each program and checks its picture.
 #
 #   run.sh --list                 the names of the cases
 #   run.sh CASE BUILD FOLDER      BUILD has fettle_physics_c and fettle_host; pictures and what is built go to FOLDER
@@ -69,7 +69,7 @@ case_sdl2_host() {
     shows "$folder/sdl2_host.bmp" "#14171e" "#77bdfb" "#fabe46"
 }
 
-# The package in a copy of its folder: what is made for it does not belong into the checkout.
+# The package in a copy of its folder, because building it writes files that do not belong into the checkout.
 copy_package() {
     needs_python cffi
     needs_python numpy
@@ -115,7 +115,7 @@ love_game() {
     "$project/bindings/love/install.sh" "$library" "$project/bindings/c/include" "$folder/$1"
 }
 
-# The same with a whole game. The headers are together, as an installation has them.
+# The same for the library that hosts a whole game. The headers are in one folder, as in an installation.
 love_host_game() {
     needs love
     rm -rf -- "$folder/$1" "$folder/include"

@@ -12,7 +12,7 @@
 #include "catch.h"
 
 /// The message of the exception with which `act` ends a process (std::terminate).
-inline std::string last_words(const std::function<void()>& act) {
+inline std::string termination_message(const std::function<void()>& act) {
     int ends[2];
     REQUIRE(pipe(ends) == 0);
     const pid_t child = fork();

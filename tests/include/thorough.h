@@ -11,6 +11,6 @@ inline bool thorough() {
 }
 
 /// Whether case number `i` is tested: every `n`-th, and all in a thorough run.
-inline bool taken(std::size_t i, std::size_t n) {
+inline bool is_tested(std::size_t i, std::size_t n) {
     return thorough() || i % n == 0;
 }

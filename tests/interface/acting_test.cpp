@@ -33,9 +33,9 @@ struct Menu : Screen {
 
 TEST_CASE_METHOD(Menu, "a click presses a button and the game does not get it") {
     click("menu.column.a");
-    CHECK(heard() == "a!");
+    CHECK(new_output() == "a!");
     click("menu.column.b");
-    CHECK(heard() == "b!");
+    CHECK(new_output() == "b!");
     // Pressed on one, released over another: nothing.
     point(middle("menu.column.a"));
     set("input.mouse.left", true);
@@ -44,12 +44,12 @@ TEST_CASE_METHOD(Menu, "a click presses a button and the game does not get it") 
     point(middle("menu.column.b"));
     set("input.mouse.left", false);
     turn();
-    CHECK(heard().empty());
+    CHECK(new_output().empty());
     CHECK_FALSE(get("menu.column.a.held").boolean());
     CHECK(get("menu.column.b.hovered").boolean());
     // A modal menu gets clicks beside it, too.
     click(Vec2(5, 5));
-    CHECK(heard().empty());
+    CHECK(new_output().empty());
     CHECK_FALSE(get("input.jump.held").boolean());
 }
 
@@ -58,52 +58,52 @@ TEST_CASE_METHOD(Menu, "without a modal widget the game gets what no widget take
     turn();
     set("interface.focus", Value());
     click(Vec2(5, 5));
-    CHECK(heard() == "mouse\tleft action\tjump mouse up\tleft");
+    CHECK(new_output() == "mouse\tleft action\tjump mouse up\tleft");
     click("menu.column.a");
-    CHECK(heard() == "a!");
+    CHECK(new_output() == "a!");
     tap("space");
-    CHECK(heard() == "key\tspace action\tjump");
+    CHECK(new_output() == "key\tspace action\tjump");
     // A click on a text field gives it the keyboard, one beside it takes it away.
     click("menu.column.f");
-    heard();
+    new_output();
     tap("space");
     tap("q");
-    CHECK(heard().empty());
+    CHECK(new_output().empty());
     click(Vec2(5, 5));
-    heard();
+    new_output();
     tap("q");
-    CHECK(heard() == "key\tq");
+    CHECK(new_output() == "key\tq");
     set("menu.visible", Value(false));
     click("menu.column.a");
-    CHECK(heard().find("mouse\tleft") == 0);
+    CHECK(new_output().find("mouse\tleft") == 0);
 }
 
-TEST_CASE_METHOD(Menu, "a key that the menu got stays its own until it is released") {
+TEST_CASE_METHOD(Menu, "a key that the menu got does not reach the game until it is released") {
     set("input.keys.space", true);
     turn();
-    CHECK(heard() == "a!");
+    CHECK(new_output() == "a!");
     run("menu:delete()");
     turn();
     CHECK_FALSE(get("input.jump.held").boolean());
     set("input.keys.space", false);
     turn();
-    CHECK(heard().empty());
+    CHECK(new_output().empty());
     set("input.keys.space", true);
     turn();
-    CHECK(heard() == "key\tspace action\tjump");
+    CHECK(new_output() == "key\tspace action\tjump");
     CHECK(get("input.jump.held").boolean());
 }
 
-TEST_CASE_METHOD(Menu, "keys and the gamepad go through the menu") {
+TEST_CASE_METHOD(Menu, "keys and the gamepad move the keyboard focus through the menu") {
     CHECK(focus() == "menu.column.a");
     tap("down");
     CHECK(focus() == "menu.column.b");
     tap("enter");
-    CHECK(heard() == "b!");
+    CHECK(new_output() == "b!");
     tap("tab");
     CHECK(focus() == "menu.column.t");
     tap("space");
-    CHECK(heard() == "t\ttrue");
+    CHECK(new_output() == "t\ttrue");
     CHECK(get("menu.column.t.value").boolean());
     set("input.gamepad_1.dpad_down", true);
     turn();
@@ -112,7 +112,7 @@ TEST_CASE_METHOD(Menu, "keys and the gamepad go through the menu") {
     CHECK(focus() == "menu.column.s");
     set("input.gamepad_1.left", Value(Vec2(1, 0)));
     turn();
-    CHECK(heard() == "s\t0.5");
+    CHECK(new_output() == "s\t0.5");
     CHECK(get("input.move").vec2() == Vec2(0, 0));
     set("input.gamepad_1.left", Value(Vec2(0, 0)));
     set("input.keys.left_shift", true);
@@ -126,7 +126,7 @@ TEST_CASE_METHOD(Menu, "keys and the gamepad go through the menu") {
     tap("escape");
     set("input.gamepad_1.b", true);
     turn();
-    CHECK(heard() == "cancelled cancelled");
+    CHECK(new_output() == "cancelled cancelled");
 }
 
 TEST_CASE_METHOD(Menu, "a direction that a gamepad holds is repeated") {
@@ -145,7 +145,7 @@ TEST_CASE_METHOD(Menu, "a direction that a gamepad holds is repeated") {
     const double end = values(1);
     CHECK(values(60) == end);
     // From one widget to the next, and not without a menu.
-    heard();
+    new_output();
     set("input.gamepad_1.dpad_up", true);
     turn();
     CHECK(focus() == "menu.column.t");
@@ -162,7 +162,7 @@ TEST_CASE_METHOD(Menu, "disabled and invisible widgets are left out") {
     turn();
     CHECK(focus() == "menu.column.b");
     click("menu.column.a");
-    CHECK(heard().empty());
+    CHECK(new_output().empty());
     set("menu.column.b.visible", false);
     turn();
     CHECK(focus() == "menu.column.t");
@@ -173,7 +173,7 @@ TEST_CASE_METHOD(Menu, "disabled and invisible widgets are left out") {
     CHECK_FALSE(get("menu.column.t.value").boolean());
 }
 
-TEST_CASE("left and right stay in a row and pass what is disabled") {
+TEST_CASE("left and right move within a row and skip disabled widgets") {
     Screen s(R"(
         game.m = Panel { modal = true, Column {
             Row { name = "cards", Button { name = "a", text = "one", min_size = vec(200, 80) },
@@ -214,10 +214,10 @@ TEST_CASE_METHOD(Menu, "a slider follows the mouse and the arrow keys") {
     set("menu.column.s.step", Value(3.0));
     tap("left");
     CHECK(get("menu.column.s.value").number() == 6);
-    heard();
+    new_output();
     set("menu.column.s.value", Value(2.0));  // by a script: no event
     turn();
-    CHECK(heard().empty());
+    CHECK(new_output().empty());
 }
 
 TEST_CASE_METHOD(Menu, "text is typed at the caret") {
@@ -237,8 +237,8 @@ TEST_CASE_METHOD(Menu, "text is typed at the caret") {
     type(U" you");
     CHECK(get("menu.column.f.text").text() == "hell ");
     tap("enter");
-    CHECK(heard() == "f\thell ");
-    // A caret behind the end, and in a shorter text, is one at the end.
+    CHECK(new_output() == "f\thell ");
+    // A caret beyond the end of its text, or of a shorter text, is moved to the end.
     set("menu.column.f.caret", Value(1000));
     tap("backspace");
     CHECK(get("menu.column.f.text").text() == "hell");
@@ -252,12 +252,12 @@ TEST_CASE("a list scrolls and its lines are chosen") {
             submitted = function(e) print("s", e.selected) end }
         function wheel() print("wheel") end)");
     s.click(s.get("l.screen_position").vec2() + Vec2(50, 50));
-    CHECK(s.heard() == "c\t2");
+    CHECK(s.new_output() == "c\t2");
     s.click(s.get("l.screen_position").vec2() + Vec2(50, 50));
-    CHECK(s.heard() == "s\t2");
+    CHECK(s.new_output() == "s\t2");
     s.set("input.mouse.wheel", Value(-2.0));
     s.turn();
-    CHECK(s.heard().empty());
+    CHECK(s.new_output().empty());
     const double scrolled = s.get("l.scroll").number();
     CHECK(scrolled > 50);
     s.set("input.mouse.wheel", Value(-1000.0));
@@ -272,16 +272,16 @@ TEST_CASE("a list scrolls and its lines are chosen") {
     s.point(Vec2(1000, 700));
     s.set("input.mouse.wheel", Value(1.0));
     s.turn();
-    CHECK(s.heard().find("wheel") != std::string::npos);
+    CHECK(s.new_output().find("wheel") != std::string::npos);
     // Widgets in a list scroll, too, and the one with the keyboard is shown.
     s.run(R"(game.m = List { modal = true, size = vec(200, 100) }
         for i = 1, 10 do m:add(Button { text = "b" .. i, pressed = function() print("b" .. i) end }) end)");
     s.turn();
-    s.heard();
+    s.new_output();
     for (int i = 0; i < 9; ++i) s.tap("tab");
     CHECK(s.get("m.scroll").number() > 200);
     s.click("m.button_10");
-    CHECK(s.heard() == "b10");
+    CHECK(s.new_output() == "b10");
     CHECK(s.draw().drawn > 0);
 }
 
@@ -290,12 +290,12 @@ TEST_CASE("a slider with steps has short numbers") {
         value = -1, changed = function(event) print(event.value) end } })");
     s.point({700, 700});
     for (int i = 0; i < 30; ++i) s.tap("right");
-    CHECK(s.heard() ==
+    CHECK(s.new_output() ==
           "-0.9 -0.8 -0.7 -0.6 -0.5 -0.4 -0.3 -0.2 -0.1 0.0 0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8 0.9 "
           "1.0 1.1 1.2 1.3 1.4 1.5 1.6 1.7 1.8 1.9 2.0");
 }
 
-TEST_CASE("the button that has the keyboard is lighter than the others, and has a thick ring") {
+TEST_CASE("the button that has the keyboard is lighter than the others and has a thick ring") {
     Screen s(R"(game.m = Column { modal = true, Button { text = "a" }, Button { text = "b" } }
         interface.theme.focus = color("#00ff00"))");
     s.point({700, 700});
@@ -309,18 +309,18 @@ TEST_CASE("the button that has the keyboard is lighter than the others, and has 
     CHECK(drawn[2].fill.r > drawn[0].fill.r + 0.05f);
 }
 
-TEST_CASE("a list of which fewer lines are left than the chosen one has none chosen") {
+TEST_CASE("a list has no chosen line after the chosen line is removed") {
     Screen s(R"(
         game.l = List { items = { "a", "b", "c" }, selected = 3, size = vec(200, 150),
             changed = function(e) print("c", e.selected) end, submitted = function(e) print("s", e.selected) end }
         l:focus()
         l.items = { "a", "b" })");
     s.tap("enter");
-    CHECK(s.heard().empty());
+    CHECK(s.new_output().empty());
     s.tap("up");
-    CHECK(s.heard() == "c\t2");
+    CHECK(s.new_output() == "c\t2");
     s.tap("enter");
-    CHECK(s.heard() == "s\t2");
+    CHECK(s.new_output() == "s\t2");
 }
 
 TEST_CASE("a button listens for a key and binds an action") {
@@ -346,10 +346,10 @@ TEST_CASE("a button listens for a key and binds an action") {
     s.set("m.column.any.listening", true);
     s.set("input.mouse.right", true);
     s.turn();
-    CHECK(s.heard() == "got\tmouse.right");
+    CHECK(s.new_output() == "got\tmouse.right");
 }
 
-TEST_CASE("the menu in front has the keyboard and gives it back") {
+TEST_CASE("the menu in front has the keyboard until it is closed") {
     Screen s(
         R"(game.m = Panel { modal = true, Column { Button { name = "a", text = "a" }, Button { name = "b", text = "b" } } })");
     s.tap("down");
@@ -398,7 +398,7 @@ TEST_CASE("a menu that is not modal has the keyboard again after a modal one abo
     s.run("o:delete() n:delete()");
     s.turn();
     CHECK(s.focus() == "m.column.a");
-    // It has not got it, if the player or the game has taken it away.
+    // It does not get the keyboard back if the player or the game has taken it away.
     s.tap("escape");
     open_and_close(R"(Button { text = "c" })", "n:delete()");
     CHECK(s.focus().empty());

@@ -72,7 +72,7 @@ TEST_CASE("toggles text fields lists and labels are bound") {
     CHECK(s.problems.empty());
 }
 
-TEST_CASE("a wrong bind is reported once with the nearest name") {
+TEST_CASE("an invalid bind is reported once with the nearest name") {
     Screen s("game.s = Slider { bind = 'audio.volum' }");
     s.turn(3);
     REQUIRE(s.problems.size() == 1);

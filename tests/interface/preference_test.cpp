@@ -29,7 +29,7 @@ std::string keys(const Screen& s) {
 
 }  // namespace
 
-TEST_CASE("a rewind leaves what the player has set and takes the rest back") {
+TEST_CASE("a rewind leaves the settings of the player and takes the rest back") {
     Screen s(settings);
     s.turn(10);
     lower(s, "volume");

@@ -94,7 +94,7 @@ struct Screen {
     void set(std::string_view path, const Value& value) { property::set(tree, path, value); }
     Handle at(std::string_view path) const { return resolve(tree, path).instance; }
     /// Text printed since the last call; lines are joined by blanks.
-    std::string heard() {
+    std::string new_output() {
         std::string all;
         for (const std::string& line : printed) all += (all.empty() ? "" : " ") + line;
         printed.clear();

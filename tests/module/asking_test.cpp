@@ -38,7 +38,7 @@ struct Game {
 
 }  // namespace
 
-TEST_CASE("a handler answers what a module asks within its step") {
+TEST_CASE("a handler answers a question of a module within the step") {
     Game game;
     game.step();
     const double before = game.level();
@@ -140,9 +140,9 @@ TEST_CASE("a handler of before_solve lets a body through a platform of a loaded 
     const Handle crate = box(3, "dynamic"), platform = box(1, "static");
     const property::Event& event = *tree.class_of(platform).event("before_solve");
     const bool lets_through = GENERATE(false, true);
-    int asked = 0;
+    int calls = 0;
     const auto connection = tree.on(platform, event, [&](const property::Occurrence& o) {
-        ++asked;
+        ++calls;
         CHECK(o.record.get("other") == Value(crate));
         for (std::size_t i = 0; i < event.fields.size(); ++i)
             if (event.fields[i].name == "enabled") Question::current()->answer(i, !lets_through);
@@ -152,7 +152,7 @@ TEST_CASE("a handler of before_solve lets a body through a platform of a loaded 
         physics.report(tree);
         tree.barrier();
     }
-    CHECK(asked > 2);
+    CHECK(calls > 2);
     CHECK((tree.get(crate, "position").vec2().y < 0) == lets_through);
 }
 #endif

@@ -18,7 +18,7 @@ using namespace fettle::module::testing;
 namespace {
 
 template <class Act>
-std::string complaint(const Act& act) {
+std::string message_of(const Act& act) {
     try {
         act();
     } catch (const std::exception& error) {
@@ -31,7 +31,7 @@ std::string reading(const char* name) {
     module::Plugins plugins;
     property::Tree tree;
     plugins.open(built("odd")).attach(tree);
-    return complaint([&] { property::get(tree, name); });
+    return message_of([&] { property::get(tree, name); });
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ TEST_CASE("arrays without memory or with elements of size zero are refused") {
     for (const char* wrong : {"odd_without_data", "odd_without_size"}) {
         module::Plugins plugins;
         property::Tree tree;
-        CHECK_THAT(complaint([&] { plugins.open(built(wrong)).attach(tree); }),
+        CHECK_THAT(message_of([&] { plugins.open(built(wrong)).attach(tree); }),
                    contains("an array of 6 elements"));
     }
 }
@@ -64,13 +64,12 @@ TEST_CASE("the stride of a column must suit its elements") {
     for (const char* wrong : {"odd_stride", "odd_small_stride"}) {
         module::Plugins plugins;
         property::Tree tree;
-        CHECK_THAT(complaint([&] { plugins.open(built(wrong)).attach(tree); }),
+        CHECK_THAT(message_of([&] { plugins.open(built(wrong)).attach(tree); }),
                    contains("bytes: expected 8 to 1073741824"));
     }
 }
 
-TEST_CASE(
-    "a module makes rows for its own classes and their derived classes and for no other module's") {
+TEST_CASE("a module makes rows only for its own classes and the classes derived from them") {
     module::Plugins plugins;
     property::Tree tree;
     CHECK_NOTHROW(plugins.open(built("odder")).attach(tree));
@@ -78,14 +77,14 @@ TEST_CASE(
     module::Plugins others;
     property::Tree other;
     others.open(built("weather")).attach(other);
-    CHECK_THAT(complaint([&] { others.open(built("odd_cloud")).attach(other); }),
+    CHECK_THAT(message_of([&] { others.open(built("odd_cloud")).attach(other); }),
                contains("class Odd: `lifecycle`: it inherits") &&
                    contains("that the lifecycle of Cloud makes"));
 }
 
 TEST_CASE("a module with save must also have restore") {
     module::Plugins plugins;
-    CHECK_THAT(complaint([&] { (void)plugins.open(built("half_saved")); }),
+    CHECK_THAT(message_of([&] { (void)plugins.open(built("half_saved")); }),
                contains("both `save` and `restore`"));
 }
 

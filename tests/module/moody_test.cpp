@@ -1,4 +1,4 @@
-// Modules that behave otherwise in the game than in their trial, or that call the host wrongly.
+// Modules that behave differently in the game and in their trial, or that call the host wrongly.
 
 #include <catch.h>
 

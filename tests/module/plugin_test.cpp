@@ -42,7 +42,7 @@ struct Game {
     }
 };
 
-std::string complaint(const std::function<void()>& act) {
+std::string message_of(const std::function<void()>& act) {
     try {
         act();
     } catch (const property::Error& error) {
@@ -93,15 +93,15 @@ TEST_CASE("values of every binding are written to a module and read back") {
 
 TEST_CASE("values for a module are checked before the module gets them") {
     Game game;
-    CHECK(complaint([&] { game.set("front.water", 1001.0); }).find("1000") != std::string::npos);
-    CHECK(complaint([&] { game.set("front.kind", "fog"); }).find("cirrus") != std::string::npos);
-    CHECK(complaint([&] { game.set("front.mood", "glad"); }) != "");
+    CHECK(message_of([&] { game.set("front.water", 1001.0); }).find("1000") != std::string::npos);
+    CHECK(message_of([&] { game.set("front.kind", "fog"); }).find("cirrus") != std::string::npos);
+    CHECK(message_of([&] { game.set("front.mood", "glad"); }) != "");
     CHECK(game.get("front.water") == Value(0.0));
 }
 
 TEST_CASE("the error contains the reason for which a module refuses a value") {
     Game game;
-    const std::string reported = complaint([&] { game.set("front.height", 13); });
+    const std::string reported = message_of([&] { game.set("front.height", 13); });
     CHECK(reported.find("front.height") != std::string::npos);
     CHECK(reported.find("thirteen meters bring bad luck") != std::string::npos);
     CHECK(game.get("front.height") == Value(100.0));
@@ -136,7 +136,7 @@ TEST_CASE("methods of a module are called and its events are delivered") {
     CHECK(heard == 0);
     game.tree.barrier();
     CHECK(heard == 4);
-    CHECK(complaint([&] {
+    CHECK(message_of([&] {
               game.tree.call(game.front, "rain", {Value(99)});
           }).find("not that much water") != std::string::npos);
     const auto survey =
@@ -151,7 +151,7 @@ TEST_CASE("a module makes and destroys rows with their instances") {
     const property::Class& cloud = game.tree.class_named("Cloud");
     std::vector<Handle> made;
     for (int i = 0; i < 63; ++i) made.push_back(game.tree.create(cloud, game.tree.root()));
-    CHECK(complaint([&] { game.tree.create(cloud, game.tree.root()); }).find("sky is full") !=
+    CHECK(message_of([&] { game.tree.create(cloud, game.tree.root()); }).find("sky is full") !=
           std::string::npos);
     game.tree.destroy(made[7]);
     const Handle again = game.tree.create(cloud, game.tree.root());
@@ -253,7 +253,7 @@ TEST_CASE("no copy of a module file is left") {
 }
 
 // Each making of a copy removes those of killed processes, which are the ones without a lock.
-TEST_CASE("copies of a module that are made at the same time leave each other alone") {
+TEST_CASE("copies of a module that are made at the same time do not overwrite each other") {
     const ModuleFile module("weather");
     std::atomic<int> missing = 0;
     const auto make_copies = [&] {

@@ -47,7 +47,7 @@ struct Game {
     module::Plugin& module;
 };
 
-std::string complaint(const std::function<void()>& act) {
+std::string message_of(const std::function<void()>& act) {
     try {
         act();
     } catch (const std::exception& error) {
@@ -103,10 +103,10 @@ TEST_CASE("bytes that a module refuses change nothing") {
     const std::uint64_t before = game.module.hash();
     // Another module with the same name and fewer bytes.
     property::Tree other;
-    CHECK(complaint([&] { game.tree.restore(other.snapshot()); }) != "");
+    CHECK(message_of([&] { game.tree.restore(other.snapshot()); }) != "");
     CHECK(game.module.hash() == before);
     bytes[bytes.size() / 2] ^= std::byte{1};
-    CHECK(complaint([&] { game.tree.restore(Snapshot::from_bytes(bytes)); }) != "");
+    CHECK(message_of([&] { game.tree.restore(Snapshot::from_bytes(bytes)); }) != "");
     CHECK(game.module.hash() == before);
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("a module that saves its rows cannot be replaced by one that does not"
     game.step();
     const std::uint64_t before = game.module.hash();
     file.become("forgetful");
-    CHECK(complaint([&] { game.module.reload(); }).find("`save` and `restore`") !=
+    CHECK(message_of([&] { game.module.reload(); }).find("`save` and `restore`") !=
           std::string::npos);
     CHECK(game.module.hash() == before);
     CHECK_FALSE(game.tree.snapshot().empty());

@@ -8,7 +8,7 @@
 
 namespace after_step_test {
 
-// Edits that a callback orders, and that are made after the step.
+// Edits that a callback requests and that are made after the step.
 
 using namespace scenes;
 
@@ -22,7 +22,7 @@ void add_heap(World& world) {
 
 }  // namespace
 
-TEST_CASE("a callback orders edits that are made once after the step") {
+TEST_CASE("edits that a callback requests are made once after the step") {
     World world;
     add_floor(world);
     Body ball = add_ball(world, {0, 0.52f});
@@ -46,7 +46,8 @@ TEST_CASE("a callback orders edits that are made once after the step") {
 }
 
 TEST_CASE(
-    "functions are called in their order and one that is given meanwhile after the next step") {
+    "functions are called in their order and one that is added during these calls after the next "
+    "step") {
     World world;
     std::string order;
     world.after_step([&] {
@@ -101,7 +102,7 @@ TEST_CASE("a function may destroy the world and the later ones are not called") 
 }
 
 TEST_CASE("functions of a destroyed world are not called for a world in its place") {
-    // The new world may be at the same address, and it has the link of the old one.
+    // The new world may have the address of the old one; in the second case it always has.
     int calls = 0;
     auto world = std::make_unique<World>();
     world->after_step([&] {
@@ -115,7 +116,7 @@ TEST_CASE("functions of a destroyed world are not called for a world in its plac
     other.after_step([&] { ++calls; });
     other.step(frame);
     REQUIRE(calls == 0);
-    // A world that moves is still the same.
+    // A world that is moved is still the same world.
     World from, to;
     from.after_step([&] { to = std::move(from); });
     from.after_step([&] { ++calls; });

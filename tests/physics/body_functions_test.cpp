@@ -108,7 +108,7 @@ TEST_CASE("a position function holds a body on a path and the drawn pose follows
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("numbers without a meaning from functions of a body change nothing or are limited") {
+TEST_CASE("invalid numbers from functions of a body change nothing or are limited") {
     World plain, odd;
     for (World* world : {&plain, &odd}) {
         add_floor(*world);
@@ -141,7 +141,8 @@ TEST_CASE("numbers without a meaning from functions of a body change nothing or 
     REQUIRE_FALSE(odd.validate());
 }
 
-TEST_CASE("functions are not called for bodies that rest or stand and follow no copy") {
+TEST_CASE(
+    "functions are not called for static or sleeping bodies and are not copied with a world") {
     World world;
     Body floor = add_floor(world);
     Body box = add_box(world, {0, 0.5f});

@@ -107,7 +107,7 @@ TEST_CASE("the parts of a broken joint collide again") {
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("sleeping joints are not looked at and go on where they were") {
+TEST_CASE("a sleeping joint is not computed and carries its load at once when it wakes") {
     World world;
     add_floor(world);
     Body box = add_box(world, {0, 3});
@@ -121,7 +121,7 @@ TEST_CASE("sleeping joints are not looked at and go on where they were") {
     box.set_awake(true);
     world.step(frame);
     REQUIRE(world.statistics().awake_joints == 1);
-    REQUIRE(std::fabs(box.velocity().y) < 0.001f);  // warm: it does not sag
+    REQUIRE(std::fabs(box.velocity().y) < 0.001f);  // warm started: it does not sag
     REQUIRE_FALSE(world.validate());
     REQUIRE_FALSE(twin.validate());
 }

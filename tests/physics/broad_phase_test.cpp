@@ -93,7 +93,7 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
         Box4 box;
         bool moved;
     };
-    // Boxes as they were when nothing had moved: of these, pairs that overlapped may be left out.
+    // Boxes when moves were last cleared; pairs that overlapped then may be left out.
     std::vector<Box4> before[2];
     for (auto& boxes : before) boxes.assign(100 * 240, no_box);
     Tree trees[2];
@@ -104,7 +104,7 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
         for (uint32_t side = 0; side < 2; ++side) {
             Tree& tree = trees[side];
             auto& model = models[side];
-            // Half of the rounds: many at once, and after that what there is in the others.
+            // In every second round many boxes move at once before the single edits.
             if (round % 2 == 0) {
                 for (auto& [item, leaf] : model) {
                     if (random() % 3 != 0) continue;
@@ -115,7 +115,7 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
                 tree.refit(nullptr, before[side]);
                 REQUIRE(tree.is_consistent());
             }
-            const bool same = round % 4 == 0;  // nothing comes or goes: buckets are kept
+            const bool same = round % 4 == 0;  // no box is added or removed: buckets are kept
             for (uint32_t i = 0; i < 30; ++i) {
                 const uint32_t action = same ? 3 + random() % 5 : random() % 8;
                 const uint32_t item = 100 * round + i;
@@ -179,7 +179,7 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
         });
         REQUIRE(own_is_right());
         REQUIRE(cross_is_right());
-        // In parts, as several threads walk.
+        // In parts, as several threads do it.
         std::vector<Tree::NodePair> parts;
         for (const size_t enough : {2, 7, 1000}) {
             own.clear(), cross.clear();
@@ -200,7 +200,7 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
             REQUIRE(own_is_right());
             REQUIRE(cross_is_right());
         }
-        // One by one, as where few have moved.
+        // Leaf by leaf, as when few boxes have moved.
         own.clear();
         for (const auto& [a, u] : models[0]) {
             if (!u.moved) continue;

@@ -14,12 +14,12 @@ struct OneWay {
     World world{{.sleeping = false}};
     Body platform = world.create_body({.type = BodyType::static_body, .position = {0, 2}});
     Shape top = platform.add(Box{.width = 10, .height = 0.2f});
-    int asked = 0;
+    int calls = 0;
 
     OneWay() {
         add_floor(world);
         world.set_before_solve([this](ContactEdit& contact) {
-            ++asked;
+            ++calls;
             if (contact.shape_a != top && contact.shape_b != top) return;
             const float up = contact.shape_a == top ? contact.normal.y : -contact.normal.y;
             const Shape other = contact.shape_a == top ? contact.shape_b : contact.shape_a;
@@ -45,7 +45,7 @@ TEST_CASE("a body jumps up through a one way platform and lands on it") {
     REQUIRE_FALSE(touched_below);
     REQUIRE(highest > 3.0f);
     REQUIRE(ball.position().y == Approx(2.4f).margin(0.01));
-    REQUIRE(scene.asked > 100);
+    REQUIRE(scene.calls > 100);
     scene.world.set_before_solve({});
     Body other = add_ball(scene.world, {2, 0.5f}, 0.3f);
     other.set_velocity({0, 9});
@@ -172,30 +172,30 @@ TEST_CASE("a touch that lasts is reported in every step after its first") {
     REQUIRE(world.events().contact_persist.empty());
 }
 
-TEST_CASE("passive callbacks change nothing and belong to no snapshot") {
+TEST_CASE("callbacks that only count change no result and are not saved") {
     auto build = [](World& world) {
         add_floor(world);
         for (int i = 0; i < 30; ++i) add_box(world, {0.3f * float(i % 5), 1 + 1.1f * float(i)});
     };
-    World plain, asked;
+    World plain, observed;
     build(plain);
-    build(asked);
+    build(observed);
     int calls = 0;
-    asked.set_before_solve([&](ContactEdit&) { ++calls; });
-    asked.set_mixing([&](ContactEdit&) { ++calls; });
-    asked.set_filter([&](const Shape&, const Shape&) { return ++calls > 0; });
+    observed.set_before_solve([&](ContactEdit&) { ++calls; });
+    observed.set_mixing([&](ContactEdit&) { ++calls; });
+    observed.set_filter([&](const Shape&, const Shape&) { return ++calls > 0; });
     for (int i = 0; i < 300; ++i) {
         plain.step(frame);
-        asked.step(frame);
-        REQUIRE(plain.hash() == asked.hash());
+        observed.step(frame);
+        REQUIRE(plain.hash() == observed.hash());
     }
     REQUIRE(calls > 1000);
     std::vector<std::byte> bytes;
-    asked.save(bytes);
-    asked.restore(bytes);
+    observed.save(bytes);
+    observed.restore(bytes);
     calls = 0;
-    asked.step(frame);
-    World copy = asked.clone();
+    observed.step(frame);
+    World copy = observed.clone();
     const int before = calls;
     copy.step(frame);
     REQUIRE(before > 0);
@@ -330,7 +330,7 @@ TEST_CASE("after a step with more sub-steps a callback gets the impulse of that 
     REQUIRE(impulse == Approx(box.mass() * 10.0f * length).epsilon(0.1));
 }
 
-TEST_CASE("mixing is called for every piece and what before_solve does not set stays as mixed") {
+TEST_CASE("mixing is called for every piece and values that before_solve does not set stay mixed") {
     World world({.sleeping = false});
     Body ground = world.create_body({.type = BodyType::static_body});
     ground.add(Chain{{{-20, 0}, {0, 0}, {20, 0}}});

@@ -66,7 +66,7 @@ TEST_CASE("segments bounce and run like belts and resist rolling") {
     REQUIRE(std::fabs(rolling.velocity().x) < 0.1f);
 }
 
-TEST_CASE("surfaces of segments can be changed at any moment and wake what rests on them") {
+TEST_CASE("surfaces of segments can be changed at any moment and wake bodies that rest on them") {
     World world;
     Shape ground = add_ground(world, 2);
     Body box = add_slider(world, 15, 0);

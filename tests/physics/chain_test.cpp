@@ -91,7 +91,7 @@ TEST_CASE("a body that slides along a flat chain is not kicked at its seams") {
     CHECK(high - low < 0.002f);
 }
 
-TEST_CASE("a chain is solid on its left and lets pass what comes from behind") {
+TEST_CASE("a chain is solid on its left side and bodies pass through it from its right side") {
     World world({.gravity = {0, 0}});
     ground_of(world, flat(10, 1.0f, -5.0f));
     Body above = add_ball(world, {-2, 1}, 0.25f), below = add_ball(world, {2, -1}, 0.25f);
@@ -109,7 +109,7 @@ TEST_CASE("a chain is solid on its left and lets pass what comes from behind") {
     REQUIRE(back.position().y > 20.0f);
 }
 
-TEST_CASE("a closed chain holds what is inside and a clockwise one what is outside") {
+TEST_CASE("a closed chain keeps bodies inside and a clockwise one keeps bodies outside") {
     World world;
     ground_of(world, circle(60, 5.0f), true);
     std::vector<Body> inside;
@@ -159,7 +159,7 @@ TEST_CASE("a box rests with one end over the end of an open chain") {
     REQUIRE(tipping.position().y < -1.0f);
 }
 
-TEST_CASE("rolling over a chain touches it once") {
+TEST_CASE("a ball that rolls over a chain begins one contact") {
     World world({.sleeping = false});
     Shape chain = ground_of(world, flat(100, 0.5f, -10.0f));
     Body ball = add_ball(world, {-5, 0.5f}, 0.5f);
@@ -185,7 +185,7 @@ TEST_CASE("rolling over a chain touches it once") {
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("a chain is found by rays from its front and by every other question") {
+TEST_CASE("a chain is found by rays from its front and by every other query") {
     World world;
     Shape chain = ground_of(world, {{-5, 0}, {0, 0}, {0, -2}, {5, -2}});
     const auto hit = world.cast_ray({-2, 3}, {-2, -3});
@@ -208,7 +208,7 @@ TEST_CASE("a chain is found by rays from its front and by every other question")
     REQUIRE(distance(ball.shapes()[0], chain).distance == Approx(1.5f));
 }
 
-TEST_CASE("the points of a chain are live") {
+TEST_CASE("a change of the points of a chain has an effect at once") {
     World world;
     Shape chain = ground_of(world, flat(10, 1.0f, -5.0f));
     Body ball = add_ball(world, {0.5f, 0.5f}, 0.5f);
@@ -241,7 +241,7 @@ TEST_CASE("the points of a chain are live") {
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("points without meaning make no chain and say why") {
+TEST_CASE("invalid points make no chain and the error has the reason") {
     World world;
     const auto refused = [&](const Chain& chain, const std::string& why) {
         try {
@@ -278,9 +278,11 @@ TEST_CASE("ten thousand segments cost no more than those that are near") {
     REQUIRE(world.statistics().shapes == 51);
 }
 
-// The search for touches that begin and end between the many parts of an outline and one body went
-// through all parts: these tests took 50 s and 40 s.
-TEST_CASE("a long chain across the border of the world costs no square of its points") {
+// When the search for contacts that begin or end visited all parts of an outline for each body,
+// these two tests took 50 s and 40 s.
+TEST_CASE(
+    "the cost of a long chain across the border of the world does not grow with the square of its "
+    "points") {
     World world({.bounds = Aabb{{-1, -1}, {1, 1}}});
     Chain chain;
     for (int i = 0; i < 40'000; ++i) chain.points.push_back({float(i), float(i % 2)});
@@ -293,7 +295,9 @@ TEST_CASE("a long chain across the border of the world costs no square of its po
     CHECK_FALSE(world.validate());
 }
 
-TEST_CASE("deleting a chain under many bodies costs no square of its contacts") {
+TEST_CASE(
+    "the cost of deleting a chain under many bodies does not grow with the square of its "
+    "contacts") {
     World world;
     Chain chain;
     for (int i = 0; i < 1'500; ++i)

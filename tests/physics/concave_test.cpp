@@ -303,7 +303,8 @@ int edges_without_push(const std::vector<Vec2>& outline) {
     return found;
 }
 
-TEST_CASE("every edge of a concave polygon pushes even if another edge is on the same line") {
+TEST_CASE(
+    "every edge of a concave polygon pushes bodies even if another edge is on the same line") {
     for (unsigned seed = 0; seed < (thorough() ? 200 : 50); ++seed) {
         std::mt19937 engine(seed);
         const auto random = [&](float low, float high) {

@@ -43,7 +43,8 @@ TEST_CASE("a contact has a number until its shapes separate") {
     scene.left.set_position({0, 20});
     world.step(frame);
     REQUIRE(world.events().contact_end.at(0).id() == scene.of_left);
-    REQUIRE(world.contact_data(scene.of_left) == 7);  // for the one who handles the event
+    REQUIRE(world.contact_data(scene.of_left) ==
+            7);  // still readable for handlers of the end event
     world.step(frame);
     REQUIRE(world.contact_data(scene.of_left) == 0);
     scene.left.set_position({0, 0.5f});

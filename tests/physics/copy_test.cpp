@@ -8,7 +8,7 @@
 
 namespace copy_test {
 
-// Copying a world has a name; moving it moves what it has.
+// World::clone copies a world; moving a world keeps its handles, callbacks and future.
 
 using namespace scenes;
 
@@ -43,21 +43,21 @@ TEST_CASE("a moved world has its handles callbacks and future at the new place")
     World plain, world;
     add_heap(plain);
     add_heap(world);
-    int asked = 0;
-    world.set_before_solve([&asked](ContactEdit&) { ++asked; });
+    int filter_calls = 0;
+    world.set_before_solve([&filter_calls](ContactEdit&) { ++filter_calls; });
     run(world, 0.5f);
     run(plain, 0.5f);
     const Body body = world.bodies()[3];
-    REQUIRE(asked > 0);
+    REQUIRE(filter_calls > 0);
 
     World there = std::move(world);
     REQUIRE(body.is_valid());
     REQUIRE(&body.world() == &there);
     REQUIRE(there.body(body.id()) == body);
-    asked = 0;
+    filter_calls = 0;
     run(there, 0.5f);
     run(plain, 0.5f);
-    REQUIRE(asked > 0);
+    REQUIRE(filter_calls > 0);
     REQUIRE(there.hash() == plain.hash());
     REQUIRE_FALSE(there.validate());
 
@@ -71,7 +71,7 @@ TEST_CASE("a moved world has its handles callbacks and future at the new place")
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("a move onto a world destroys what was there") {
+TEST_CASE("a move onto a world destroys the objects of that world") {
     World world, other;
     Body gone = add_ball(world, {0, 0}), kept = add_ball(other, {1, 0});
     world = std::move(other);
@@ -118,7 +118,7 @@ TEST_CASE("a world is not moved by a function that it calls") {
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("reserved memory changes no result and holds what was promised") {
+TEST_CASE("reserved memory changes no result and is as large as requested") {
     World world, plain;
     world.reserve({.bodies = 500, .shapes = 600, .contacts = 900, .joints = 10});
     size_t reserved = 0, used = 0;

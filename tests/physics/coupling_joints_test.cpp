@@ -113,7 +113,7 @@ TEST_CASE("a motor with a stiffness brings a body to its offset from a moving on
     REQUIRE(box.angle() - carrier.angle() == Approx(1.0f).margin(0.03));
 }
 
-TEST_CASE("a motor without velocity acts like friction: it holds below its force and slips above") {
+TEST_CASE("a motor without velocity acts like friction up to its force") {
     World world({.gravity = {0, 0}, .sleeping = false});
     Body box = add_box(world, {0, 0});
     MotorJoint motor = world.create_motor_joint({.body_b = box.id()});
@@ -222,7 +222,9 @@ TEST_CASE("a ratchet turns freely one way and holds at its teeth the other way")
     REQUIRE(ratchet.angle() == Approx(there).margin(0.02));
 }
 
-TEST_CASE("the caught angle of a ratchet survives sleep and copies and is new after enabling it") {
+TEST_CASE(
+    "the caught angle of a ratchet is kept in sleep and in copies and set anew when it is "
+    "enabled") {
     World world({.gravity = {0, 0}});
     Body wheel = add_axle(world, {0, 0}, 1.0f);
     RatchetJoint ratchet = world.create_ratchet_joint({.body_b = wheel.id()});

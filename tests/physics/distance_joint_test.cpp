@@ -119,7 +119,7 @@ TEST_CASE("a rope is slack below its length and taut at it") {
     REQUIRE(rope.force().length() == 0.0f);
 }
 
-TEST_CASE("a least length keeps apart what gravity presses together") {
+TEST_CASE("a minimal length keeps two bodies apart that gravity presses together") {
     World world;
     Body low = add_ball(world, {0, 0}, 0.1f), high = add_ball(world, {0, 2}, 0.1f);
     low.set_type(BodyType::static_body);

@@ -4,7 +4,7 @@
 
 namespace enabled_test {
 
-// Bodies that take no part for a while.
+// Disabled bodies.
 
 using namespace scenes;
 

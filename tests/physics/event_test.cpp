@@ -40,7 +40,7 @@ TEST_CASE("a contact begins once and ends once") {
     REQUIRE_FALSE(ball.is_touching());
 }
 
-TEST_CASE("a bounce that is over within a step begins and ends too") {
+TEST_CASE("a bounce that is over within a step is reported with its begin and its end") {
     World world({.gravity = {0, 0}});
     add_floor(world, 50.0f, {.restitution = 1.0f});
     Body ball = add_ball(world, {0, 3}, 0.5f, {.restitution = 1.0f});
@@ -83,8 +83,7 @@ TEST_CASE("a hit of a shape with hit events reports its speed and impulse and po
 
 namespace {
 
-/// What the events say about the first impact of a body that comes down on a fixed floor, and what
-/// happened.
+/// The first impact of a body that falls on a fixed floor: as the events report it, and as it was.
 struct Impact {
     int hits = 0, begins = 0;
     float speed = 0.0f, impulse = 0.0f, begin_speed = 0.0f, begin_impulse = 0.0f;

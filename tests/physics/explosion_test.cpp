@@ -61,7 +61,7 @@ TEST_CASE("bodies around the center are pushed away from it") {
     CHECK(centered.velocity().length() > 1);
 }
 
-TEST_CASE("an explosion wakes bodies and asks the filter") {
+TEST_CASE("an explosion wakes bodies and pushes only those that the filter accepts") {
     World world;
     add_floor(world);
     Body asleep = add_box(world, {0, 0.5f}), other = add_box(world, {3, 0.5f});
@@ -74,7 +74,7 @@ TEST_CASE("an explosion wakes bodies and asks the filter") {
     CHECK_FALSE(other.awake());
 }
 
-TEST_CASE("an explosion without meaning is refused and pushes nothing") {
+TEST_CASE("an invalid explosion is refused and pushes nothing") {
     World world({.gravity = {0, 0}});
     Body box = add_box(world, {1, 0});
     const float nan = std::nanf("");

@@ -104,7 +104,7 @@ TEST_CASE("a box of half the density of water floats half under it and level") {
     REQUIRE(ball.position().y < 0.0f);
 }
 
-TEST_CASE("every property of a field is live and wakes what sleeps") {
+TEST_CASE("every property of a field has an effect at once and wakes sleeping bodies") {
     World world;
     Field water = world.create_field({.force = BuoyancyField{.level = 3.0f}});
     Body box = add_box(world, {0, 3});
@@ -217,7 +217,7 @@ TEST_CASE("orbits keep their radius for a minute at any length of the steps") {
     }
 }
 
-TEST_CASE("an explosion pushes away what is near by its distance and nothing else") {
+TEST_CASE("an explosion pushes only bodies in its radius and the nearer ones more") {
     World world({.gravity = {0, 0}});
     Body near = add_ball(world, {1.5f, 0}), far = add_ball(world, {0, 5.5f});
     Body inside = add_ball(world, {0.1f, -0.1f}, 0.4f),

@@ -49,11 +49,11 @@ std::string refused(const std::function<void(WorldData&)>& forge) {
 
 }  // namespace
 
-TEST_CASE("forged worlds: an unchanged sample is restored") {
+TEST_CASE("the unchanged sample of the forged worlds is restored") {
     REQUIRE(refused([](WorldData&) {}).empty());
 }
 
-TEST_CASE("forged worlds: a body in no island has no next one") {
+TEST_CASE("a forged world in which a body without an island has a next body is refused") {
     REQUIRE(refused([](WorldData& data) {
                 data.bodies[crate].lists.next = sleeping;
             }).ends_with("body 2 is in no island but linked to another body"));
@@ -62,7 +62,7 @@ TEST_CASE("forged worlds: a body in no island has no next one") {
             }).ends_with("body 1 is in no island but linked to another body"));
 }
 
-TEST_CASE("forged worlds: what is awake can move and moves as its type does") {
+TEST_CASE("a forged world with an awake body that cannot move is refused") {
     REQUIRE(refused([](WorldData& data) {
                 data.bodies[crate].mobility = detail::Mobility::fixed;
             }).ends_with("body 2 is awake and cannot move"));
@@ -71,7 +71,7 @@ TEST_CASE("forged worlds: what is awake can move and moves as its type does") {
             }).ends_with("body 2 has a mobility that does not fit its type"));
 }
 
-TEST_CASE("forged worlds: unusual traits belong to one body or are free") {
+TEST_CASE("a forged world in which bodies share their rare values is refused") {
     REQUIRE(refused([](WorldData& data) {
                 data.bodies[limited].traits = data.bodies[crate].traits;
             }).ends_with("body 3 shares its traits with another one"));
@@ -83,7 +83,7 @@ TEST_CASE("forged worlds: unusual traits belong to one body or are free") {
             }).ends_with("the list of free traits is wrong"));
 }
 
-TEST_CASE("forged worlds: lists of free slots have no slots in use") {
+TEST_CASE("a forged world with a used slot in a list of free slots is refused") {
     REQUIRE(refused([](WorldData& data) {
                 ++data.island_slots.count;
             }).ends_with("the number of islands is wrong"));
@@ -101,7 +101,7 @@ TEST_CASE("forged worlds: lists of free slots have no slots in use") {
             }).ends_with("the list of free vertices is wrong"));
 }
 
-TEST_CASE("forged worlds: a destroyed contact is not listed as awake") {
+TEST_CASE("a forged world that lists a destroyed contact as awake is refused") {
     REQUIRE(refused([](WorldData& data) {
                 REQUIRE(!data.awake_contacts.empty());
                 const uint32_t slot = data.contact_slots.allocate(data.contact_links, data.contacts,
@@ -111,7 +111,7 @@ TEST_CASE("forged worlds: a destroyed contact is not listed as awake") {
             }).ends_with("is destroyed but still listed"));
 }
 
-TEST_CASE("forged worlds: a shape is listed once among those that moved") {
+TEST_CASE("a forged world that lists a moved shape twice is refused") {
     const auto list = [](std::vector<uint32_t> moved) {
         return refused([&](WorldData& data) {
             for (const uint32_t shape : moved) data.shapes[shape].moved = true;
@@ -123,7 +123,7 @@ TEST_CASE("forged worlds: a shape is listed once among those that moved") {
 }
 
 // Each of these lists, followed once for each of its owners, has ten billion elements and more.
-TEST_CASE("forged worlds: lists that many owners share are refused without following each") {
+TEST_CASE("a forged world whose owners share lists is refused in linear time") {
     World world = sample();
     for (int i = 0; i < 20'000; ++i) world.create_body({.position = {float(i), 50}});
     WorldData& data = detail::WorldInside::of(world);
@@ -148,7 +148,7 @@ TEST_CASE("forged worlds: lists that many owners share are refused without follo
     }
 }
 
-TEST_CASE("forged worlds: shapes have vertices of their own and proxies") {
+TEST_CASE("a forged world with shapes that share vertices or lack proxies is refused") {
     REQUIRE(refused([](WorldData& data) {
                 data.forms[5].begin = data.forms[4].begin;
             }).ends_with("shape 5 has the vertices of another one"));
@@ -159,7 +159,7 @@ TEST_CASE("forged worlds: shapes have vertices of their own and proxies") {
             }).ends_with("shape 4 is in no tree"));
 }
 
-TEST_CASE("forged worlds: what follows from shapes is in its range") {
+TEST_CASE("a forged world with values derived from shapes out of their range is refused") {
     const auto refuses = [](auto change) { return !refused(change).empty(); };
     REQUIRE(refuses([](WorldData& data) { data.shapes[5].area = -1; }));
     REQUIRE(refuses([](WorldData& data) { data.shapes[5].moment = -1; }));

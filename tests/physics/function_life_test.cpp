@@ -10,8 +10,8 @@
 
 namespace function_life_test {
 
-// What a function of the user holds is destroyed with it, and may use the world meanwhile, or
-// destroy it.
+// The captures of a callback are destroyed with it; their destructors may use the world or destroy
+// it.
 
 using namespace scenes;
 
@@ -34,7 +34,8 @@ class AtEnd {
 
 }  // namespace
 
-TEST_CASE("what a sink holds may record the world again when the recording ends") {
+TEST_CASE(
+    "a destructor in the sink of a recording may start another recording when the first one ends") {
     World world;
     int bytes = 0;
     world.start_recording([end = AtEnd([&] {
@@ -50,7 +51,7 @@ TEST_CASE("what a sink holds may record the world again when the recording ends"
     REQUIRE_FALSE(world.is_recorded());
 }
 
-TEST_CASE("what the functions of a replaced world hold may use the world in its place") {
+TEST_CASE("a destructor in a function of a replaced world may use the world that replaced it") {
     World world;
     Body body = add_ball(world, {0, 1});
     int ends = 0;
@@ -68,7 +69,7 @@ TEST_CASE("what the functions of a replaced world hold may use the world in its 
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("what the function of a destroyed body holds may give functions to other bodies") {
+TEST_CASE("a destructor in the function of a destroyed body may set functions of other bodies") {
     World world;
     Body first = add_ball(world, {0, 0});
     const uint32_t slot = first.index();
@@ -88,7 +89,7 @@ TEST_CASE("what the function of a destroyed body holds may give functions to oth
     REQUIRE(calls == 1050);
 }
 
-TEST_CASE("a log that destroys the world ends no call in the middle") {
+TEST_CASE("a call that logs is completed even if the log function destroys the world") {
     static std::unique_ptr<World> world;
     struct Log {
         Log() {

@@ -30,7 +30,7 @@ struct Counted {
 
 }  // namespace
 
-TEST_CASE("a function is made of a lambda or a pointer or a std::function") {
+TEST_CASE("a Function is made of a lambda or a pointer or a std::function") {
     int offset = 3;
     Function<int(int)> function = [&](int x) { return x + offset; };
     CHECK(function(4) == 7);
@@ -50,7 +50,7 @@ TEST_CASE("a function is made of a lambda or a pointer or a std::function") {
     CHECK(back(2) == 8);
 }
 
-TEST_CASE("a function of nothing is empty and refuses a call") {
+TEST_CASE("an empty Function refuses a call") {
     const Function<int(int)> none;
     CHECK_FALSE(none);
     CHECK(none == nullptr);
@@ -62,7 +62,7 @@ TEST_CASE("a function of nothing is empty and refuses a call") {
     CHECK(Function<int(int)>(twice));
 }
 
-TEST_CASE("a function ends all copies of what it keeps") {
+TEST_CASE("a Function destroys every copy of its callable") {
     int living = 0;
     {
         Function<int(int)> one = Counted(living);
@@ -83,7 +83,7 @@ TEST_CASE("a function ends all copies of what it keeps") {
     CHECK(living == 0);
 }
 
-TEST_CASE("a function passes on what it gets and what is returned") {
+TEST_CASE("a Function passes on arguments and results") {
     int count = 0;
     Function<void(int&)> changes = [count](int& x) mutable { return x = ++count; };
     int x = 0;

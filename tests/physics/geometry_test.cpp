@@ -54,7 +54,7 @@ std::vector<Placed> placed_in(World& world, uint32_t seed, float spread) {
 
 }  // namespace
 
-TEST_CASE("mass of a geometry is that of a shape") {
+TEST_CASE("a geometry has the mass of a shape") {
     World world;
     for (const Geometry& geometry : all_geometries()) {
         Body body = world.create_body();
@@ -91,7 +91,7 @@ TEST_CASE("bounding boxes of geometries and shapes are equal") {
     }
 }
 
-TEST_CASE("points rays and distances are those of a world") {
+TEST_CASE("points and rays and distances of a geometry agree with those of a world") {
     for (uint32_t seed = 1; seed <= 20; ++seed) {
         World world;
         const auto all = placed_in(world, seed, 1.5f);
@@ -123,7 +123,7 @@ TEST_CASE("points rays and distances are those of a world") {
     }
 }
 
-TEST_CASE("manifolds are those of the contacts of a world") {
+TEST_CASE("manifolds of geometries agree with the contacts of a world") {
     size_t compared = 0;
     for (uint32_t seed = 1; seed <= 20; ++seed) {
         World world({.gravity = {0, 0}});

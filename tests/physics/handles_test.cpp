@@ -5,7 +5,7 @@
 
 namespace handles_test {
 
-// Handles and ids that name nothing, or something of another world.
+// Handles and ids of no object, of a destroyed one, or of one in another world.
 
 using namespace scenes;
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
-std::string error_of(const std::function<void()>& act) {
+std::string message_of(const std::function<void()>& act) {
     try {
         act();
     } catch (const std::invalid_argument& error) {
@@ -27,7 +27,7 @@ void require_errors(Things& things, const std::string& what) {
     for (const Method& method : every_method()) {
         if (method.name.starts_with("World::")) continue;
         INFO(method.name);
-        CHECK_THAT(error_of([&] { method.call(things); }), contains(what));
+        CHECK_THAT(message_of([&] { method.call(things); }), contains(what));
     }
     REQUIRE_FALSE(things.body.is_valid());
     REQUIRE_FALSE(things.circle.is_valid());
@@ -58,7 +58,7 @@ const std::vector<std::pair<std::string, Create>>& every_joint() {
 
 }  // namespace
 
-TEST_CASE("every method of a default made handle says that it names nothing") {
+TEST_CASE("every method of a default constructed handle reports that it names no object") {
     World world;
     Things nothing = {.world = world};
     require_errors(nothing, "names no");
@@ -67,7 +67,7 @@ TEST_CASE("every method of a default made handle says that it names nothing") {
     REQUIRE_THROWS_WITH(Shape(no_world, {}).area(), contains("names no shape"));
 }
 
-TEST_CASE("every method of a stale handle says that its object is gone") {
+TEST_CASE("every method of a stale handle reports that its object was destroyed") {
     World world;
     Things things = make_things(world);
     world.clear();
@@ -77,7 +77,7 @@ TEST_CASE("every method of a stale handle says that its object is gone") {
     require_errors(things, "does not exist any more");
 }
 
-TEST_CASE("every method of a handle that outlives its world says so") {
+TEST_CASE("every method of a handle reports that its world was destroyed") {
     auto world = std::make_unique<World>();
     Things things = make_things(*world);
     world.reset();
@@ -88,7 +88,7 @@ TEST_CASE("every method of a handle that outlives its world says so") {
     require_errors(things, "does not exist any more");
 }
 
-TEST_CASE("a joint is not made of bodies that are none or not of its world") {
+TEST_CASE("a joint is not made of destroyed or missing bodies or of bodies of another world") {
     World world, other;
     Things things = make_things(world), others = make_things(other);
     Body gone = world.create_body();
@@ -98,7 +98,7 @@ TEST_CASE("a joint is not made of bodies that are none or not of its world") {
     const auto refused = [&](const JointDef& def, const std::string& what) {
         for (const auto& [name, create] : every_joint()) {
             INFO(name << ": " << what);
-            CHECK_THAT(error_of([&, &create = create] { create(world, def); }), contains(what));
+            CHECK_THAT(message_of([&, &create = create] { create(world, def); }), contains(what));
         }
     };
     refused({.body_a = stale, .body_b = good}, "body_a: body");
@@ -161,7 +161,7 @@ TEST_CASE("an id of one world names nothing in any other") {
     REQUIRE(first.is_valid(made_in_copy.id()));
 }
 
-TEST_CASE("no generation is given twice after any restore") {
+TEST_CASE("no restore lets two objects have the same slot and generation") {
     World world;
     const auto make = [](World& in) { return add_ball(in, {0, 0}); };
     Body old = make(world);
@@ -213,7 +213,7 @@ TEST_CASE("the body that carries the bounds can be read and not edited") {
         Things things = {.world = world};
         things.body = border;
         INFO(method.name);
-        CHECK_THAT(error_of([&] { method.call(things); }), contains("carries the bounds"));
+        CHECK_THAT(message_of([&] { method.call(things); }), contains("carries the bounds"));
     }
     REQUIRE_THROWS_WITH(side.destroy(), contains("set its bounds"));
     REQUIRE_THROWS_WITH(ball.shapes()[0].attach(border), contains("bounds of the world"));
@@ -224,7 +224,7 @@ TEST_CASE("the body that carries the bounds can be read and not edited") {
     REQUIRE(ball.position().y == Approx(0.5f).margin(0.01));
 }
 
-TEST_CASE("shapes that are gone are refused by what asks for shapes") {
+TEST_CASE("functions on shapes refuse destroyed shapes and shapes of another world") {
     World world, other;
     Things things = make_things(world);
     Shape gone = world.create_shape(Circle{}), foreign = other.create_shape(Circle{});
@@ -252,7 +252,7 @@ TEST_CASE("numbers that are not enumerators are refused") {
     REQUIRE_THROWS_WITH(world.create_body({.center = Vec2(0, not_a_number)}), contains("center"));
 }
 
-TEST_CASE("a joint that is called a mouse and is none is not edited") {
+TEST_CASE("a MouseJoint handle of a joint of another type edits nothing") {
     World world;
     Things things = make_things(world);
     MouseJoint wrong = world.joint<MouseJoint>(things.wheel.id());

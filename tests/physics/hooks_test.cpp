@@ -59,7 +59,7 @@ struct Failures {
 
 }  // namespace
 
-TEST_CASE("the log has what no result and no exception reports") {
+TEST_CASE("the log reports what no result and no exception reports") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     Log log;
     World world;

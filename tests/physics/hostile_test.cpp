@@ -15,7 +15,7 @@ constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 
-TEST_CASE("values without meaning are refused by name and change nothing") {
+TEST_CASE("invalid values are refused by name and change nothing") {
     World world;
     Body body = add_box(world, {1, 2});
     Shape shape = body.shapes()[0];
@@ -132,7 +132,7 @@ TEST_CASE("shapes of extreme sizes meet without harm") {
     REQUIRE_FALSE(fault);
 }
 
-TEST_CASE("many bodies in the very same place part without harm") {
+TEST_CASE("many bodies in the very same place move apart without harm") {
     World world;
     add_floor(world);
     for (int i = 0; i < 30; ++i) {
@@ -187,7 +187,7 @@ void create_any_joint(World& world, const JointDef& def, std::mt19937& random) {
 
 }  // namespace
 
-TEST_CASE("bodies and shapes die anywhere in random sequences and the world stays consistent") {
+TEST_CASE("the world stays consistent while bodies and shapes are destroyed in random sequences") {
     std::mt19937 random(11);
     auto pick = [&](auto& list) { return list[size_t(random()) % list.size()]; };
     World world({.bounds = Aabb{{-8, 0}, {8, 30}}});
@@ -295,7 +295,7 @@ TEST_CASE("bodies and shapes die anywhere in random sequences and the world stay
     world.step(frame);
 }
 
-TEST_CASE("a shape made in the place of one that just died meets the border once") {
+TEST_CASE("a shape in the slot of one just destroyed has one contact with the border") {
     World world({.bounds = Aabb{{-5, 0}, {5, 10}}});
     Body first = add_box(world, {0, 0.5f});
     world.step(frame);
@@ -339,7 +339,7 @@ TEST_CASE("a joint whose impulses overflow has finite forces and works again") {
     }
 }
 
-TEST_CASE("a list that is written may be a part of the list that is replaced") {
+TEST_CASE("the new values of a list may be a part of the old list") {
     World world;
     Body body = world.create_body();
     Shape chain = body.add(Chain{{{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}, {-1, 2}}});
@@ -356,7 +356,7 @@ TEST_CASE("a list that is written may be a part of the list that is replaced") {
     CHECK(std::get<AttractorField>(field.definition().force).center == Vec2(1, 2));
 }
 
-TEST_CASE("reading a shape may make the parts of others") {
+TEST_CASE("reading a shape may compute the parts of other shapes") {
     // The parts of a polygon are made by the first read, which moves the records of all shapes.
     World world;
     Body body = world.create_body({.position = {1, 0}});

@@ -58,7 +58,7 @@ struct Momentum {
 
 }  // namespace
 
-TEST_CASE("impulses on the copies of a hub count in full") {
+TEST_CASE("impulses on the copies of a hub act on the hub in full") {
     for (const uint32_t strips : {1u, 2u, 8u}) {
         auto bodies = hub_and_light();
         const SolverBody before = bodies[1];
@@ -114,7 +114,7 @@ TEST_CASE("impulses on the copies of a hub count in full") {
     }
 }
 
-TEST_CASE("a body that is not much lighter meets the hub itself") {
+TEST_CASE("the contact of a body that is not much lighter acts on the hub itself") {
     auto bodies = hub_and_light();
     Hubs hubs;
     hubs.begin(4);
@@ -127,7 +127,7 @@ TEST_CASE("a body that is not much lighter meets the hub itself") {
     hubs.choose_node(c, bodies);
     REQUIRE(c.hub == 0);
     REQUIRE(c.node == 1);
-    // Nor does what is solved one at a time, or what does not move.
+    // The same for a contact that is solved serially, or whose other body does not move.
     bodies[2].inverse_mass = 1.0f;
     c.serially = true;
     hubs.choose_node(c, bodies);
@@ -140,7 +140,7 @@ TEST_CASE("a body that is not much lighter meets the hub itself") {
     REQUIRE(c.node == 1);
 }
 
-TEST_CASE("a raft that is pelted keeps what momentum there is") {
+TEST_CASE("a raft hit by many bodies conserves momentum") {
     World world({.gravity = {0, 0}, .sleeping = false});
     Raft raft(world, 64 * 3, {5, 3});
     std::mt19937 random(11);
@@ -185,8 +185,8 @@ TEST_CASE("light boxes and a heavy one rest on a raft as they do on the ground")
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("a raft sinks as deep as what is on it weighs") {
-    // On a spring: what its copies give it in all sub-steps has to add up.
+TEST_CASE("a raft on a spring sinks by the weight of the bodies on it") {
+    // The raft rests on a spring, so the impulses of its copies in all sub-steps have to add up.
     World world({.sleeping = false});
     Raft raft(world, 64 * 2, {0, 0});
     Body ground = world.create_body({.type = BodyType::static_body});

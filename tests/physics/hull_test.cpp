@@ -38,7 +38,7 @@ TEST_CASE("a square in any order of its vertices has the same hull") {
     }));
 }
 
-TEST_CASE("duplicates and points inside or on an edge are dropped") {
+TEST_CASE("a hull drops duplicate points and points inside or on an edge") {
     std::vector<Vec2> hull;
     const std::vector<Vec2> points = {{0, 0}, {2, 0}, {2, 2},       {0, 2}, {1, 1},
                                       {0, 0}, {1, 0}, {0.5f, 1.9f}, {2, 1}, {2, 2}};
@@ -47,7 +47,7 @@ TEST_CASE("duplicates and points inside or on an edge are dropped") {
     REQUIRE(is_convex_and_counter_clockwise(hull));
 }
 
-TEST_CASE("fewer than three points off a line are refused and nothing is written") {
+TEST_CASE("points without an area make no hull and nothing is written") {
     std::vector<Vec2> hull = {{7, 7}};
     using Points = std::vector<Vec2>;
     REQUIRE(convex_hull(Points{}, hull) == HullStatus::too_few_points);

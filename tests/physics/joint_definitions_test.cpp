@@ -124,7 +124,7 @@ TEST_CASE("values that a definition leaves open are measured") {
     CHECK(taut == Approx(2 + 0.5f * 4));
 }
 
-TEST_CASE("a definition without a meaning makes no joint") {
+TEST_CASE("an invalid definition makes no joint") {
     World world;
     const Body body = add_box(world, {0, 0});
     CHECK_THROWS_WITH(world.create_wheel_joint({.body_b = body.id(), .axis = {0, 0}}),

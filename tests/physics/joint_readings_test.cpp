@@ -120,7 +120,7 @@ TEST_CASE("a threshold changes no motion") {
     CHECK(hashes[0] == hashes[1]);
 }
 
-TEST_CASE("a joint with a stiffness of its own yields as it says") {
+TEST_CASE("a joint with a stiffness of its own yields by that stiffness") {
     // The sag under a load falls with the square of the frequency.
     float sag[2];
     for (const int i : {0, 1}) {
@@ -136,7 +136,7 @@ TEST_CASE("a joint with a stiffness of its own yields as it says") {
     CHECK(sag[0] / sag[1] == Approx(4).epsilon(0.25));
 }
 
-TEST_CASE("one joint is tuned and the others stay as they are") {
+TEST_CASE("the stiffness of one joint does not change the others") {
     World world({.sleeping = false});
     Body soft = add_box(world, {0, 0}), firm = add_box(world, {5, 0});
     RevoluteJoint tuned = world.create_revolute_joint({.body_b = soft.id()});

@@ -35,11 +35,11 @@ TEST_CASE("jointed bodies sleep and wake as one island") {
     rod.set_enabled(false);
     REQUIRE(left.awake());
     right.set_awake(false);
-    REQUIRE(left.awake());  // nothing ties them
+    REQUIRE(left.awake());  // the disabled joint connects no islands
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("a body that is restless keeps what is tied to it awake") {
+TEST_CASE("a body that cannot sleep keeps the bodies joined to it awake") {
     World world;
     add_floor(world);
     Body left = add_box(world, {0, 0.5f}), right = add_box(world, {3, 0.5f});
@@ -138,7 +138,7 @@ TEST_CASE("a joint to the world does not open its bounds") {
     REQUIRE(ball.position().y == Approx(-4.5f).margin(0.02));
 }
 
-TEST_CASE("joints that come and go leave the others as they were") {
+TEST_CASE("creating and destroying joints does not change the others") {
     World world({.gravity = {0, 0}});
     std::vector<Body> bodies;
     for (int i = 0; i < 8; ++i) bodies.push_back(add_ball(world, {3.0f * float(i), 0}));
@@ -246,7 +246,7 @@ TEST_CASE("a dormant joint outlives bodies and is copied to other worlds and sav
     REQUIRE_FALSE(world.validate());
 }
 
-TEST_CASE("joints refuse what has no meaning and then change nothing") {
+TEST_CASE("joints refuse invalid values and then change nothing") {
     World world, elsewhere;
     Body ball = add_ball(world, {0, 0}), other = add_ball(world, {2, 0});
     Body stranger = add_ball(elsewhere, {0, 0});

@@ -5,7 +5,7 @@ namespace joint_test {
 
 using namespace scenes;
 
-TEST_CASE("a mouse drags a body to its target and follows it") {
+TEST_CASE("a mouse joint drags a body to its target and follows the target") {
     World world({.gravity = {0, 0}});
     Body box = add_box(world, {0, 0});
     MouseJoint mouse = world.create_mouse_joint({.body = box.id(), .target = {0, 0}});
@@ -17,7 +17,7 @@ TEST_CASE("a mouse drags a body to its target and follows it") {
     REQUIRE(world.joint_count() == 0);
 }
 
-TEST_CASE("a mouse that grips beside the center hangs the body from there") {
+TEST_CASE("a mouse joint beside the center hangs the body from its anchor") {
     World world;
     Body box = world.create_body({.position = {0, 5}, .angular_damping = 3.0f});
     box.add(Box{.width = 2, .height = 0.4f});
@@ -47,7 +47,7 @@ TEST_CASE("a weak mouse cannot lift a heavy body and a strong one can") {
     REQUIRE(box.position().y < 0.6f);
 }
 
-TEST_CASE("every property of a mouse is live and wakes its sleeping body") {
+TEST_CASE("every property of a mouse joint has an effect at once and wakes its sleeping body") {
     World world;
     add_floor(world);
     Body box = add_box(world, {0, 0.5f}), other = add_box(world, {5, 0.5f});

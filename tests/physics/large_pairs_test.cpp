@@ -11,7 +11,7 @@ namespace large_pairs_test {
 using namespace scenes;
 using namespace fettle::physics::detail;
 
-// Large polygons with every other kind of shape: as if all their vertices had been looked at.
+// Large polygons with every other kind of shape: the results are those of a search of all vertices.
 
 namespace {
 
@@ -42,14 +42,14 @@ float separation_of_all(const EllipseForm& ellipse, const Convex& polygon, Vec2 
     return most;
 }
 
-/// A polygon with an ellipse beside it, gap (m) given but for the direction of least overlap.
+/// The offset of a polygon that puts it `gap` (m) away from the ellipse along `d`.
 Vec2 beside(const EllipseForm& ellipse, const Convex& polygon, Vec2 d, float gap) {
     return (gap - separation_along(d, ellipse, polygon, {})) * d;
 }
 
 }  // namespace
 
-TEST_CASE("of many edges only a few times their logarithm are looked at") {
+TEST_CASE("a search for the deepest of many edges evaluates only a few times their logarithm") {
     std::mt19937 random(17);
     std::uniform_real_distribution<float> angle(0.0f, 6.2831853f), gap(-0.02f, 3.0f);
     for (int count : {16, 128, 1024}) {
@@ -75,7 +75,7 @@ TEST_CASE("of many edges only a few times their logarithm are looked at") {
     }
 }
 
-TEST_CASE("an ellipse is as far from a large polygon as from all its edges") {
+TEST_CASE("the distance between an ellipse and a large polygon is that of a search of all edges") {
     std::mt19937 random(23);
     std::uniform_real_distribution<float> angle(0.0f, 6.2831853f), gap(-0.05f, 2.0f);
     for (int trial = 0; trial < 300; ++trial) {
@@ -104,7 +104,7 @@ TEST_CASE("an ellipse is as far from a large polygon as from all its edges") {
     }
 }
 
-TEST_CASE("rays and points meet large polygons as they meet their edges") {
+TEST_CASE("rays and points find large polygons as in a search of all edges") {
     std::mt19937 random(29);
     std::uniform_real_distribution<float> angle(0.0f, 6.2831853f), far(0.0f, 5.0f);
     int hits = 0, inside = 0;

@@ -9,7 +9,7 @@ namespace large_polygon_test {
 using namespace scenes;
 using namespace fettle::physics::detail;
 
-TEST_CASE("the farthest vertex is found by bisection as by looking at all") {
+TEST_CASE("bisection finds the same farthest vertex as a search of all vertices") {
     std::mt19937 random(3);
     for (int count : {3, 8, 9, 10, 17, 64, 255, 1000, 4096}) {
         const Twofold shape(random, count, 0.0f);
@@ -26,7 +26,7 @@ TEST_CASE("the farthest vertex is found by bisection as by looking at all") {
     }
 }
 
-TEST_CASE("large polygons collide as they do edge by edge") {
+TEST_CASE("contacts of large polygons are those of a search of all edges") {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> angle(0.0f, 6.2831853f), gap(-0.2f, 0.03f);
     int met = 0, apart = 0;
@@ -58,7 +58,7 @@ TEST_CASE("large polygons collide as they do edge by edge") {
     REQUIRE(apart > 100);
 }
 
-TEST_CASE("distances to large polygons are those of all their edges") {
+TEST_CASE("distances to large polygons are those of a search of all edges") {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> angle(0.0f, 6.2831853f), gap(0.01f, 3.0f);
     for (int trial = 0; trial < 500; ++trial) {
@@ -94,7 +94,7 @@ TEST_CASE("a polygon of four thousand vertices rolls like a disc") {
     const double expected = 2.0 / 3.0 * 10.0 * std::sin(double(slope)) * 2.0;
     REQUIRE(double(body.velocity().length()) == Approx(expected).epsilon(0.01));
     REQUIRE_FALSE(world.validate());
-    // Its questions.
+    // Queries of the polygon.
     const Position center = body.world_center();
     REQUIRE(shape.contains(center + Vec2(0, 0.49f)));
     REQUIRE_FALSE(shape.contains(center + Vec2(0, 0.51f)));

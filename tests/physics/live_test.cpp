@@ -104,7 +104,7 @@ TEST_CASE("a body that rested on a support that is deleted or moved or changed f
     REQUIRE_FALSE(scene.world.validate());
 }
 
-TEST_CASE("each of these edits wakes a sleeping body") {
+TEST_CASE("every kind of edit wakes a sleeping body") {
     Resting scene;
     Body box = scene.box;
     const std::vector<std::pair<const char*, std::function<void()>>> edits = {
@@ -196,7 +196,7 @@ TEST_CASE("a sleeping body that is hit wakes") {
     REQUIRE(scene.box.position().x > 0.05f);
 }
 
-TEST_CASE("a kinematic platform that starts to move wakes what sleeps on it") {
+TEST_CASE("a kinematic platform that starts to move wakes bodies that sleep on it") {
     World world;
     Body platform = world.create_body({.type = BodyType::kinematic_body});
     platform.add(Box{.width = 10, .height = 1});
@@ -256,8 +256,7 @@ TEST_CASE("a radius edited on a resting ball lifts it") {
 }
 
 TEST_CASE(
-    "a vertex added to a rotated polygon moves no vertex in the world and all that derives from it "
-    "follows") {
+    "a vertex added to a rotated polygon moves no other vertex and updates all derived values") {
     World world({.gravity = {0, 0}});
     Body body = world.create_body({.position = {3, 2}, .angle = 0.8f});
     Shape shape = body.add(Polygon{.vertices = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}});
@@ -362,7 +361,7 @@ TEST_CASE("a sleeping stack keeps its force on a platform that another body keep
     CHECK(lowest.velocity().length() < 0.02f);
 }
 
-TEST_CASE("stacks put to sleep one after the other leave the lists of what is awake") {
+TEST_CASE("the lists of what is awake do not contain stacks that were put to sleep") {
     constexpr size_t stacks = 40;
     World world;
     add_floor(world);

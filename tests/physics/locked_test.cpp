@@ -196,7 +196,7 @@ std::set<std::pair<std::string, bool>> declared_in(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("the list of every method has what the headers declare") {
+TEST_CASE("the list of methods in these tests has every method of the headers") {
     std::set<std::string> listed;
     for (const Method& method : every_method()) listed.insert(method.name);
     size_t seen = 0;
@@ -208,7 +208,7 @@ TEST_CASE("the list of every method has what the headers declare") {
             const bool plain = method == type || method == "is_valid" || method == "id" ||
                                method == "index" || method == "operator" || method == "bool" ||
                                method == "self" || method == "uint32_t";
-            // By slot: nothing is thrown, or another test looks at them.
+            // These take a slot and throw nothing, or have a test of their own.
             const bool by_slot =
                 type == "World" &&
                 (method == "write" || method == "set_velocity" || method == "write_velocity");
@@ -330,18 +330,18 @@ TEST_CASE("a world is copied and saved inside a query and not inside a step") {
     }
 }
 
-TEST_CASE("a function that throws leaves a whole world and its exception arrives") {
+TEST_CASE("the exception of a callback reaches the caller and the world stays valid") {
     for (const int threads : {1, 3}) {
         for (const Way& way : every_way()) {
             INFO(way.name << " with threads " << threads);
             World world, plain;
             world.set_threads(threads);
             Things things = make_things(world), same = make_things(plain);
-            int asked = 0, asked_there = 0;
+            int calls = 0, calls_there = 0;
             // Of any type, and the first of them.
             int caught = 0;
             try {
-                way.call(world, things, [&] { throw ++asked; });
+                way.call(world, things, [&] { throw ++calls; });
             } catch (const int thrown) {
                 caught = thrown;
             }
@@ -357,8 +357,8 @@ TEST_CASE("a function that throws leaves a whole world and its exception arrives
             REQUIRE_FALSE(world.validate());
             // As if no callback had been set.
             if (way.in_the_middle) {
-                way.call(plain, same, [&] { ++asked_there; });
-                REQUIRE(asked == asked_there);  // the others are asked all the same
+                way.call(plain, same, [&] { ++calls_there; });
+                REQUIRE(calls == calls_there);  // the other callbacks are called all the same
                 plain.set_filter({});
                 plain.set_mixing({});
                 plain.set_before_solve({});
@@ -405,7 +405,7 @@ TEST_CASE("a function that destroys the world that calls it ends the call with a
     }
 }
 
-TEST_CASE("worlds that call may edit and step each other but not the one that calls") {
+TEST_CASE("a callback may edit and step other worlds but not the world that calls it") {
     World outer, inner;
     Things things = make_things(outer), others = make_things(inner);
     std::string refused;
@@ -426,7 +426,7 @@ TEST_CASE("worlds that call may edit and step each other but not the one that ca
     REQUIRE_FALSE(inner.validate());
 }
 
-TEST_CASE("the world whose shape asks another one is not edited meanwhile") {
+TEST_CASE("a world cannot be edited during a query of another world with one of its shapes") {
     World asked, asks;
     Things things = make_things(asked), others = make_things(asks);
     int asked_for = 0;
@@ -447,7 +447,7 @@ TEST_CASE("the world whose shape asks another one is not edited meanwhile") {
     REQUIRE_FALSE(asked.validate());
 }
 
-TEST_CASE("worlds of several threads call back at the same time") {
+TEST_CASE("worlds of several threads call their callbacks at the same time") {
     std::vector<std::thread> threads;
     std::vector<uint64_t> hashes(4);
     std::vector<int> refused(4);

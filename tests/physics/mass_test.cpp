@@ -81,7 +81,7 @@ TEST_CASE("a compound weighs its parts and turns about their common center") {
     REQUIRE(body.inertia() == Approx(expected).epsilon(1e-5));
 }
 
-TEST_CASE("overriding the mass scales the inertia and taking it back restores both") {
+TEST_CASE("overriding the mass scales the inertia and ending the override restores both") {
     World world;
     Body body = add_box(world, {0, 0});
     const float inertia = body.inertia();
@@ -139,7 +139,7 @@ TEST_CASE("overriding the center moves the inertia with it") {
     REQUIRE(body.center().length() < 1e-6f);
 }
 
-TEST_CASE("a body stays where the world sees it when its center of mass moves") {
+TEST_CASE("a body keeps its place in the world when its center of mass moves") {
     World world({.gravity = {0, 0}});
     Body body = add_box(world, {3, 4});
     body.set_angle(0.5f);
@@ -166,7 +166,7 @@ TEST_CASE("ten edits of a shape cost one rebuild of it and of its body") {
     REQUIRE(body.rebuilds() == body_before + 1);
 }
 
-TEST_CASE("a shape without a body has an area and weighs on whom it is attached to") {
+TEST_CASE("a shape without a body has an area and adds mass to the body that it is attached to") {
     World world;
     Shape shape = world.create_shape(Box{.width = 2, .height = 3}, {.density = 2});
     REQUIRE(shape.area() == Approx(6.0f));

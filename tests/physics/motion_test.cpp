@@ -127,7 +127,7 @@ TEST_CASE("a kinematic body turns about its position unless its center was set")
     REQUIRE(door.position() != Position(3, 1));
 }
 
-TEST_CASE("a kinematic body moves by its velocity and carries what lies on it") {
+TEST_CASE("a kinematic body moves by its velocity and carries bodies") {
     World world;
     Body belt = world.create_body({.type = BodyType::kinematic_body, .velocity = {1, 0}});
     belt.add(Box{.width = 20, .height = 1});
@@ -140,7 +140,7 @@ TEST_CASE("a kinematic body moves by its velocity and carries what lies on it") 
     REQUIRE(box.awake());
 }
 
-TEST_CASE("spinning slowly adds up however large the angle is") {
+TEST_CASE("a slow rotation changes the angle however large it is") {
     World world({.gravity = {0, 0}, .sleeping = false});
     Body top = world.create_body({.angle = 40000.0f, .angular_velocity = 0.05f});
     top.add(Box{});

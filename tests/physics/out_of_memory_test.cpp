@@ -14,8 +14,8 @@ using namespace scenes;
 
 namespace {
 
-/// Edits, steps, copies and questions of all kinds.
-void live(World& world) {
+/// Edits, steps, copies and queries of all kinds.
+void use_everything(World& world) {
     world.create_body({.type = BodyType::static_body})
         .add(Chain{.points = {{-20, 0}, {0, 0}, {5, -0.5f}, {20, 0}}});
     const std::vector<Vec2> notched = {
@@ -81,7 +81,7 @@ bool ends_within(int64_t allocations, Act&& act) {
 
 }  // namespace
 
-TEST_CASE("wherever memory ends a world is as good as before or refuses all until it is restored") {
+TEST_CASE("when memory runs out a world is unchanged or refuses all calls until it is restored") {
     World intact;
     add_floor(intact);
     add_box(intact, {0, 3});
@@ -89,7 +89,7 @@ TEST_CASE("wherever memory ends a world is as good as before or refuses all unti
     for (int64_t allocations = 0;; ++allocations) {
         INFO("memory ends after " << allocations << " allocations");
         World world;
-        if (!ends_within(allocations, [&] { live(world); })) break;
+        if (!ends_within(allocations, [&] { use_everything(world); })) break;
         ++(is_damaged(world) ? damaged : whole);
         if (is_damaged(world)) {
             REQUIRE(world.bodies().empty());

@@ -36,7 +36,7 @@ TEST_CASE("lines in any order and direction are one chain") {
     CHECK(chains[0].points == std::vector<Vec2>{{0, 0}, {2, 0}, {3, 1}, {4, 1}});
 }
 
-TEST_CASE("lines that meet all round are a closed chain of the wanted direction") {
+TEST_CASE("lines that form a ring are a closed chain of the requested direction") {
     const Lines lines = {{{0, 0}, {1, 0}}, {{1, 1}, {0, 1}}, {{1, 1}, {1, 0}}, {{0, 1}, {0, 0}}};
     for (const auto& [winding, area] : {std::pair(Winding::as_given, 1.0f),
                                         {Winding::clockwise, -1.0f},
@@ -71,8 +71,8 @@ TEST_CASE("nearly straight points are dropped") {
 
 namespace {
 
-/// The algorithm of Douglas and Peucker as it is written down: all points between two corners are
-/// looked at.
+/// The algorithm of Douglas and Peucker as it was published, which visits all points between two
+/// corners.
 void keep_corners(const std::vector<Vec2>& points, size_t begin, size_t end, float straight,
                   std::vector<bool>& kept) {
     float farthest = straight * straight;
@@ -234,7 +234,7 @@ TEST_CASE("outlines of random grids are chains that a shape takes") {
     }
 }
 
-TEST_CASE("grids that cannot be are refused") {
+TEST_CASE("invalid grids are refused") {
     const std::vector<float> values(6);
     CHECK_THROWS_AS(grid_outlines(values, {.columns = 2, .rows = 2}), std::invalid_argument);
     CHECK_THROWS_AS(grid_outlines(values, {.columns = 3, .rows = 2, .cell = 0.0f}),

@@ -7,7 +7,7 @@
 
 namespace owner_test {
 
-// A world that belongs to a host: the host alone makes and ends what is in it.
+// A world with an owner: only the owner creates and destroys its objects.
 
 using namespace scenes;
 
@@ -23,7 +23,7 @@ const std::set<std::string>& kept_for_the_owner() {
     return names;
 }
 
-std::string error_of(const std::function<void()>& act) {
+std::string message_of(const std::function<void()>& act) {
     try {
         act();
     } catch (const Locked& error) {
@@ -39,7 +39,7 @@ bool kept(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("the owner of a world alone makes and ends what is in it") {
+TEST_CASE("only the owner of a world creates and destroys its objects") {
     World world;
     Things things = make_things(world);
     Owner owner("it belongs to a tree: destroy the instance instead");
@@ -50,7 +50,7 @@ TEST_CASE("the owner of a world alone makes and ends what is in it") {
     for (const Method& method : every_method()) {
         if (!method.edits || !kept(method.name)) continue;
         INFO(method.name);
-        const std::string error = error_of([&] { method.call(things); });
+        const std::string error = message_of([&] { method.call(things); });
         CHECK(error == method.name + ": it belongs to a tree: destroy the instance instead");
         if (error.starts_with(method.name)) refused.insert(method.name);
     }
@@ -99,7 +99,7 @@ TEST_CASE("only the owner changes the kind and the user data of a field and anyo
     REQUIRE(field.definition().user_data == 7);
 }
 
-TEST_CASE("a callback that holds the last reference of its world may be replaced") {
+TEST_CASE("a callback that has the last reference to its world may be replaced") {
     for (int which = 0; which < 4; ++which) {
         auto world = std::make_shared<World>();
         const std::weak_ptr<World> life = world;
@@ -121,7 +121,7 @@ TEST_CASE("a callback that holds the last reference of its world may be replaced
     }
 }
 
-TEST_CASE("the call of an owner may replace itself") {
+TEST_CASE("a function that an owner calls may replace itself") {
     Owner owner("ask it");
     World world;
     world.set_owner(&owner);

@@ -101,7 +101,7 @@ std::set<std::thread::id> threads_of_calls(bool parallel) {
 
 }  // namespace
 
-TEST_CASE("only callbacks that may run in parallel do") {
+TEST_CASE("only callbacks marked as parallel run in parallel") {
     REQUIRE(threads_of_calls(false) == std::set{std::this_thread::get_id()});
     REQUIRE(threads_of_calls(true).size() > 1);
 }

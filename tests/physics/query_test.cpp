@@ -84,7 +84,7 @@ TEST_CASE("a ray through a corner does not slip between two edges") {
     for (int i = 0; i < 50; ++i)
         many.push_back({std::cos(0.12566371f * float(i)), std::sin(0.12566371f * float(i))});
     const std::vector<Vec2> clockwise(corners.rbegin(), corners.rend());
-    int asked = 0;
+    int calls = 0;
     for (const Geometry& form : {Geometry(Polygon{corners}), Geometry(Polygon{many}),
                                  Geometry(Concave{outline}), Geometry(Chain{clockwise, true})}) {
         for (int turn = 0; turn < 50; ++turn) {
@@ -102,16 +102,16 @@ TEST_CASE("a ray through a corner does not slip between two edges") {
                 for (const float far : {0.5f, 3.0f, 20.0f}) {
                     INFO(int(shape.type()) << " " << corner.x << " " << corner.y);
                     CHECK(world.cast_ray(at + far * way, at - 0.3f * way));
-                    ++asked;
+                    ++calls;
                 }
             }
             body.destroy();
         }
     }
-    REQUIRE(asked > 9000);
+    REQUIRE(calls > 9000);
 }
 
-TEST_CASE("an AABB query finds what overlaps the box and not what only its own box does") {
+TEST_CASE("an AABB query does not find shapes of which only the bounding box overlaps") {
     World world;
     Body diamond = world.create_body({.angle = 0.785398f});
     Shape shape = diamond.add(Box{.width = 2, .height = 2});

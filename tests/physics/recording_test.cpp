@@ -137,26 +137,29 @@ TEST_CASE("the answers of callbacks are recorded") {
         add_floor(world);
         for (int i = 0; i < 40; ++i)
             add_box(world, {0.4f * float(i % 5), 0.5f + 1.1f * float(i / 5)}, 1.0f);
-        int asked = 0;
-        world.set_filter([&](const Shape&, const Shape&) { return ++asked % 7 != 0; });
-        world.set_mixing([&](ContactEdit& edit) { edit.friction = float(++asked % 5) * 0.2f; });
+        int callback_calls = 0;
+        world.set_filter([&](const Shape&, const Shape&) { return ++callback_calls % 7 != 0; });
+        world.set_mixing(
+            [&](ContactEdit& edit) { edit.friction = float(++callback_calls % 5) * 0.2f; });
         world.set_before_solve([&](ContactEdit& edit) {
-            edit.enabled = ++asked % 11 != 0;
-            edit.ignored = asked % 97 == 0;
-            if (asked % 3 == 0) edit.restitution = 0.5f;
+            edit.enabled = ++callback_calls % 11 != 0;
+            edit.ignored = callback_calls % 97 == 0;
+            if (callback_calls % 3 == 0) edit.restitution = 0.5f;
         });
         world.start_recording(into(bytes));
-        const auto moved = [&](VelocityEdit& edit) { edit.velocity.x = float(++asked % 4); };
+        const auto moved = [&](VelocityEdit& edit) {
+            edit.velocity.x = float(++callback_calls % 4);
+        };
         Body pushed = world.bodies()[7];
         pushed.set_velocity_function(moved);
         world.bodies()[9].set_position_function([&](PositionEdit& edit) {
-            if (++asked % 5 == 0) edit.pose.position.x += 0.01f;
+            if (++callback_calls % 5 == 0) edit.pose.position.x += 0.01f;
         });
         run(world, 0.5f);
         world.set_mixing({});
         pushed.set_velocity_function({});
         run(world, 0.5f);
-        REQUIRE(asked > 500);
+        REQUIRE(callback_calls > 500);
         REQUIRE(replayed(bytes, world.hash()) == 60);
     }
 }
@@ -168,7 +171,7 @@ TEST_CASE("a replay of a world with a filter can be checked while it runs and af
     add_box(world, {0, 0.5f});
     add_box(world, {0.3f, 0.5f});
     world.set_filter([](const Shape& a, const Shape& b) {
-        return a.body().type() != b.body().type();  // the boxes are in each other
+        return a.body().type() != b.body().type();  // the boxes overlap
     });
     run(world, 0.1f);
     world.start_recording(into(bytes));
@@ -193,14 +196,14 @@ TEST_CASE("callbacks that throw are replayed as callbacks that gave no answer") 
     Bytes bytes;
     World world;
     Things things = make_things(world);
-    int asked = 0;
+    int callback_calls = 0;
     world.set_before_solve([&](ContactEdit& edit) {
         edit.friction = 0.9f;
-        if (++asked % 13 == 0) throw std::runtime_error("a fault of the host");
+        if (++callback_calls % 13 == 0) throw std::runtime_error("a fault of the host");
     });
     things.body.set_velocity_function([&](VelocityEdit& edit) {
         edit.velocity = {};
-        if (++asked % 3 == 0) throw std::runtime_error("another");
+        if (++callback_calls % 3 == 0) throw std::runtime_error("another");
     });
     world.start_recording(into(bytes));
     int thrown = 0;
@@ -215,7 +218,7 @@ TEST_CASE("callbacks that throw are replayed as callbacks that gave no answer") 
     REQUIRE(replayed(bytes, world.hash()) == 40);
 }
 
-TEST_CASE("a replay names the calls before each step and can be looked at") {
+TEST_CASE("a replay names the calls before each step and its world can be read") {
     Bytes bytes;
     World world;
     Body ball = add_ball(world, {0, 5});
@@ -264,7 +267,7 @@ TEST_CASE("a step that differs is found and ends the replay") {
     REQUIRE_FALSE(replay.step());
 }
 
-TEST_CASE("a recording that ends inside a step is replayed to there") {
+TEST_CASE("a recording that ends inside a step is replayed up to that step") {
     Bytes bytes;
     World world;
     add_floor(world);
@@ -415,7 +418,7 @@ TEST_CASE("a recording that ends within a part is replayed up to the part before
     REQUIRE(Replay(longer).is_cut_off());
 }
 
-TEST_CASE("damage below right checksums is refused or replayed and never harmful") {
+TEST_CASE("a damaged recording with valid checksums is refused or replayed without harm") {
     const Bytes bytes = some_recording();
     const auto chunks = chunks_in(bytes);
     uint64_t state = 77;

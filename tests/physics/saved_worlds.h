@@ -47,7 +47,7 @@ inline size_t place_of(uint64_t number, const std::vector<std::byte>& bytes) {
 }
 
 /// Three bits flipped behind the header, `trials` times, and sealed again, so that the checksum
-/// holds: refused, or restored to a world that can be stepped and looked at with `look(world)`.
+/// holds: refused, or restored to a world that can be stepped and read with `look(world)`.
 /// Both happen.
 template <class Look>
 void check_flipped_bits(const std::vector<std::byte>& bytes, uint64_t seed, int trials, Look look) {

@@ -79,7 +79,7 @@ class Engine : public TaskScheduler {
     std::vector<std::thread> workers_;
 };
 
-/// Does all tasks at the end of the step, when nothing is left for them, or none at all.
+/// Runs its tasks at the end of the step, when no work is left for them, or never.
 class Idler : public TaskScheduler {
   public:
     explicit Idler(bool late) : late_(late) {}

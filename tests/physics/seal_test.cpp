@@ -11,7 +11,7 @@ using namespace scenes;
 
 namespace {
 
-/// Small worlds of all that there is.
+/// Small worlds that together contain every kind of object.
 std::vector<std::vector<std::byte>> several() {
     std::vector<std::vector<std::byte>> all;
     World empty({.gravity = {0, 0}});
@@ -184,7 +184,7 @@ TEST_CASE("a saved world with any byte changed is refused and the world stays as
     REQUIRE_FALSE(target.validate());
 }
 
-TEST_CASE("a saved world that is cut off or goes on is refused") {
+TEST_CASE("a saved world with missing or additional bytes is refused") {
     World target;
     for (const auto& bytes : several()) {
         const std::span all(bytes);
@@ -198,7 +198,7 @@ TEST_CASE("a saved world that is cut off or goes on is refused") {
     }
 }
 
-TEST_CASE("the seal covers how many bytes there are and where each stands") {
+TEST_CASE("the seal of a saved world covers the number and the order of its bytes") {
     std::vector<std::byte> zeros;
     std::vector<uint64_t> seen;
     for (size_t size = 0; size < 100; ++size) {
@@ -218,7 +218,7 @@ TEST_CASE("the seal covers how many bytes there are and where each stands") {
     REQUIRE((exchanged == bytes || detail::checksum(exchanged) != detail::checksum(bytes)));
 }
 
-TEST_CASE("a world that was saved behind other bytes is sealed by itself") {
+TEST_CASE("a world that is saved after other bytes has a seal of its own") {
     World world;
     add_ball(world, {0, 5});
     std::vector<std::byte> bytes(13, std::byte{7});

@@ -97,7 +97,8 @@ TEST_CASE("queries filter by category and mask and group and function") {
     REQUIRE_FALSE(world.closest({0, 0}, infinity, {.group = -3}));
     REQUIRE_FALSE(world.cast_ray({0, 0}, {9, 0}, {.group = -3}));
     box.shapes()[0].set_group(5);
-    REQUIRE(world.cast_ray({0, 0}, {9, 0}, {.mask = 0, .group = 5}));  // the group has the say
+    REQUIRE(world.cast_ray({0, 0}, {9, 0},
+                           {.mask = 0, .group = 5}));  // the group decides before the mask
     REQUIRE_FALSE(world.cast_ray({0, 0}, {9, 0}, {.mask = 0}));
     REQUIRE_FALSE(world.cast_shape(
         Circle{}, {}, {9, 0}, {.accept = [&](const Shape& shape) { return shape.body() != box; }}));

@@ -70,7 +70,7 @@ TEST_CASE("flipped bits of every kind of shape are refused or leave a world that
     });
 }
 
-TEST_CASE("shapes without measure are refused or stand") {
+TEST_CASE("very small and very large shapes are refused or leave a valid world") {
     for (const float size : {1e-6f, 1e-5f, 1e-3f, 1.0f, 1e3f, 1e6f}) {
         World world;
         Body ground = world.create_body({.type = BodyType::static_body});

@@ -139,7 +139,7 @@ TEST_CASE("a rail that turns carries its slider around and keeps it on the line"
     REQUIRE(slot.force().length() == Approx(box.mass() * 4.0f * 1.5f).epsilon(0.03));
 }
 
-TEST_CASE("a pin in a slot turns freely and every one of its properties is live") {
+TEST_CASE("a pin in a slot turns freely and each of its properties has an effect at once") {
     World world({.gravity = {0, 0}});
     Body box = add_box(world, {0, 0});
     PinSlotJoint slot = world.create_pin_slot_joint({.body_b = box.id()});

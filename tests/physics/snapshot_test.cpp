@@ -26,7 +26,7 @@ std::vector<uint64_t> hashes(World& world, int steps) {
     return all;
 }
 
-/// Saves after `before` steps, goes on, changes the world by `meddle`, restores, goes on again:
+/// Saves after `before` steps, goes on, changes the world by `meddle`, restores it, goes on again:
 /// both futures must be the same.
 void check_restored(World& world, int before, int after,
                     const std::function<void(World&)>& meddle = {}) {
@@ -168,7 +168,7 @@ TEST_CASE("restored compounds go on bit for bit") {
     check_restored(world, 90, 240);
 }
 
-TEST_CASE("restored sleepers sleep on and wake as they would have") {
+TEST_CASE("restored sleeping bodies stay asleep and wake as in the original world") {
     World world;
     build_stack(world);
     run(world, 6.0f);
@@ -282,7 +282,8 @@ TEST_CASE("flipped bits are refused or leave a world that can be stepped") {
     check_flipped_bits(saved(world), 1, 400, [](World&) {});
 }
 
-TEST_CASE("a saved world in which one body holds what hangs on another is refused") {
+TEST_CASE(
+    "a saved world in which two bodies share a list of shapes or contacts or joints is refused") {
     constexpr uint64_t mark = 0xfe77'1e00'b0d1'e500;
     World world;
     add_floor(world);

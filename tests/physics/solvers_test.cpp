@@ -188,12 +188,12 @@ TEST_CASE("a joint breaks under its load in every solver") {
     Joint breaks =
         world.create_revolute_joint({.body_b = weak.id(), .anchor_a = {5, 0}, .anchor_b = {0, 0}});
     breaks.set_break_force(8.0f);  // it weighs 10 N
-    size_t told = 0;
+    size_t reported = 0;
     for (int i = 0; i < 60; ++i) {
         world.step(frame);
-        told += world.events().joint_broke.size();
+        reported += world.events().joint_broke.size();
     }
-    CHECK(told == 1);
+    CHECK(reported == 1);
     CHECK(breaks.broken());
     CHECK(weak.position().y < -1.0f);
     CHECK(Vec2(strong.position()).length() < 0.01f);
@@ -315,7 +315,7 @@ TEST_CASE("a spring swings with its period in the direct solver") {
     CHECK(crossed == Approx(9.5f).epsilon(0.005));
 }
 
-TEST_CASE("the solver changes while a world runs and what sleeps wakes") {
+TEST_CASE("the solver can be changed while a world runs and sleeping bodies wake") {
     World world;
     add_floor(world);
     std::vector<Body> stack;

@@ -69,14 +69,14 @@ struct Course {
     size_t broken = 0, hits = 0;
 };
 
-/// Runs with `hands` threads, however many processors there are.
-Course run_with(int hands, int steps, int heaps = 1) {
-    ThreadPool pool(hands, hands);
+/// Runs with `threads` threads, however many processors there are.
+Course run_with(int threads, int steps, int heaps = 1) {
+    ThreadPool pool(threads, threads);
     World world({.sleeping = false});
     world.create_body({.type = BodyType::static_body})
         .add(Box{.width = 400.0f * float(heaps), .height = 2, .center = {0, -1}});
     for (int i = 0; i < heaps; ++i) add_heap(world, 200.0f * float(i));
-    WorldInside::of(world).threads = hands > 1 ? &pool : nullptr;
+    WorldInside::of(world).threads = threads > 1 ? &pool : nullptr;
     Course course;
     for (int i = 0; i < steps; ++i) {
         world.step(frame);
@@ -132,7 +132,7 @@ TEST_CASE("every node is in one section and comes after all that is below it") {
     }
 }
 
-TEST_CASE("threads that share out sections never hold nodes of which one is above the other") {
+TEST_CASE("threads never solve a section and one above it at the same time") {
     ThreadPool pool(4, 4);
     const Sections sections(8, 4);
     std::vector<std::atomic<int>> begun(16), done(16);
@@ -186,7 +186,7 @@ TEST_CASE("strips are as good with a body that is far away") {
     }
 }
 
-TEST_CASE("strips follow the list where it runs along an axis") {
+TEST_CASE("strips keep the order of bodies in a row") {
     std::vector<StripSample> rows;
     for (int i = 0; i < 400; ++i) rows.push_back({{float(i % 40), 0.25f * float(i / 40)}, 1});
     Strips strips;
@@ -195,7 +195,7 @@ TEST_CASE("strips follow the list where it runs along an axis") {
     REQUIRE(strips.leaf_at({0, 0}) < strips.leaf_at({0, 2.25f}));
 }
 
-TEST_CASE("bodies that cannot be divided are in some strip") {
+TEST_CASE("bodies at one place are all in a valid strip") {
     Strips strips;
     std::vector<StripSample> one_place(40, StripSample{{3, 3}, 1});
     strips.cut(one_place, 4);
@@ -218,8 +218,8 @@ TEST_CASE("a heap of everything ends the same however many threads share out its
     REQUIRE(one.has_hub);
     REQUIRE(one.broken > 0);
     REQUIRE(one.hits > 0);
-    for (const int hands : {2, 3, 4, 8}) {
-        const Course several = run_with(hands, 70);
+    for (const int threads : {2, 3, 4, 8}) {
+        const Course several = run_with(threads, 70);
         REQUIRE(several.hashes == one.hashes);
         REQUIRE(several.broken == one.broken);
         REQUIRE(several.hits == one.hits);
@@ -230,11 +230,10 @@ TEST_CASE("a heap larger than the cache ends the same however many threads share
     constexpr int steps = 12;
     const Course one = run_with(1, steps, 5);
     REQUIRE(one.strips == most_strips);
-    for (const int hands : {3, 4}) REQUIRE(run_with(hands, steps, 5).hashes == one.hashes);
+    for (const int threads : {3, 4}) REQUIRE(run_with(threads, steps, 5).hashes == one.hashes);
 }
 
-TEST_CASE(
-    "the places of bodies are right when the list was in no order and then in that of the strips") {
+TEST_CASE("the index of bodies stays valid when strips sort an unordered list") {
     World world;
     world.set_gravity({0, 0});
     std::vector<Body> row;

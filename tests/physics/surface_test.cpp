@@ -51,7 +51,7 @@ TEST_CASE("a circle rolls down a slope at two thirds of the sliding acceleration
     REQUIRE(ball.angular_velocity() * 0.5f == Approx(ball.velocity().length()).epsilon(0.01));
 }
 
-TEST_CASE("rolling resistance stops a rolling ball and none lets it roll") {
+TEST_CASE("a ball rolls on without rolling resistance and stops with it") {
     World world;
     add_floor(world, 200.0f);
     Body free = add_ball(world, {0, 0.5f});

@@ -25,7 +25,7 @@ TEST_CASE("a kinematic body reaches its target in one step and keeps it") {
     REQUIRE(door.velocity().length() < 0.01f);
 }
 
-TEST_CASE("a platform that is steered carries what lies on it") {
+TEST_CASE("a platform that is steered to a target carries bodies") {
     World world;
     Body platform = world.create_body({.type = BodyType::kinematic_body});
     platform.add(Box{.width = 6, .height = 0.5f});
@@ -51,7 +51,7 @@ TEST_CASE("a target at the own pose wakes nothing") {
     REQUIRE(body.awake());
 }
 
-TEST_CASE("a target without meaning is refused and changes nothing") {
+TEST_CASE("an invalid target is refused and changes nothing") {
     World world;
     Body body = add_ball(world, {0, 0});
     REQUIRE_THROWS_WITH(body.set_target({{1, 1}}, 0), contains("dt = 0: expected a positive"));

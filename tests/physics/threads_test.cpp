@@ -111,7 +111,7 @@ TEST_CASE("a pool does every block once whatever the number of threads") {
     }
 }
 
-TEST_CASE("what blocks throw the caller of a pool throws when all are done") {
+TEST_CASE("an exception in a block reaches the caller of the pool after all blocks are done") {
     ThreadPool pool(3, 3);
     for (int round = 0; round < 100; ++round) {
         std::atomic<int> done = 0;
@@ -194,7 +194,7 @@ TEST_CASE(
     REQUIRE(ram.position().x > 20.0f);
 }
 
-TEST_CASE("the number of threads is live and no part of what is copied or restored") {
+TEST_CASE("the number of threads can be changed at any time and is not copied or restored") {
     World world, other;
     pyramid_and_stacks(world);
     pyramid_and_stacks(other);

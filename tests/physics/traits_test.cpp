@@ -58,7 +58,7 @@ TEST_CASE("a maximum speed holds in every solver and in every step") {
     }
 }
 
-TEST_CASE("a maximum speed holds for what is pushed") {
+TEST_CASE("a maximum speed limits a body that is pushed") {
     World world({.gravity = {0, 0}});
     Body ball = world.create_body({.max_speed = 1});
     ball.add(Circle{}, {.restitution = 1});
@@ -104,7 +104,7 @@ TEST_CASE("locked axes and a maximum speed hold for kinematic bodies") {
     }
 }
 
-TEST_CASE("a speed that is not a limit is refused") {
+TEST_CASE("an invalid maximum speed or sleep speed is refused") {
     World world;
     Body body = world.create_body();
     REQUIRE(body.max_speed() == infinity);

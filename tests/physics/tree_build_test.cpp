@@ -137,7 +137,7 @@ TEST_CASE(
     REQUIRE(work_of(fresh.tree) > count / 16);
 }
 
-TEST_CASE("a walk does not come upon pairs in buckets that overlapped before") {
+TEST_CASE("a search for new pairs does not repeat pairs whose boxes overlapped before") {
     const auto boxes = scattered(1000, 20, 10);
     Grown grown(2);
     grown.insert(boxes);
@@ -157,7 +157,7 @@ TEST_CASE("a walk does not come upon pairs in buckets that overlapped before") {
     REQUIRE(pairs_of(grown.tree).count({500, 501}) == 1);
 }
 
-TEST_CASE("boxes that tremble are fitted and keep their places in the tree") {
+TEST_CASE("boxes that move slightly keep their places in the tree") {
     const uint32_t count = 2000;
     const auto rest = scattered(count, 80, 6);
     Grown grown(2);

@@ -74,7 +74,7 @@ TEST_CASE("a visitor ends a query and may begin others") {
     CHECK(calls == 3);
     world.visit_ray(left, right, [&](const RayHit&) { return ++calls < 4; });
     CHECK(calls == 4);
-    // The outline of the query inside is found, although the outer one has found it.
+    // The inner query finds the outline although the outer query has found it before.
     size_t inside = 0, outside = 0;
     world.visit_aabb(all, [&](const Shape&) {
         ++outside;

@@ -139,7 +139,7 @@ TEST_CASE("pairs of small polygons collide bit for bit the same at every width")
     }
 }
 
-TEST_CASE("points of the same vertices go on with their impulses whatever their order was") {
+TEST_CASE("contact points of the same vertices keep their impulses in any order") {
     Pairs pairs(100, 0.0f);
     pairs.run(16);
     int exchanged = 0;

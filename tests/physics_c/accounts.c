@@ -4,7 +4,8 @@
 #include "in_c.h"
 #include "small_world.h"
 
-/* What tools and engines ask: accounts of velocities, planes of a mover, colors of a drawing. */
+/* Readings for tools and engines: accounts of velocities, planes of a mover, colors of a drawing.
+ */
 
 static const char* an_account_tells_what_changed_a_velocity(void) {
     fettle_world* world = new_world();
@@ -78,7 +79,7 @@ struct painted {
 static uint32_t paint(void* user, const fettle_world* world, fettle_id body, fettle_id shape) {
     struct painted* all = user;
     return fettle_body_is_valid(world, body) && shape == all->shape && body == all->body ? 0x123456
-                                                                                        : 0;
+                                                                                         : 0;
 }
 
 static void keep_color(void* user, fettle_position center, float radius, float angle,

@@ -12,7 +12,7 @@ namespace definitions_test {
 
 namespace {
 
-/// A value, none of which is a default; those of one definition differ from each other.
+/// Values that are no defaults; those of one definition differ from each other.
 class Values {
   public:
     float number() { return next_ += 0.0625f; }
@@ -43,7 +43,8 @@ bool same(fettle_position a, fettle_position b) {
 }
 #endif
 
-/// Names of the members of a structure in C, of which a test says how many it knows.
+/// The number of members of a structure in C. A test compares it with the number that it checks, so
+/// that no new member is forgotten.
 size_t members_in(const std::string& structure) {
     const std::string& text = header_text::in_c();
     const size_t at = text.find("typedef struct fettle_" + structure + " {");
@@ -253,7 +254,7 @@ TEST_CASE("each value of the definition of a field in C comes back") {
         def.enabled = false;
         def.mask = 9;
         def.user_data = 77;
-        // A type has those that are not zero in its defaults, and a few more.
+        // A type uses the members that are not zero in its defaults, and a few more.
         Values values;
         const auto set = [&](auto& number) {
             if (number != 0) number = decltype(number + 0)(values.number());

@@ -16,7 +16,7 @@ void run_all(const named_c_test* test) {
 
 }  // namespace
 
-TEST_CASE("worlds do from C what they do from C++") {
+TEST_CASE("worlds have the same results from C as from C++") {
     run_all(worlds_in_c);
 }
 

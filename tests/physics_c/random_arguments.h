@@ -15,7 +15,7 @@
 
 #include "numbers.h"
 
-// Arguments for functions in C: some with a meaning, some without. Pointers are null or lead to
+// Arguments for functions in C: valid ones and invalid ones. Pointers are null or point to
 // enough memory, as the headers demand; all numbers may be anything.
 
 namespace random_arguments {
@@ -42,10 +42,10 @@ class Arguments {
     Arguments& operator=(const Arguments&) = delete;
 
     uint32_t below(uint32_t count) { return random_.below(count); }
-    /// Whether the input that chooses the arguments ended.
+    /// True if the input that chooses the arguments has ended.
     bool ended() const { return random_.ended(); }
 
-    /// Calls a function with arguments of the types that it has, and looks at what it made.
+    /// Calls a function with arguments of the types that it has, and checks what it made.
     template <class Result, class... Parameters>
     void call(Result (*function)(Parameters...)) {
         Memory& made = memory();
@@ -55,7 +55,7 @@ class Arguments {
         [[maybe_unused]] const Result result = function(make<Parameters>()...);
         after_call();
     }
-    /// Looks at what a call made.
+    /// Checks and destroys what a call made.
     void after_call() {
         if (depth_ == 0) calls_inside_ = 0;
         Memory& made = memory();
@@ -66,7 +66,7 @@ class Arguments {
             if (fettle_world_destroy(place) == FETTLE_DONE)
                 place = made.world;
             else
-                fettle_world_destroy(made.world);  // the call is inside one of the place
+                fettle_world_destroy(made.world);  // `place` is not destroyed inside its own call
         }
         bool locked;
         for (int i = 0; i < 3; ++i)
@@ -118,7 +118,7 @@ class Arguments {
         if (below(4) == 0) copy.resize(below(uint32_t(size)));
         return copy;
     }
-    /// Makes a call inside a function that a call called; `user` leads to the arguments.
+    /// Makes a call inside a callback of another call; `user` points to the arguments.
     static void inside(void* user);
 
     template <class T>
@@ -130,7 +130,7 @@ class Arguments {
         else if constexpr (std::is_same_v<T, int32_t>)
             return below(8) == 0 ? int32_t(random_()) : int32_t(below(14)) - 1;
         else if constexpr (std::is_same_v<T, uint32_t>)
-            return below(most);                           // a room, or a number of elements
+            return below(most);                           // a capacity, or a number of elements
         else if constexpr (std::is_same_v<T, fettle_id>)  // and size_t
             return id();
         else if constexpr (std::is_same_v<T, fettle_world*> ||
@@ -464,10 +464,10 @@ class Arguments {
         for (uint32_t i = 0; i < count && i < 4; ++i) ids_.push_back(found[i]);
     }
 
-    /// What pointers of a call lead to. A call inside a callback must not write to that of the
-    /// outer call.
+    /// The memory that the pointers of a call point to. A call inside a callback must not write to
+    /// that of the outer call.
     struct Memory {
-        fettle_world* world = nullptr;  // what the call made
+        fettle_world* world = nullptr;  // made by the call
         fettle_owner* owner = nullptr;
         fettle_replay* replay = nullptr;
         fettle_segment_surface surfaces[16] = {};
@@ -491,7 +491,7 @@ class Arguments {
     fettle_replay* replay_ = nullptr;
     std::vector<fettle_id> ids_;
     Memory memory_[3];
-    size_t depth_ = 0;  // how many calls the present one is inside
+    size_t depth_ = 0;  // number of calls around the present one
     uint32_t calls_inside_ = 0;
     const std::thread::id thread_ = std::this_thread::get_id();
 };

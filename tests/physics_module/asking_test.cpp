@@ -15,22 +15,22 @@ using property::Record;
 
 TEST_CASE_METHOD(Game, "a handler of before_solve lets a body through a platform") {
     const Handle crate = body("Box", {0, 3}), platform = body("Box", {0, 1}, "static");
-    int asked = 0;
+    int calls = 0;
     const auto connection =
         tree.on(platform, *tree.class_of(platform).event("before_solve"), [&](const Occurrence& o) {
-            ++asked;
+            ++calls;
             CHECK(o.record.get("other") == crate);
             CHECK(o.record.get("shape") == shape_of(platform));
-            if (asked == 1) CHECK(o.record.get("normal").vec2().y == Approx(1));
+            if (calls == 1) CHECK(o.record.get("normal").vec2().y == Approx(1));
             Question::current()->answer(9, false);
         });
     step(90);
-    CHECK(asked > 2);
+    CHECK(calls > 2);
     CHECK(y(crate) < 0);
     CHECK(Question::current() == nullptr);
 }
 
-TEST_CASE_METHOD(Game, "an answer outside its range is refused and the mixed value stays") {
+TEST_CASE_METHOD(Game, "an answer outside its range is refused and the mixed value is kept") {
     floor();
     const Handle crate = body("Box", {0, 0.5});
     std::vector<std::string> refused;

@@ -166,14 +166,14 @@ TEST_CASE_METHOD(Listening,
     floor();
     for (int i = 0; i < 4; ++i) body("Circle", {2.0 * i, 1});
     const property::Class& of = tree.class_named("Body");
-    int heard = 0;
-    auto connection = tree.on(of, *of.event("contact_begin"), [&](const Occurrence&) { ++heard; });
+    int calls = 0;
+    auto connection = tree.on(of, *of.event("contact_begin"), [&](const Occurrence&) { ++calls; });
     step(60);
-    CHECK(heard == 8);
+    CHECK(calls == 8);
     connection.stop();
     body("Circle", {-6, 1});
     step(60);
-    CHECK(heard == 8);
+    CHECK(calls == 8);
 }
 
 TEST_CASE_METHOD(Listening, "a world that is stepped but not reported keeps no events") {

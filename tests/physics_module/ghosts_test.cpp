@@ -90,7 +90,7 @@ TEST_CASE_METHOD(Ahead, "a joint that was made since the last step acts in the g
     CHECK(ghosts({1.0}).back().get("points").list().back().vec2().y < 1);
 }
 
-TEST_CASE_METHOD(Ahead, "looking ahead calls no handler and asks no question") {
+TEST_CASE_METHOD(Ahead, "looking ahead calls no handlers of events or questions") {
     floor();
     const Handle ball = body("Circle", {0, 1});
     int called = 0;

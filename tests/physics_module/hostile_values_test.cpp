@@ -118,7 +118,7 @@ struct Hostile : Game {
     }
 
     /// Changes that happen in a game: moving, stepping, sleeping.
-    void live_on() {
+    void change_game() {
         if (!tree.parent(branch)) tree.move(branch, home());
         for (const char* side : {"body_a", "body_b", "body"})
             if (tree.find(subject, side) != nullptr)
@@ -177,7 +177,7 @@ TEST_CASE_METHOD(Hostile, "every value that a property of physics accepts does n
         for (const Property* property : of->properties()) {
             if (!can_be_written(*property)) continue;
             for (const Value& value : values_of(*property)) {
-                if (!taken(tried++, 3)) continue;
+                if (!is_tested(tried++, 3)) continue;
                 std::vector<std::string> answers;
                 for (const Where where : {Where::acting, Where::waiting, Where::detached}) {
                     INFO(of->name() << "." << property->name << " = " << tree.text(value)
@@ -185,7 +185,7 @@ TEST_CASE_METHOD(Hostile, "every value that a property of physics accepts does n
                     build(*of, where);
                     answers.push_back(write(*property, value));
                     ++(answers.back().empty() ? accepted : refused);
-                    if (answers.back().empty()) REQUIRE_NOTHROW(live_on());
+                    if (answers.back().empty()) REQUIRE_NOTHROW(change_game());
                     tree.destroy(branch);
                 }
                 INFO(of->name() << "." << property->name << " = " << tree.text(value));
@@ -220,7 +220,7 @@ TEST_CASE_METHOD(Hostile, "several accepted values at once do no harm") {
             }
             subject = own;
             INFO(done);
-            REQUIRE_NOTHROW(live_on());
+            REQUIRE_NOTHROW(change_game());
             tree.destroy(branch);
         }
     }
@@ -301,7 +301,7 @@ TEST_CASE_METHOD(Hostile, "bodies as far apart as possible can be connected by e
             if (of->property("ratio") != nullptr) set(subject, "ratio", 1000);
             if (of->property("anchor_a") != nullptr) set(subject, "anchor_a", Vec2(1e8, 1e8));
             if (of->property("target") != nullptr) set(subject, "target", Vec2(-1e8, 1e8));
-            REQUIRE_NOTHROW(live_on());
+            REQUIRE_NOTHROW(change_game());
             tree.destroy(branch);
         }
     }

@@ -74,16 +74,16 @@ TEST_CASE_METHOD(Game, "watchers and handlers do not change the simulation") {
     bare_pyramid(bare);
     hosted_pyramid(*this, world());
     const property::Class& of = tree.class_named("Body");
-    int heard = 0;
+    int calls = 0;
     for (const property::Event* event : of.events())
-        tree.on(of, *event, [&](const property::Occurrence&) { ++heard; });
-    tree.watch_pattern("world.**", [&](const property::Change&) { ++heard; });
+        tree.on(of, *event, [&](const property::Occurrence&) { ++calls; });
+    tree.watch_pattern("world.**", [&](const property::Change&) { ++calls; });
     for (int i = 0; i < 100; ++i) {
         bare.step(static_cast<float>(1.0 / 60));
         step();
         REQUIRE(physics.hash() == bare.hash());
     }
-    CHECK(heard > 1000);
+    CHECK(calls > 1000);
 }
 
 TEST_CASE_METHOD(Game, "an edit by path during a run equals the edit of the library") {
@@ -148,7 +148,7 @@ TEST_CASE_METHOD(
     CHECK_THROWS_AS(physics.body(crate), property::Error);
 }
 
-TEST_CASE("physics is attached once") {
+TEST_CASE("physics can be attached only once") {
     Game game;
     CHECK_THROWS_AS(game.physics.attach(game.tree), std::logic_error);
 }
@@ -200,10 +200,9 @@ TEST_CASE("the length of a step that is refused is reported with few digits") {
     CHECK_THROWS_WITH(game.physics.step(1e300), contains("from 0 to 3.4e38 s"));
 }
 
-TEST_CASE(
-    "physics that is destroyed in the middle of a step or a query ends the program with words") {
+TEST_CASE("destroying physics in the middle of a step or a query ends the program with a message") {
     const bool in_step = GENERATE(true, false);
-    const std::string words = last_words([&] {
+    const std::string words = termination_message([&] {
         property::Tree tree;
         auto physics = std::make_unique<physics_module::PhysicsModule>();
         physics->attach(tree);
@@ -246,11 +245,11 @@ TEST_CASE("physics that ends before its tree takes its instances with it") {
                                      make("Polygon", {}),
                                      make("Body", group)};
     std::vector<property::Connection> watchers;
-    int told = 0;
+    int reports = 0;
     if (watched) {
         watchers.push_back(tree.watch(body, "position", [](const property::Change&) {}));
-        watchers.push_back(
-            tree.watch_deleted(tree.object_class(), [&](const property::Existence&) { ++told; }));
+        watchers.push_back(tree.watch_deleted(tree.object_class(),
+                                              [&](const property::Existence&) { ++reports; }));
     }
     const property::Snapshot before = tree.snapshot();
     physics->step(0.1);
@@ -258,7 +257,7 @@ TEST_CASE("physics that ends before its tree takes its instances with it") {
     tree.barrier();
     physics.reset();
     tree.barrier();
-    CHECK(told >= (watched ? 10 : 0));
+    CHECK(reports >= (watched ? 10 : 0));
     for (const Handle gone : all) CHECK_FALSE(tree.alive(gone));
     CHECK(tree.children(tree.root()) == std::vector<Handle>{group});
     CHECK(tree.children(group).empty());

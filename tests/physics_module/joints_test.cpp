@@ -92,17 +92,17 @@ TEST_CASE_METHOD(Game, "a joint made before its body has a world acts after the 
 TEST_CASE_METHOD(Game, "a joint reports a load above its threshold and holds") {
     const Handle crate = body("Box", {0, 5});
     const Handle weld = make("WeldJoint", world(), {{"body_b", crate}, {"anchor_a", Vec2(0, 5)}});
-    std::vector<double> heard;
+    std::vector<double> loads;
     const auto connection = tree.on(weld, *tree.class_of(weld).event("loaded"),
                                     [&](const property::Occurrence& occurrence) {
-                                        heard.push_back(occurrence.record.get("force").vec2().y);
+                                        loads.push_back(occurrence.record.get("force").vec2().y);
                                     });
     step(2);
-    CHECK(heard.empty());
+    CHECK(loads.empty());
     set(weld, "report_force", 9);
     step(3);
-    REQUIRE(heard.size() == 3);
-    CHECK(heard[2] == Approx(10).epsilon(0.05));
+    REQUIRE(loads.size() == 3);
+    CHECK(loads[2] == Approx(10).epsilon(0.05));
     CHECK(get(weld, "broken") == Value(false));
     CHECK(number(weld, "separation") < 0.01);
     CHECK(number(weld, "angular_separation") == 0);
@@ -120,7 +120,7 @@ TEST_CASE_METHOD(Game, "the bodies of a filter joint pass through each other") {
     CHECK((vec(high, "position") - vec(low, "position")).length() > 0.9);
 }
 
-TEST_CASE_METHOD(Game, "an explosion by surface pushes what is larger with more impulse") {
+TEST_CASE_METHOD(Game, "an explosion by surface pushes larger bodies with more impulse") {
     const Handle small = body("Box", {3, 5}), large = body("Box", {-4, 5});
     set(shape_of(large), "width", 2);
     set(shape_of(large), "height", 2);
@@ -132,15 +132,15 @@ TEST_CASE_METHOD(Game, "an explosion by surface pushes what is larger with more 
 TEST_CASE_METHOD(Game, "a joint that breaks reports its force and is broken in the tree too") {
     const Handle crate = body("Box", {0, 5});
     const Handle weld = make("WeldJoint", world(), {{"body_b", crate}, {"anchor_a", Vec2(0, 5)}});
-    std::vector<double> heard;
+    std::vector<double> loads;
     const auto connection = tree.on(weld, *tree.class_of(weld).event("broke"),
                                     [&](const property::Occurrence& occurrence) {
-                                        heard.push_back(occurrence.record.get("force").vec2().y);
+                                        loads.push_back(occurrence.record.get("force").vec2().y);
                                     });
     set(weld, "break_force", 9);
     step(2);
-    REQUIRE(heard.size() == 1);
-    CHECK(heard[0] == Approx(10).epsilon(0.05));
+    REQUIRE(loads.size() == 1);
+    CHECK(loads[0] == Approx(10).epsilon(0.05));
     CHECK(get(weld, "broken") == Value(true));
     step(20);
     CHECK(y(crate) < 4.7);
@@ -150,7 +150,7 @@ TEST_CASE_METHOD(Game, "a joint that breaks reports its force and is broken in t
     set(weld, "broken", false);
     step(20);
     CHECK(y(crate) > 4.9);
-    CHECK(heard.size() == 1);
+    CHECK(loads.size() == 1);
 }
 
 TEST_CASE_METHOD(Game, "a joint refuses the same values whether it acts or not") {

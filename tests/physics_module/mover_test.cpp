@@ -40,17 +40,18 @@ TEST_CASE_METHOD(Scene, "a mover stands on the floor and names it as its ground"
     CHECK(y(hero) == Approx(0.01).margin(0.006));
 }
 
-TEST_CASE_METHOD(Scene, "a search asks about a mover for its capsule") {
-    std::vector<Handle> asked;
+TEST_CASE_METHOD(
+    Scene, "a search calls its function with the mover when it finds the capsule of the mover") {
+    std::vector<Handle> filtered;
     property::Acceptance accept(tree, "raycast", [&](Handle instance) {
-        asked.push_back(instance);
+        filtered.push_back(instance);
         return instance != hero;
     });
     const Value from(Vec2(-1, 1)), to(Vec2(1, 1));
     const property::Result found =
         tree.call(world(), "raycast", {from, to, Value(), Value(), Value(true)});
     accept.finish();
-    CHECK(asked == std::vector<Handle>{hero});
+    CHECK(filtered == std::vector<Handle>{hero});
     CHECK(std::get<Value>(found).is_nil());
 }
 

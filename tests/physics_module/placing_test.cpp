@@ -391,51 +391,51 @@ TEST_CASE_METHOD(Game, "statistics belong to their world and are deleted with it
 
 TEST_CASE_METHOD(
     Game, "an instance that does nothing where it is placed is reported once for each kind") {
-    std::vector<std::string> told;
-    physics.on_problem([&](const std::string& text) { told.push_back(text); });
+    std::vector<std::string> reports;
+    physics.on_problem([&](const std::string& text) { reports.push_back(text); });
     make("Body", Handle{}, "kept");  // may get its place later
     const Handle ball = make("Body", tree.root(), "ball");
     step();
-    REQUIRE(told.size() == 1);
-    CHECK_THAT(told[0], contains("ball is below no World, so it takes part in no step"));
+    REQUIRE(reports.size() == 1);
+    CHECK_THAT(reports[0], contains("ball is below no World, so it takes part in no step"));
     const Handle late = make("Body", tree.root(), "late");
     tree.move(late, world());
     make("Body", tree.root(), "other");
     step();
-    CHECK(told.size() == 1);
+    CHECK(reports.size() == 1);
     const Handle circle = make("Circle", world(), "circle");
     make("Box", world(), "box");
     const Handle moved = make("Circle", world(), "moved");
     tree.move(moved, ball);
     step(2);
-    REQUIRE(told.size() == 2);
-    CHECK_THAT(told[1],
+    REQUIRE(reports.size() == 2);
+    CHECK_THAT(reports[1],
                contains("world.circle (with 1 more) is on no Body, so nothing touches it"));
     tree.move(circle, ball);
     step();
-    CHECK(told.size() == 2);
+    CHECK(reports.size() == 2);
     const Handle rod = make("DistanceJoint", world(), "rod");
     tree.set(rod, "body_b", late);  // in the same frame
     step();
-    CHECK(told.size() == 2);
+    CHECK(reports.size() == 2);
     make("WeldJoint", world(), "weld");
     step(2);
-    REQUIRE(told.size() == 3);
-    CHECK_THAT(told[2], contains("world.weld does nothing: its body_a and body_b are the same"));
+    REQUIRE(reports.size() == 3);
+    CHECK_THAT(reports[2], contains("world.weld does nothing: its body_a and body_b are the same"));
     const Handle pin = make("RevoluteJoint", world(), "pin");
     tree.set(pin, "body_b", late);
     tree.set(pin, "lower_angle", 0.5);
     tree.set(pin, "upper_angle", 1.0);
     step();
-    CHECK(told.size() == 3);
+    CHECK(reports.size() == 3);
     const Handle slide = make("PrismaticJoint", world(), "slide");
     tree.set(slide, "body_b", late);
     tree.set(slide, "lower_translation", 2.5);
     tree.set(slide, "upper_translation", 1.0);
     step(2);
-    REQUIRE(told.size() == 4);
-    CHECK_THAT(told[3], contains("world.slide has lower_translation = 2.5: expected at most "
-                                 "upper_translation, which is 1"));
+    REQUIRE(reports.size() == 4);
+    CHECK_THAT(reports[3], contains("world.slide has lower_translation = 2.5: expected at most "
+                                    "upper_translation, which is 1"));
 }
 
 TEST_CASE_METHOD(Game, "no instance of an abstract class is made") {

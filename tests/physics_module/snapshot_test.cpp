@@ -132,17 +132,17 @@ TEST_CASE("watchers of a simulated property are notified of the restore") {
     Game game;
     const Handle ball = game.body("Circle", Vec2(0, 20));
     const property::Snapshot snapshot = game.tree.snapshot();
-    std::vector<std::string> heard;
+    std::vector<std::string> reported;
     game.tree.watch(ball, "position", [&](const property::Change& change) {
-        heard.push_back(std::string(property::writer_name(change.cause.writer)));
+        reported.push_back(std::string(property::writer_name(change.cause.writer)));
     });
     game.step(3);
-    heard.clear();
+    reported.clear();
     game.tree.restore(snapshot);
     game.tree.barrier();
-    REQUIRE(heard == std::vector<std::string>{"restore"});
+    REQUIRE(reported == std::vector<std::string>{"restore"});
     game.step();
-    REQUIRE(heard == std::vector<std::string>{"restore", "simulation"});
+    REQUIRE(reported == std::vector<std::string>{"restore", "simulation"});
 }
 
 TEST_CASE("damaged physics in a snapshot is refused and nothing changes") {

@@ -30,10 +30,10 @@ TEST_CASE_METHOD(Game, "a watcher of a sleeping body is not called") {
     floor();
     const Handle ball = body("Circle", {0, 0.5});
     REQUIRE(falls_asleep(ball));
-    int heard = 0;
-    tree.watch(ball, [&](const property::Change&) { ++heard; });
+    int calls = 0;
+    tree.watch(ball, [&](const property::Change&) { ++calls; });
     step(10);
-    CHECK(heard == 0);
+    CHECK(calls == 0);
 }
 
 TEST_CASE_METHOD(Game, "a watcher of the inertia is called when a vertex is edited") {
@@ -81,12 +81,12 @@ TEST_CASE_METHOD(Game, "a watcher of awake is called when a body falls asleep an
 
 TEST_CASE_METHOD(Game, "a pattern can watch every velocity in the world") {
     const Handle a = body("Circle", {0, 10}), b = body("Circle", {5, 10});
-    int heard = 0;
+    int calls = 0;
     tree.watch_pattern("world.*.velocity", [&](const property::Change& c) {
-        heard += c.instance == a || c.instance == b;
+        calls += c.instance == a || c.instance == b;
     });
     step(2);
-    CHECK(heard == 4);
+    CHECK(calls == 4);
 }
 
 TEST_CASE_METHOD(Game,

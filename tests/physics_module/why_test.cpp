@@ -53,8 +53,8 @@ bool has(const std::vector<std::string>& lines, const std::string& text) {
     return false;
 }
 
-/// Asks in each of some steps; returns the lines of the last one.
-std::vector<std::string> adds_up(Game& game, Handle body, int steps) {
+/// Checks in each step that the listed parts add up; returns the lines of the last step.
+std::vector<std::string> check_sum_of_velocities(Game& game, Handle body, int steps) {
     lines(game, body, "velocity");
     std::vector<std::string> last;
     for (int i = 0; i < steps; ++i) {
@@ -79,19 +79,19 @@ TEST_CASE("a velocity is the sum of what changed it on a stack") {
     for (int i = 0; i < 4; ++i) boxes.push_back(game.body("Box", {0, 0.5 + i}));
     game.set(game.world(), "sleeping", false);
     for (const Handle box : {boxes[0], boxes[2]}) {
-        const auto told = adds_up(game, box, 30);
+        const auto told = check_sum_of_velocities(game, box, 30);
         CHECK(has(told, "world.gravity: + vec(0, -0.16"));
         CHECK(has(told, "contact with world."));
     }
     game.set(boxes[1], "velocity", Vec2(0, 3));
-    const auto told = adds_up(game, boxes[1], 1);
+    const auto told = check_sum_of_velocities(game, boxes[1], 1);
     CHECK(has(told, "impulse vec("));
 }
 
 TEST_CASE("a write between two steps is listed separately") {
     Game game;
     const Handle ball = game.body("Circle", {0, 5});
-    adds_up(game, ball, 2);
+    check_sum_of_velocities(game, ball, 2);
     game.set(ball, "velocity", Vec2(4, 0));
     CHECK(has(lines(game, ball, "velocity"), "written since the step: + vec(4, "));
     game.step();
@@ -106,13 +106,13 @@ TEST_CASE("forces and damping are listed separately") {
     game.set(ball, "force", Vec2(7, 0));
     game.set(ball, "linear_damping", 2.0);
     game.set(ball, "gravity_scale", 0.5);
-    const auto told = adds_up(game, ball, 20);
+    const auto told = check_sum_of_velocities(game, ball, 20);
     CHECK(has(told, ".force: + vec(0.1"));
     CHECK(has(told, "linear_damping): + vec(-"));
     CHECK(has(told, "gravity_scale: + vec(0, -0.08"));
     game.set(ball, "locked_y", true);
     game.step();
-    CHECK_FALSE(has(adds_up(game, ball, 3), "gravity"));
+    CHECK_FALSE(has(check_sum_of_velocities(game, ball, 3), "gravity"));
 }
 
 TEST_CASE("joints and springs and pulleys are in the sum") {
@@ -183,11 +183,11 @@ TEST_CASE("a conveyor and a bounce and a rolling ellipse are in the sum") {
     const Handle floor = game.floor();
     game.set(game.shape_of(floor), "surface_speed", 2.0);
     const Handle crate = game.body("Box", {0, 0.5});
-    CHECK(has(adds_up(game, crate, 20), "contact with world."));
+    CHECK(has(check_sum_of_velocities(game, crate, 20), "contact with world."));
     const Handle ball = game.body("Circle", {6, 1});
     game.set(game.shape_of(ball), "restitution", 0.8);
     game.set(ball, "velocity", Vec2(1, -6));
-    adds_up(game, ball, 30);
+    check_sum_of_velocities(game, ball, 30);
     const Handle egg = game.body("Ellipse", {-6, 1});
     lines(game, egg, "velocity");
     for (int i = 0; i < 30; ++i) {
@@ -203,11 +203,11 @@ TEST_CASE("many bodies are solved in several blocks and every account adds up") 
     for (int column = 0; column < 30; ++column)
         for (int i = 0; i < 20; ++i)
             all.push_back(game.body("Box", {-18.0 + 1.2 * column, 0.5 + 1.01 * i}));
-    for (const std::size_t i : {0u, 310u, 599u}) adds_up(game, all[i], 6);
+    for (const std::size_t i : {0u, 310u, 599u}) check_sum_of_velocities(game, all[i], 6);
 }
 
-/// Asks in each of some steps; returns the lines of the last one.
-std::vector<std::string> turns_add_up(Game& game, Handle body, int steps) {
+/// Checks in each step that the listed parts add up; returns the lines of the last step.
+std::vector<std::string> check_sum_of_turns(Game& game, Handle body, int steps) {
     lines(game, body, "angular_velocity");
     std::vector<std::string> last;
     for (int i = 0; i < steps; ++i) {
@@ -232,7 +232,7 @@ TEST_CASE("an angular velocity is the sum of what changed it") {
     game.set(box, "velocity", Vec2(2, 0));
     game.set(box, "angular_damping", 0.5);
     game.set(box, "torque", 0.7);
-    const auto told = turns_add_up(game, box, 60);
+    const auto told = check_sum_of_turns(game, box, 60);
     CHECK(has(told, ".torque: + 0.0"));
     CHECK(has(told, "contact with world."));
     CHECK(has(told, "angular impulse"));
@@ -250,9 +250,9 @@ TEST_CASE("circles and eggs that roll and bounce turn by their contacts") {
     game.set(game.shape_of(ball), "rolling_resistance", 0.1);
     game.set(game.shape_of(ball), "restitution", 0.6);
     for (const Handle body : {ball, egg}) game.set(body, "velocity", Vec2(3, -4));
-    turns_add_up(game, ball, 50);
+    check_sum_of_turns(game, ball, 50);
     game.set(egg, "angular_velocity", 2.0);
-    CHECK(has(turns_add_up(game, egg, 50), "contact with world."));
+    CHECK(has(check_sum_of_turns(game, egg, 50), "contact with world."));
 }
 
 TEST_CASE("the listed turns by joints of every kind are those of their bodies") {
@@ -272,8 +272,8 @@ TEST_CASE("the listed turns by joints of every kind are those of their bodies") 
         game.set(a, "angular_velocity", 2.0);
         game.set(b, "angular_velocity", -3.0);
         game.step(2);
-        for (const Handle body : {a, b}) turns_add_up(game, body, 8);
-        CHECK(has(turns_add_up(game, a, 6), "joint world."));
+        for (const Handle body : {a, b}) check_sum_of_turns(game, body, 8);
+        CHECK(has(check_sum_of_turns(game, a, 6), "joint world."));
     }
 }
 

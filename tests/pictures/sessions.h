@@ -18,8 +18,8 @@
 namespace fettle::pictures {
 
 /// Writes the frames into the folder `frames`, or the last one into the picture of this name, and
-/// returns how many were drawn. Throws std::runtime_error, which
-/// names the line, when a command is wrong or an expectation does not hold.
+/// returns how many were drawn. Throws std::runtime_error, which names the line, when a command is
+/// wrong or an expectation does not hold.
 int play_session(const std::filesystem::path& session, const std::filesystem::path& project,
                  const std::filesystem::path& frames);
 

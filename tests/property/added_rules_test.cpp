@@ -20,7 +20,7 @@ struct Rules : AddedRules {
             throw Error(ErrorKind::wrong_type, std::string(name) + ": needs a text");
     }
     void changed(Handle instance, std::string_view name) override {
-        told += std::string(name) + " ";
+        notified += std::string(name) + " ";
         const Handle child = tree.child(tree.root(), name);
         if (tree.find(instance, name) == nullptr)
             tree.destroy(child);
@@ -28,7 +28,7 @@ struct Rules : AddedRules {
             tree.create(tree.object_class(), tree.root(), name);
     }
     Tree& tree;
-    std::string told;
+    std::string notified;
 };
 
 }  // namespace
@@ -44,7 +44,7 @@ TEST_CASE("rules check a property that is added to a class and are notified of i
     CHECK(tree.child(tree.root(), "first"));
     tree.set(words, "first", "b");
     tree.set(words, "first", "b");  // reported too: the child may be gone
-    CHECK(rules.told == "first first first ");
+    CHECK(rules.notified == "first first first ");
     CHECK_THROWS_WITH(tree.set(words, "first", 3), contains("needs a text"));
     CHECK_THROWS_WITH(tree.set_or_add(words, "second", 3), contains("second: needs a text"));
     CHECK(tree.get(words, "first") == Value("b"));
@@ -57,7 +57,7 @@ TEST_CASE("rules check a property that is added to a class and are notified of i
     tree.set_or_add(other, "third", 3);
     set_added_rules(tree, list, nullptr);
     tree.set_or_add(words, "third", 3);
-    CHECK(rules.told == "first first first first ");
+    CHECK(rules.notified == "first first first first ");
 }
 
 }  // namespace added_rules_test

@@ -121,7 +121,8 @@ TEST_CASE_METHOD(Stage, "instances and the marks over them can be drawn apart") 
     CHECK(drawn() == "ab!");
 }
 
-TEST_CASE_METHOD(Stage, "a larger z is drawn later and a parent hands its z on") {
+TEST_CASE_METHOD(
+    Stage, "a larger z is drawn later and the z of a parent is added to that of its children") {
     const Handle a = add("a", {}, 2);
     add("b", a, -1);
     const Handle c = add("c");

@@ -183,7 +183,7 @@ TEST_CASE_METHOD(Fixture, "writing a part of a value by path writes the whole va
                contains("the parts x and y"));
 }
 
-TEST_CASE_METHOD(Fixture, "a class may redeclare the default of what it inherits") {
+TEST_CASE_METHOD(Fixture, "a class may redeclare the default of a property that it inherits") {
     ClassDescriptor d;
     d.name = "HeavyBall";
     d.base = "Ball";
@@ -219,7 +219,7 @@ TEST_CASE_METHOD(Fixture, "an invalid class descriptor is refused") {
     CHECK_THROWS_AS(tree.define(d), Error);
 }
 
-TEST_CASE_METHOD(Fixture, "references accept only living instances of their class") {
+TEST_CASE_METHOD(Fixture, "references accept only existing instances of their class") {
     tree.set_or_add(ball, "target", world);
     CHECK(tree.text(tree.get(ball, "target")) == "world");
     const Handle other = tree.create(*module.type, world, "other");

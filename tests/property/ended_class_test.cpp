@@ -29,7 +29,7 @@ const Class& define_lamp(Tree& tree, Lamp& lamp) {
 
 }  // namespace
 
-TEST_CASE("an ended class has no instances and gets none") {
+TEST_CASE("an ended class has no instances and none can be made") {
     Tree tree;
     Lamp lamp;
     const Class& ended = define_lamp(tree, lamp);
@@ -59,7 +59,7 @@ TEST_CASE("an ended class has no instances and gets none") {
     tree.restore(tree.snapshot());
 }
 
-TEST_CASE("a class ends where instances can be deleted and unless the root is one of it") {
+TEST_CASE("a class of the root or of another tree cannot be ended") {
     Tree tree, other;
     Lamp lamp;
     const Class& ended = define_lamp(tree, lamp);

@@ -305,7 +305,7 @@ TEST_CASE("invalid numbers in a descriptor are refused") {
 }
 
 TEST_CASE(
-    "a lifecycle function that begins to watch everything leaves no value of the dead watched") {
+    "a lifecycle function that watches everything leaves no watched value of a deleted instance") {
     Connection watched;
     Tree tree;
     ClassDescriptor of{.name = "Watching"};

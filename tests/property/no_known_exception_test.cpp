@@ -50,14 +50,14 @@ TEST_CASE("a handler that throws an unknown type is reported like any other") {
     tree.set_or_add(node, "width", 1.0);
     std::string reported;
     tree.on_handler_error([&](const HandlerError& error) { reported += error.message + ";"; });
-    int heard = 0;
+    int reports = 0;
     tree.watch(node, "width", [](const Change&) { throw 5; });
-    tree.watch(node, "width", [&](const Change&) { ++heard; });
+    tree.watch(node, "width", [&](const Change&) { ++reports; });
     tree.at_barrier([] { throw "text"; });
-    tree.at_barrier([&] { ++heard; });
+    tree.at_barrier([&] { ++reports; });
     tree.set(node, "width", 2.0);
     tree.barrier();
-    CHECK(heard == 2);
+    CHECK(reports == 2);
     CHECK(reported == std::string(unknown) + ";" + unknown + ";");
 }
 
@@ -120,16 +120,16 @@ TEST_CASE("a question needs as many values as its event has fields") {
     BallModule module(tree);
     const Handle ball = tree.create(*module.type, tree.root(), "ball");
     const Event& bounced = *module.type->event("bounced");
-    int asked = 0;
-    tree.on(ball, bounced, [&](const Occurrence&) { ++asked; });
+    int calls_of_question = 0;
+    tree.on(ball, bounced, [&](const Occurrence&) { ++calls_of_question; });
     std::vector<Value> none, right(bounced.fields.size(), Value(1.0)), many(9, Value(1.0));
     CHECK_THROWS_WITH(call_handlers(tree, ball, bounced, none, 0), contains("and was given 0"));
     CHECK_THROWS_WITH(call_handlers(tree, ball, bounced, many, 0), contains("and was given 9"));
     const Handle node = tree.create(tree.object_class(), tree.root(), "node");
     CHECK_THROWS_WITH(call_handlers(tree, node, bounced, right, 0), contains("no such event"));
-    CHECK(asked == 0);
+    CHECK(calls_of_question == 0);
     call_handlers(tree, ball, bounced, right, 0);
-    CHECK(asked == 1);
+    CHECK(calls_of_question == 1);
 }
 
 TEST_CASE("a column without memory is reported when the class gets its first instance") {

@@ -35,7 +35,8 @@ TEST_CASE(
     const auto ends = [](const char* who, const std::function<void()>& act) {
         INFO(who);
         tree = std::make_unique<Tree>();
-        CHECK_THAT(last_words(act), contains(std::string("the tree is destroyed by ") + who));
+        CHECK_THAT(termination_message(act),
+                   contains(std::string("the tree is destroyed by ") + who));
     };
     ends("the function given to mark_weight", [] {
         tree->mark_weight(tree->weight(), [] { tree.reset(); });

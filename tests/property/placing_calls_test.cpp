@@ -257,7 +257,7 @@ TEST_CASE("a draw function may move and delete instances") {
     CHECK(guests.over == "d ");
 }
 
-TEST_CASE("a child of the root is not called game after a move either") {
+TEST_CASE("no move gives a child of the root the name game") {
     Tree tree;
     const Handle a = tree.create(tree.object_class(), {}, "game");
     tree.move(a, tree.root());

@@ -67,7 +67,7 @@ TEST_CASE_METHOD(Places, "an instance with a place in the world keeps it below a
     CHECK(near(at(make("Place", second, {0, 2}), 0), {11, 2}));
 }
 
-TEST_CASE_METHOD(Places, "an instance below no instance with a place has none") {
+TEST_CASE_METHOD(Places, "an instance without a placed ancestor has no place") {
     CHECK_FALSE(place_below(tree, make("Object", tree.root()), false, 1).has_value());
     CHECK_FALSE(place_below(tree, tree.root(), false, 1).has_value());
     CHECK(place_below(tree, make("Place", tree.root()), false, 1).has_value());

@@ -28,7 +28,7 @@ TEST_CASE("each code point that is appended is decoded again") {
     CHECK(next_code_point(text, 1000) == text.size());
 }
 
-TEST_CASE("what is not valid UTF-8 becomes U+FFFD, and no result lies beyond the text") {
+TEST_CASE("invalid UTF-8 is decoded as U+FFFD and no position is beyond the text") {
     for (const char* bad : {"\x80", "\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80",
                             "\xf8\x88\x80\x80\x80", "\xff", "\xe2\x82", "\xf0\x9f\x98"}) {
         const std::string text = bad;

@@ -69,14 +69,14 @@ TEST_CASE_METHOD(Fixture, "changes contain their cause and step") {
 TEST_CASE_METHOD(Fixture,
                  "a watcher of one instance does not make writes of other instances slower") {
     tree.watch(tree.create(tree.object_class(), tree.root(), "settings"), note("a"));
-    int asked = 0;
+    int reads = 0;
     std::function<std::string()> locate = [&] {
-        ++asked;
+        ++reads;
         return std::string("main.lua:30");
     };
     Tree::CauseScope scope(tree, Writer::script, &locate);
     for (int i = 2; i < 9; ++i) tree.set(ball, "mass", i);
-    CHECK(asked == 0);
+    CHECK(reads == 0);
 }
 
 TEST_CASE_METHOD(Fixture, "changes by the simulation are found at the barrier after the step") {

@@ -20,7 +20,7 @@ ClassDescriptor described(const char* name, const char* base, std::uint32_t weig
 
 }  // namespace
 
-TEST_CASE("an instance weighs what its module needs for it, also that of a derived class") {
+TEST_CASE("the weight of an instance contains what its module needs even in a derived class") {
     Tree tree;
     const Class& plain = tree.define(described("Plain", "Object", 0));
     const Class& heavy = tree.define(described("Heavy", "Object", 5000));
@@ -43,7 +43,7 @@ TEST_CASE("an instance weighs what its module needs for it, also that of a deriv
     CHECK(weight_of(heavier) == least + 7000);
 }
 
-TEST_CASE("texts and lists weigh what they have, as long as their instance lives") {
+TEST_CASE("the weight of texts and lists is counted as long as their instance exists") {
     Tree tree;
     ClassDescriptor d = described("Line", "Object", 0);
     d.properties.push_back({.name = "label", .type = Type::text});
@@ -65,7 +65,7 @@ TEST_CASE("texts and lists weigh what they have, as long as their instance lives
         tree.destroy(line);
         tree.barrier();
     }
-    // The name stays known.
+    // What is left is the name, which the tree does not forget.
     CHECK(tree.weight() - empty < 1000);
 }
 

@@ -81,7 +81,7 @@ TEST_CASE("an instance prints as a table with units and a set as rows") {
     CHECK(s.console("world:all('Circle'):set('radius', 1) and nil") != "");
 }
 
-TEST_CASE("query takes the words behind it and the name of a class and reports a misspelt name") {
+TEST_CASE("query accepts conditions without quotes and a class and reports a misspelt name") {
     Stage s;
     s.run("Ball = class('Ball', Body) {} world.ball = Ball { mass = 2, Circle {} }");
     CHECK_THAT(s.console("query mass > 1"), contains("world.ball"));
@@ -135,7 +135,7 @@ TEST_CASE("the console says what the name of a new property may mean") {
     CHECK(s.console("world.ball.hq = 3") == "world.ball.hq: nil → 3");
 }
 
-TEST_CASE("what a list leaves out is folded behind the line that counts it") {
+TEST_CASE("the entries that a list leaves out are folded into the line with their number") {
     Stage s;
     s.run("for i = 1, 107 do world['b' .. i] = Body {} end");
     const stage::Evaluation typed = s.runtime->evaluate("world:children()");
@@ -306,7 +306,7 @@ bool has(const std::vector<std::string>& list, const std::string& name) {
 }
 
 // The input with the first candidate inserted.
-std::string taken(Stage& s, const std::string& input) {
+std::string completed(Stage& s, const std::string& input) {
     const auto list = s.runtime->complete(input, input.size());
     if (list.empty()) return "";
     return input.substr(0, list[0].replace_from) + list[0].text;
@@ -344,31 +344,31 @@ TEST_CASE("completion includes paths and keys and methods and enumerators") {
         "world.ball = Body { mass = 2 }; world[\"my ball\"] = Body {}; lives = 3; "
         "world['球と箱'] = Body {} "
         "Ball = class('Ball', Body) {} function Ball:hurt() end world.b2 = Ball {}");
-    CHECK(taken(s, "wor") == "world");
-    CHECK(taken(s, "print(world.ba") == "print(world.ball");
-    CHECK(taken(s, "world.ball.mas") == "world.ball.mass");
-    CHECK(taken(s, "world.ball.frction") == "world.ball.friction");
-    CHECK(taken(s, "world.ball.xyz") == "");
-    CHECK(taken(s, "world.ball.frct") == "world.ball.friction");
-    CHECK(taken(s, "world.ball:nu") == "world.ball:nudge");
-    CHECK(taken(s, "world.b2:hu") == "world.b2:hurt");
-    CHECK(taken(s, "world.my") == "world[\"my ball\"]");
-    CHECK(taken(s, "world[\"my ball\"].mas") == "world[\"my ball\"].mass");
-    CHECK(taken(s, "world[\"my") == "world[\"my ball\"]");
-    CHECK(taken(s, "world['ba") == "world.ball");
+    CHECK(completed(s, "wor") == "world");
+    CHECK(completed(s, "print(world.ba") == "print(world.ball");
+    CHECK(completed(s, "world.ball.mas") == "world.ball.mass");
+    CHECK(completed(s, "world.ball.frction") == "world.ball.friction");
+    CHECK(completed(s, "world.ball.xyz") == "");
+    CHECK(completed(s, "world.ball.frct") == "world.ball.friction");
+    CHECK(completed(s, "world.ball:nu") == "world.ball:nudge");
+    CHECK(completed(s, "world.b2:hu") == "world.b2:hurt");
+    CHECK(completed(s, "world.my") == "world[\"my ball\"]");
+    CHECK(completed(s, "world[\"my ball\"].mas") == "world[\"my ball\"].mass");
+    CHECK(completed(s, "world[\"my") == "world[\"my ball\"]");
+    CHECK(completed(s, "world['ba") == "world.ball");
     CHECK(has(labels(s, "print(world[\""), "my ball"));
     CHECK(labels(s, "nothing[\"").empty());
-    CHECK(taken(s, "world.球") == "world[\"球と箱\"]");
-    CHECK(taken(s, "world.ball.type = \"ki") == "world.ball.type = \"kinematic");
+    CHECK(completed(s, "world.球") == "world[\"球と箱\"]");
+    CHECK(completed(s, "world.ball.type = \"ki") == "world.ball.type = \"kinematic");
     CHECK(has(labels(s, "world.ball.type = "), "static"));
-    CHECK(taken(s, "world.ball.awake = f") == "world.ball.awake = false");
-    CHECK(taken(s, "Body { mas") == "Body { mass");
-    CHECK(taken(s, "Body { mass = 2, fric") == "Body { mass = 2, friction");
-    CHECK(taken(s, "Body { type = \"st") == "Body { type = \"static");
-    CHECK(taken(s, "color(\"tomat") == "color(\"tomato");
-    CHECK(taken(s, "world.ball:on(\"cont") == "world.ball:on(\"contact_begin");
-    CHECK(taken(s, "world:find(\"Bo") == "world:find(\"Body");
-    CHECK(taken(s, "world.gravity.") == "world.gravity.x");
+    CHECK(completed(s, "world.ball.awake = f") == "world.ball.awake = false");
+    CHECK(completed(s, "Body { mas") == "Body { mass");
+    CHECK(completed(s, "Body { mass = 2, fric") == "Body { mass = 2, friction");
+    CHECK(completed(s, "Body { type = \"st") == "Body { type = \"static");
+    CHECK(completed(s, "color(\"tomat") == "color(\"tomato");
+    CHECK(completed(s, "world.ball:on(\"cont") == "world.ball:on(\"contact_begin");
+    CHECK(completed(s, "world:find(\"Bo") == "world:find(\"Body");
+    CHECK(completed(s, "world.gravity.") == "world.gravity.x");
     CHECK(has(labels(s, "liv"), "lives"));
     CHECK(has(labels(s, "string."), "format"));
     CHECK(has(labels(s, "world.gravity:"), "length"));
@@ -383,8 +383,8 @@ TEST_CASE("completion includes paths and keys and methods and enumerators") {
         if (candidate.label == "z")
             CHECK_THAT(candidate.detail, Catch::Contains("· -1e9 to 1e9 · "));
     s.run("for i = 1, 20000 do world:add(Circle {}) end");
-    CHECK(taken(s, "world.ball.mas") == "world.ball.mass");
-    CHECK(taken(s, "world.gravi") == "world.gravity");
+    CHECK(completed(s, "world.ball.mas") == "world.ball.mass");
+    CHECK(completed(s, "world.gravi") == "world.gravity");
     CHECK(labels(s, "world.").size() == 200);
     // Completion runs no function of a script.
     s.run(
@@ -408,7 +408,7 @@ TEST_CASE("completion compares a bounded number of names and describes those tha
     CHECK(has(labels(s, "world.b45"), "b4501"));
     CHECK_FALSE(has(labels(s, "world.b4"), "b4501"));
     CHECK(labels(s, "world.b4500").at(0) == "b4500");
-    CHECK(taken(s, "world.b4500.mas") == "world.b4500.mass");
+    CHECK(completed(s, "world.b4500.mas") == "world.b4500.mass");
     CHECK(labels(s, "world.b4500.").size() > 10);
     s.run("for i = 1, 5000 do many['k' .. i] = i end");
     CHECK(labels(s, "many.k").size() == 200);
@@ -428,9 +428,9 @@ TEST_CASE("completion compares a bounded number of names and describes those tha
     s.tree->define(std::move(counted));
     s.run("world.counted = Counted {}");
     reads = 0;
-    CHECK(taken(s, "world.counted.siz") == "world.counted.size");
+    CHECK(completed(s, "world.counted.siz") == "world.counted.size");
     CHECK(reads == 0);
-    CHECK(taken(s, "world.counted.alp") == "world.counted.alpha");
+    CHECK(completed(s, "world.counted.alp") == "world.counted.alpha");
     CHECK(reads == 1);
 }
 

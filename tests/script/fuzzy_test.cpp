@@ -59,7 +59,7 @@ TEST_CASE("fuzzy matching returns the matching letters") {
     CHECK(positions("", "friction") == Positions{});
 }
 
-TEST_CASE("the score alone is that of the match") {
+TEST_CASE("the score without positions equals the score of a match") {
     const std::vector<std::string> texts = {
         "",       "a",          "m",    "gs",   "avel",
         "ct",     "frixt",      "Mass", "mass", "amass",

@@ -336,7 +336,7 @@ TEST_CASE("classes that derive from each other have the memory limit of the game
                contains("memory") && contains("a chunk may use") && contains("64 MB"));
 }
 
-TEST_CASE("what the scripts of a trusted game add to the tree is limited, call by call") {
+TEST_CASE("what each call of a script of a trusted game adds to the tree is limited") {
     auto options = stage::unhurried();
     options.limits.tree = std::size_t{8} << 20;
     options.limits.tree_setting = "the host";

@@ -13,7 +13,7 @@ using fettle::script::Runtime;
 
 namespace {
 
-std::string error_of(const std::function<void()>& act) {
+std::string message_of(const std::function<void()>& act) {
     try {
         act();
     } catch (const std::exception& error) {
@@ -31,7 +31,7 @@ TEST_CASE("a tree has one runtime at a time and can get another one afterwards")
         "world.ball.friction = 0 world.ball.mass = formula(function() return world.ball.friction + "
         "2 end)");
     CHECK(stage.tree->get(ball, "mass") == Value(2.0));
-    CHECK(error_of([&] { Runtime second(*stage.tree, {}); }) ==
+    CHECK(message_of([&] { Runtime second(*stage.tree, {}); }) ==
           "the tree has a runtime already: it has one at a time");
     stage.run("world.ball.friction = 0.25");  // the first still works
     stage.runtime = nullptr;
@@ -64,7 +64,7 @@ TEST_CASE("a runtime that outlives its tree reports this and ends without harm")
         [&] { runtime.load("nowhere.lua"); },
     };
     for (const auto& call : calls)
-        CHECK_THAT(error_of(call), contains("the tree of this runtime was destroyed"));
+        CHECK_THAT(message_of(call), contains("the tree of this runtime was destroyed"));
     CHECK(runtime.memory() > 0);
     CHECK_FALSE(runtime.quit_status());
 }
@@ -108,7 +108,7 @@ TEST_CASE("a function called by a runtime may destroy the runtime") {
             runtime.step(1, 1);
         } else if (way == "print in a formula") {
             runtime.run("game.f = formula(function() print(1) return 5 end)", "main.lua");
-            (void)error_of([&] { (void)stage.tree->get(stage.tree->root(), "f"); });
+            (void)message_of([&] { (void)stage.tree->get(stage.tree->root(), "f"); });
         } else {
             static std::function<void()> to_call;
             to_call = end;
@@ -182,7 +182,7 @@ TEST_CASE("loading a game while a script of the runtime runs is refused") {
     Stage stage;
     std::string said;
     stage.runtime->on_print(
-        [&](std::string_view) { said = error_of([&] { stage.runtime->load("main.lua"); }); });
+        [&](std::string_view) { said = message_of([&] { stage.runtime->load("main.lua"); }); });
     CHECK(stage.runtime->run("print(1)", "main.lua"));
     CHECK_THAT(said, contains("no game can be loaded while a script"));
 }
@@ -195,7 +195,7 @@ TEST_CASE("a runtime with too little memory is refused and the tree is unchanged
         INFO(limit);
         Options options;
         options.memory_limit = limit;
-        const std::string message = error_of([&] { Runtime runtime(tree, options); });
+        const std::string message = message_of([&] { Runtime runtime(tree, options); });
         refused += message != "no error";
         CHECK(tree.parts().empty());
         CHECK(tree.watcher_count() == 0);

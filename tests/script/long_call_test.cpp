@@ -114,16 +114,17 @@ result = spin()
     CHECK(s.prints("print(result)") == "7");
 }
 
-TEST_CASE("the host is asked again at intervals about a long call until it is stopped") {
+TEST_CASE(
+    "the function of the host for long calls is called at intervals until the call is stopped") {
     Stage s;
-    int asked = 0;
-    s.runtime->limit_calls(patience, [&](const LongCall&) { return ++asked < 4; });
+    int host_calls = 0;
+    s.runtime->limit_calls(patience, [&](const LongCall&) { return ++host_calls < 4; });
     s.fails("while true do end");
-    CHECK(asked == 4);
+    CHECK(host_calls == 4);
     // The same within a coroutine.
-    asked = 0;
+    host_calls = 0;
     s.fails("coroutine.wrap(function() while true do end end)()");
-    CHECK(asked == 4);
+    CHECK(host_calls == 4);
 }
 
 TEST_CASE("a long call whose runtime is destroyed is stopped with any answer") {
@@ -147,10 +148,10 @@ TEST_CASE("calls are limited only if the host requests it") {
 
 TEST_CASE("a console command keeps its own budget while calls are limited") {
     Stage s;
-    int asked = 0;
-    s.runtime->limit_calls(patience, [&](const LongCall&) { return ++asked > 0; });
+    int host_calls = 0;
+    s.runtime->limit_calls(patience, [&](const LongCall&) { return ++host_calls > 0; });
     CHECK_THAT(s.console("while true do end"), contains("instructions") || contains("seconds"));
-    CHECK(asked == 0);
+    CHECK(host_calls == 0);
 }
 
 TEST_CASE("an endless call is stopped by default for every kind of runtime") {

@@ -36,7 +36,7 @@ TEST_CASE("a library that names the property does not make a message name it twi
           "main.lua:1: world.hull.vertices: needs three vertices");
 }
 
-TEST_CASE("a missing name without a near one is reported with the way to ask for it") {
+TEST_CASE("an unknown name without a similar one is reported with a way to ask whether it exists") {
     Stage s;
     CHECK_THAT(s.fails("if world.player_one then end"),
                contains("no such name; world:has(\"player_one\") asks whether there is one"));

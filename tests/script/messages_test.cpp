@@ -457,7 +457,7 @@ TEST_CASE("a path contains no control characters") {
     CHECK(s.prints("print(" + path + ".name == \"" + name + "\")") == "true");
 }
 
-TEST_CASE("nouns have the right article") {
+TEST_CASE("messages have the right article before a noun") {
     Stage s;
     s.run("Actor = class('Actor', Body) {} world.ball = Body {}");
     CHECK_THAT(s.fails("formula(Actor {})"), contains("not an Actor"));
@@ -471,7 +471,7 @@ TEST_CASE("nouns have the right article") {
     CHECK(with_article("") == "a ");
 }
 
-TEST_CASE("values that no property holds are named by what they are") {
+TEST_CASE("a value that no property can have is described by its type") {
     Stage s;
     CHECK_THAT(s.fails("game.x = { formula(function() return 1 end) }"),
                contains("game.x: a formula is not a value of a property"));

@@ -40,7 +40,7 @@ TEST_CASE("a name without quotes that no property takes keeps its hint") {
     CHECK(s.fails("static()").find("quotes") == std::string::npos);
     CHECK(s.fails("local x = static").find("quotes") == std::string::npos);
     CHECK(s.fails("local x = (static or 0) + 1").find("quotes") == std::string::npos);
-    // In a line that has the word very often, only the first places are looked at.
+    // In a line that has the word very often, only the first places are examined.
     std::string line = "x = static world.ball.type = static";
     CHECK_THAT(s.fails(line), contains("type = \"static\""));
     for (int i = 0; i < 100; ++i) line.insert(0, "x = static ");

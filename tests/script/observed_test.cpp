@@ -70,7 +70,7 @@ TEST_CASE("a function that is a formula keeps the instance that was selected") {
     CHECK(s.get("world.ball.friction") == Value(0.25));
 }
 
-TEST_CASE("only the variable it stands for the selected instance") {
+TEST_CASE("only the variable named it is the selected instance") {
     TwoBodies s;
     s.console("game.note = Object {}");
     s.console("game.note.it = 8");

@@ -25,7 +25,7 @@ struct Game : Stage {
 }  // namespace
 
 TEST_CASE(
-    "a handler that uses an instance that a restore removed leaves a note and the game goes on") {
+    "a handler that uses an instance removed by a restore causes a note and the game goes on") {
     Game s;
     s.run(
         "function step() if mine then print(mine.mass) end print('step') end mine = nil "
@@ -51,7 +51,7 @@ TEST_CASE(
     CHECK(s.printed[1] == "timer\tnil");
 }
 
-TEST_CASE("an error that only quotes one about what a restore took away is an error") {
+TEST_CASE("an error that only quotes an error about a removed instance stays an error") {
     Game s;
     const auto taken = s.tree->snapshot();
     s.run("world.ball = Body {} mine = world.ball");
@@ -67,7 +67,7 @@ TEST_CASE("an error that only quotes one about what a restore took away is an er
     CHECK(s.notes.empty());
 }
 
-TEST_CASE("a chunk that touches what a restore took away is an error") {
+TEST_CASE("a chunk that uses an instance removed by a restore is an error") {
     Game s;
     const auto taken = s.tree->snapshot();
     s.run("world.ball = Body {} mine = world.ball");
@@ -75,7 +75,7 @@ TEST_CASE("a chunk that touches what a restore took away is an error") {
     CHECK_THAT(s.fails("print(mine.mass)"), contains("by restore"));
 }
 
-TEST_CASE("a handler that touches what a script deleted is still an error") {
+TEST_CASE("a handler that uses an instance deleted by a script is an error") {
     Game s;
     s.run("world.ball = Body {} mine = world.ball function step() print(mine.mass) end");
     s.step();
@@ -85,12 +85,12 @@ TEST_CASE("a handler that touches what a script deleted is still an error") {
     CHECK(s.notes.empty());
 }
 
-TEST_CASE("a short name that is gone is not taken for a method") {
+TEST_CASE("the name of a deleted instance is not taken for a method") {
     Game s;
     s.run("world.ball = Body {} world.ball:delete()");
-    const std::string said = s.fails("print(world.ball)");
-    CHECK_THAT(said, contains("world.ball: no such name"));
-    CHECK(said.find("did you mean") == std::string::npos);
+    const std::string message = s.fails("print(world.ball)");
+    CHECK_THAT(message, contains("world.ball: no such name"));
+    CHECK(message.find("did you mean") == std::string::npos);
 }
 
 TEST_CASE("a vector in a variable is connected and a note says so once") {

@@ -66,9 +66,9 @@ TEST_CASE("a reload reports that start has changed and is not called again") {
         return game.runtime->reload({"main.lua"}).notes;
     };
     CHECK(notes("world.size = 0 " + code("local x = 1\n", "-10")).empty());
-    const std::vector<std::string> told = notes("world.size = 0 " + code("", "-2"));
-    REQUIRE(told.size() == 1);
-    CHECK_THAT(told[0], contains("start() has changed"));
+    const std::vector<std::string> reported = notes("world.size = 0 " + code("", "-2"));
+    REQUIRE(reported.size() == 1);
+    CHECK_THAT(reported[0], contains("start() has changed"));
     CHECK(stage::joined(game.printed) == "start");
     CHECK(notes("world.size = 0 " + code("", "-2")).empty());
     CHECK(notes("world.size = 0").empty());
@@ -158,7 +158,7 @@ TEST_CASE("children and values that the file adds to game itself are compared wi
     CHECK(game.number("sounds.n") == 2);
     CHECK(game.get("sounds.played").boolean());
     CHECK(game.number("more.n") == 5);
-    CHECK(game.number("level") == 7);  // the file says what it said before
+    CHECK(game.number("level") == 7);  // the value in the file has not changed
     game.run("assert(game.menu == kept)");
     CHECK(game.change("game:add(Object { n = 2 }, 'sounds') game.level = 4").empty());
     CHECK(game.number("level") == 4);

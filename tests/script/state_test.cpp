@@ -125,7 +125,7 @@ world.door:delete()
     CHECK(s.get("world.gate.open_for") == Value(2));  // the step of the base
 }
 
-TEST_CASE("a state changed within leave or enter ends where it was sent last") {
+TEST_CASE("the last state that leave or enter set is the state afterwards") {
     Stage s;
     s.run(R"lua(
 A = class("A", Object) { current_state = "a", states = {
@@ -155,7 +155,7 @@ TEST_CASE("functions of states are replaced while the game runs") {
     CHECK(s.printed.back() == "ajar");
 }
 
-TEST_CASE("states that cannot work are errors that name the place") {
+TEST_CASE("invalid states are errors that name the place") {
     Stage s;
     CHECK_THAT(s.fails("class('A', Object) { states = { walk = { entr = print } } }"),
                contains("A.states.walk.entr: a state has enter, step and leave (did you mean "
@@ -217,7 +217,7 @@ TEST_CASE("a variable whose type state changes keeps its value and a note says s
                              "begins it as \"none\" (text) now: the old value stays"));
 }
 
-TEST_CASE("a state that a script adds later is one as the others") {
+TEST_CASE("a state that a script adds later works like the others") {
     Stage s;
     s.run(door);
     s.step();

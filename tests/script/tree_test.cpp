@@ -404,7 +404,7 @@ TEST_CASE("no child gets the name of a method of every instance") {
         "'a_2')");
 }
 
-TEST_CASE("a child of game that is gone says what became of it") {
+TEST_CASE("the error for a former child of game says whether it was renamed or deleted") {
     const TemporaryFolder folder;
     std::ofstream(folder.path / "main.lua")
         << "yard.name = 'arena' print(select(2, pcall(function() return yard end)))\n"

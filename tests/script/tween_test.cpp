@@ -143,7 +143,7 @@ TEST_CASE("every ease begins at 0 and ends at 1") {
     }
 }
 
-TEST_CASE("eases go the way that their names say") {
+TEST_CASE("each ease follows the curve of its name") {
     const auto half_way = [](const std::string& name, int steps) {
         Game s;
         s.run("ball.position = vec(0, 0) tween(ball, 'position', vec(1, 0), 1, '" + name + "')");
@@ -203,7 +203,7 @@ TEST_CASE("a tween that is impossible is an error at once") {
     CHECK(s.tweens() == 0);
 }
 
-TEST_CASE("a tween that is made by its class is refused there if it is impossible") {
+TEST_CASE("an impossible tween made by its class is an error at the line that makes it") {
     Game s;
     CHECK_THAT(s.fails("Tween { target = ball, property = 'mas', to = 2 }"),
                contains("Tween: world.ball has no property \"mas\" (did you mean \"mass\"?)"));
@@ -272,7 +272,7 @@ TEST_CASE("finished is emitted once in the step in which the value is reached") 
     CHECK(stage::joined(s.printed) == "2.0\ttrue\t30");
 }
 
-TEST_CASE("a tween is paused and moved and stopped live") {
+TEST_CASE("a tween can be paused and moved and stopped while it runs") {
     Game s;
     s.run("ball.mass = 1 t = tween(ball, 'mass', 2, 1)");
     s.step(15);
@@ -359,7 +359,7 @@ TEST_CASE("tweens run together and groups within groups") {
     CHECK(s.tweens() == 0);
 }
 
-TEST_CASE("a group refuses what is not a tween and groups too deep") {
+TEST_CASE("a group refuses other instances than tweens and too many levels of groups") {
     Game s;
     CHECK_THAT(s.fails("tween.sequence { ball }"), contains("element 1 is a Body"));
     CHECK_THAT(s.fails("tween.parallel { 1 }"), contains("element 1 is an integer"));

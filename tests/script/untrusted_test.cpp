@@ -177,7 +177,7 @@ TEST_CASE("the drawing of an untrusted game is counted as instructions") {
                contains("main.lua:1: stopped: it ran past its budget of 1000000 instructions"));
 }
 
-TEST_CASE("a game within its limits runs as any other one") {
+TEST_CASE("an untrusted game within its limits runs normally") {
     Stage s(limited());
     s.run("world.ball = Body { } function step() world.ball.mass = world.ball.mass + 1 end");
     s.step(100);

@@ -20,7 +20,7 @@ using fettle::script::Runtime;
 
 namespace {
 
-std::string error_of(const std::function<void()>& act) {
+std::string message_of(const std::function<void()>& act) {
     try {
         act();
     } catch (const Error& error) {
@@ -35,11 +35,11 @@ TEST_CASE("a runtime refuses invalid times") {
     Stage stage;
     const double nan = std::nan("");
     for (const double wrong : {nan, -1.0, std::numeric_limits<double>::infinity()}) {
-        CHECK_THAT(error_of([&] { stage.runtime->limit_calls(wrong, {}); }),
+        CHECK_THAT(message_of([&] { stage.runtime->limit_calls(wrong, {}); }),
                    contains("limit_calls: seconds = "));
-        CHECK_THAT(error_of([&] { stage.runtime->step(wrong, 0.1); }), contains("now = "));
-        CHECK_THAT(error_of([&] { stage.runtime->step(1, wrong); }), contains("dt = "));
-        CHECK_THAT(error_of([&] {
+        CHECK_THAT(message_of([&] { stage.runtime->step(wrong, 0.1); }), contains("now = "));
+        CHECK_THAT(message_of([&] { stage.runtime->step(1, wrong); }), contains("dt = "));
+        CHECK_THAT(message_of([&] {
                        Tree tree;
                        Options options;
                        options.call_seconds = wrong;
@@ -52,7 +52,7 @@ TEST_CASE("a runtime refuses invalid times") {
 
 TEST_CASE("a wrong time is written without superfluous digits") {
     Stage stage;
-    CHECK_THAT(error_of([&] { stage.runtime->limit_calls(-1, {}); }),
+    CHECK_THAT(message_of([&] { stage.runtime->limit_calls(-1, {}); }),
                contains("limit_calls: seconds = -1: expected a time in seconds, at least 0"));
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("too little memory for a command is reported with the required amount"
     Tree tree;
     Options options;
     options.console_memory = 0;
-    CHECK_THAT(error_of([&] { Runtime runtime(tree, options); }),
+    CHECK_THAT(message_of([&] { Runtime runtime(tree, options); }),
                contains("Options::console_memory = 0 bytes: a command needs 65536 at least"));
     options.console_memory = std::size_t{1} << 16;
     CHECK(Runtime(tree, options).evaluate("x = {1, 2, 3}").ok);
@@ -70,7 +70,7 @@ TEST_CASE("too little memory for Lua is reported with the required amount") {
     Tree tree;
     Options options;
     options.memory_limit = 1000;
-    CHECK_THAT(error_of([&] { Runtime runtime(tree, options); }),
+    CHECK_THAT(message_of([&] { Runtime runtime(tree, options); }),
                contains("Options::memory_limit = 1000 bytes: Lua with its library needs 1048576"));
     options.memory_limit = std::size_t{1} << 20;
     Runtime runtime(tree, options);
@@ -86,18 +86,18 @@ TEST_CASE("a game with an empty path is a file that cannot be read") {
 TEST_CASE("an exception of no known type of a function of the host is an error with a text") {
     Stage stage;
     stage.runtime->add_function("spill", [](auto) -> fettle::property::Value { throw 3; });
-    std::string said;
-    stage.runtime->on_print([&](std::string_view line) { said += line; });
+    std::string message;
+    stage.runtime->on_print([&](std::string_view line) { message += line; });
     CHECK(stage.runtime->run("local ok, text = pcall(spill) print(text)", "main.lua"));
-    CHECK(said == "main.lua:1: an exception of no known type");
+    CHECK(message == "main.lua:1: an exception of no known type");
 }
 
 TEST_CASE("a function of the host has a name and a function") {
     Stage stage;
-    CHECK(error_of([&] { stage.runtime->add_function("spill", {}); }) ==
+    CHECK(message_of([&] { stage.runtime->add_function("spill", {}); }) ==
           "add_function: spill: expected a function, got an empty one");
     for (const char* wrong : {"", "a b", "end"}) {
-        CHECK_THAT(error_of([&] {
+        CHECK_THAT(message_of([&] {
                        stage.runtime->add_function(wrong,
                                                    [](auto) { return fettle::property::Value(); });
                    }),
@@ -108,7 +108,7 @@ TEST_CASE("a function of the host has a name and a function") {
 TEST_CASE("a function for commands that destroys the tree ends the command") {
     Stage stage;
     stage.runtime->on_command([&](std::string_view) { stage.tree.reset(); });
-    CHECK_THAT(error_of([&] { stage.runtime->evaluate("1 + 1"); }),
+    CHECK_THAT(message_of([&] { stage.runtime->evaluate("1 + 1"); }),
                contains("the tree of this runtime was destroyed"));
 }
 

@@ -44,7 +44,7 @@ TEST_CASE("a missing file is an error with the nearest name of the same kind") {
     CHECK(assets.names(pictures) == std::vector<std::string>{"hero.PNG"});
 }
 
-TEST_CASE("a name that leads out of the folder of the game is refused") {
+TEST_CASE("a file name that leads out of the folder of the game is refused") {
     const GameFolder game;
     GameFiles files;
     const Assets assets(files, game.path());

@@ -88,14 +88,14 @@ TEST_CASE("an endless loop of saves ends in an error and the queue is limited") 
     const GameFolder folder;
     Game game(folder);
     game.add("Thing", "a");
-    std::size_t asked = 0;
+    std::size_t requests = 0;
     std::string refused;
     try {
-        for (;; ++asked) game.saves->save("x");
+        for (;; ++requests) game.saves->save("x");
     } catch (const Error& error) {
         refused = error.what();
     }
-    CHECK(asked == GameSaves::max_requests);
+    CHECK(requests == GameSaves::max_requests);
     CHECK(refused.find("more than 1000 times at one barrier") != std::string::npos);
     game.tree.barrier();
     CHECK(game.reported.empty());

@@ -58,7 +58,7 @@ TEST_CASE("all settings of a game are read") {
     CHECK(all.window.vsync == false);
 }
 
-TEST_CASE("settings that a game does not have are empty") {
+TEST_CASE("missing settings of a game are empty") {
     const GameSettings none = settings("{}");
     CHECK(none.id.empty());
     CHECK(none.console == ConsoleUse::on);

@@ -112,7 +112,7 @@ TEST_CASE("an undone deletion returns to its place although its neighbor was ren
     CHECK(folder.text("level.json") == level);
 }
 
-TEST_CASE("a deletion stays what it is when another instance of its name is renamed") {
+TEST_CASE("a kept deletion is unchanged when another instance of that name is renamed") {
     const Level folder;
     Loaded run(folder);
     run.person([&] { run.tree.destroy(run.at("world.level.e")); });

@@ -123,7 +123,7 @@ TEST_CASE_METHOD(Fixture, "a saved game with any byte changed is refused") {
     const fs::path file = place / "a.sqlite";
     const std::string whole = bytes_of(file);
     for (std::size_t at = 0; at < whole.size(); ++at) {
-        if (!taken(at, 61)) continue;
+        if (!is_tested(at, 61)) continue;
         std::string damaged = whole;
         damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
         std::ofstream(file, std::ios::binary) << damaged;

@@ -191,7 +191,7 @@ TEST_CASE("two processes keep each other's keys") {
     CHECK(at(one, "both") == Value("one"));
 }
 
-TEST_CASE("clear removes what is there and what another process has written") {
+TEST_CASE("clear also removes values that another process has written") {
     const Place place;
     Store one(place.file(), {}), other(place.file(), {});
     one.set(Store::root, "old", table({}));
@@ -229,11 +229,12 @@ TEST_CASE("a damaged file is reported and kept beside the new one") {
     INFO(text);
     const Place place;
     place.write(text);
-    std::string told;
+    std::string warnings;
     {
-        Store store(place.file(), {.warn = [&](const std::string& warning) { told += warning; }});
+        Store store(place.file(),
+                    {.warn = [&](const std::string& warning) { warnings += warning; }});
         CHECK(store.entries(Store::root).empty());
-        CHECK(told.empty() == text.empty());
+        CHECK(warnings.empty() == text.empty());
         store.set(Store::root, "a", value(1));
     }
     CHECK(at(Store(place.file(), {}), "a") == Value(1));
@@ -243,35 +244,36 @@ TEST_CASE("a damaged file is reported and kept beside the new one") {
 }
 
 TEST_CASE(
-    "a store without a file says once that its values end with the run, unless that is wanted") {
+    "a store without a file warns once that its values end with the run unless that was "
+    "requested") {
     const bool wanted = GENERATE(false, true);
-    std::vector<std::string> told;
+    std::vector<std::string> warnings;
     Store store("", {.writes = !wanted,
-                     .warn = [&](const std::string& warning) { told.push_back(warning); }});
-    CHECK(told.empty());
+                     .warn = [&](const std::string& warning) { warnings.push_back(warning); }});
+    CHECK(warnings.empty());
     store.set(Store::root, "a", value(1));
     store.set(Store::root, "b", value(2));
     store.tick();
     store.flush();
-    CHECK(told == (wanted ? std::vector<std::string>()
-                          : std::vector<std::string>{"the store of the game ends with the run: "
-                                                     "there is no folder for it"}));
+    CHECK(warnings == (wanted ? std::vector<std::string>()
+                              : std::vector<std::string>{"the store of the game ends with the run: "
+                                                         "there is no folder for it"}));
     CHECK(at(store, "b") == Value(2));
 }
 
 TEST_CASE("a store that cannot be written is reported and written later") {
     const Place place;
     std::ofstream(place.path / "player") << "a file in the place of the folder";
-    std::string told;
-    Store store(place.file(), {.warn = [&](const std::string& warning) { told += warning; }});
+    std::string warnings;
+    Store store(place.file(), {.warn = [&](const std::string& warning) { warnings += warning; }});
     store.set(Store::root, "a", value(1));
     store.flush();
-    CHECK_THAT(told, contains("the store of the game was not written"));
-    Store named(place.file(),
-                {.warn = [&](const std::string& warning) { told = warning; }, .name = "the list"});
+    CHECK_THAT(warnings, contains("the store of the game was not written"));
+    Store named(place.file(), {.warn = [&](const std::string& warning) { warnings = warning; },
+                               .name = "the list"});
     named.set(Store::root, "a", value(1));
     named.flush();
-    CHECK_THAT(told, contains("the list was not written"));
+    CHECK_THAT(warnings, contains("the list was not written"));
     fs::remove(place.path / "player");
     store.flush();
     CHECK(at(Store(place.file(), {}), "a") == Value(1));

@@ -145,7 +145,7 @@ TEST_CASE("created and renamed instances are tweaks") {
     CHECK(run.lines().empty());
 }
 
-// With a cost of the square of their number this takes minutes.
+// This would take minutes if the cost were the square of the number of edits.
 TEST_CASE("thousands of edits inside one new instance are one tweak with the values of all") {
     constexpr int children = 5'000;
     const GameFolder folder;
@@ -194,8 +194,7 @@ TEST_CASE("thousands of edits inside one new instance are one tweak with the val
     CHECK(run.lines().empty());
 }
 
-// With a cost of the square of their number this takes minutes.
-// A second; with a look at all earlier ones for each, it would take minutes.
+// This takes a second; it would take minutes if each instance were compared with all earlier ones.
 TEST_CASE("a command that makes tens of thousands of instances with children is settled at once") {
     constexpr int count = 40'000;
     const GameFolder folder;
@@ -210,7 +209,7 @@ TEST_CASE("a command that makes tens of thousands of instances with children is 
     CHECK(run.tweaks->list().size() == count);
 }
 
-// With a look at all tweaks for each instance, this takes minutes.
+// This would take minutes if all tweaks were searched for each instance.
 TEST_CASE("tens of thousands of creations are undone and made again at once") {
     constexpr std::size_t count = 40'000;
     const GameFolder folder;

@@ -16,7 +16,7 @@ using namespace fettle::property;
 namespace {
 
 template <class Act>
-std::string error_of(const Act& act) {
+std::string message_of(const Act& act) {
     try {
         act();
     } catch (const Error& error) {
@@ -32,7 +32,7 @@ TEST_CASE("saving data that could not be loaded is refused and keeps the old sav
     const Saves saves(folder.path, "game", "program");
     const std::vector<std::byte> state(100, std::byte{7});
     saves.save("slot", 3, state, {.width = 1, .height = 1, .pixels = {1, 2, 3, 4}});
-    CHECK_THAT(error_of([&] { saves.save("slot", UINT64_MAX, {}); }),
+    CHECK_THAT(message_of([&] { saves.save("slot", UINT64_MAX, {}); }),
                contains("step 18446744073709551615: expected at most"));
     const std::vector<Thumbnail> wrong = {
         {.width = 10, .height = 10, .pixels = {}},
@@ -40,7 +40,7 @@ TEST_CASE("saving data that could not be loaded is refused and keeps the old sav
         {.width = 0, .height = 1, .pixels = {1, 2, 3, 4}},
         {.width = 2048, .height = 2049, .pixels = std::vector<std::uint8_t>(2048 * 2049 * 4)}};
     for (const Thumbnail& picture : wrong)
-        CHECK_THAT(error_of([&] { saves.save("slot", 4, {}, picture); }),
+        CHECK_THAT(message_of([&] { saves.save("slot", 4, {}, picture); }),
                    contains("expected four bytes a pixel"));
     const SavedGame loaded = saves.load("slot");
     CHECK(loaded.info.step == 3);
@@ -48,9 +48,9 @@ TEST_CASE("saving data that could not be loaded is refused and keeps the old sav
 }
 
 TEST_CASE("a picture without pixels is not scaled") {
-    CHECK_THAT(error_of([] { (void)scaled_down({.width = 10, .height = 10, .pixels = {}}, 3); }),
+    CHECK_THAT(message_of([] { (void)scaled_down({.width = 10, .height = 10, .pixels = {}}, 3); }),
                contains("10 × 10 px has 0 bytes: expected four a pixel"));
-    CHECK_THAT(error_of([] {
+    CHECK_THAT(message_of([] {
                    (void)scaled_down({.width = 1u << 31, .height = 1u << 31, .pixels = {}}, 3);
                }),
                contains("expected four a pixel"));
@@ -67,8 +67,8 @@ TEST_CASE("saved games report that their tree was destroyed") {
     tree->barrier();
     CHECK(saves.list().size() == 1);
     tree.reset();
-    CHECK_THAT(error_of([&] { saves.load("slot"); }), contains("the tree of these saved games"));
-    CHECK_THAT(error_of([&] { saves.save("slot"); }), contains("the tree of these saved games"));
+    CHECK_THAT(message_of([&] { saves.load("slot"); }), contains("the tree of these saved games"));
+    CHECK_THAT(message_of([&] { saves.save("slot"); }), contains("the tree of these saved games"));
     saves.list();
     CHECK_FALSE(saves.list().front().problem.empty());
 }

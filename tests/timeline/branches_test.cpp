@@ -154,7 +154,8 @@ TEST_CASE_METHOD(Forked, "branches beyond the limit are dropped and named ones l
     CHECK(time().branches().empty());
 }
 
-TEST_CASE_METHOD(Forked, "a branch ends when the past that is kept begins behind it") {
+TEST_CASE_METHOD(Forked,
+                 "a branch is dropped when the kept past no longer contains its beginning") {
     property::set(tree, "time.rewind_limit", Value(2.0));
     run(170);  // to step 260, of which 140 is the first that is kept
     CHECK(time().branches().empty());

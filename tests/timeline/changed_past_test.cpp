@@ -28,19 +28,19 @@ constexpr const char* bounce = R"(
 )";
 
 struct Branching : Playing {
-    using Ways = std::map<std::int64_t, Vec2>;
+    using Positions = std::map<std::int64_t, Vec2>;
     Branching() : Playing(bounce) {}
-    Ways branch(std::int64_t from, const std::function<void()>& change, const char* path) {
-        Ways ways;
+    Positions branch(std::int64_t from, const std::function<void()>& change, const char* path) {
+        Positions positions;
         time().repeat_with(from, change, [&](std::int64_t step) {
-            CHECK(ways.emplace(step, get(path).vec2()).second);
+            CHECK(positions.emplace(step, get(path).vec2()).second);
         });
-        return ways;
+        return positions;
     }
-    Ways as_it_was(std::int64_t from, const char* path) {
-        Ways ways;
-        time().review(from, [&](std::int64_t step) { ways.emplace(step, get(path).vec2()); });
-        return ways;
+    Positions as_it_was(std::int64_t from, const char* path) {
+        Positions positions;
+        time().review(from, [&](std::int64_t step) { positions.emplace(step, get(path).vec2()); });
+        return positions;
     }
 };
 
@@ -48,7 +48,7 @@ struct Branching : Playing {
 
 TEST_CASE_METHOD(Branching, "a branch without a change is the past as it was") {
     play(120);
-    const Ways was = as_it_was(20, "world.ball.position");
+    const Positions was = as_it_was(20, "world.ball.position");
     CHECK(branch(
               20, [] {}, "world.ball.position") == was);
     CHECK(was.size() == 101);
@@ -60,7 +60,7 @@ TEST_CASE_METHOD(Branching, "a branch begins after the last restored snapshot") 
     play(20);
     tree.restore(kept);
     play(30);
-    const Ways was = as_it_was(20, "world.ball.position");
+    const Positions was = as_it_was(20, "world.ball.position");
     CHECK(branch(
               20, [] {}, "world.ball.position") == was);
     CHECK(was.begin()->first == 40);
@@ -68,9 +68,9 @@ TEST_CASE_METHOD(Branching, "a branch begins after the last restored snapshot") 
 
 TEST_CASE_METHOD(Branching, "a branch differs by its change and leaves no trace") {
     play(120);
-    const Ways was = as_it_was(20, "world.ball.position");
+    const Positions was = as_it_was(20, "world.ball.position");
     const auto change = [&] { property::set(tree, "world.ball.circle.restitution", Value(0.9)); };
-    const Ways other = branch(20, change, "world.ball.position");
+    const Positions other = branch(20, change, "world.ball.position");
     REQUIRE(other.size() == was.size());
     CHECK(other.at(20) == was.at(20));
     CHECK(other.at(120) != was.at(120));
@@ -90,7 +90,7 @@ TEST_CASE_METHOD(Branching, "a branch differs by its change and leaves no trace"
 TEST_CASE_METHOD(Branching, "a branch may be made from the past") {
     play(120);
     time().go_to(80);
-    const Ways seen = branch(
+    const Positions seen = branch(
         30, [] {}, "world.ball.position");
     CHECK(seen.begin()->first == 30);
     CHECK(seen.rbegin()->first == 80);
@@ -148,7 +148,7 @@ TEST_CASE_METHOD(Branching, "an exception in a branch leaves the game as it was"
 TEST_CASE_METHOD(Branching, "a write of a script that a branch refuses is left out") {
     play(60);
     // At step 30 the script sets the velocity of a body that cannot move in the branch.
-    const Ways other = branch(
+    const Positions other = branch(
         20, [&] { property::set(tree, "world.other.type", Value("static")); },
         "world.other.position");
     CHECK(other.at(20) == other.at(60));

@@ -81,7 +81,7 @@ TEST_CASE_METHOD(Failing, "a game may also go on after the failed step") {
     CHECK(get("world.ball.velocity") == velocity);
 }
 
-TEST_CASE_METHOD(Failing, "one may look at the past of a failed step and stay there") {
+TEST_CASE_METHOD(Failing, "the past before a failed step can be shown and continued") {
     fail_at_40();
     time().go_to(20);
     CHECK(loop->hash() == hashes[20]);

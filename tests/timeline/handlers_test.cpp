@@ -13,7 +13,7 @@ using fettle::app::Playing;
 namespace {
 
 /// The printed lines since the last call, joined by spaces.
-std::string heard(Playing& game) {
+std::string new_output(Playing& game) {
     std::string all;
     for (const std::string& line : game.printed) all += (all.empty() ? "" : " ") + line;
     game.printed.clear();
@@ -24,12 +24,12 @@ std::string run(Playing& game, const std::string& chunk) {
     INFO(chunk);
     CHECK(game.runtime->run(chunk, "later"));
     game.loop->turn();
-    return heard(game);
+    return new_output(game);
 }
 
 void go_to(Playing& game, std::int64_t step) {
     game.loop->timeline().go_to(step);
-    (void)heard(game);
+    (void)new_output(game);
 }
 
 const char* const levels = R"(
@@ -53,14 +53,14 @@ const char* const levels = R"(
 TEST_CASE("the handlers of a scene come back with it and go with it") {
     Playing game(levels);
     game.play(40);
-    (void)heard(game);
+    (void)new_output(game);
     go_to(game, 10);
     CHECK(run(game, "game.scene.lamp.lit = 5") == "lit\t1\t5");
     CHECK(run(game, "game.scene.alarm = 1") == "first second global");
     CHECK(run(game, "game.scene.lamp:delete()") == "gone\t1");
     // The game leaves the scene again, and the next scene has handlers of its own.
     while (game.services.clock.step < 30) game.loop->turn();
-    (void)heard(game);
+    (void)new_output(game);
     CHECK(run(game, "game.scene.lamp.lit = 6") == "lit\t2\t6");
     CHECK(run(game, "game.scene.alarm = 1") == "first second global");
     go_to(game, 15);
@@ -75,10 +75,10 @@ TEST_CASE("a watcher learns whether a rewind has changed the value") {
         function step() if time.step % 10 == 0 then points = points + 1 end end
     )");
     game.play(25);
-    CHECK(heard(game) == "0\t1\tfalse 1\t2\tfalse");
+    CHECK(new_output(game) == "0\t1\tfalse 1\t2\tfalse");
     game.loop->timeline().go_to(15);
     game.play(10);
-    CHECK(heard(game) == "2\t1\ttrue 1\t2\tfalse");
+    CHECK(new_output(game) == "2\t1\ttrue 1\t2\tfalse");
     CHECK(game.errors.empty());
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("going back undoes the connecting and the stopping of handlers") {
     CHECK(run(game, "ball.x = 2") == "first second");
     game.play(1);
     while (game.services.clock.step < 17) game.loop->turn();
-    (void)heard(game);
+    (void)new_output(game);
     CHECK(run(game, "ball.x = 3") == "second third");
     CHECK(game.errors.empty());
 }
@@ -171,10 +171,10 @@ TEST_CASE("handlers of a constructor come back with the instance") {
         function step() if time.step == 10 then game.crate:delete() end end
     )");
     game.play(20);
-    CHECK(heard(game) == "deleted");
+    CHECK(new_output(game) == "deleted");
     go_to(game, 5);
     while (game.services.clock.step < 15) game.loop->turn();
-    CHECK(heard(game) == "deleted");
+    CHECK(new_output(game) == "deleted");
     CHECK(game.errors.empty());
 }
 

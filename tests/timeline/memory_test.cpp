@@ -61,20 +61,20 @@ TEST_CASE("an undo that the memory does not allow says which property allows it"
     Playing game("");
     game.services.clock.rewind_memory = 1;
     game.loop->turn();
-    const auto said = [&](const char* command) {
+    const auto output_of = [&](const char* command) {
         std::string all;
         for (const std::string& line : game.runtime->evaluate(command).lines) all += line + "\n";
         return all;
     };
-    said("for i = 1, 2000 do world:add(Body { position = vec(i, 0), Circle {} }) end");
-    const std::string undone = said("undo");
+    output_of("for i = 1, 2000 do world:add(Body { position = vec(i, 0), Circle {} }) end");
+    const std::string undone = output_of("undo");
     INFO(undone);
     CHECK(undone.find("more memory than the history may") != std::string::npos);
     CHECK(undone.find("larger time.rewind_memory (1 MiB now)") != std::string::npos);
     game.services.clock.rewind_memory = 128;
     game.loop->turn();
-    said("for i = 1, 2000 do world:add(Body { position = vec(i, 0), Circle {} }) end");
-    CHECK(said("undo").find("deleted") != std::string::npos);
+    output_of("for i = 1, 2000 do world:add(Body { position = vec(i, 0), Circle {} }) end");
+    CHECK(output_of("undo").find("deleted") != std::string::npos);
 }
 
 TEST_CASE("the timeline keeps its memory limit in any game") {
@@ -151,7 +151,7 @@ TEST_CASE("the timeline keeps its memory limit in any game") {
     constexpr double allowed = 16;
     std::size_t number = 0;
     for (const auto& [name, script] : games) {
-        if (!taken(number++, 2)) continue;
+        if (!is_tested(number++, 2)) continue;
         INFO(name);
         const double more = worst_of_the_past(script, allowed, measured ? 700 : 150);
         INFO("MiB: " << more);
@@ -176,7 +176,7 @@ TEST_CASE("a smaller limit of memory applies from the next step") {
     game.check(game.time().newest());
 }
 
-TEST_CASE("a state larger than the limit leaves an empty timeline and no error") {
+TEST_CASE("a state larger than the memory limit leaves an empty timeline without an error") {
     Playing game("world.text = string.rep('x', 3000000)");
     game.console("time.rewind_memory = 1");
     game.play(100);

@@ -37,7 +37,7 @@ struct Playing {
             saves = std::make_unique<property::GameSaves>(
                 tree, property::Saves(slots, "game", "test"),
                 property::GameSaves::Options{
-                    // A saved game tells that it holds no timers, which is not an error.
+                    // A saved game reports that it contains no timers, which is not an error here.
                     .warn = [this](const std::string& text) {
                         if (text.find("a file holds no functions") == std::string::npos)
                             errors.push_back(text);

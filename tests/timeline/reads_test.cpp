@@ -24,7 +24,7 @@ constexpr const char* heap = R"(
     function pick(n) seed = (seed * 16807) % 2147483647; return seed % n + 1 end
 )";
 
-void every_moment_is_what_it_was(Playing& game) {
+void check_every_step_is_restored(Playing& game) {
     game.play(150);
     for (const int step : {149, 7, 60, 61, 59, 120, 1, 150}) game.check(step);
 }
@@ -45,7 +45,7 @@ TEST_CASE("a query between two edits of a step is repeated after going back") {
             bodies[to].box.center = vec(pick(7) * 0.01, 0)
         end
     )"));
-    every_moment_is_what_it_was(game);
+    check_every_step_is_restored(game);
 }
 
 TEST_CASE("a mass or a velocity read between two edits is repeated after going back") {
@@ -63,7 +63,7 @@ TEST_CASE("a mass or a velocity read between two edits is repeated after going b
             body.box.center = vec(pick(7) * 0.05, 0.1)
         end
     )"));
-    every_moment_is_what_it_was(game);
+    check_every_step_is_restored(game);
 }
 
 TEST_CASE("the parts of an outline read between two edits are repeated after going back") {
@@ -85,7 +85,7 @@ TEST_CASE("the parts of an outline read between two edits are repeated after goi
             world.hills.chain.points = points(4 + pick(8))
         end
     )"));
-    every_moment_is_what_it_was(game);
+    check_every_step_is_restored(game);
 }
 
 TEST_CASE("bodies made and deleted between queries are the same after going back") {
@@ -109,7 +109,7 @@ TEST_CASE("bodies made and deleted between queries are the same after going back
             bodies[i].box.center = vec(pick(5) * 0.1, 0.07)
         end
     )"));
-    every_moment_is_what_it_was(game);
+    check_every_step_is_restored(game);
 }
 
 TEST_CASE("a query of the console in a paused game is repeated after going back") {

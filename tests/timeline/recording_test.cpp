@@ -140,7 +140,7 @@ TEST_CASE("a run can be written into a file after it has begun with all that cam
     for (const auto& [each, steps] : {std::pair{&file, 40U}, {&second, 60U}}) {
         CHECK(replay(*each).difference == "");
         CHECK(replay(*each).steps == steps);
-        // Steps are compared from the moment on when somebody wanted the file.
+        // A replay compares steps from the moment on at which the file was requested.
         const std::string moved = std::string(game) +
                                   "function step() if time.step == 15 then world.ball.position = "
                                   "vec(1, 1) end end";

@@ -43,7 +43,7 @@ TEST_CASE("ready is called once however often time goes back") {
     CHECK(game.get("world.ball.n") == Value(1));
 }
 
-TEST_CASE("a transition goes on after going back into it as it did") {
+TEST_CASE("after going back into a transition it continues as before") {
     Playing game(R"(
         class("A", Object) { } class("B", Object) { n = 0 }
         function B:step() self.n = self.n + 1 end

@@ -394,7 +394,7 @@ TEST_CASE("a write while the past is shown does not change the present") {
     game.check(45);
 }
 
-TEST_CASE("steps of the run are counted on even if the game goes back") {
+TEST_CASE("the steps of a run are counted on when the game goes back") {
     Playing game("world.ball = Body { position = vec(0, 10), Circle {} }");
     std::vector<std::uint64_t> announced;
     game.loop->before_step([&](std::uint64_t n) { announced.push_back(n); });
@@ -456,7 +456,7 @@ TEST_CASE("names given after going back are the same as before") {
     }
 }
 
-TEST_CASE("looking at the past leaves what is known about deletions as it was") {
+TEST_CASE("showing the past does not change the reasons of deletions") {
     Playing game(
         "world.a = Body {} gone = world.a "
         "function step() if time.step == 5 then gone:delete() end end");
@@ -470,7 +470,7 @@ TEST_CASE("looking at the past leaves what is known about deletions as it was") 
     CHECK(game.printed[1] == game.printed[0]);
 }
 
-TEST_CASE("the oldest step does not depend on where there was time for a keyframe") {
+TEST_CASE("the oldest step does not depend on the steps at which keyframes were made") {
     const double share = GENERATE(0.0, 1e9);
     CAPTURE(share);
     Playing game("time.rewind_limit = 1.5");

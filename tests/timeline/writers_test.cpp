@@ -44,7 +44,7 @@ TEST_CASE_METHOD(Writing, "after going back the last writer is that of the momen
         time().go_to(step);
         CHECK(who("world.ball.mass").writer == Writer::script);
         CHECK(who("world.ball.mass").step == static_cast<std::uint64_t>(step / 20 * 20));
-        // Values of Lua go another way than numbers and vectors.
+        // Texts are not written by the fast way for numbers and vectors.
         CHECK(who("world.ball.tag").text() == "script, step 30");
         CHECK(who("world.late.position").writer == Writer::script);
     }

@@ -34,7 +34,7 @@ TEST_CASE_METHOD(Sparks, "particles begin at the rate and end after their life")
     CHECK(draw().empty());
 }
 
-TEST_CASE_METHOD(Sparks, "a slow rate adds up") {
+TEST_CASE_METHOD(Sparks, "a rate of less than one particle a step makes particles in time") {
     const Handle e = emitter({{"rate", 1.0}, {"lifetime", 100.0}});
     step(59);
     CHECK(count(e) == 0);
@@ -67,7 +67,7 @@ TEST_CASE_METHOD(Sparks, "a burst begins at once and its end is an event") {
     CHECK(count(e) == 0);
 }
 
-TEST_CASE_METHOD(Sparks, "no more than the limit") {
+TEST_CASE_METHOD(Sparks, "an emitter has no more particles than its limit") {
     const Handle e = emitter({{"rate", 1e6}, {"burst", 50}, {"limit", 30}, {"lifetime", 9.0}});
     step(3);
     CHECK(count(e) == 30);
@@ -114,7 +114,7 @@ TEST_CASE_METHOD(Sparks, "particles fly in the direction of the emitter") {
     CHECK(near(center(draw().at(0)), after, 0.1));
 }
 
-TEST_CASE_METHOD(Sparks, "values over the life of a particle") {
+TEST_CASE_METHOD(Sparks, "size and color of a particle change over its life") {
     emitter({{"rate", 0.0},
              {"burst", 1},
              {"speed", 0.0},
@@ -154,7 +154,7 @@ TEST_CASE_METHOD(Sparks, "a moving emitter leaves an even trail") {
         CHECK(center(drawn[i]).x == Approx(1.0 + static_cast<double>(i)));
 }
 
-TEST_CASE_METHOD(Sparks, "the shapes in which particles begin") {
+TEST_CASE_METHOD(Sparks, "particles begin within the shape of the emitter") {
     for (const char* shape : {"point", "circle", "ring", "box"}) {
         const Handle e = emitter({{"rate", 0.0},
                                   {"burst", 500},
@@ -178,7 +178,7 @@ TEST_CASE_METHOD(Sparks, "the shapes in which particles begin") {
     }
 }
 
-TEST_CASE_METHOD(Sparks, "the seed decides") {
+TEST_CASE_METHOD(Sparks, "equal seeds give equal particles") {
     const auto places = [&](int seed) {
         const Handle e = emitter({{"burst", 5}, {"seed", seed}});
         step(20);
@@ -228,7 +228,7 @@ TEST_CASE_METHOD(Sparks, "damaged bytes of particles are refused") {
     CHECK(visuals.hash() == before);
 }
 
-TEST_CASE_METHOD(Sparks, "pictures and blending") {
+TEST_CASE_METHOD(Sparks, "particles have the picture and the blend mode of the emitter") {
     emitter({{"burst", 1},
              {"rate", 0.0},
              {"image", "hero.tga"},
@@ -258,7 +258,7 @@ TEST_CASE_METHOD(Sparks, "a missing image is reported once also if nothing is dr
     CHECK(problems == expected);
 }
 
-TEST_CASE_METHOD(Sparks, "particles on the screen") {
+TEST_CASE_METHOD(Sparks, "particles in a screen layer move in pixels") {
     const Handle layer = make("Layer", {{"space", "screen"}});
     emitter({{"burst", 1},
              {"rate", 0.0},

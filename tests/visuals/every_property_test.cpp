@@ -122,7 +122,7 @@ TEST_CASE_METHOD(Room, "every property can be explained") {
         }
 }
 
-TEST_CASE_METHOD(Room, "deleting while instances are drawn does no harm") {
+TEST_CASE_METHOD(Room, "deleting instances while they are drawn does no harm") {
     for (const Handle thing : things()) {
         if (!tree.alive(thing)) continue;
         CHECK_NOTHROW(draw());

@@ -84,7 +84,7 @@ TEST_CASE_METHOD(Layered, "the scale of a layer enlarges what is below it from i
     CHECK_FALSE(at.contains(100));
 }
 
-TEST_CASE_METHOD(Layered, "a repeated layer covers what is seen") {
+TEST_CASE_METHOD(Layered, "a repeated layer covers the visible area") {
     tree.set(layer, "repeat_x", Value(4.0));
     std::set<long> at;
     for (const Drawn& d : draw(moved)) {
@@ -97,7 +97,7 @@ TEST_CASE_METHOD(Layered, "a repeated layer covers what is seen") {
     CHECK(draw(moved).size() <= 10'000);
 }
 
-TEST_CASE_METHOD(Layered, "a repeated layer covers what is seen from far away") {
+TEST_CASE_METHOD(Layered, "a repeated layer covers the visible area from far away") {
     moved.view.lower = {-900, -500}, moved.view.upper = {1100, 500};
     tree.set(layer, "repeat_x", Value(4.0));
     double left = 0, right = 0;

@@ -10,7 +10,7 @@ namespace lifetime_test {
 
 using namespace fettle::visuals::test;
 
-TEST_CASE("the instances of the visuals end with them") {
+TEST_CASE("the instances of the visuals are deleted with them") {
     Sheet sheet;
     Tree tree;
     auto visuals = std::make_unique<fettle::visuals::Visuals>(nullptr);

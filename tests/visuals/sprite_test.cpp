@@ -150,7 +150,7 @@ TEST_CASE_METHOD(Gallery, "a missing image is a checkerboard and one error") {
     CHECK(tree.get(s, "image_height") == Value(4));
 }
 
-TEST_CASE_METHOD(Gallery, "columns and rows are one value as well") {
+TEST_CASE_METHOD(Gallery, "columns and rows can be set as one value") {
     const Handle s = make("Sprite", hero);
     tree.set(s, "sheet", Value(List{Value(4), Value(2)}));
     CHECK(tree.get(s, "columns") == Value(4));
@@ -300,7 +300,8 @@ TEST_CASE_METHOD(Gallery, "a hash export of Aseprite has its frames in the order
     CHECK(problems.empty());
 }
 
-TEST_CASE_METHOD(Gallery, "a frame that a tool has cut keeps its place with the pen as well") {
+TEST_CASE_METHOD(Gallery,
+                 "the pen draws a frame that a tool has cut at its place in the uncut frame") {
     write("hero.json", exported());
     const auto user = [] { return std::string("pen.image"); };
     const PictureFrame cut = visuals.media().frame(user, "hero.json", {.frame = 2});
@@ -314,7 +315,7 @@ TEST_CASE_METHOD(Gallery, "a frame that a tool has cut keeps its place with the 
     CHECK(part.size == Vec2(2, 2));
 }
 
-TEST_CASE_METHOD(Gallery, "the pixels of an export of Aseprite may come later") {
+TEST_CASE_METHOD(Gallery, "an export of Aseprite is read even if its image is loaded later") {
     std::string text = exported();
     text.replace(text.find("hero.tga"), 8, "late.tga");
     write("hero.json", text);
@@ -391,7 +392,7 @@ TEST_CASE_METHOD(Gallery, "many long tags of a file of Aseprite are refused") {
                                    ".image: \"a.json\": its tags have more than 1000000 frames"});
 }
 
-TEST_CASE_METHOD(Gallery, "an image that is cut off says so") {
+TEST_CASE_METHOD(Gallery, "an incomplete image is reported as cut off") {
     write("empty.png", "");
     // The header of a PNG file of 8 by 8 pixels, and a part of the next name.
     const std::string header(

@@ -71,7 +71,7 @@ TEST_CASE_METHOD(Written, "a drawn text has the measured size at any zoom") {
     CHECK(width() == measured);
 }
 
-TEST_CASE_METHOD(Written, "texts of many sizes share letters") {
+TEST_CASE_METHOD(Written, "texts of many sizes share the pictures of letters") {
     tree.set(text, "text", Value("H"));
     std::set<const Picture*> letters;
     for (int i = 0; i < 500; ++i) {
@@ -89,7 +89,7 @@ TEST_CASE_METHOD(Written, "texts of many sizes share letters") {
     CHECK(letters.size() <= 120);
 }
 
-TEST_CASE_METHOD(Written, "the size scales the measure") {
+TEST_CASE_METHOD(Written, "the measure of a text is proportional to its size") {
     const double one = width();
     tree.set(text, "size", Value(0.25));
     CHECK(width() == Approx(one / 4));
@@ -298,7 +298,7 @@ TEST_CASE_METHOD(Written, "only the beginning of a very long text is drawn") {
     CHECK(width() < most);
 }
 
-TEST_CASE_METHOD(Written, "any bytes can be written") {
+TEST_CASE_METHOD(Written, "a text of any bytes can be drawn") {
     for (const char* bytes : {"\xff\xfe", "\xc3", "\xf4\x90\x80\x80", "\r\n\t\n", "\xe2\x82\xac"}) {
         tree.set(text, "text", Value(bytes));
         CHECK(width() >= 0);

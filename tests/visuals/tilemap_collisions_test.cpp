@@ -55,7 +55,7 @@ TEST_CASE_METHOD(Land, "collisions follow the cells at the next barrier") {
     CHECK(tree.get(chains(top)[0], "friction") == Value(0.25));
 }
 
-TEST_CASE_METHOD(Land, "a map of countless separate tiles is not solid and says so") {
+TEST_CASE_METHOD(Land, "a map with too many separate tiles is not solid and reports it") {
     define_bodies();
     std::string cells;
     for (int y = 0; y < 320; ++y)
@@ -85,7 +85,7 @@ TEST_CASE_METHOD(Land, "a slope joins the ground beside it") {
     CHECK(points(chains(top)[0]).size() == 6);
 }
 
-TEST_CASE_METHOD(Land, "lines of neighbors become one") {
+TEST_CASE_METHOD(Land, "collision lines of neighboring tiles become one line") {
     define_bodies();
     write("level.tmj", level("0,0,0,0, 3,3,3,0, 0,0,0,0"));
     const Handle top = map();
@@ -101,7 +101,7 @@ TEST_CASE_METHOD(Land, "lines of neighbors become one") {
     CHECK(points(chains(top)[0]) == List{Vec2(0, -1), Vec2(3, -1)});
 }
 
-TEST_CASE_METHOD(Land, "a tile whose outline is too far away makes nothing solid and says so") {
+TEST_CASE_METHOD(Land, "a map with a tile outline too far away is not solid and reports it") {
     define_bodies();
     std::string far = tileset;
     const std::string corner = R"({"x": 16, "y": 0}]})";

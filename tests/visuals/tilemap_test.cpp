@@ -127,7 +127,7 @@ TEST_CASE_METHOD(Land, "changes in any form are understood") {
     CHECK(tile(top, 1, 2) == 0);
 }
 
-TEST_CASE_METHOD(Land, "places of cells") {
+TEST_CASE_METHOD(Land, "points of the world and cells of a map are converted both ways") {
     const Handle top = map("level.tmj", 8);
     tree.set(top, "corner", Value(Vec2(10, 100)));
     CHECK(call(top, "cell_at", {Value(Vec2(10.1, 100.1))}) == Value(Vec2(0, 2)));
@@ -136,7 +136,7 @@ TEST_CASE_METHOD(Land, "places of cells") {
     CHECK(call(top, "cell_center", {Value(3), Value(0)}) == Value(Vec2(17, 105)));
 }
 
-TEST_CASE_METHOD(Land, "properties of tiles") {
+TEST_CASE_METHOD(Land, "the properties of a tile can be read") {
     const Handle top = map();
     CHECK(call(top, "tile_property", {Value(1), Value("gold")}) == Value(5));
     CHECK(call(top, "tile_property", {Value(1), Value("silver")}).is_nil());
@@ -144,7 +144,7 @@ TEST_CASE_METHOD(Land, "properties of tiles") {
     CHECK(call(top, "tile_property", {Value(2), Value("class")}) == Value("Slope"));
 }
 
-TEST_CASE_METHOD(Land, "wrong calls say what is right") {
+TEST_CASE_METHOD(Land, "wrong calls on a map name the allowed values") {
     const Handle top = map();
     CHECK_THROWS_WITH(call(top, "set_tile", {Value(4), Value(0), Value(1)}),
                       contains("cell (4, 0) is outside") && contains("x goes from 0 to 3"));
@@ -353,7 +353,7 @@ TEST_CASE_METHOD(Land, "a layer with parallax moves with the view") {
     CHECK(near(drawn[0].lower_left, {50, 0}));
 }
 
-TEST_CASE_METHOD(Land, "flipped tiles") {
+TEST_CASE_METHOD(Land, "flipped tiles are drawn flipped") {
     const Handle top = map();
     for (int x = 0; x < 4; ++x) call(top, "set_tile", {Value(x), Value(2), Value(0)});
     const auto drawn_with = [&](const char* flips) {

@@ -96,10 +96,10 @@ TEST_CASE("a button of the mouse that is let go while the window is opened again
     REQUIRE(game.prints("pressed\tleft"));
     game.key("f");
     REQUIRE(game.prints("again"));
-    game.move(1200, 700);  // outside of the new window, which is told nothing
+    game.move(1200, 700);  // outside of the new window, which gets no event
     game.hold_button(false);
     CHECK(game.prints("released\tleft"));
-    // A press that the window is told about is released once.
+    // A press that reached the window is released once.
     game.move(200, 150);
     game.focus();
     game.hold_button(true);
@@ -147,7 +147,7 @@ TEST_CASE("a window that becomes larger stays on the screen") {
     }));
 }
 
-TEST_CASE("the icon of the window is that which the game names last") {
+TEST_CASE("a window gets the icon that the game sets and an invalid icon is reported") {
     if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) {
         std::cout << "SKIPPED: xvfb-run not found\n";
         return;
@@ -170,13 +170,13 @@ TEST_CASE("the icon of the window is that which the game names last") {
         folder.path.string() + "' --steps 10 >'" + out + "' 2>&1 </dev/null";
     CHECK(std::system(command.c_str()) == 0);
     std::ifstream in(out);
-    const std::string told{std::istreambuf_iterator<char>(in), {}};
-    INFO(told);
-    CHECK(told.find("\"icon.tga\" is not an image") == std::string::npos);
-    CHECK(
-        told.find("view.window.icon: there is no file \"icom.tga\" (did you mean \"icon.tga\"?)") !=
-        std::string::npos);
-    CHECK(told.find("view.window.icon: \"text.png\" is not an image that can be shown") !=
+    const std::string output{std::istreambuf_iterator<char>(in), {}};
+    INFO(output);
+    CHECK(output.find("\"icon.tga\" is not an image") == std::string::npos);
+    CHECK(output.find(
+              "view.window.icon: there is no file \"icom.tga\" (did you mean \"icon.tga\"?)") !=
+          std::string::npos);
+    CHECK(output.find("view.window.icon: \"text.png\" is not an image that can be shown") !=
           std::string::npos);
 }
 

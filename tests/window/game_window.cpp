@@ -87,7 +87,7 @@ std::string GameWindow::active_window() const {
         command.insert(command.begin(), "xdotool");
         return run(command, environment_, found) == 0 ? read_file(found) : "";
     };
-    // The manager names the window before that has the keyboard.
+    // The manager reports a window as active before the window has the keyboard.
     const std::string active = ask({"getactivewindow"});
     return active == ask({"getwindowfocus", "-f"}) ? active : "";
 }

@@ -28,7 +28,7 @@ class GameWindow {
                         const std::string& window_manager = "");
     ~GameWindow();
 
-    /// The window to which a window manager gives the keyboard; "" if there is none.
+    /// The id of the window that is active and has the keyboard; "" if there is none.
     std::string active_window() const;
 
     /// Key names of xdotool: "grave", "Return", "ctrl+a".

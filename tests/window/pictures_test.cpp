@@ -279,25 +279,26 @@ TEST_CASE("an effect changes the picture and follows its uniforms") {
     CHECK(game.prints("view.uniforms.far: good.frag declares a vec2, got 2"));
     game.key("h");
     CHECK(game.eventually([&] { return has_at(game.picture(), 1, 8.5, 128, 64, 0); }));
-    // New code in error leaves the picture as it was; this is told over the game until it is right.
+    // New code with an error leaves the picture as it was, with a message over the game until it is
+    // right.
     const auto change = [&](const char* name, const std::string& text) {
         std::ofstream(game.folder() / "game" / "new") << text;
         fs::rename(game.folder() / "game" / "new", game.folder() / "game" / name);
     };
-    const auto told = [&] { return !has_at(game.picture(), 12, -9.8, 255, 255, 255); };
-    CHECK_FALSE(told());
+    const auto error_is_shown = [&] { return !has_at(game.picture(), 12, -9.8, 255, 255, 255); };
+    CHECK_FALSE(error_is_shown());
     change("good.frag", "uniform float strength;\nvoid main() { nonsense }");
     CHECK(game.prints("view.effect: good.frag:2: "));
     CHECK(game.printed().find("view.uniforms.tint: ") == std::string::npos);
-    CHECK(game.eventually(told));
+    CHECK(game.eventually(error_is_shown));
     CHECK(has_at(game.picture(), 1, 8.5, 128, 64, 0));
     change("main.lua", main + "print('again')");
     CHECK(game.prints("again"));
-    CHECK(told());
+    CHECK(error_is_shown());
     std::string better = "uniform float no;" + good;
     better.replace(better.find("vec2 far"), 8, "float far");
     change("good.frag", better);
-    CHECK(game.eventually([&] { return !told(); }));
+    CHECK(game.eventually([&] { return !error_is_shown(); }));
     game.key("b");
     CHECK(game.prints("view.effect: bad.frag:3: "));
     CHECK(game.eventually([&] { return has_at(game.picture(), 1, 8.5, 255, 255, 255); }));

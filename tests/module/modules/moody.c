@@ -1,6 +1,6 @@
-/* A module that behaves otherwise in the game than in its trial, and that calls the host with null
- * pointers. The environment variable FETTLE_TEST_MOODY says in which process it refuses what:
- * "attach 123", "create 123". */
+/* A module that behaves differently in the game and in its trial, and that calls the host with null
+ * pointers. The environment variable FETTLE_TEST_MOODY has the call that it refuses and the process
+ * in which it does: "attach 123", "create 123". */
 
 #include <fettle/module/abi.h>
 #include <stdio.h>
@@ -44,7 +44,7 @@ static fettle_status speak(void* context, fettle_handle self, fettle_row row,
     return FETTLE_OK;
 }
 
-/* 4000 million records of nothing. */
+/* A result of 4000 million records, without memory for them. */
 static fettle_status list(void* context, fettle_handle self, fettle_row row,
                           const fettle_value* arguments, uint32_t count, fettle_result* result) {
     (void)context, (void)self, (void)row, (void)arguments, (void)count;
@@ -83,13 +83,12 @@ static fettle_status misuse(void* context, fettle_handle self, fettle_row row,
     return FETTLE_OK;
 }
 
-static const fettle_property properties[] = {
-    {.name = "mood",
-     .type = FETTLE_NUMBER,
-     .default_value = {FETTLE_NUMBER, 0, {.number = 7}},
-     .binding = FETTLE_COLUMN,
-     .native = FETTLE_F64,
-     .base = base}};
+static const fettle_property properties[] = {{.name = "mood",
+                                              .type = FETTLE_NUMBER,
+                                              .default_value = {FETTLE_NUMBER, 0, {.number = 7}},
+                                              .binding = FETTLE_COLUMN,
+                                              .native = FETTLE_F64,
+                                              .base = base}};
 static const fettle_field number[] = {{.name = "number", .type = FETTLE_INTEGER}};
 static const fettle_method methods[] = {
     {.name = "speak", .call = speak},

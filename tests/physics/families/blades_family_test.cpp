@@ -138,7 +138,7 @@ TEST_CASE("a body that a fast blade hits flies away and does not stick to the bl
     }
 }
 
-TEST_CASE("a flipper shoots what lies on it") {
+TEST_CASE("a flipper shoots a body that lies on it") {
     const unsigned seeds = seeds_or(100);
     for (int kind = 0; kind < 3; ++kind) {
         unsigned through = 0;
@@ -172,7 +172,7 @@ TEST_CASE("a flipper shoots what lies on it") {
     }
 }
 
-TEST_CASE("a drum that turns fast keeps what is in it") {
+TEST_CASE("a drum that turns fast keeps the bodies in it") {
     const unsigned seeds = seeds_or(20);
     for (int kind = 0; kind < 3; ++kind) {
         unsigned out = 0;

@@ -274,7 +274,7 @@ TEST_CASE("crates that a press held are not thrown when it disappears") {
     CHECK(thrown <= int(seeds + 19) / 20);
 }
 
-TEST_CASE("the touch of a crushed body ends, and begins again when the two have parted") {
+TEST_CASE("the touch of a crushed body ends and begins again when the two bodies have parted") {
     World world;
     world.create_body({.type = BodyType::static_body})
         .add(Box{.width = 20, .height = 1, .center = {0, -0.5f}});

@@ -42,9 +42,9 @@ Geometry any_shape(Random& random, float size) {
     return Ellipse{.radius_x = size * random(0.4f, 0.8f), .radius_y = size * random(0.3f, 0.5f)};
 }
 
-/// Energy after a body was thrown at another one that it is welded to over a third, by the energy
-/// before.
-float thrown_at_its_own(unsigned seed) {
+/// A body is thrown at another one, to which it is welded by way of a third one. Returns the energy
+/// afterwards as a share of the energy before.
+float energy_after_throw_at_welded_body(unsigned seed) {
     Random random{std::mt19937(seed)};
     World world(WorldDef{.gravity = {0, 0}});
     const auto body = [&](const Position& position) {
@@ -66,9 +66,9 @@ float thrown_at_its_own(unsigned seed) {
     return most / before;
 }
 
-/// The energy by which a rain of shapes gains, where each that touches another one is welded to
-/// it, by its energy at the start.
-float rain_of_sticky_shapes(unsigned seed) {
+/// Shapes fall, and each that touches another one is welded to it. Returns the energy that they
+/// gain as a share of their energy at the start.
+float energy_gain_of_sticky_shapes(unsigned seed) {
     Random random{std::mt19937(seed)};
     World world;
     Body bin = world.create_body({.type = BodyType::static_body});
@@ -93,14 +93,14 @@ float rain_of_sticky_shapes(unsigned seed) {
     return gain / before;
 }
 
-/// What becomes of a chain of pinned boxes, one of which was put somewhere else.
-struct Drawn {
+/// A chain of pinned boxes after one of them was moved somewhere else.
+struct MovedChain {
     float time = 0;      ///< s, until no joint is wider than 2 cm for good
     float speed = 0;     ///< m/s, of the fastest body in the end
-    float distance = 0;  ///< m, by which the body was put away
+    float distance = 0;  ///< m, by which the body was moved
 };
 
-Drawn put_away(unsigned seed) {
+MovedChain moved_chain(unsigned seed) {
     Random random{std::mt19937(seed)};
     World world(WorldDef{.gravity = {0, 0}});
     std::vector<Body> bodies;
@@ -119,28 +119,28 @@ Drawn put_away(unsigned seed) {
         bodies.push_back(body);
         top -= Vec2{0, length};
     }
-    Drawn drawn = {.distance = random(0.5f, 12)};
+    MovedChain moved = {.distance = random(0.5f, 12)};
     Body away = bodies[size_t(random(0, 0.999f) * float(count))];
     const float direction = random(0, 6.28f);
     const Vec2 way = {std::cos(direction), std::sin(direction)};
-    away.set_pose({away.position() + drawn.distance * way, random(-3, 3)});
+    away.set_pose({away.position() + moved.distance * way, random(-3, 3)});
     for (int step = 1; step <= 180; ++step) {
         world.step(1.0f / 60);
         for (const Joint& joint : joints)
-            if (joint.separation() > 0.02f) drawn.time = float(step) / 60;
+            if (joint.separation() > 0.02f) moved.time = float(step) / 60;
     }
-    for (const Body& body : bodies) drawn.speed = std::max(drawn.speed, body.velocity().length());
-    return drawn;
+    for (const Body& body : bodies) moved.speed = std::max(moved.speed, body.velocity().length());
+    return moved;
 }
 
 }  // namespace
 
-TEST_CASE("a body that is thrown at what it is welded to gains no energy") {
+TEST_CASE("a body that is thrown at bodies that it is welded to gains no energy") {
     const unsigned seeds = families::seeds_or(200);
     float most = 0;
     unsigned gained = 0;
     for (unsigned seed = 1; seed <= seeds; ++seed) {
-        const float ratio = thrown_at_its_own(seed);
+        const float ratio = energy_after_throw_at_welded_body(seed);
         most = std::max(most, ratio);
         gained += ratio > 1.05f;
     }
@@ -153,24 +153,24 @@ TEST_CASE("shapes that are welded as they touch gain no energy") {
     const unsigned seeds = families::seeds_or(100);
     float most = 0;
     for (unsigned seed = 1; seed <= seeds; ++seed)
-        most = std::max(most, rain_of_sticky_shapes(seed));
+        most = std::max(most, energy_gain_of_sticky_shapes(seed));
     std::printf("sticky shapes: gain at most %.3g of their energy in a step\n", double(most));
     CHECK(most < 0.05f);
 }
 
-TEST_CASE("a body that is put away from its joints is soon back and nothing is thrown") {
+TEST_CASE("a body that is moved away from its joints is soon back and nothing is thrown") {
     unsigned slow = 0, fast = 0;
     float time = 0, speed = 0;
     const unsigned seeds = families::seeds_or(50);
     for (unsigned seed = 1; seed <= seeds; ++seed) {
-        const Drawn drawn = put_away(seed);
-        if (drawn.time > 1 || drawn.speed > 6)
+        const MovedChain moved = moved_chain(seed);
+        if (moved.time > 1 || moved.speed > 6)
             std::printf("seed %u: %.1f m away, back after %.2f s, then %.1f m/s\n", seed,
-                        double(drawn.distance), double(drawn.time), double(drawn.speed));
-        slow += drawn.time > 1;
-        fast += drawn.speed > 6;
-        time += drawn.time / float(seeds);
-        speed += drawn.speed / float(seeds);
+                        double(moved.distance), double(moved.time), double(moved.speed));
+        slow += moved.time > 1;
+        fast += moved.speed > 6;
+        time += moved.time / float(seeds);
+        speed += moved.speed / float(seeds);
     }
     std::printf("back after %.2f s as a mean, then %.2f m/s\n", double(time), double(speed));
     CHECK(slow <= seeds / 25);

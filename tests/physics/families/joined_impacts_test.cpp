@@ -40,7 +40,7 @@ void add_surroundings(World& world, unsigned kind, float wall_at) {
     if (wall_at < infinite) ground.add(Segment{.from = {wall_at, -1}, .to = {wall_at, 100}});
 }
 
-/// Bodies that are joined with each other, and how they fare.
+/// Joined bodies, and the worst values that were measured on them.
 struct Joined {
     World world;
     std::vector<Body> bodies;

@@ -22,7 +22,7 @@ Geometry thin_shape(families::Random& random, int kind) {
     return Ellipse{.radius_x = 0.5f * length, .radius_y = half};
 }
 
-int below(bool chain) {
+int count_below(bool chain) {
     const int seeds = int(families::seeds_or(50));
     int below = 0;
     for (int seed = 0; seed < seeds; ++seed) {
@@ -50,14 +50,14 @@ int below(bool chain) {
 }
 
 TEST_CASE("thin bodies under a pile stay on a line of two sides") {
-    const int lost = below(false);
+    const int lost = count_below(false);
     std::printf("thin bodies under piles: %d below the line\n", lost);
     // A blow of a hundred times its mass may still press one through.
     CHECK(lost <= int(families::seeds_or(50)) / 20);
 }
 
 TEST_CASE("thin bodies under a pile stay on a chain") {
-    const int lost = below(true);
+    const int lost = count_below(true);
     std::printf("thin bodies under piles: %d below the chain\n", lost);
     // A blow of a hundred times its mass may still press one through.
     CHECK(lost <= int(families::seeds_or(50)) / 20);

@@ -44,13 +44,13 @@ void add_shape(Body& body, unsigned kind, float r, bool sensor) {
     if (kind == 7) body.add(Chain{{{-r, 0}, {0, 0.3f * r}, {r, 0}}}, def);
 }
 
-struct Told {
+struct Reports {
     int begins = 0, ends = 0;
     bool in_order = true;
 };
 
-/// The centers of the two bodies meet.
-Told pass(unsigned pair, unsigned kind, unsigned seed) {
+/// The reports of a sensor while a body passes it so that their centers meet.
+Reports pass(unsigned pair, unsigned kind, unsigned seed) {
     Random random{std::mt19937(seed)};
     World world({.gravity = {0, 0}});
     const float speed = std::exp(random(0, std::log(500.0f)));
@@ -76,15 +76,15 @@ Told pass(unsigned pair, unsigned kind, unsigned seed) {
     Body visitor = make(pair == 3 ? BodyType::static_body : BodyType::dynamic_body, visitor_moves,
                         pair == 4 ? angle + 1.6f : angle);
     add_shape(visitor, kind, random(0.05f, 0.4f), false);
-    Told told;
+    Reports reports;
     for (int i = 0; i < int(60 * (time + 1.5f / speed)) + 3; ++i) {
         world.step(1.0f / 60);
-        told.ends += int(world.events().sensor_end.size());
-        told.in_order = told.in_order && told.ends <= told.begins;
-        told.begins += int(world.events().sensor_begin.size());
-        told.in_order = told.in_order && told.begins <= told.ends + 1;
+        reports.ends += int(world.events().sensor_end.size());
+        reports.in_order = reports.in_order && reports.ends <= reports.begins;
+        reports.begins += int(world.events().sensor_begin.size());
+        reports.in_order = reports.in_order && reports.begins <= reports.ends + 1;
     }
-    return told;
+    return reports;
 }
 
 }  // namespace
@@ -95,13 +95,13 @@ TEST_CASE("sensors report the begin and the end of a passage at any speed") {
         for (unsigned kind = 0; kind < std::size(shape_names); ++kind) {
             unsigned silent = 0, open = 0, repeated = 0, mixed = 0, example = 0;
             for (unsigned seed = 0; seed < seeds; ++seed) {
-                const Told told = pass(pair, kind, seed);
-                silent += told.begins == 0;
-                open += told.begins != told.ends;
-                mixed += !told.in_order;
+                const Reports reports = pass(pair, kind, seed);
+                silent += reports.begins == 0;
+                open += reports.begins != reports.ends;
+                mixed += !reports.in_order;
                 repeated +=
-                    kind < 6 && told.begins > 1;  // parts of a dented shape may come one by one
-                if (told.begins != 1 || told.ends != 1) example = seed;
+                    kind < 6 && reports.begins > 1;  // parts of a dented shape may come one by one
+                if (reports.begins != 1 || reports.ends != 1) example = seed;
             }
             INFO(pair_names[pair] << ", " << shape_names[kind] << ", for example " << example);
             // Rounding decides where two shapes just touch at the end of a step.

@@ -248,15 +248,15 @@ Result squeeze_many(float (*family)(unsigned, Solver), const char* name, Solver 
 
 constexpr Solver solvers[] = {Solver::soft_step, Solver::sequential, Solver::direct};
 
-/// Of five hundred worlds, two.
-int exceptions() {
+/// How many worlds may fail: two of five hundred.
+int allowed_failures() {
     return int(families::seeds_or(50)) / 250;
 }
 
 void check_none_is_thrown(float (*family)(unsigned, Solver), const char* name) {
     INFO(name);
     for (const Solver solver : solvers)
-        CHECK(squeeze_many(family, name, solver).thrown <= exceptions());
+        CHECK(squeeze_many(family, name, solver).thrown <= allowed_failures());
 }
 
 TEST_CASE("a body between a mallet and a wall is not thrown") {
@@ -288,7 +288,7 @@ TEST_CASE("a heap under a crusher is hardly thrown") {
 }
 
 /// The impulses of a crushed body go through the seesaw, which its joint holds.
-TEST_CASE("what lies on a seesaw that debris before a ram lifts is hardly thrown") {
+TEST_CASE("a box on a seesaw that debris before a ram lifts is hardly thrown") {
     const Result result = squeeze_many(debris_before_seesaw, "seesaw", Solver::soft_step);
     CHECK(result.worst < 150.0f);
 }
@@ -333,7 +333,7 @@ TEST_CASE("a ball that bounces between a mallet and a wall gains no more than fr
     CHECK(faster <= int(families::seeds_or(50)) / 50);
 }
 
-TEST_CASE("what only touches two sides keeps its speed") {
+TEST_CASE("a body that only touches two sides keeps its speed") {
     SECTION("a piston that a motor drives in a cylinder") {
         World world({.gravity = {0, 0}});
         Body cylinder = world.create_body({.type = BodyType::static_body});

@@ -1,4 +1,4 @@
-// Worlds with much that stands still: the work of a step follows what moves.
+// Worlds in which most bodies stand still: the work of a step depends on those that move.
 
 #include <broad_phase/tree.h>
 #include <fettle/physics/physics.h>

@@ -137,7 +137,7 @@ bool plank_misses_post(unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("bullets of any shape meet each other and whatever else moves") {
+TEST_CASE("bullets of any shape do not pass through other moving bodies") {
     for (unsigned kind = 0; kind < std::size(shape_names); ++kind)
         for (const bool both : {false, true}) {
             unsigned missed = 0;
@@ -148,7 +148,7 @@ TEST_CASE("bullets of any shape meet each other and whatever else moves") {
         }
 }
 
-TEST_CASE("a paddle that rotates fast hits what is in its reach") {
+TEST_CASE("a paddle that rotates fast hits a body in its reach") {
     for (const bool bullet : {false, true}) {
         unsigned missed = 0;
         for (unsigned seed = 0; seed < 2 * seeds_or(50); ++seed)

@@ -64,7 +64,7 @@ TEST_CASE("thin bodies do not pass through a thicker bullet") {
     CHECK(through == 0);
 }
 
-TEST_CASE("thin bodies do not pass through a bullet that is slow") {
+TEST_CASE("thin bodies do not pass through a slow bullet") {
     const int seeds = int(families::seeds_or(150));
     int through = 0;
     for (int seed = 0; seed < seeds; ++seed) {
@@ -90,7 +90,7 @@ TEST_CASE("thin bodies do not pass through a bullet that is slow") {
     CHECK(through == 0);
 }
 
-TEST_CASE("a bullet in which a thin body is goes on and does not stand still") {
+TEST_CASE("a bullet that contains a thin body keeps moving") {
     const int seeds = int(families::seeds_or(200));
     int still = 0;
     for (int seed = 0; seed < seeds; ++seed) {

@@ -1,4 +1,4 @@
--- A game that tells what it hears, so that a test can see which keys reach it and which edits take effect.
+-- A game that prints its input and its changes, so that a test can see which keys reach it and which edits take effect.
 
 view.height = 20
 

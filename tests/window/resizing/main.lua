@@ -1,4 +1,4 @@
--- A game for the test of the window: prints what happens to it.
+-- A game for the test of the window: prints changes of its size and its keys.
 print("ready", view.window.size)
 
 view.window:watch("fullscreen", function(on) print("fullscreen", on) end)
