@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <fettle/property/edits.h>
 #include <fettle/property/exception_text.h>
 
 #include <in_game/pick.h>
@@ -145,6 +146,7 @@ void Console::State::prompt_key(const InputEvent& event) {
     const bool listed = settings.flag("tweaks");
     const std::size_t before = log.lines().size() + log.dropped();
     if (prompt.key(key)) {
+        status.edits_without_undo = property::edits_without_undo(tree);
         const bool printed = log.lines().size() + log.dropped() != before;
         if (key.name == "enter" || printed) views.log_view.scroll_to_end();
         // The output of a command is shown in place of the list that was there before.
@@ -159,15 +161,21 @@ void Console::State::prompt_key(const InputEvent& event) {
         open(false);
 }
 
+void Console::State::note_lost_undo() {
+    const std::size_t now = property::edits_without_undo(tree);
+    if (std::exchange(status.edits_without_undo, now) < now)
+        log.note("this edit took too much memory to be undone");
+}
+
 // --- Mouse
 
 bool Console::State::over_windows(float x, float y) const {
     return screen.popup_open || screen.panel_rect.contains(x, y) ||
            screen.inspector_rect.contains(x, y) || screen.height_edge.contains(x, y) ||
-           screen.width_edge.contains(x, y) || views.time_bar.rect().contains(x, y) ||
-           views.watch_list.rect().contains(x, y) || views.plot_view.rect().contains(x, y) ||
-           views.frame_view.rect().contains(x, y) || views.compare_view.rect().contains(x, y) ||
-           views.prompt_view.menu_rect().contains(x, y);
+           screen.width_edge.contains(x, y) || screen.plot_edge.contains(x, y) ||
+           views.time_bar.rect().contains(x, y) || views.watch_list.rect().contains(x, y) ||
+           views.plot_view.rect().contains(x, y) || views.frame_view.rect().contains(x, y) ||
+           views.compare_view.rect().contains(x, y) || views.prompt_view.menu_rect().contains(x, y);
 }
 
 bool Console::State::mouse(const InputEvent& event) {

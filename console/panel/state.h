@@ -78,6 +78,7 @@ struct Screen {
     float width = 0, height = 0;  // of the surface; 0 before the first draw
     Rect panel_rect, inspector_rect, filter_rect;
     Rect height_edge, width_edge;  // of the panel and of the inspector, to be dragged
+    Rect plot_edge;                // the upper edge of the plot
     bool popup_open = false;
     bool building = false;     // a frame is being built; no other may begin inside it
     std::string part_problem;  // the last one in the log
@@ -89,9 +90,10 @@ struct Status {
     bool greeted = false;
     bool pausing = false;  // the console has paused the game's time
     bool time_was_paused = false;
-    bool restored = false;              // what was pinned and plotted in earlier runs
-    std::string selected_path;          // of the selected instance when it was last seen
-    std::vector<std::string> breaks{};  // conditions of the run before a restart
+    bool restored = false;               // what was pinned and plotted in earlier runs
+    std::string selected_path;           // of the selected instance when it was last seen
+    std::vector<std::string> breaks{};   // conditions of the run before a restart
+    std::size_t edits_without_undo = 0;  // of which the log has told
 };
 
 struct Continuation {
@@ -154,6 +156,9 @@ struct Console::State {
     void keep_layout();
     /// Runs a command of a button, a menu or a key as if it were typed.
     void run(const std::string& command);
+    /// Notes it if an edit, of the inspector or of an attached terminal, was too large to be
+    /// undone. The prompt tells it of its commands.
+    void note_lost_undo();
     /// Shows the log in place of the list of tweaks.
     void show_log();
     // --- Files (exporting.cpp)
@@ -197,6 +202,7 @@ struct Console::State {
     void draw_inspector(float left, float width);
     void draw_inspector_below();
     void draw_width_handle();
+    void draw_plot_handle(float plot_height);
 
     property::Tree& tree;
     Interpreter interpreter;

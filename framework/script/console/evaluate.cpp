@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include <fettle/property/edits.h>
 #include <fettle/property/observer.h>
 #include <fettle/script/runtime.h>
 
@@ -18,6 +19,7 @@
 #include <handlers/formulas.h>
 #include <handlers/function_source.h>
 #include <handlers/observed.h>
+#include <library/library.h>
 #include <lua/budget.h>
 #include <lua/environment.h>
 #include <lua/host.h>
@@ -27,6 +29,7 @@
 #include <lua/stack.h>
 #include <objects/hints.h>
 #include <text/columns.h>
+#include <text/other_languages.h>
 #include <text/words.h>
 #include <values/recording.h>
 #include <values/short_text.h>
@@ -173,6 +176,14 @@ Compiled compile(lua_State* L, std::string_view command) {
     if (try_load_text(L, expression, chunk_name) == LUA_OK) return Compiled::expression;
     lua_pop(L, 1);
     if (load_text(L, command, chunk_name) == LUA_OK) return Compiled::statements;
+    // Lua waits for what is to be done with the unit in x = 5 kg.
+    if (ends_early(L) && ends_with_unit(command)) {
+        lua_pop(L, 1);
+        const auto line = 1 + std::ranges::count(trimmed(command), '\n');
+        push_text(L,
+                  "console:" + std::to_string(line) + ": a word behind a number" + hint_for_unit());
+        return Compiled::wrong;
+    }
     if (ends_early(L)) return Compiled::incomplete;
     Sources& sources = machine_of(L).sources;
     sources.note_stop(L, command, chunk_name);
@@ -416,6 +427,7 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
     }
     if (command.front() == '=') command.remove_prefix(1);
     machine.sources.texts["console"] = std::string(command);
+    const std::size_t without_undo = property::edits_without_undo(machine.tree);
     {
         const Session session(machine, command);
         CreatedInstances made(machine);
@@ -435,6 +447,9 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
         evaluation.ok = ok && !evaluation.incomplete;
         if (!evaluation.incomplete) add_echoes(machine, evaluation);
     }
+    if (machine.life.has_tree())
+        if (std::string lost = lost_undo(machine, without_undo); !lost.empty())
+            evaluation.lines.push_back(std::move(lost));
     if (evaluation.ok) machine.classes.deliver_ready();
     return evaluation;
 }
