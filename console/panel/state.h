@@ -70,6 +70,10 @@ struct Input {
     std::optional<DrawnBox> box;
     bool keys_to_selection = false;  // the last click was into the game
     bool swallow_text = false;       // the character of the toggle key follows and is dropped
+    // The toggle key has typed no character yet: it may be a dead key, which takes the next letter
+    // away or puts an accent on it.
+    bool may_be_dead = false;
+    char32_t letter = 0;  // of the key that was pressed next; 0: none, or it was typed
     bool fed_button = false, fed_key = false, fed_text = false;  // since the last frame
 };
 
@@ -112,6 +116,10 @@ struct Console::State {
     bool press_key(const app::InputEvent& event);
     bool release_key(const app::InputEvent& event);
     bool type_text(const app::InputEvent& event);
+    /// Notes the letter of a key that follows the toggle key.
+    void note_letter(const app::InputEvent& event);
+    /// Types the noted letter if a dead key has taken it away.
+    void type_letter();
     bool mouse(const app::InputEvent& event);
     void prompt_key(const app::InputEvent& event);
     void lose_focus();
