@@ -28,6 +28,7 @@
 #include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/hints.h>
+#include <reference/language.h>
 #include <text/columns.h>
 #include <text/other_languages.h>
 #include <text/words.h>
@@ -316,6 +317,22 @@ bool call_with_words(lua_State* L, std::string_view command) {
     return true;
 }
 
+/// Adds how a function is called to the message about a command such as `rewind 5`, which is at the
+/// top of the stack.
+void add_call_hint(lua_State* L, std::string_view command) {
+    Sources::Stop& stop = machine_of(L).sources.stop;
+    const std::size_t space = command.find(' ');
+    if (space == std::string_view::npos || stop.message.ends_with(')') ||
+        stop.place != command.find_first_not_of(' ', space) || view_at(L, -1) != stop.message)
+        return;
+    const GlobalDoc* const doc = global_doc(command.substr(0, space));
+    if (doc == nullptr || std::string_view(doc->signature).find('(') == std::string_view::npos)
+        return;
+    stop.message += std::string(" (write ") + doc->name + "(...))";
+    lua_pop(L, 1);
+    push_text(L, stop.message);
+}
+
 /// Takes the printed lines.
 void take_lines(Machine& machine, Evaluation& evaluation) {
     Recording& recording = machine.recording;
@@ -345,6 +362,7 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
         case Compiled::wrong:
             if (add_formula(L, machine, command)) return;
             if (call_with_words(L, command)) break;
+            add_call_hint(L, command);
             lua_error(L);
             return;
         default:

@@ -141,7 +141,7 @@ std::string hint_for(lua_State* L, Machine& machine, std::string_view name) {
     // At the console, where people write what they see on the screen.
     if (machine.recording.active)
         for (const std::string& path :
-             {machine.hints.path_of_instance(name), machine.hints.path_of_property(name)})
+             {machine.hints.path_of_instance(name), machine.hints.path_of_member(name)})
             if (!path.empty()) return " (did you mean \"" + path + "\"?)";
     return suggest(machine, name);
 }

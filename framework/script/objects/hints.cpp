@@ -112,13 +112,15 @@ std::string Hints::path_of_instance(std::string_view name) const {
         [&](Handle each) { return tree.name(each) == name ? tree.path(each) : std::string(); });
 }
 
-std::string Hints::path_of_property(std::string_view name) const {
+std::string Hints::path_of_member(std::string_view name) const {
     const property::Tree& tree = machine_.tree;
     const std::string wanted = lower(name);
     if (wanted.size() < 2 || !property::Symbol::find(wanted)) return {};
     const auto path_in = [&](Handle instance) {
-        const Property* found = tree.class_of(instance).property(wanted);
-        return found == nullptr ? std::string() : tree.path(instance, *found);
+        const Class& of = tree.class_of(instance);
+        if (const Property* found = of.property(wanted)) return tree.path(instance, *found);
+        return of.method(wanted) == nullptr ? std::string()
+                                            : tree.path(instance) + ":" + wanted + "(...)";
     };
     if (tree.alive(machine_.globals.it))
         if (std::string path = path_in(machine_.globals.it); !path.empty()) return path;

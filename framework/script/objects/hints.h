@@ -32,10 +32,10 @@ class Hints {
     /// The path of the first instance with that name, below others; "" if there is none
     /// nearby.
     std::string path_of_instance(std::string_view name) const;
-    /// The path of the declared property of that name, in any case, of the
-    /// selected instance or of the first that has it; "" if there is none nearby,
-    /// or for a name of one letter, which was meant as a variable.
-    std::string path_of_property(std::string_view name) const;
+    /// The path of the declared property or method of that name, in any case, of the selected
+    /// instance or of the first that has it; "" if there is none nearby, or for a name of one
+    /// letter, which was meant as a variable.
+    std::string path_of_member(std::string_view name) const;
     /// To be called when the game is loaded: notes functions that are never called although their
     /// names look like callbacks, names of keys that no key has, functions of Fettle that the game
     /// has replaced by values, instances that it has made and dropped, and bodies that it has made

@@ -16,8 +16,8 @@ struct Foreign {
 /// Names of variables and functions.
 constexpr Foreign foreign_names[] = {
     {"null None undefined nullptr NULL", "nil"},
-    {"True TRUE", "true"},
-    {"False FALSE", "false"},
+    {"True TRUE yes on", "true"},
+    {"False FALSE no off", "false"},
     {"this", "self"},
     {"unpack", "table.unpack(list)"},
     {"loadstring", "load(text)"},
@@ -79,6 +79,7 @@ constexpr Foreign foreign_statements[] = {
     {"class", "Name = class(\"Name\", Body) { ... }"},
     {"delete remove destroy", "path:delete()"},
     {"set", "path = value"},
+    {"select", "selection { path }"},
 };
 
 /// The longest come first, because others are parts of them.
@@ -221,6 +222,10 @@ std::string hint_for_syntax(std::string_view message, std::string_view line, std
          says("malformed number near")))
         return written("for i = 1, n do ... end");
     if (says("malformed number near") && says("..")) return written("a .. b with blanks");
+    if (says("<name> expected near") && column > 0 &&
+        (line[column - 1] == '.' || line[column - 1] == ':') &&
+        is_word_of_lua(word_at(line, column)))
+        return " (" + std::string(word_at(line, column)) + " is a word of Lua and no name)";
     if (says("')' expected near ','")) return written("vec(x, y)");
     if (says("function arguments expected near '='")) return written("a.b = value");
     if (says("syntax error near 'is'")) return written("path is expression");
