@@ -57,8 +57,6 @@ class PropertyEditor {
     void end_drag();
     /// The rectangle of the property's widget in the last frame; empty if it was not visible.
     Rect widget_rect(const property::Property& property) const;
-    /// Whether the name had less room than it needs when it was last drawn.
-    bool name_is_cut(const property::Property& property) const;
     bool about_to_type() const { return fields_.about_to_type(); }
     /// Removes the shown errors, because another instance is edited.
     void forget() {
@@ -144,7 +142,6 @@ class PropertyEditor {
     std::unordered_map<const property::Property*, std::string> problems_;
     property::Handle problems_of_;
     std::unordered_map<const property::Property*, Rect> widgets_, gutters_;
-    std::unordered_map<const property::Property*, bool> name_is_cut_;
 };
 
 /// The writer of a value as text: "main.lua:30", "console, step 412", "physics".

@@ -35,11 +35,6 @@ float PropertyEditor::button_width() {
     return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
 }
 
-bool PropertyEditor::name_is_cut(const Property& property) const {
-    const auto found = name_is_cut_.find(&property);
-    return found != name_is_cut_.end() && found->second;
-}
-
 void PropertyEditor::fit_labels(const std::vector<const Property*>& properties) {
     const FontScope font(fonts().sans);
     if (fitted_ == properties && fitted_size_ == ImGui::GetFontSize()) return;
@@ -89,7 +84,6 @@ void PropertyEditor::label(const Target& target, float width, bool overridden, b
         room -= unit + text_width(" ");
     }
     draw_text_fit(list, ImVec2(at.x + mark, y), color, target.property->name, room);
-    name_is_cut_[target.property] = text_width(target.property->name) > room;
     if (!ImGui::IsItemHovered()) return;
     if (ImGui::IsMouseClicked(1) && menu) menu(tree_.path(target.instance, *target.property));
     // A double click on the name does the same: the sign is small.

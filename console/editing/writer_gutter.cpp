@@ -1,5 +1,6 @@
 // The gutter of the inspector: who wrote a property last. A click leads there.
 
+#include <algorithm>
 #include <utility>
 
 #include <editing/property_editor.h>
@@ -32,7 +33,9 @@ std::pair<std::string, int> script_place(const std::string& where) {
 
 float PropertyEditor::gutter_width(float available) {
     const float em = ImGui::GetFontSize();
-    return available >= wide_enough * em ? 8 * em : 0.8f * em;
+    // From "physics" to "inspector, step 12345".
+    return available >= wide_enough * em ? std::clamp(0.2f * available, 8 * em, 11 * em)
+                                         : 0.8f * em;
 }
 
 void PropertyEditor::gutter(const Target& target, ImVec2 at, float width) {

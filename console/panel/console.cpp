@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include <fettle/property/edits.h>
 #include <fettle/property/exception_text.h>
 #include <fettle/property/explaining.h>
 #include <fettle/property/path.h>
@@ -198,6 +199,7 @@ void Console::State::show_overlay(std::string_view overlay, bool on) {
 
 void Console::State::run(const std::string& command) {
     prompt.run(command);
+    status.edits_without_undo = property::edits_without_undo(tree);
     views.log_view.scroll_to_end();
     const bool printed = !log.lines().empty() && log.lines().back().kind != LineKind::command &&
                          log.lines().back().kind != LineKind::continuation;
@@ -226,7 +228,7 @@ void Console::State::follow_settings() {
         ui.release_all();
         input.fed_button = input.fed_key = input.fed_text = false;
         screen.panel_rect = screen.inspector_rect = {};
-        screen.height_edge = screen.width_edge = {};
+        screen.height_edge = screen.width_edge = screen.plot_edge = {};
         views.time_bar.hide();
         views.watch_list.hide();
         views.plot_view.hide();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <fettle/property/edits.h>
 #include <fettle/property/exception_text.h>
 
 #include <in_game/pick.h>
@@ -16,6 +17,7 @@ using app::InputEvent;
 
 bool Console::State::handle(const InputEvent& event) {
     follow_settings();
+    if (event.kind != EventKind::text) type_letter();
     if (event.kind == EventKind::key_pressed || event.kind == EventKind::key_released) {
         // The event of a modifier may have the state before it.
         const bool down = event.kind == EventKind::key_pressed;
@@ -48,7 +50,7 @@ void Console::State::lose_focus() {
     input.buttons.clear();
     input.box.reset();
     input.shift_held = input.control_held = false;
-    input.swallow_text = false;
+    input.swallow_text = input.may_be_dead = false;
 }
 
 // --- Keyboard
@@ -59,6 +61,7 @@ bool Console::State::press_key(const InputEvent& event) {
     if (bare && event.name == settings.text("key")) {
         input.swallow_text = true;
         if (event.repeated) return true;
+        input.may_be_dead = event.name == "grave";
         input.keys.press(event.name, HeldKeys::Owner::console);
         open(!is_open());
         return true;
@@ -72,6 +75,7 @@ bool Console::State::press_key(const InputEvent& event) {
     if (input.keys.held_by_game(event.name))
         return true;  // auto-repeat of a key that the game holds
     input.keys.press(event.name, HeldKeys::Owner::console);
+    note_letter(event);
     if (widgets_have_keyboard()) {
         feed(event);
     } else {
@@ -102,8 +106,18 @@ bool Console::State::release_key(const InputEvent& event) {
 }
 
 bool Console::State::type_text(const InputEvent& event) {
-    if (input.swallow_text) return true;
+    if (input.swallow_text) {
+        input.may_be_dead = false;
+        return true;
+    }
     if (!status.was_open) return false;
+    // A letter with the accent of a dead key stands for the letter.
+    if (const char32_t letter = std::exchange(input.letter, 0);
+        letter != 0 && event.character > 0x7f) {
+        InputEvent plain = event;
+        plain.character = letter;
+        return type_text(plain);
+    }
     if (event.character == U'`' && settings.text("key") == "grave") return true;
     // Control and a letter give a control character, which widgets and the prompt do not use.
     if (event.character < 0x20 || event.character == 0x7f) return true;
@@ -112,6 +126,21 @@ bool Console::State::type_text(const InputEvent& event) {
     else
         prompt.type(event.character);
     return true;
+}
+
+void Console::State::note_letter(const InputEvent& event) {
+    if (!std::exchange(input.may_be_dead, false)) return;
+    const bool letter = event.name.size() == 1 && event.name[0] >= 'a' && event.name[0] <= 'z';
+    if (!letter || event.control || event.alt) return;
+    input.letter = static_cast<char32_t>(event.shift ? event.name[0] - 'a' + 'A' : event.name[0]);
+}
+
+void Console::State::type_letter() {
+    if (input.letter == 0) return;
+    InputEvent event;
+    event.kind = EventKind::text;
+    event.character = std::exchange(input.letter, 0);
+    type_text(event);
 }
 
 /// A letter that no field of an open menu takes closes the menu: it is the beginning of a command.
@@ -145,6 +174,7 @@ void Console::State::prompt_key(const InputEvent& event) {
     const bool listed = settings.flag("tweaks");
     const std::size_t before = log.lines().size() + log.dropped();
     if (prompt.key(key)) {
+        status.edits_without_undo = property::edits_without_undo(tree);
         const bool printed = log.lines().size() + log.dropped() != before;
         if (key.name == "enter" || printed) views.log_view.scroll_to_end();
         // The output of a command is shown in place of the list that was there before.
@@ -159,15 +189,21 @@ void Console::State::prompt_key(const InputEvent& event) {
         open(false);
 }
 
+void Console::State::note_lost_undo() {
+    const std::size_t now = property::edits_without_undo(tree);
+    if (std::exchange(status.edits_without_undo, now) < now)
+        log.note("this edit took too much memory to be undone");
+}
+
 // --- Mouse
 
 bool Console::State::over_windows(float x, float y) const {
     return screen.popup_open || screen.panel_rect.contains(x, y) ||
            screen.inspector_rect.contains(x, y) || screen.height_edge.contains(x, y) ||
-           screen.width_edge.contains(x, y) || views.time_bar.rect().contains(x, y) ||
-           views.watch_list.rect().contains(x, y) || views.plot_view.rect().contains(x, y) ||
-           views.frame_view.rect().contains(x, y) || views.compare_view.rect().contains(x, y) ||
-           views.prompt_view.menu_rect().contains(x, y);
+           screen.width_edge.contains(x, y) || screen.plot_edge.contains(x, y) ||
+           views.time_bar.rect().contains(x, y) || views.watch_list.rect().contains(x, y) ||
+           views.plot_view.rect().contains(x, y) || views.frame_view.rect().contains(x, y) ||
+           views.compare_view.rect().contains(x, y) || views.prompt_view.menu_rect().contains(x, y);
 }
 
 bool Console::State::mouse(const InputEvent& event) {

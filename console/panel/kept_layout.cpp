@@ -14,8 +14,9 @@ namespace fettle::console {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kept_settings = {
-    "inspector", "time_bar", "font_size", "scale", "height", "inspector_width", "opacity"};
+constexpr std::array<std::string_view, 8> kept_settings = {
+    "inspector", "time_bar",        "font_size",   "scale",
+    "height",    "inspector_width", "plot_height", "opacity"};
 
 std::vector<std::string> texts_of(const std::vector<Trace>& traces) {
     std::vector<std::string> texts;

@@ -65,10 +65,11 @@ void Console::State::frame(double seconds) {
                    std::clamp(std::round(settings.number("font_size") * settings.number("scale")),
                               6.0f, 96.0f));
     float cell = ImGui::CalcTextSize("MMMMMMMM").x / 8;
+    note_lost_undo();
     draw_part([&] { draw_in_game(); });
     draw_part([&] { draw_box(); });
     float right = 0;
-    screen.height_edge = screen.width_edge = {};
+    screen.height_edge = screen.width_edge = screen.plot_edge = {};
     if (inspector_is_beside()) {
         right = inspector_width() + margin;
         draw_part([&] { draw_inspector(screen.width - right, inspector_width()); });
@@ -310,11 +311,26 @@ void Console::State::draw_observed(float right) {
     const float plot_room = room - (low - bottom);
     if (plot_room < low_plot * em) return views.plot_view.hide();
     const TimeBar::Times now = views.time_bar.times();
-    views.plot_view.draw(
-        ImVec2(left, bottom),
-        ImVec2(std::max(12 * em, wide - (left - margin)),
-               std::min({std::max(plot_room * 0.6f, least_plot * em), 16 * em, plot_room})),
-        plot_room, tree, observing.plots(), {now.step, now.oldest, now.newest, now.dt}, opacity);
+    const float chosen = settings.number("plot_height") * settings.number("scale");
+    const float usual = std::min(std::max(plot_room * 0.6f, least_plot * em), 16 * em);
+    const float tall = std::min(std::max(chosen > 0 ? chosen : usual, low_plot * em), plot_room);
+    views.plot_view.draw(ImVec2(left, bottom),
+                         ImVec2(std::max(12 * em, wide - (left - margin)), tall), plot_room, tree,
+                         observing.plots(), {now.step, now.oldest, now.newest, now.dt}, opacity);
+    draw_plot_handle(tall);
+}
+
+void Console::State::draw_plot_handle(float plot_height) {
+    const Rect& plot = views.plot_view.rect();
+    // Most of it is outside, because the legend begins at the edge.
+    screen.plot_edge = {ImVec2(plot.low.x, plot.low.y - 0.75f * handle_size),
+                        ImVec2(plot.high.x, plot.low.y + 0.25f * handle_size)};
+    if (!edge_is_dragged("##plot edge", screen.plot_edge, ImGuiMouseCursor_ResizeNS) ||
+        ImGui::GetIO().MouseDelta.y == 0)
+        return;
+    const double tall = (plot_height + plot.low.y - ImGui::GetIO().MousePos.y) /
+                        static_cast<double>(settings.number("scale"));
+    settings.set("plot_height", property::Value(std::clamp(tall, 1.0, 4000.0)));
 }
 
 // --- The panel

@@ -70,6 +70,10 @@ struct Input {
     std::optional<DrawnBox> box;
     bool keys_to_selection = false;  // the last click was into the game
     bool swallow_text = false;       // the character of the toggle key follows and is dropped
+    // The toggle key has typed no character yet: it may be a dead key, which takes the next letter
+    // away or puts an accent on it.
+    bool may_be_dead = false;
+    char32_t letter = 0;  // of the key that was pressed next; 0: none, or it was typed
     bool fed_button = false, fed_key = false, fed_text = false;  // since the last frame
 };
 
@@ -78,6 +82,7 @@ struct Screen {
     float width = 0, height = 0;  // of the surface; 0 before the first draw
     Rect panel_rect, inspector_rect, filter_rect;
     Rect height_edge, width_edge;  // of the panel and of the inspector, to be dragged
+    Rect plot_edge;                // the upper edge of the plot
     bool popup_open = false;
     bool building = false;     // a frame is being built; no other may begin inside it
     std::string part_problem;  // the last one in the log
@@ -89,9 +94,10 @@ struct Status {
     bool greeted = false;
     bool pausing = false;  // the console has paused the game's time
     bool time_was_paused = false;
-    bool restored = false;              // what was pinned and plotted in earlier runs
-    std::string selected_path;          // of the selected instance when it was last seen
-    std::vector<std::string> breaks{};  // conditions of the run before a restart
+    bool restored = false;               // what was pinned and plotted in earlier runs
+    std::string selected_path;           // of the selected instance when it was last seen
+    std::vector<std::string> breaks{};   // conditions of the run before a restart
+    std::size_t edits_without_undo = 0;  // of which the log has told
 };
 
 struct Continuation {
@@ -110,6 +116,10 @@ struct Console::State {
     bool press_key(const app::InputEvent& event);
     bool release_key(const app::InputEvent& event);
     bool type_text(const app::InputEvent& event);
+    /// Notes the letter of a key that follows the toggle key.
+    void note_letter(const app::InputEvent& event);
+    /// Types the noted letter if a dead key has taken it away.
+    void type_letter();
     bool mouse(const app::InputEvent& event);
     void prompt_key(const app::InputEvent& event);
     void lose_focus();
@@ -154,6 +164,9 @@ struct Console::State {
     void keep_layout();
     /// Runs a command of a button, a menu or a key as if it were typed.
     void run(const std::string& command);
+    /// Notes it if an edit, of the inspector or of an attached terminal, was too large to be
+    /// undone. The prompt tells it of its commands.
+    void note_lost_undo();
     /// Shows the log in place of the list of tweaks.
     void show_log();
     // --- Files (exporting.cpp)
@@ -197,6 +210,7 @@ struct Console::State {
     void draw_inspector(float left, float width);
     void draw_inspector_below();
     void draw_width_handle();
+    void draw_plot_handle(float plot_height);
 
     property::Tree& tree;
     Interpreter interpreter;

@@ -12,6 +12,8 @@
 
 #include <fettle/console/console.h>
 #include <fettle/property/spelling.h>
+#include <fettle/property/storage/replaced_file.h>
+#include <fettle/property/storage/scene.h>
 
 #include <text/utf8.h>
 
@@ -53,11 +55,11 @@ bool write_all(int fd, std::string_view bytes) {
     return true;
 }
 
-/// `flags` as for open(2). False with errno set.
-bool write_file(const std::filesystem::path& file, int flags, std::string_view bytes) {
-    const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0600);
+/// Writes behind what the file has. False with errno set.
+bool append_to(const std::filesystem::path& file, std::string_view bytes) {
+    const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_APPEND, 0600);
     if (fd < 0) return false;
-    const bool written = write_all(fd, bytes) && ((flags & O_TRUNC) == 0 || ::fsync(fd) == 0);
+    const bool written = write_all(fd, bytes);
     return ::close(fd) == 0 && written;
 }
 
@@ -130,19 +132,19 @@ void History::append(std::string_view command) {
     std::error_code error;
     if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
     if (error) return fail(error.message());
-    if (!write_file(file_, O_APPEND, escaped(command))) return fail(std::strerror(errno));
+    if (!append_to(file_, escaped(command))) return fail(std::strerror(errno));
     if (++lines_in_file_ > 2 * max_entries) rewrite();
 }
 
 void History::rewrite() {
-    std::filesystem::path fresh = file_;
-    fresh += "." + std::to_string(::getpid()) + ".new";
     std::string all;
     for (const std::string& entry : entries_) all += escaped(entry);
-    if (!write_file(fresh, O_TRUNC, all) || ::rename(fresh.c_str(), file_.c_str()) != 0) {
-        std::string reason = std::strerror(errno);
-        ::unlink(fresh.c_str());
-        return fail(reason);
+    try {
+        property::replace_file(file_, all);
+    } catch (const property::FileError& error) {
+        writable_ = false;
+        problem_ = std::string("history is not kept: ") + error.what();
+        return;
     }
     lines_in_file_ = entries_.size();
 }

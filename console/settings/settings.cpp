@@ -74,6 +74,9 @@ property::ClassDescriptor console_class() {
                                    "Height of the console as a share of the window."));
     list.push_back(number_property("inspector_width", 380, {200, 2000}, "px",
                                    "Width of the inspector at a scale of 1."));
+    list.push_back(number_property("plot_height", 0, {0, 4000}, "px",
+                                   "Height of the curves of a plot at a scale of 1, as far as the "
+                                   "window has room; 0: a height that fits the window."));
     list.push_back(number_property(
         "memory_limit", 256, {1, 1e6}, "MB",
         "How much memory one command may add, by Lua's values and by what it makes in the tree; a "

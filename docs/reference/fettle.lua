@@ -2990,6 +2990,7 @@ Transition = {}
 ---@field overlays boolean Whether the overlays of `view.show` are shown as a row of buttons. · true or false · default false · not saved
 ---@field pauses boolean Whether time stands still while the console is open. · true or false · default false · not saved
 ---@field picks boolean Whether a click on a body, a picture or a widget selects it while the console is open. · true or false · default true · not saved
+---@field plot_height number Height of the curves of a plot at a scale of 1, as far as the window has room; 0: a height that fits the window. · px · 0 to 4000 · default 0 · not saved
 ---@field scale number Factor of the size of the text, and of what is measured by it. · 0.5 to 4 · default 1 · not saved
 ---@field time_bar boolean Whether the time bar is shown with it: pause, step, back. · true or false · default true · not saved
 ---@field tweaks boolean Whether tweaks are listed in place of the log. · true or false · default false · not saved

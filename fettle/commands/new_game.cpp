@@ -20,6 +20,7 @@
 #include <command_line/terminal.h>
 #include <commands/commands.h>
 #include <files/dashed_name.h>
+#include <files/draft.h>
 #include <files/game_path.h>
 #include <session/session.h>
 
@@ -137,7 +138,6 @@ void fill(const fs::path& folder, const fs::path& draft) {
         for (const fs::path& each : moved) fs::remove_all(each, ignored);
         throw;
     }
-    fs::remove(draft);
 }
 
 /// Makes the folder with the files of the template and annotations for editors. Throws FileError
@@ -160,20 +160,14 @@ int new_game(const NewGameOptions& options) {
     fs::create_directories(folder.parent_path());
     // Made under another name, so that an error leaves no incomplete game. An existing folder is
     // filled and not replaced, because the user's shell may be in it.
-    const fs::path draft =
-        there ? folder / ".fettle-new" : folder.parent_path() / ("." + name + ".fettle-new");
-    fs::remove_all(draft);
-    fs::create_directory(draft);
-    try {
-        make(draft, options.pattern, name);
-        if (there)
-            fill(folder, draft);
-        else
-            fs::rename(draft, folder);
-    } catch (...) {
-        fs::remove_all(draft, error);
-        throw;
-    }
+    const Draft draft(there ? folder / name : folder);
+    const fs::path made = draft.path / name;
+    fs::create_directory(made);
+    make(made, options.pattern, name);
+    if (there)
+        fill(folder, made);
+    else
+        fs::rename(made, folder);
     const std::string typed = for_shell(options.folder.string());
     print_line(typed + ": a game to begin with. Play it with fettle run " + typed +
                ", test it with fettle test " + typed);

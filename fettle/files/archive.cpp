@@ -2,7 +2,6 @@
 
 #include <minizip/unzip.h>
 #include <minizip/zip.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -15,6 +14,7 @@
 #include <fettle/property/storage/game_files.h>
 #include <fettle/property/value.h>
 
+#include <files/draft.h>
 #include <files/game_path.h>
 
 namespace fettle::program {
@@ -135,9 +135,8 @@ void add_file(void* archive, const fs::path& file, const std::string& name,
 }  // namespace
 
 void write_archive(const fs::path& file, const ArchiveFiles& files) {
-    // No other file has this name.
-    const fs::path draft = file.string() + "." + std::to_string(::getpid()) + ".new";
-    std::error_code ignored;
+    const Draft folder(file);
+    const fs::path draft = folder.path / "archive";
     const auto refuse_now = [&] {
         refuse(file, std::string("cannot be written") +
                          (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
@@ -150,11 +149,7 @@ void write_archive(const fs::path& file, const ArchiveFiles& files) {
         if (zipClose(archive.release(), nullptr) != ZIP_OK) refuse_now();
         fs::rename(draft, file);
     } catch (const fs::filesystem_error& error) {
-        fs::remove(draft, ignored);
         refuse(file, "cannot be written: " + error.code().message());
-    } catch (...) {
-        fs::remove(draft, ignored);
-        throw;
     }
 }
 

@@ -3,7 +3,6 @@
 #include <link.h>
 #include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +15,7 @@
 #include <fettle/module/trial_program.h>
 #include <fettle/property/storage/font_files.h>
 
+#include <files/draft.h>
 #include <files/game_path.h>
 
 namespace fettle::program {
@@ -126,30 +126,6 @@ void run_tool(const std::vector<std::string>& command) {
     }
     if (status != 0) throw FileError(command[0] + " failed");
 }
-
-/// Makes an empty folder with a new name beside the result.
-fs::path folder_beside(const fs::path& result) {
-    fs::path whole = fs::absolute(result).lexically_normal();
-    if (!whole.has_filename()) whole = whole.parent_path();
-    std::error_code error;
-    fs::create_directories(whole.parent_path(), error);
-    std::string name = whole.string() + ".XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr)
-        throw FileError(result.string() + ": cannot be written: " + std::strerror(errno));
-    return name;
-}
-
-/// A folder beside the result that is deleted at the end.
-class Draft {
-  public:
-    explicit Draft(const fs::path& result) : path(folder_beside(result)) {}
-    ~Draft() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    Draft(const Draft&) = delete;
-    const fs::path path;
-};
 
 /// Refuses a folder, a pipe or a device in the place of a file that is to be made.
 void require_place_of_file(const fs::path& to) {

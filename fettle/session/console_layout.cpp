@@ -6,6 +6,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include <fettle/property/storage/replaced_file.h>
+
 #include <files/game_path.h>
 #include <session/session.h>
 
@@ -68,12 +70,7 @@ void write_layout(const fs::path& folder, const console::Layout& layout) {
     if (content_of(file) == text) return;
     std::error_code error;
     fs::create_directories(folder, error);
-    const fs::path beside = folder / "console.json.new";
-    std::ofstream out(beside, std::ios::binary);
-    out << text;
-    out.close();
-    if (out) fs::rename(beside, file, error);
-    if (!out || error) throw FileError(file.string() + ": it cannot be written");
+    property::replace_file(file, text);
 }
 
 std::string autoexec(std::string& problem) {

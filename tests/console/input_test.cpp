@@ -57,6 +57,45 @@ TEST_CASE("a letter typed while the grave key is still down is typed") {
     CHECK(rig.input() == "w");
 }
 
+TEST_CASE("a toggle key that is a dead key does not change the first letter") {
+    Rig rig;
+    rig.key("grave");  // types nothing yet, as ^ in Germany
+    SECTION("it takes the letter away") {
+        rig.press("w");
+        rig.release("w");
+        CHECK(rig.input() == "w");
+    }
+    SECTION("it puts an accent on the letter") {
+        rig.press("w");
+        rig.character(U'\u0175');
+        rig.release("w");
+        CHECK(rig.input() == "w");
+    }
+    SECTION("another key is pressed before the first one is released") {
+        rig.press("w");
+        rig.press("o");
+        rig.character(U'o');
+        CHECK(rig.input() == "wo");
+    }
+    SECTION("it was none") {
+        rig.press("w");
+        rig.character(U'w');
+        rig.release("w");
+        rig.press("e");
+        rig.character(U'\u00e9');
+        CHECK(rig.input() == "w\u00e9");
+    }
+    SECTION("it types a character by itself") {
+        rig.key("grave");
+        rig.press("grave");
+        rig.character(U'\u00b2');
+        rig.release("grave");
+        rig.press("w");
+        rig.release("w");
+        CHECK(rig.input().empty());
+    }
+}
+
 TEST_CASE("shift and the grave key type a tilde") {
     Rig rig;
     rig.key("grave");

@@ -116,6 +116,40 @@ bool are_apart(const console::Rect& a, const console::Rect& b) {
     return a.high.x <= b.low.x || b.high.x <= a.low.x || a.high.y <= b.low.y || b.high.y <= a.low.y;
 }
 
+TEST_CASE("the upper edge of a plot is dragged to another height, which is kept") {
+    ObservingRig rig;
+    rig.step(10);
+    rig.run("plot world.ball.position.x");
+    rig.show();
+    auto& state = rig.lua.state();
+    const auto height = [&] {
+        const console::Rect rect = state.views.plot_view.rect();
+        return rect.high.y - rect.low.y;
+    };
+    const float before = height();
+    const ImVec2 edge = state.screen.plot_edge.middle();
+    REQUIRE(edge.y > 0);
+    const auto event = [&](app::EventKind kind, float y) {
+        app::InputEvent made;
+        made.kind = kind;
+        made.x = edge.x;
+        made.y = y;
+        if (kind != app::EventKind::mouse_moved) made.name = "left";
+        CHECK(rig.lua.handle(made));
+        rig.show();
+    };
+    event(app::EventKind::mouse_moved, edge.y);
+    event(app::EventKind::mouse_pressed, edge.y);
+    for (float y = edge.y; y >= edge.y - 60; y -= 10) event(app::EventKind::mouse_moved, y);
+    event(app::EventKind::mouse_released, edge.y - 60);
+    CHECK(std::abs(height() - before - 60) < 10);
+    CHECK(state.settings.number("plot_height") > 0);
+    // It never covers the panel.
+    state.settings.set("plot_height", property::Value(4000));
+    rig.show();
+    CHECK(state.views.plot_view.rect().low.y >= state.screen.panel_rect.high.y);
+}
+
 TEST_CASE("beside a plot and a watch list there is room for the inspector") {
     struct Case {
         unsigned width, height;

@@ -119,7 +119,12 @@ TEST_CASE("the column of names is as wide as the names of an instance need") {
     rig.draw(3);
     rig.widget("position");
     const Handle ball = rig.console.selected();
-    CHECK_FALSE(rig.state().inspector.editor().name_is_cut(rig.tree.property(ball, "position")));
+    const auto room_of = [&](const char* name) {
+        const console::Rect value =
+            rig.state().inspector.editor().widget_rect(rig.tree.property(ball, name));
+        return value.low.x - rig.state().screen.inspector_rect.low.x;
+    };
+    CHECK(room_of("position") > ImGui::CalcTextSize("position").x);
     const auto lines_of_position = [&] {
         const console::Rect fields =
             rig.state().inspector.editor().widget_rect(rig.tree.property(ball, "position"));
@@ -127,14 +132,29 @@ TEST_CASE("the column of names is as wide as the names of an instance need") {
     };
     const float before = lines_of_position();
     // A name that would leave its value no room is cut, and no vector needs another line for it.
-    rig.tree.set_or_add(ball, "the_longest_of_all_names_of_properties_in_this_game", Value(1));
+    const char* const longest = "the_longest_of_all_names_of_properties_in_this_game";
+    rig.tree.set_or_add(ball, longest, Value(1));
     rig.draw(3);
     rig.widget("position");
     CHECK(lines_of_position() == before);
-    const ImVec2 value = rig.widget("the_longest_of_all_names_of_properties_in_this_game");
+    const ImVec2 value = rig.widget(longest);
     CHECK(value.x > 0);
-    CHECK(rig.state().inspector.editor().name_is_cut(
-        rig.tree.property(ball, "the_longest_of_all_names_of_properties_in_this_game")));
+    CHECK(room_of(longest) < ImGui::CalcTextSize(longest).x);
+}
+
+TEST_CASE("an edit that is too large to be undone says so when it is made") {
+    Rig rig;
+    rig.key("grave");
+    rig.console.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));
+    rig.draw(3);
+    rig.tree.set_history_limit(1);
+    const ImVec2 at = rig.widget("angle");
+    rig.drag(at.x, at.y, at.x + 50, at.y);
+    rig.draw(3);
+    const std::string log = rig.log_text();
+    INFO(log);
+    CHECK(rig.logged("this edit took too much memory to be undone"));
+    CHECK(log.find("too much memory") == log.rfind("too much memory"));
 }
 
 }  // namespace property_row_test

@@ -1,6 +1,7 @@
 #include "catch.h"
 #include "fixture.h"
 
+#include <fettle/property/edits.h>
 #include <fettle/property/snapshot.h>
 
 namespace history_test {
@@ -313,6 +314,7 @@ TEST_CASE_METHOD(Fixture,
                  "an edit larger than the limit of the history is listed but cannot be undone") {
     tree.set_history_limit(10000);
     console([&] { tree.set(ball, "mass", 2); });
+    CHECK(edits_without_undo(tree) == 0);
     const std::string text(20000, 'x');
     tree.begin_edit("large");
     tree.set_or_add(ball, "text", text);
@@ -323,6 +325,7 @@ TEST_CASE_METHOD(Fixture,
     CHECK(tree.history_bytes() < 10000);
     REQUIRE(tree.history().size() == 2);
     CHECK(tree.history()[0].too_large);
+    CHECK(edits_without_undo(tree) == 1);
     const UndoResult result = tree.undo();
     CHECK(result.name == "large");
     REQUIRE(result.notes.size() == 1);

@@ -47,6 +47,72 @@ TEST_CASE("a name without quotes that no property takes keeps its hint") {
     CHECK(s.fails(line).find("quotes") == std::string::npos);
 }
 
+TEST_CASE("what beginners type at the console is answered by what they may have meant") {
+    Stage s;
+    s.run("world.stage = Object {} world.stage.ball = Body {}");
+    const auto [typed, hint] = GENERATE(table<std::string, std::string>({
+        {"world.stage.ball.position = (5, 3)", "(write vec(x, y))"},
+        {"world.stage.ball.mass = 5 kg", "(write the number without its unit)"},
+        {"world.stage.ball.mass = 2.5 kg", "(write the number without its unit)"},
+        {"world.stage.ball.position.x = 5 m/s", "(write the number without its unit)"},
+        {"world.stage.ball.mass 5", "(write path = value)"},
+        {"world:gravity = vec(0, 1)", "(write a.b = value)"},
+        {"world.stage.ball.mass is", "(write path is expression)"},
+        {"delete world.stage.ball", "(write path:delete())"},
+        {"set mass 5", "(write path = value)"},
+        {"for i = 0; i < 5; i++ do print(i) end", "(write for i = 1, n do ... end)"},
+        {"for (i = 0, 5) do print(i) end", "(write for i = 1, n do ... end)"},
+        {"for i in 1..5 do print(i) end", "(write for i = 1, n do ... end)"},
+        {"print(1..5)", "(write a .. b with blanks)"},
+        {"math.sqr(4)", "(did you mean \"sqrt\"?)"},
+        {"string.uper('a')", "(did you mean \"upper\"?)"},
+        {"world.ball", "(did you mean world.stage.ball?)"},
+        {"world.ball.mass = 3", "(did you mean world.stage.ball?)"},
+        {"mass * 2", "(did you mean \"world.stage.ball.mass\"?)"},
+        {"Gravity", "(did you mean \"world.gravity\"?)"},
+        {"raycast_all(vec(), vec(1, 0))", "(did you mean \"world:raycast_all(...)\"?)"},
+        {"rewind 5", "(write rewind(...))"},
+        {"bind f5 restart()", "(write bind(...))"},
+        {"select world.stage.ball", "(write selection { path })"},
+        {"world.stage.ball.awake = yes", "(write true)"},
+        {"world.stage.ball:goto(1)", "(goto is a word of Lua and no name)"},
+        {"string.repeat('a', 3)", "(repeat is a word of Lua and no name)"},
+        {"sleep(1)", "(write after(seconds, action))"},
+        {"save", "(write save_game(\"name\"))"},
+        {"play", "(write time.paused = false)"},
+    }));
+    INFO(typed);
+    const Evaluation answer = s.runtime->evaluate(typed);
+    REQUIRE(answer.error);
+    CHECK_THAT(answer.error->message, contains(hint));
+    CHECK(s.runtime->evaluate("local x = 5\nlocal y = x\ny").incomplete);
+}
+
+TEST_CASE("a color without quotes is shown with quotes") {
+    Stage s;
+    s.tree->define(
+        {.name = "Lamp", .properties = {{.name = "light", .type = fettle::property::Type::color}}});
+    s.run("world.lamp = Lamp {}");
+    CHECK_THAT(s.fails("world.lamp.light = red"), contains("did you mean light = \"red\"?"));
+    CHECK_THAT(s.fails("world.lamp.light = tomatto"), contains("light = \"tomato\"?"));
+    CHECK(s.fails("world.lamp.name = red").find("quotes") == std::string::npos);
+}
+
+TEST_CASE("one letter without quotes is a text only beside a property that takes it") {
+    Stage s;
+    s.tree->define({.name = "Keyed",
+                    .properties = {{.name = "key",
+                                    .type = fettle::property::Type::text,
+                                    .default_value = fettle::property::Value("i"),
+                                    .enumerators = {"i", "up"}}}});
+    const auto said = GENERATE("print(i)", "local x = 1 if x == i then end", "vec(i, 2)");
+    INFO(said);
+    CHECK(s.fails(said).find("quotes") == std::string::npos);
+    CHECK_THAT(s.fails("local e = { key = 1 } if e.key == i then end"), contains("mean \"i\"?"));
+    CHECK_THAT(s.fails("local e = { key = 1 } if e.key ~= i then end"), contains("mean \"i\"?"));
+    CHECK_THAT(s.fails("print(up)"), contains("did you mean \"up\"?"));
+}
+
 TEST_CASE("names of classes of other engines lead to the classes here") {
     Stage s;
     s.run("world.ball = Body {}");

@@ -193,6 +193,8 @@ TEST_CASE("undo uses its share of the memory and names an edit that is too large
     Playing game("");
     game.console("time.rewind_memory = 32");
     game.play(2);
+    std::vector<std::string> printed;
+    game.runtime->on_print([&](std::string_view line) { printed.emplace_back(line); });
     REQUIRE(
         game.runtime->run("edit('small', function() world.a = 1 end)"
                           "edit('large', function() world.b = string.rep('x', 9000000) end)",
@@ -202,6 +204,16 @@ TEST_CASE("undo uses its share of the memory and names an edit that is too large
     REQUIRE(listed.size() == 3);  // the third is the console command itself
     CHECK(listed[0].name == "large");
     CHECK(listed[0].too_large);
+    const std::string told =
+        "this edit took too much memory to be undone; with a larger time.rewind_memory (32 MiB "
+        "now), the next edit of this size can be undone";
+    CHECK(printed == std::vector<std::string>{told});
+    const auto typed = game.runtime->evaluate("world.c = string.rep('x', 9000000)");
+    REQUIRE(typed.ok);
+    CHECK(typed.lines.back() == told);
+    CHECK(game.runtime->evaluate("world.d = 1").lines.size() == 1);
+    game.tree.undo();
+    game.tree.undo();
     const auto reported = game.tree.undo();
     REQUIRE(reported.notes.size() == 1);
     CHECK(reported.notes[0].find("more memory") != std::string::npos);

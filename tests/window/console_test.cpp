@@ -66,6 +66,29 @@ TEST_CASE("a command typed in a window changes the game and its picture") {
     CHECK(game.running());
 }
 
+TEST_CASE("the key left of 1 opens the console whatever it types") {
+    if (skipped()) return;
+    if (!fettle::test::available("setxkbmap")) return;
+    // It types ² in France, and is a dead ^ in Germany.
+    const std::string layout = GENERATE("fr", "de");
+    INFO(layout);
+    GameWindow game(source / "tests" / "window" / "game", {}, "", layout);
+    REQUIRE(game.prints("ready"));
+    const Picture closed = game.settled();
+    const auto is_open = [&] { return game.picture().difference(closed, 0, 0, 800, 300) > 50'000; };
+    const std::string code = "49";  // of the key in X11
+    game.hold(code, true);
+    CHECK(game.eventually(is_open));
+    game.hold(code, false);
+    game.type("world.gravity = vec(0, 2)");
+    game.key("Return");
+    CHECK(game.prints("gravity is\tvec(0, 2)"));
+    game.hold(code, true);
+    CHECK(game.eventually([&] { return !is_open(); }));
+    game.hold(code, false);
+    CHECK_FALSE(contains(game.printed(), "game got"));
+}
+
 TEST_CASE("Tab completes a path in a window") {
     if (skipped()) return;
     GameWindow game(source / "tests" / "window" / "game");

@@ -28,8 +28,9 @@ std::string missing_tools() {
 }
 
 GameWindow::GameWindow(const fs::path& game, const std::map<std::string, std::string>& environment,
-                       const std::string& window_manager) {
+                       const std::string& window_manager, const std::string& keyboard) {
     start_display();
+    if (!keyboard.empty()) set_layout(keyboard);
     if (!window_manager.empty()) start_manager(window_manager);
     environment_["XDG_STATE_HOME"] = (folder_ / "state").string();
     environment_["XDG_DATA_HOME"] = (folder_ / "data").string();
@@ -78,6 +79,11 @@ void GameWindow::start_manager(const std::string& name) {
         return run({"xdotool", "get_num_desktops"}, environment_, folder_ / "desktops") == 0;
     });
     if (!up) throw std::runtime_error(name + " did not start\n" + read_file(folder_ / "manager"));
+}
+
+void GameWindow::set_layout(const std::string& keyboard) {
+    if (run({"setxkbmap", keyboard}, environment_, folder_ / "layout") != 0)
+        throw std::runtime_error("setxkbmap failed\n" + read_file(folder_ / "layout"));
 }
 
 std::string GameWindow::active_window() const {

@@ -21,11 +21,11 @@ class GameWindow {
   public:
     /// Starts a virtual display and `fettle run GAME` in it; without a game, `fettle`, which
     /// opens the gallery.
-    /// `environment` is added to that of the program. Throws std::runtime_error if either does not
-    /// start.
+    /// `environment` is added to that of the program; `keyboard` is a layout of setxkbmap. Throws
+    /// std::runtime_error if either does not start.
     explicit GameWindow(const std::filesystem::path& game,
                         const std::map<std::string, std::string>& environment = {},
-                        const std::string& window_manager = "");
+                        const std::string& window_manager = "", const std::string& keyboard = "");
     ~GameWindow();
 
     /// The id of the window that is active and has the keyboard; "" if there is none.
@@ -59,6 +59,7 @@ class GameWindow {
   private:
     void start_display();
     void start_manager(const std::string& name);
+    void set_layout(const std::string& keyboard);
     void xdotool(const std::vector<std::string>& arguments) const;
 
     TemporaryFolder temporary_;

@@ -33,8 +33,11 @@ class NoMessages {
     std::streambuf* before_;
 };
 
-/// The name of a key; "" if it has none. sfml_events.cpp defines this function and the next five.
+/// The name of a key; "" if it has none. sfml_events.cpp defines this function and the next six.
 std::string key_name(sf::Keyboard::Key key);
+/// The same for a key that goes down or up. The key left of the 1 is "grave" in every layout of the
+/// keyboard, because it opens the console; SFML 2 names it by what it types, or not at all.
+std::string key_name(sf::Keyboard::Key key, bool pressed);
 /// Whether the key of this name is held down, whichever window has the keyboard.
 bool is_down(const std::string& key);
 std::string button_name(sf::Mouse::Button button);
@@ -147,7 +150,7 @@ inline bool convert(const sf::Event& event, InputEvent& out) {
     };
     const auto key = [&](EventKind kind, const auto& e) {
         out.kind = kind;
-        out.name = key_name(e.code);
+        out.name = e.scancode == sf::Keyboard::Scan::Grave ? "grave" : key_name(e.code);
         out.control = e.control, out.shift = e.shift, out.alt = e.alt;
     };
     const auto button = [&](EventKind kind, const auto& e) {
@@ -306,7 +309,7 @@ inline bool convert(const sf::Event& event, InputEvent& out) {
     };
     const auto key = [&](EventKind kind) {
         out.kind = kind;
-        out.name = key_name(event.key.code);
+        out.name = key_name(event.key.code, kind == EventKind::key_pressed);
         out.control = event.key.control, out.shift = event.key.shift, out.alt = event.key.alt;
     };
     const auto button = [&](EventKind kind) {

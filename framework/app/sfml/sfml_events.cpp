@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 #include <sfml/sfml.h>
+#include <sfml/x11.h>
 
 namespace fettle::app::sfml {
 
@@ -67,7 +69,23 @@ std::string key_name(sf::Keyboard::Key key) {
     return {};
 }
 
+std::string key_name(sf::Keyboard::Key key, bool pressed) {
+    static std::optional<sf::Keyboard::Key> left_of_1;  // while it is held down
+    const std::string name = key_name(key);
+    // In all layouts it types a sign, or a letter that SFML does not know.
+    const bool may_be = name.empty() || key == sf::Keyboard::Key::LBracket ||
+                        key == sf::Keyboard::Key::RBracket || key == sf::Keyboard::Key::Backslash ||
+                        key == sf::Keyboard::Key::Slash || key == key_apostrophe ||
+                        key == sf::Keyboard::Key::Semicolon;
+    if (!may_be) return name;
+    if (pressed && !left_of_1 && is_key_left_of_1_down()) left_of_1 = key;
+    if (left_of_1 != key) return name;
+    if (!pressed) left_of_1.reset();
+    return "grave";
+}
+
 bool is_down(const std::string& key) {
+    if (key == "grave" && is_key_left_of_1_down()) return true;
     for (int code = 0; code < static_cast<int>(sf::Keyboard::KeyCount); ++code)
         if (const auto each = static_cast<sf::Keyboard::Key>(code);
             key_name(each) == key && sf::Keyboard::isKeyPressed(each))

@@ -50,6 +50,7 @@ void History::close() {
     if (open_.steps.empty() && !open_.too_large) return;
     clear(lists_.undone);
     put(lists_.done, std::exchange(open_, {}));
+    if (lists_.done.top().too_large) ++edits_without_undo_;
     trim();
 }
 

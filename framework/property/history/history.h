@@ -74,6 +74,7 @@ class History {
     /// Bytes of all entries that were ever added. Entries that are no longer in the lists may still
     /// be in older images.
     std::size_t bytes_ever() const { return bytes_ever_; }
+    std::size_t edits_without_undo() const { return edits_without_undo_; }
 
     /// The current lists, for `restore`. The cost does not depend on the length of the lists.
     Memory image() const;
@@ -185,6 +186,7 @@ class History {
     bool applying_ = false;
     mutable std::optional<std::size_t> bytes_ = 0;  // bytes of both lists, if known
     std::size_t bytes_ever_ = 0;
+    std::size_t edits_without_undo_ = 0;  // ever
     std::size_t limit_ = std::size_t{64} << 20;
 };
 

@@ -72,4 +72,8 @@ Provenance Tree::last_writer(Handle instance, const Property& property) const {
     return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step()}};
 }
 
+std::size_t edits_without_undo(const Tree& tree) {
+    return tree.state().history.edits_without_undo();
+}
+
 }  // namespace fettle::property

@@ -1,18 +1,21 @@
 #include <algorithm>
 #include <optional>
 
+#include <fettle/property/spelling.h>
 #include <fettle/script/runtime.h>
 
 #include <calls/error_place.h>
 #include <calls/errors.h>
 #include <lua/budget.h>
 #include <lua/call_form.h>
+#include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
 #include <text/columns.h>
 #include <text/other_languages.h>
+#include <text/words.h>
 #include <values/short_text.h>
 #include <values/values.h>
 
@@ -113,6 +116,33 @@ std::string without_control_characters(std::string_view text) {
     return shown;
 }
 
+/// Suggests a function of a table, as math.sqrt for math.sqr, after a call of a
+/// field that is nil.
+std::string nearest_function(lua_State* L, const ScriptError& error) {
+    constexpr std::string_view beginning = "attempt to call a nil value (field '";
+    constexpr std::size_t most = 1000;  // names that are looked at
+    const std::size_t at = error.message.find(beginning);
+    if (at == std::string::npos) return {};
+    std::string name = error.message.substr(at + beginning.size());
+    name.resize(std::min(name.find('\''), name.size()));
+    const Machine& machine = machine_of(L);
+    const std::string line = machine.sources.line(error.file, error.line);
+    const std::size_t field = find_word(line, name);
+    if (field == std::string::npos || field < 2 || line[field - 1] != '.') return {};
+    std::size_t begin = field - 1;
+    while (begin > 0 && is_word(line[begin - 1])) --begin;
+    const std::string table = line.substr(begin, field - 1 - begin);
+    std::vector<std::string> names;
+    const int top = lua_gettop(L);
+    push_registry(L, machine.globals.table);
+    push_text(L, table);
+    if (lua_rawget(L, -2) == LUA_TTABLE)
+        for (lua_pushnil(L); names.size() < most && lua_next(L, -2) != 0; lua_pop(L, 1))
+            if (lua_type(L, -2) == LUA_TSTRING) names.push_back(string_at(L, -2));
+    lua_settop(L, top);
+    return property::suggestion(name, names);
+}
+
 }  // namespace
 
 std::string error_text(lua_State* L, int index) {
@@ -133,7 +163,7 @@ std::string error_text(lua_State* L, int index) {
 void complete_message(lua_State* L, lua_State* from, int level) {
     if (lua_type(from, -1) != LUA_TSTRING) return;
     lua_Debug frame;
-    if (!lua_getstack(L, level, &frame) || !lua_checkstack(L, 4)) return;
+    if (!lua_getstack(L, level, &frame) || !lua_checkstack(L, 6)) return;
     lua_getinfo(L, "f", &frame);
     const lua_CFunction raiser = lua_tocfunction(L, -1);
     lua_pop(L, 1);
@@ -152,7 +182,9 @@ void complete_message(lua_State* L, lua_State* from, int level) {
         completed = with_refusal(machine_of(L).budget, completed);
         if (completed == error.message) completed.insert(0, position(L));
     }
-    completed += hint_for_value(error.message);
+    std::string hint = hint_for_value(error.message);
+    if (hint.empty()) hint = nearest_function(L, error);
+    completed += hint;
     if (!by_lua)
         completed += dot_hint(L, level);
     else if (error.message.find("(local 'self')") != std::string::npos)

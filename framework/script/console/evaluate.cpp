@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include <fettle/property/edits.h>
 #include <fettle/property/observer.h>
 #include <fettle/script/runtime.h>
 
@@ -18,6 +19,7 @@
 #include <handlers/formulas.h>
 #include <handlers/function_source.h>
 #include <handlers/observed.h>
+#include <library/library.h>
 #include <lua/budget.h>
 #include <lua/environment.h>
 #include <lua/host.h>
@@ -26,7 +28,9 @@
 #include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/hints.h>
+#include <reference/language.h>
 #include <text/columns.h>
+#include <text/other_languages.h>
 #include <text/words.h>
 #include <values/recording.h>
 #include <values/short_text.h>
@@ -173,6 +177,14 @@ Compiled compile(lua_State* L, std::string_view command) {
     if (try_load_text(L, expression, chunk_name) == LUA_OK) return Compiled::expression;
     lua_pop(L, 1);
     if (load_text(L, command, chunk_name) == LUA_OK) return Compiled::statements;
+    // Lua waits for what is to be done with the unit in x = 5 kg.
+    if (ends_early(L) && ends_with_unit(command)) {
+        lua_pop(L, 1);
+        const auto line = 1 + std::ranges::count(trimmed(command), '\n');
+        push_text(L,
+                  "console:" + std::to_string(line) + ": a word behind a number" + hint_for_unit());
+        return Compiled::wrong;
+    }
     if (ends_early(L)) return Compiled::incomplete;
     Sources& sources = machine_of(L).sources;
     sources.set_stop(L, command, chunk_name);
@@ -305,6 +317,22 @@ bool call_with_words(lua_State* L, std::string_view command) {
     return true;
 }
 
+/// Adds how a function is called to the message about a command such as `rewind 5`, which is at the
+/// top of the stack.
+void add_call_hint(lua_State* L, std::string_view command) {
+    Sources::Stop& stop = machine_of(L).sources.stop;
+    const std::size_t space = command.find(' ');
+    if (space == std::string_view::npos || stop.message.ends_with(')') ||
+        stop.place != command.find_first_not_of(' ', space) || view_at(L, -1) != stop.message)
+        return;
+    const GlobalDoc* const doc = global_doc(command.substr(0, space));
+    if (doc == nullptr || std::string_view(doc->signature).find('(') == std::string_view::npos)
+        return;
+    stop.message += std::string(" (write ") + doc->name + "(...))";
+    lua_pop(L, 1);
+    push_text(L, stop.message);
+}
+
 /// Takes the printed lines.
 void take_lines(Machine& machine, Evaluation& evaluation) {
     Recording& recording = machine.recording;
@@ -334,6 +362,7 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
         case Compiled::wrong:
             if (add_formula(L, machine, command)) return;
             if (call_with_words(L, command)) break;
+            add_call_hint(L, command);
             lua_error(L);
             return;
         default:
@@ -416,6 +445,7 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
     }
     if (command.front() == '=') command.remove_prefix(1);
     machine.sources.texts["console"] = std::string(command);
+    const std::size_t without_undo = property::edits_without_undo(machine.tree);
     {
         const Session session(machine, command);
         CreatedInstances made(machine);
@@ -435,6 +465,9 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
         evaluation.ok = ok && !evaluation.incomplete;
         if (!evaluation.incomplete) add_echoes(machine, evaluation);
     }
+    if (machine.life.has_tree())
+        if (std::string lost = lost_undo(machine, without_undo); !lost.empty())
+            evaluation.lines.push_back(std::move(lost));
     if (evaluation.ok) machine.classes.deliver_ready();
     return evaluation;
 }

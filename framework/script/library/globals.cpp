@@ -15,6 +15,7 @@
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
+#include <objects/hints.h>
 #include <reference/language.h>
 #include <text/bare_words.h>
 #include <text/foreign_classes.h>
@@ -106,19 +107,6 @@ std::string suggest(Machine& machine, std::string_view name) {
     return property::suggestion(name, names);
 }
 
-/// The path of the first instance with that name, below others; "" if there is none nearby.
-std::string path_of_instance(const property::Tree& tree, std::string_view name) {
-    constexpr std::size_t most = 20'000;  // instances that are looked at
-    std::vector<Handle> level = tree.children(tree.root());
-    for (std::size_t i = 0; i < level.size() && i < most; ++i) {
-        if (tree.name(level[i]) == name) return tree.path(level[i]);
-        for (Handle child = tree.first_child(level[i]); child && level.size() < most;
-             child = tree.next_sibling(child))
-            level.push_back(child);
-    }
-    return {};
-}
-
 /// What became of a child that game had at first, such as `world`; "" if there was none of that
 /// name.
 std::string former_child_text(const Machine& machine, std::string_view name) {
@@ -152,8 +140,9 @@ std::string hint_for(lua_State* L, Machine& machine, std::string_view name) {
     if (std::string hint = hint_for_class(name); !hint.empty()) return hint;
     // At the console, where people write what they see on the screen.
     if (machine.recording.active)
-        if (const std::string path = path_of_instance(machine.tree, name); !path.empty())
-            return " (did you mean \"" + path + "\"?)";
+        for (const std::string& path :
+             {machine.hints.path_of_instance(name), machine.hints.path_of_member(name)})
+            if (!path.empty()) return " (did you mean \"" + path + "\"?)";
     return suggest(machine, name);
 }
 

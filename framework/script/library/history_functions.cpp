@@ -1,6 +1,7 @@
 // Functions for the history of edits and the causes of values:
 //   undo()  redo()  history()  edit(name, function)  who(path)  why(path)
 
+#include <fettle/property/edits.h>
 #include <fettle/property/path.h>
 
 #include <handlers/observed.h>
@@ -26,7 +27,7 @@ std::string memory_hint(const Machine& machine) {
     const Handle time = tree.child(tree.root(), "time");
     const property::Property* const memory = time ? tree.find(time, "rewind_memory") : nullptr;
     if (memory == nullptr) return {};
-    return "  with a larger time.rewind_memory (" +
+    return "with a larger time.rewind_memory (" +
            tree.text(tree.peek(time, *memory), memory->precision()) + " " + memory->unit +
            " now), the next edit of this size can be undone";
 }
@@ -42,8 +43,8 @@ void report(Machine& machine, const char* what, const property::UndoResult& resu
         print_line(machine, "  … " + std::to_string(result.more_changes) +
                                 (result.more_changes == 1 ? " more change" : " more changes"));
     for (const std::string& note : result.notes) print_line(machine, "  " + note);
-    if (std::string hint = result.too_large ? memory_hint(machine) : ""; !hint.empty())
-        print_line(machine, std::move(hint));
+    if (const std::string hint = result.too_large ? memory_hint(machine) : ""; !hint.empty())
+        print_line(machine, "  " + hint);
 }
 
 int undo(lua_State* L) {
@@ -73,15 +74,20 @@ int edit(lua_State* L) {
     if (lua_type(L, 1) != LUA_TSTRING || lua_type(L, 2) != LUA_TFUNCTION)
         throw Error(ErrorKind::wrong_type, "edit: needs a name and a function");
     Machine& machine = machine_of(L);
+    const std::size_t before = property::edits_without_undo(machine.tree);
     std::string name = string_at(L, 1);
     property::check_name_length(name);
     machine.tree.begin_edit(std::move(name));
-    struct End {
-        property::Tree& tree;
-        ~End() { tree.end_edit(); }
-    } end{machine.tree};
-    lua_settop(L, 2);
-    lua_call(L, 0, 0);
+    {
+        struct End {
+            property::Tree& tree;
+            ~End() { tree.end_edit(); }
+        } end{machine.tree};
+        lua_settop(L, 2);
+        lua_call(L, 0, 0);
+    }
+    if (std::string lost = lost_undo(machine, before); !lost.empty())
+        print_line(machine, std::move(lost));
     return 0;
 }
 
@@ -142,6 +148,12 @@ int why(lua_State* L) {
 }
 
 }  // namespace
+
+std::string lost_undo(const Machine& machine, std::size_t before) {
+    if (property::edits_without_undo(machine.tree) == before) return {};
+    const std::string hint = memory_hint(machine);
+    return "this edit took too much memory to be undone" + (hint.empty() ? "" : "; " + hint);
+}
 
 void open_history(lua_State* L) {
     add_function<undo>(L, "undo");

@@ -1,6 +1,7 @@
 #pragma once
 // The functions that the framework adds to Lua's own.
 
+#include <cstddef>
 #include <string>
 
 #include <lua/lua_api.h>
@@ -18,6 +19,10 @@ void open_history(lua_State* L);
 void open_console_functions(lua_State* L);
 /// `it = ball` in the console: selects the instance at `index`, or nothing if it is nil.
 void assign_it(lua_State* L, int index);
+
+/// Says that an edit was too large to be undone, and which property changes that; "" if there was
+/// none since `before`, which is an earlier value of `property::edits_without_undo`.
+std::string lost_undo(const Machine& machine, std::size_t before);
 
 /// Returns true in a replay, and notes that `what` writes nothing. It is not an error, because then
 /// the replay would differ from the recorded run.

@@ -4,6 +4,7 @@
 #include <fettle/property/spelling.h>
 
 #include <classes/script_classes.h>
+#include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
@@ -89,6 +90,41 @@ std::string Hints::of_added(Handle instance, std::string_view name) const {
     }
     const std::string child = child_with(instance, name);
     return child.empty() ? child : "; " + child;
+}
+
+/// The first path that `part` finds, level by level from the top.
+std::string Hints::path_of_first(const std::function<std::string(Handle)>& part) const {
+    constexpr std::size_t most = 20'000;  // instances that are looked at
+    const property::Tree& tree = machine_.tree;
+    std::vector<Handle> level = tree.children(tree.root());
+    for (std::size_t i = 0; i < level.size() && i < most; ++i) {
+        if (std::string path = part(level[i]); !path.empty()) return path;
+        for (Handle child = tree.first_child(level[i]); child && level.size() < most;
+             child = tree.next_sibling(child))
+            level.push_back(child);
+    }
+    return {};
+}
+
+std::string Hints::path_of_instance(std::string_view name) const {
+    const property::Tree& tree = machine_.tree;
+    return path_of_first(
+        [&](Handle each) { return tree.name(each) == name ? tree.path(each) : std::string(); });
+}
+
+std::string Hints::path_of_member(std::string_view name) const {
+    const property::Tree& tree = machine_.tree;
+    const std::string wanted = lower(name);
+    if (wanted.size() < 2 || !property::Symbol::find(wanted)) return {};
+    const auto path_in = [&](Handle instance) {
+        const Class& of = tree.class_of(instance);
+        if (const Property* found = of.property(wanted)) return tree.path(instance, *found);
+        return of.method(wanted) == nullptr ? std::string()
+                                            : tree.path(instance) + ":" + wanted + "(...)";
+    };
+    if (tree.alive(machine_.globals.it))
+        if (std::string path = path_in(machine_.globals.it); !path.empty()) return path;
+    return path_of_first(path_in);
 }
 
 void Hints::property_added(Handle instance, std::string_view name) {

@@ -2,6 +2,7 @@
 // Notes for users of other engines. Scripts may add any properties and functions, so such code is
 // not an error, but it has no effect and was probably meant to have one. Each note is given once.
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -28,6 +29,13 @@ class Hints {
     std::string of_added(property::Handle instance, std::string_view name) const;
     /// A hint at a child that has the property: "its Circle has radius", or "".
     std::string child_with(property::Handle instance, std::string_view name) const;
+    /// The path of the first instance with that name, below others; "" if there is none
+    /// nearby.
+    std::string path_of_instance(std::string_view name) const;
+    /// The path of the declared property or method of that name, in any case, of the selected
+    /// instance or of the first that has it; "" if there is none nearby, or for a name of one
+    /// letter, which was meant as a variable.
+    std::string path_of_member(std::string_view name) const;
     /// To be called when the game is loaded: notes functions that are never called although their
     /// names look like callbacks, names of keys that no key has, functions of Fettle that the game
     /// has replaced by values, instances that it has made and dropped, and bodies that it has made
@@ -41,6 +49,7 @@ class Hints {
     void forget();
 
   private:
+    std::string path_of_first(const std::function<std::string(property::Handle)>& part) const;
     void report(const std::string& about, const std::string& note);
     std::string meaning(const property::Class& of, std::string_view name) const;
     // load_hints.cpp: the parts of `game_loaded`

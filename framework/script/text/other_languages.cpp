@@ -16,8 +16,8 @@ struct Foreign {
 /// Names of variables and functions.
 constexpr Foreign foreign_names[] = {
     {"null None undefined nullptr NULL", "nil"},
-    {"True TRUE", "true"},
-    {"False FALSE", "false"},
+    {"True TRUE yes on", "true"},
+    {"False FALSE no off", "false"},
     {"this", "self"},
     {"unpack", "table.unpack(list)"},
     {"loadstring", "load(text)"},
@@ -35,12 +35,14 @@ constexpr Foreign foreign_names[] = {
     {"addEventListener", "function key_pressed(key) ... end"},
     {"workspace", "world"},
     {"task", "after(seconds, action)"},
-    {"setTimeout delay schedule invoke", "after(seconds, action)"},
+    {"setTimeout delay schedule invoke sleep", "after(seconds, action)"},
     {"setInterval", "every(seconds, action)"},
     {"include import using dofile loadfile", "require(\"name\")"},
     {"exit", "quit()"},
     {"pause", "time.paused = true"},
-    {"resume unpause", "time.paused = false"},
+    {"resume unpause play", "time.paused = false"},
+    {"save", "save_game(\"name\")"},
+    {"fps", "view.show.timings = true"},
     {"try catch", "pcall(action, ...)"},
 };
 
@@ -75,6 +77,9 @@ constexpr Foreign foreign_statements[] = {
     {"new", "Body { ... }"},
     {"extends", "class(\"Name\", Body) { ... }"},
     {"class", "Name = class(\"Name\", Body) { ... }"},
+    {"delete remove destroy", "path:delete()"},
+    {"set", "path = value"},
+    {"select", "selection { path }"},
 };
 
 /// The longest come first, because others are parts of them.
@@ -183,12 +188,47 @@ std::string hint_for_value(std::string_view message) {
     return {};
 }
 
+bool ends_with_unit(std::string_view text) {
+    text = trimmed(text);
+    text = text.substr(text.rfind('\n') + 1);  // all of it if there is only one line
+    std::size_t word = text.size();
+    while (word > 0 && is_word(text[word - 1])) --word;
+    if (word == text.size() || (text[word] >= '0' && text[word] <= '9') ||
+        is_word_of_lua(text.substr(word)))
+        return false;
+    const std::string_view before = trimmed(text.substr(0, word));
+    std::size_t number = before.size();
+    while (number > 0 && (is_word(before[number - 1]) || before[number - 1] == '.')) --number;
+    return before.size() < word && number < before.size() && before[number] >= '0' &&
+           before[number] <= '9';
+}
+
+std::string hint_for_unit() {
+    return written("the number without its unit");
+}
+
 std::string hint_for_syntax(std::string_view message, std::string_view line, std::size_t column) {
     if (column >= line.size()) return {};
     const std::string_view rest = line.substr(column);
     if (rest.starts_with("//") || (column > 0 && line.substr(column - 1).starts_with("//")))
         return written("-- before a comment");
     if (const std::string_view here = sign_at(line, column); !here.empty()) return written(here);
+    const auto says = [&](std::string_view part) {
+        return message.find(part) != std::string_view::npos;
+    };
+    if (ends_with_unit(line.substr(0, column))) return hint_for_unit();
+    if (word_at(trimmed(line), 0) == "for" &&
+        (says("',' expected near ';'") || says("<name> expected near '('") ||
+         says("malformed number near")))
+        return written("for i = 1, n do ... end");
+    if (says("malformed number near") && says("..")) return written("a .. b with blanks");
+    if (says("<name> expected near") && column > 0 &&
+        (line[column - 1] == '.' || line[column - 1] == ':') &&
+        is_word_of_lua(word_at(line, column)))
+        return " (" + std::string(word_at(line, column)) + " is a word of Lua and no name)";
+    if (says("')' expected near ','")) return written("vec(x, y)");
+    if (says("function arguments expected near '='")) return written("a.b = value");
+    if (says("syntax error near 'is'")) return written("path is expression");
     const bool block = message.find("'then' expected") != std::string_view::npos ||
                        message.find("'do' expected") != std::string_view::npos;
     const std::string_view opens =
@@ -211,6 +251,10 @@ std::string hint_for_syntax(std::string_view message, std::string_view line, std
     if (const std::string_view here = in_place_of(foreign_statements, word_at(line, column));
         !here.empty())
         return written(here);
+    // path 5
+    if (says("syntax error near") && rest[0] >= '0' && rest[0] <= '9' &&
+        line.substr(0, column).find('.') != std::string_view::npos)
+        return written("path = value");
     return {};
 }
 

@@ -35,6 +35,14 @@ inline bool holds_word(std::string_view words, std::string_view word) {
     return false;
 }
 
+/// Whether the word is a word of Lua, as `do` and `then`.
+inline bool is_word_of_lua(std::string_view word) {
+    return holds_word(
+        "and break do else elseif end false for function goto if in local nil not or repeat return "
+        "then true until while",
+        word);
+}
+
 /// The first place from `from` on at which `word` is no part of a longer word; npos if there is
 /// none.
 inline std::size_t find_word(std::string_view text, std::string_view word, std::size_t from = 0) {

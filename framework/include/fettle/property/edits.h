@@ -2,6 +2,7 @@
 // Edits: changes of a tree by people, reported to one observer. Writes by scripts are not reported,
 // so the observer costs a game nothing.
 
+#include <cstddef>
 #include <optional>
 
 #include <fettle/property/class.h>
@@ -12,6 +13,8 @@
 FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
+
+class Tree;
 
 /// The states of a property of an instance: absent, default, value, or formula.
 struct CellState {
@@ -37,6 +40,10 @@ class EditObserver {
     /// The instance has another name or parent. Null parent: it was detached.
     virtual void moved(Handle, Handle /*old_parent*/, const std::string& /*old_name*/) {}
 };
+
+/// How many edits have ended so far that cannot be undone, because they took more memory than the
+/// history may.
+std::size_t edits_without_undo(const Tree& tree);
 
 }  // namespace fettle::property
 
