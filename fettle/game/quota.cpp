@@ -25,6 +25,7 @@ GameQuota quota_of(const RunOptions& options, const property::GameSettings& sett
     quota.saves = 256 * megabyte;
     quota.scripts = {.instructions = 100'000'000,  // about a second
                      .memory = quota.lua,
+                     .text = 64 * megabyte,
                      .instances = 100'000,
                      .handlers = 100'000,
                      .timers = 100'000,

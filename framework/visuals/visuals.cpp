@@ -55,6 +55,11 @@ class GameMedia : public property::Media {
         const Layout layout = layout_of(text, style);
         return style.size * property::Vec2(layout.width, layout.height);
     }
+    std::vector<double> carets(std::string_view text, const property::TextStyle& style) override {
+        std::vector<double> places = Layout::carets(text, font_of(style));
+        for (double& x : places) x *= style.size;
+        return places;
+    }
     void text(property::Painter& painter, const property::Vec2& position, std::string_view text,
               const property::TextStyle& style) override {
         const Layout layout = layout_of(text, style);
@@ -69,9 +74,11 @@ class GameMedia : public property::Media {
     }
 
   private:
+    const Family& font_of(const property::TextStyle& style) {
+        return fonts_.get([] { return std::string("pen.text"); }, style.font);
+    }
     Layout layout_of(std::string_view text, const property::TextStyle& style) {
-        const auto user = [] { return std::string("pen.text"); };
-        return Layout::of(text, fonts_.get(user, style.font), align_of(style.align),
+        return Layout::of(text, font_of(style), align_of(style.align),
                           style.size > 0 ? style.wrap / style.size : 0);
     }
 

@@ -258,12 +258,12 @@ def keep():
     """Everything at once, and little ground below the feet."""
     m = Level(5, 4)
     m.put("Start", 3, 0).arrow(6).flat(8).step(2).put("Hopper", 4, 0).flat(7).coins(0, 1.5, 3, 1).gap(3).put("Bat", 2, 2.6).flat(4)
-    m.coins(0, 1.5, 4, 1).gap(4).put("Checkpoint", 0, 0).flat(4).put("Lift", 0.5, -0.5, 2, 0.5, dy=4, period=4).gap(3).step(4).spikes(3, 3).coins(3, 2.5, 3).flat(9)
-    m.put("Checkpoint", 0, 0).flat(3).blocks(1, 0, 2).blocks(4, 1, 2).blocks(7, 2, 2).put("Bat", 6, 4.5).coins(4, 2, 2).coins(7, 3, 2).gap(10).step(2).put("Beetle", 3, 0).flat(7)
+    m.coins(0, 1.5, 4, 1).gap(4).put("Checkpoint", 0, 0).flat(4).put("Lift", 0.5, -0.5, 2, 0.5, dy=4, period=4).gap(3).step(4).spikes(5, 2).coins(5, 2.5, 2).flat(9)
+    m.put("Checkpoint", 0, 0).flat(3).blocks(1, 0, 2).blocks(4, 1, 2).blocks(7, 2, 2).put("Bat", 6, 5.8).coins(4, 2, 2).coins(7, 3, 2).gap(10).step(2).put("Beetle", 5, 0).flat(7)
     m.down(3).put("Hopper", 3, 0).put("Hopper", 8, 0).coins(3, 3, 6).flat(12).put("Crate", 2, 0).flat(8).step(3).put("Key", 3, 0).flat(5)
     m.put("Lift", 0.5, -1, 2, 0.5, dx=4, period=3.6).put("Lift", 8.5, 0, 2, 0.5, dy=3, period=3.4).coins(3, 1.5, 4).gap(12).step(2)
     m.put("Door", 3, 0, 1, 3).fill(3, 3, 1, 9).flat(6).put("Checkpoint", 0, 0).put("Heart", 2, 0).flat(5)
-    m.down(4).put("Beetle", 2, 0).put("Beetle", 5, 0).put("Bat", 7, 2.6).flat(10).spikes(0, 1).flat(3).spikes(0, 2).flat(3).spikes(0, 3).coins(0, 2.6, 3).flat(5)
+    m.down(4).put("Beetle", 2, 0).put("Beetle", 5, 0).put("Bat", 7, 2.6).flat(10).spikes(0, 1).flat(4).spikes(0, 2).flat(5).spikes(0, 3).coins(0, 2.6, 3).flat(5)
     m.put("Spring", 1, 0).flat(3).coins(0, 3, 5, 2.5).gap(7).put("Spring", 5, 0).put("Checkpoint", 2, 0).flat(8).step(5).coins(1, 1, 3).flat(6)
     m.coins(0, 1.5, 5, 1).gap(5).flat(3).coins(0, 1.5, 4, 1).gap(4).flat(4).put("Bat", 3, 2.4).down(3).put("Goal", 6, 0).flat(13)
     return m

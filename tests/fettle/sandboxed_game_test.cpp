@@ -42,9 +42,8 @@ TEST_CASE("each limit of a sandbox is reported with its place and value") {
         {"for i = 1, 2e5 do world:watch('gravity', print) end",
          "handlers, and this game may have 100000"},
         {"for i = 1, 2e5 do after(1e6, print) end", "timers, and this game may have 100000"},
-        {"print(('x'):rep(100e6))", "main.lua:1: stopped: it has printed more than 16777216 bytes"},
-        {"store.x = ('x'):rep(100e6)",
-         "main.lua:1: store.x: the store would have more than 16 MiB"},
+        {"print(('x'):rep(50e6))", "main.lua:1: stopped: it has printed more than 16777216 bytes"},
+        {"store.x = ('x'):rep(50e6)", "main.lua:1: store.x: the store would have more than 16 MiB"},
         {"function step() for i = 1, 9 do save_game('s' .. i) end end",
          "main.lua:1: the game is asked to be saved more than 4 times at one barrier"},
         // what is made of properties
@@ -78,6 +77,44 @@ TEST_CASE("each limit of a sandbox is reported with its place and value") {
         play(folder, main, {"--budget", "600000"});  // ms; other limits are met first
     CAPTURE(run.err);
     CHECK(run.status == 1);
+    CHECK(contains(run.err, reason));
+}
+
+// No hook of Lua runs within these, so each is bounded by what it is asked for: by the length of
+// the texts, or by instructions that are counted for its work. Without that, each takes from six
+// seconds to hours; the run would end with the message that the game did not come back.
+TEST_CASE("no single call of a function in C passes the time of a sandbox") {
+    const auto [main, reason] = GENERATE(table<std::string, std::string>({
+        {"local s = ('x'):rep(250e6)",
+         "a text would have 250000000 bytes, and the texts of this game may have 64 MB"},
+        {"local s = 'x' while true do s = s .. s end",
+         "a text would have 134217753 bytes, and the texts of this game may have 64 MB"},
+        {"local s = ('x'):rep(40e6) while true do pcall(function() return s .. s end) end",
+         "a text would have 80000025 bytes"},
+        {"string.format('%q', ('\\0'):rep(60e6))", "ran past its budget"},
+        {"local n, t = 240000, {} for i = 1, n do t[i] = 1e308 end "
+         "string.format(('%99.99f'):rep(n), table.unpack(t))",
+         "ran past its budget"},
+        // texts that are equal up to their ends
+        {"local a, t = ('a'):rep(60e6), {} local b = a .. 'a' "
+         "for i = 1, 3000 do t[i] = i % 2 == 0 and a or b end table.sort(t)",
+         "stopped: it ran"},
+        {"local a, t = '1' .. (' '):rep(50e6), {} for i = 1, 300 do t[i] = a end "
+         "table.sort(t, utf8.len)",
+         "stopped: it ran"},
+        {"local s, p = ('a'):rep(3e6), '[' .. ('b'):rep(1e6) .. ']' s:match(p)",
+         "ran past its budget"},
+        {"query(('*.'):rep(3e7))", "a pattern has at most 2000 names"},
+        {"watch(('a.'):rep(3e7), print)", "a path has at most 2000 names"},
+        {"scene.load(('a/'):rep(3e7), world)", "the name of a file has at most 4096 bytes"},
+        {"go_to_scene(('a/'):rep(3e7))", "go_to_scene: there is no scene"},
+    }));
+    const Folder folder;
+    // A slow machine does not pass the limit of time, so the message is always the same.
+    const Outcome run = play(folder, main, {"--budget", "20000"});
+    CAPTURE(main, run.err);
+    CHECK(run.status == 1);
+    CHECK(contains(run.err, "main.lua:1: "));
     CHECK(contains(run.err, reason));
 }
 

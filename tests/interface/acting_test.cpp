@@ -244,6 +244,35 @@ TEST_CASE_METHOD(Menu, "text is typed at the caret") {
     CHECK(get("menu.column.f.text").text() == "hell");
 }
 
+TEST_CASE_METHOD(Menu, "in a text from right to left, the caret follows the arrow of the key") {
+    click("menu.column.f");
+    type(U"שלום");
+    CHECK(get("menu.column.f.caret").integer() == 4);
+    tap("left");  // the caret is at the end, which is at the left
+    CHECK(get("menu.column.f.caret").integer() == 4);
+    tap("right");
+    CHECK(get("menu.column.f.caret").integer() == 3);
+    tap("home");
+    tap("left");
+    CHECK(get("menu.column.f.caret").integer() == 1);
+    tap("backspace");
+    CHECK(get("menu.column.f.text").text() == "לום");
+    // A click at the left end goes to the end.
+    const Vec2 corner = get("menu.column.f.screen_position").vec2();
+    click(corner + Vec2(2, 0.5 * get("menu.column.f.screen_size").vec2().y));
+    CHECK(get("menu.column.f.caret").integer() == 3);
+}
+
+TEST_CASE_METHOD(Menu, "a click puts the caret behind a space at the end of a text") {
+    click("menu.column.f");
+    type(U"ab  ");
+    tap("home");
+    const Vec2 corner = get("menu.column.f.screen_position").vec2();
+    const Vec2 size = get("menu.column.f.screen_size").vec2();
+    click(corner + Vec2(size.x - 5, 0.5 * size.y));
+    CHECK(get("menu.column.f.caret").integer() == 4);
+}
+
 TEST_CASE("a list scrolls and its lines are chosen") {
     Screen s(R"(
         local items = {}

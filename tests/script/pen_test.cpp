@@ -59,6 +59,9 @@ struct CutImage : fettle::property::Media {
         wraps.push_back(style.wrap);
         return {0, 0};
     }
+    std::vector<double> carets(std::string_view, const fettle::property::TextStyle&) override {
+        return {0};
+    }
     void text(fettle::property::Painter&, const stage::Vec2&, std::string_view,
               const fettle::property::TextStyle& style) override {
         wraps.push_back(style.wrap);

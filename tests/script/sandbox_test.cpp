@@ -142,6 +142,22 @@ TEST_CASE("memory of a command is freed after it") {
     CHECK(s.console("#('x'):rep(1e7)") == "10000000");
 }
 
+TEST_CASE("repeating and sorting give what Lua's own functions give") {
+    Stage s;
+    CHECK(
+        s.prints("print(('ab'):rep(3), ('ab'):rep(3, '-'), ('ab'):rep(1, '-'), #('ab'):rep(0))") ==
+        "ababab\tab-ab-ab\tab\t0");
+    CHECK(s.prints("print((''):rep(3, '-'), #('xyz'):rep(10001, '--'), ('x'):rep(-1) == '')") ==
+          "--\t50003\ttrue");
+    CHECK(s.prints("print(pcall(string.rep, 'xy', math.maxinteger))") ==
+          "false\tmain.lua:1: resulting string too large");
+    // In a command, whose time is limited: of long texts, and by a function that is not a script's.
+    CHECK(s.console("t = { 'b', ('a'):rep(5000), 'c' } table.sort(t) return #t[1], t[2], t[3]") ==
+          "5000  \"b\"  \"c\"");
+    CHECK(s.console("table.sort(t, function(a, b) return a > b end) return t[1]") == "\"c\"");
+    CHECK(s.console("n = { 3, 1, 2 } table.sort(n, math.ult) return n") == "{1, 2, 3}");
+}
+
 TEST_CASE("dangerous functions are not available") {
     Stage s;
     for (const char* name :

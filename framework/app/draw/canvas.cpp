@@ -43,7 +43,7 @@ void Canvas::set_view(const View& view) {
     view_ = view;
     world_to_pixels_ = view_.world_to_window();
     screen_to_pixels_ = property::Transform::moved(view_.corner());
-    find_to_pixels();
+    has_to_pixels_ = false;
 }
 
 void Canvas::begin_screen() {
@@ -63,13 +63,18 @@ void Canvas::set_state(const State& next) {
     // The triangles that are collected already belong to the old state.
     if (now.opacity != next.opacity) draw_collected();
     if (now.blend != next.blend || !same_clip) flush();
-    transformed_ = !next.transform.is_identity();
     Painter::set_state(next);
-    find_to_pixels();
+    has_to_pixels_ = false;
 }
 
-void Canvas::find_to_pixels() {
+void Canvas::set_transform(const property::Transform& transform) {
+    Painter::set_transform(transform);
+    has_to_pixels_ = false;
+}
+
+void Canvas::find_to_pixels() const {
     to_pixels_ = (state().on_screen ? screen_to_pixels_ : world_to_pixels_) * state().transform;
+    has_to_pixels_ = true;
 }
 
 void Canvas::clip(const Vec2& lower, const Vec2& upper) {
@@ -157,7 +162,7 @@ sf::Vector2f Canvas::pixel(const Vec2& position) const {
 }
 
 double Canvas::pixels(double length) const {
-    const double outer = transformed_ ? length * state().transform.scale() : length;
+    const double outer = transformed() ? length * state().transform.scale() : length;
     return state().on_screen ? outer : outer * view_.zoom();
 }
 
@@ -184,7 +189,7 @@ bool Canvas::sees(const Vec2& lower, const Vec2& upper) const {
         to = to.max(p);
     };
     add(upper);
-    if (transformed_ || view_.angle != 0) {
+    if (transformed() || view_.angle != 0) {
         add(Vec2(lower.x, upper.y));
         add(Vec2(upper.x, lower.y));
     }

@@ -27,6 +27,10 @@ namespace fettle::app {
 /// Has the memory layout of SFML's vertex. Constructors of SFML's own type are library calls, which
 /// cost too much: a bordered box has forty vertices.
 struct CanvasVertex {
+    CanvasVertex() {}  // leaves all as it is: what a batch is enlarged by is written at once
+    CanvasVertex(float left, float top, std::uint8_t red, std::uint8_t green, std::uint8_t blue,
+                 std::uint8_t opacity, float texel_x, float texel_y)
+        : x(left), y(top), r(red), g(green), b(blue), a(opacity), u(texel_x), v(texel_y) {}
     float x, y;
     std::uint8_t r, g, b, a;
     float u, v;  // texels
@@ -82,6 +86,7 @@ class Canvas : public property::Painter, public Surface {
 
   protected:
     void set_state(const State& state) override;
+    void set_transform(const property::Transform& transform) override;
 
   private:
     struct Line;  // a line of text, ready to be drawn
@@ -92,8 +97,13 @@ class Canvas : public property::Painter, public Surface {
     void set_clip(float left, float top, float right, float bottom);
     property::Paint faded(const property::Paint& paint) const;
     property::Color faded(property::Color color) const;
-    void find_to_pixels();
-    property::Vec2 exact(const property::Vec2& position) const { return to_pixels_(position); }
+    void find_to_pixels() const;
+    bool transformed() const { return !state().transform.is_identity(); }
+    const property::Transform& to_pixels() const {
+        if (!has_to_pixels_) find_to_pixels();
+        return to_pixels_;
+    }
+    property::Vec2 exact(const property::Vec2& position) const { return to_pixels()(position); }
     sf::Vector2f pixel(const property::Vec2& position) const;
     double pixels(double length) const;
     bool outside(const property::Vec2& lower, const property::Vec2& upper) const;
@@ -151,10 +161,12 @@ class Canvas : public property::Painter, public Surface {
     View view_{};
     Pictures pictures_{};
     Shade shade_{};
-    bool shading_ = false;      // a figure with a gradient is being drawn
-    bool transformed_ = false;  // state().transform is not the identity
+    bool shading_ = false;  // a figure with a gradient is being drawn
     property::Transform world_to_pixels_{}, screen_to_pixels_{};  // of view_
-    property::Transform to_pixels_{};      // of the coordinates that the state gives
+    // Of the coordinates that the state gives. Found when it is needed: most states that a `pop`
+    // brings back draw nothing.
+    mutable property::Transform to_pixels_{};
+    mutable bool has_to_pixels_ = false;
     const sf::Texture* source_ = nullptr;  // texture of strip_
     std::vector<CanvasVertex> strip_{};    // one strip; degenerate triangles join the figures
     Outline outline_{};

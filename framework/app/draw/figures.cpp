@@ -46,7 +46,7 @@ sf::Vector2f narrow(const Vec2& v) {
 // --- What users draw -----------------------------------------------------------------------------
 
 void Canvas::circle(const Vec2& center, double radius, const Paint& given) {
-    if (transformed_ && !is_similar(state().transform))
+    if (transformed() && !is_similar(state().transform))
         return ellipse(center, Vec2(radius, radius), 0, given);
     if (in_gradient(given, [&](const Paint& p) { circle(center, radius, p); })) return;
     const Paint paint = faded(given);

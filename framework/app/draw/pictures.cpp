@@ -168,8 +168,9 @@ void Canvas::picture(const Picture& picture, const PictureArea& area, const Vec2
     // On the screen, y points down.
     const double top = state().on_screen ? lower.y : upper.y;
     const double bottom = state().on_screen ? upper.y : lower.y;
-    Vec2 corners[] = {exact({lower.x, top}), exact({upper.x, top}), exact({lower.x, bottom}),
-                      exact({upper.x, bottom})};
+    const property::Transform& place_of = to_pixels();
+    Vec2 corners[] = {place_of({lower.x, top}), place_of({upper.x, top}),
+                      place_of({lower.x, bottom}), place_of({upper.x, bottom})};
     if (picture.on_pixels() && is_upright(corners, area)) {
         const Vec2 to_pixels =
             Vec2(std::round(corners[0].x), std::round(corners[0].y)) - corners[0];

@@ -102,11 +102,13 @@ bool Player::edit(Widget& field, const std::string& key) {
         return shorter.erase(from, to - from);
     };
     std::int64_t to = caret;
-    if (key == "left")
-        to = std::max<std::int64_t>(0, caret - 1);
-    else if (key == "right")
-        to = std::min(length, caret + 1);
-    else if (key == "home")
+    if (key == "left" || key == "right") {
+        // In a text that begins at the right, the key with the arrow to the left goes on in it.
+        const std::vector<double> carets =
+            Lettering::of(field).carets(layout_.media(), field.content.text);
+        const bool onward = (key == "left") == (carets.front() > carets.back());
+        to = std::clamp<std::int64_t>(caret + (onward ? 1 : -1), 0, length);
+    } else if (key == "home")
         to = 0;
     else if (key == "end")
         to = length;

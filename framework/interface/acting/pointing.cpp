@@ -129,15 +129,10 @@ void Player::drag(Widget& widget, const Vec2& point) {
         const Lettering lettering = Lettering::of(widget);
         const double x =
             point.x - widget.arranged.box.lower.x - measure::field_x + widget.animation.view_left;
-        std::int64_t best = 0;
-        double least = std::abs(x);
-        for (std::int64_t n = 1; n <= characters(widget.content.text); ++n) {
-            const double gap = lettering.width(
-                layout_.media(), widget.content.text.substr(0, byte_of(widget.content.text, n)));
-            if (std::abs(gap - x) >= least) break;
-            least = std::abs(gap - x);
-            best = n;
-        }
+        const std::vector<double> carets = lettering.carets(layout_.media(), widget.content.text);
+        const auto nearest =
+            std::ranges::min_element(carets, {}, [x](double caret) { return std::abs(caret - x); });
+        const std::int64_t best = nearest - carets.begin();
         if (widget.content.caret != best) widgets_.set(widget.self, "caret", Value(best));
     }
 }

@@ -90,9 +90,8 @@ void Picture::draw_field(Widget& widget) {
     Box inner = widget.arranged.box;
     inner.lower.x += measure::field_x;
     inner.upper.x -= measure::field_x;
-    const double caret = lettering.width(
-        layout_.media(),
-        widget.content.text.substr(0, byte_of(widget.content.text, widget.content.caret)));
+    const double caret =
+        caret_at(lettering.carets(layout_.media(), widget.content.text), widget.content.caret);
     // The text moves so that the caret is seen.
     if (!focused) widget.animation.view_left = 0;
     widget.animation.view_left =

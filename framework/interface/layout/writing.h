@@ -22,7 +22,17 @@ struct Lettering {
     property::TextStyle style() const { return {.font = font, .size = size}; }
     double line_height() const { return 1.35 * size; }
     double width(property::Media& media, std::string_view text) const;
+    /// As Media::carets.
+    std::vector<double> carets(property::Media& media, std::string_view text) const {
+        return media.carets(text, style());
+    }
 };
+
+/// The place of the caret before character number `n`; that at the end if there are fewer.
+inline double caret_at(const std::vector<double>& carets, std::int64_t n) {
+    return carets[std::min(static_cast<std::size_t>(std::max<std::int64_t>(n, 0)),
+                           carets.size() - 1)];
+}
 
 /// A part of a line inside of which it is not divided.
 struct Piece {

@@ -11,6 +11,7 @@
 #include <fettle/property/spelling.h>
 #include <fettle/property/tree.h>
 
+#include "names_above.h"
 #include "quoting.h"
 
 namespace fettle::property {
@@ -37,6 +38,9 @@ class PathParser {
         if (text_.empty()) fail("it is empty");
         if (text_[0] != '[') segments.push_back(name());
         while (at_ < text_.size()) {
+            if (segments.size() >= most_names)  // without the text, which is long
+                throw Error(ErrorKind::bad_path,
+                            "a path has at most " + std::to_string(most_names) + " names");
             if (text_[at_] == '.') {
                 ++at_;
                 segments.push_back(name());

@@ -58,6 +58,9 @@ std::vector<std::string> split(std::string_view text) {
         }
         if (segment.empty()) fail("a name is missing");
         segments.push_back(std::move(segment));
+        if (segments.size() > most_names)  // without the text, which is long
+            throw Error(ErrorKind::bad_path,
+                        "a pattern has at most " + std::to_string(most_names) + " names");
         if (at < text.size() && text[at] == '.') {
             if (++at == text.size()) fail("it ends with a dot");
         } else if (at < text.size() && text[at] != '[') {

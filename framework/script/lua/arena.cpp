@@ -3,6 +3,7 @@
 #include <new>
 
 #include <lua/arena.h>
+#include <lua/lua_api.h>
 
 namespace fettle::script {
 
@@ -49,10 +50,11 @@ bool Arena::refuse(std::size_t growth, std::size_t size) {
 
 // After a refusal, Lua makes a full collection and requests the same size again. Only the second
 // refusal is final.
-bool Arena::report_refusal(std::size_t size, bool by_system) {
+bool Arena::report_refusal(std::size_t size, bool by_system, bool text) {
     const bool final = refused_ == size;
     refused_ = final ? 0 : size;
-    return !on_refusal || on_refusal({.size = size, .by_system = by_system, .final = final});
+    return !on_refusal ||
+           on_refusal({.size = size, .by_system = by_system, .final = final, .text = text});
 }
 
 void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t new_size) {
@@ -68,6 +70,10 @@ void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t
                 return taken;
             }
         }
+        // The kind of the object; Lua keeps short texts in blocks of a few bytes.
+        if (old_size == LUA_TSTRING && arena.longest_text_ != 0 &&
+            new_size > arena.longest_text_ + large && arena.report_refusal(new_size, false, true))
+            return nullptr;
         old_size = 0;  // for a new object, Lua passes its kind instead of a size
     } else if (new_size == 0 && old_size <= small) {
         arena.free_small(block, old_size);

@@ -22,6 +22,10 @@ class Arena {
     std::size_t bytes() const { return bytes_; }
     std::size_t limit() const { return limit_; }
     void set_limit(std::size_t limit) { limit_ = limit; }
+    /// Functions of Lua that go through a whole text cannot be stopped, so it bounds their time.
+    /// Bytes; 0: no limit.
+    void set_longest_text(std::size_t size) { longest_text_ = size; }
+    std::size_t longest_text() const { return longest_text_; }
 
     /// A refused request. `by_system`: there was no memory; otherwise the limit was reached. After
     /// a refusal that is not `final`, Lua may make a full collection and try again, but parts of
@@ -30,6 +34,7 @@ class Arena {
         std::size_t size = 0;
         bool by_system = false;
         bool final = false;
+        bool text = false;  // it is for a text beyond the longest one
     };
     /// Called for every refusal. If it returns false, the arena exceeds the limit and allocates the
     /// memory, unless the system has none.
@@ -57,7 +62,7 @@ class Arena {
         head = node;
     }
     bool refuse(std::size_t growth, std::size_t size);
-    bool report_refusal(std::size_t size, bool by_system);
+    bool report_refusal(std::size_t size, bool by_system, bool text = false);
 
     std::array<Free*, small / granule + 1> lists_{};
     std::vector<std::unique_ptr<std::byte[]>> chunks_;
@@ -65,6 +70,7 @@ class Arena {
     std::size_t fresh_left_ = 0;
     std::size_t bytes_ = 0;
     std::size_t limit_;
+    std::size_t longest_text_ = 0;
     std::size_t refused_ = 0;  // size of the last refused request; 0 after a success
 };
 

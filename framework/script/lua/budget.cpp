@@ -216,6 +216,9 @@ void Budget::charge_quietly(std::uint64_t instructions) {
 // --- Memory
 
 std::string Budget::out_of_memory(const Refused& refused) {
+    if (refused.what.text)
+        return "a text would have " + std::to_string(refused.what.size) +
+               " bytes, and the texts of this game may have " + megabytes(refused.limit);
     return "not enough memory: " + std::to_string(refused.what.size) +
            " bytes more were asked for, and " +
            (refused.what.by_system ? std::string("the system has none to give")
@@ -227,7 +230,9 @@ std::string Budget::out_of_memory(const Refused& refused) {
 Budget::Refused Budget::describe(const Arena::Refusal& refusal) const {
     const bool whole = machine_.arena.limit() >= machine_.options.memory_limit;
     Refused refused = {.what = refusal,
-                       .limit = whole ? machine_.options.memory_limit : now_.memory,
+                       .limit = refusal.text ? machine_.arena.longest_text()
+                                : whole      ? machine_.options.memory_limit
+                                             : now_.memory,
                        .subject = whole ? "the scripts of a game" : now_.subject};
     lua_Debug frame;
     for (int level = 0; lua_getstack(machine_.lua.running, level, &frame); ++level) {
@@ -254,8 +259,9 @@ bool Budget::memory_refused(const Arena::Refusal& refusal) {
     refused_ = describe(refusal);
     const bool own_limit = machine_.arena.limit() < machine_.options.memory_limit;
     if (!now_.active || !refusal.final || !(own_limit || now_.counting)) return true;
-    stop(machine_.lua.running,
-         refusal.by_system ? "stopped: " + out_of_memory(refused_) : too_much_memory());
+    stop(machine_.lua.running, refusal.by_system || refusal.text
+                                   ? "stopped: " + out_of_memory(refused_)
+                                   : too_much_memory());
     now_.memory_exceeded = true;
     return true;
 }

@@ -205,6 +205,7 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
         if (why.empty()) why = passed(timers.size(), limits.timers, "timers");
         return why;
     };
+    arena.set_longest_text(options.limits.text);
     arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 64); };
     if (!errors_run_destructors(L)) {
         end();

@@ -24,7 +24,7 @@ std::string_view text_at(lua_State* L, int index) {
 
 void charge_steps(void* L, std::uint64_t steps) {
     auto* state = static_cast<lua_State*>(L);
-    machine_of(state).budget.charge(state, steps);
+    machine_of(state).budget.charge_by_the_clock(state, steps);
 }
 
 // Start position, from 0; it may be greater than the length.

@@ -112,6 +112,41 @@ int unpack(lua_State* L) {
     return call_original(L);
 }
 
+constexpr std::size_t long_text = 4096;  // bytes
+
+// Upvalue: the function that compares, or nil for `<`.
+int compare_with_limit(lua_State* L) {
+    std::size_t bytes = 0;
+    for (const int index : {1, 2})
+        if (lua_type(L, index) == LUA_TSTRING) bytes += lua_rawlen(L, index);
+    machine_of(L).budget.charge_by_the_clock(L, 10 + bytes / 8);
+    lua_settop(L, 2);
+    if (lua_isnil(L, lua_upvalueindex(1))) {
+        lua_pushboolean(L, lua_compare(L, 1, 2, LUA_OPLT));
+        return 1;
+    }
+    lua_pushvalue(L, lua_upvalueindex(1));
+    lua_insert(L, 1);
+    lua_call(L, 2, 1);
+    return 1;
+}
+
+/// Lua runs no hook between two comparisons that no script makes. If they may take long (of long
+/// texts, by a function in C), replaces the function that compares by one that can be stopped.
+void limit_comparisons(lua_State* L, lua_Integer length) {
+    if (!machine_of(L).budget.counting() || lua_type(L, 1) != LUA_TTABLE) return;
+    bool slow = lua_iscfunction(L, 2) != 0;
+    if (!slow && !lua_isnoneornil(L, 2)) return;
+    for (lua_Integer i = 1; i <= length && !slow; ++i) {
+        lua_rawgeti(L, 1, i);
+        slow = lua_type(L, -1) == LUA_TSTRING && lua_rawlen(L, -1) > long_text;
+        lua_pop(L, 1);
+    }
+    if (!slow) return;
+    lua_settop(L, 2);
+    lua_pushcclosure(L, guarded<compare_with_limit>, 1);
+}
+
 // The cost is about n log n.
 int sort(lua_State* L) {
     check_list(L);
@@ -122,12 +157,16 @@ int sort(lua_State* L) {
     machine_of(L).budget.charge(
         L, rounds * static_cast<std::uint64_t>(std::max<lua_Integer>(length, 0)));
     const auto* box = list_at(L, 1);
-    if (box == nullptr) return call_original(L);
+    if (box == nullptr) {
+        limit_comparisons(L, length);
+        return call_original(L);
+    }
     // A table with its elements is sorted, and then written in one change. An error of the function
     // that compares leaves this frame without its destructors, so nothing is held meanwhile.
     const ListBox list = *box;
     push_value(L, list_value(L, list));
     lua_replace(L, 1);
+    limit_comparisons(L, length);
     call_original(L);
     const Value before = list_value(L, list), sorted = to_value(L, 1);
     write_list(L, list, sorted.list());

@@ -10,7 +10,8 @@ namespace {
 
 constexpr int deepest_match = 200;
 constexpr std::uint64_t steps_at_once = 4096;
-constexpr std::size_t bytes_a_step = 8;  // bytes of a compared text or of a set, for one step
+constexpr std::size_t bytes_a_step = 8;         // of a compared text, for one step
+constexpr std::size_t bytes_of_set_a_step = 2;  // of a set
 
 bool in_class(unsigned char c, unsigned char name) {
     bool in;
@@ -125,7 +126,7 @@ std::size_t PatternMatcher::longest(std::size_t s, std::size_t p, std::size_t en
     std::size_t n = 0;
     while (single(s + n, p, end)) {
         ++n;
-        step(1 + (end - p) / bytes_a_step);
+        step(1 + (end - p) / bytes_of_set_a_step);
     }
     for (;; --n) {
         const std::size_t result = run(s + n, end + 1);
@@ -139,7 +140,7 @@ std::size_t PatternMatcher::shortest(std::size_t s, std::size_t p, std::size_t e
         const std::size_t result = run(s, end + 1);
         if (result != failed) return result;
         if (!single(s, p, end)) return failed;
-        step(1 + (end - p) / bytes_a_step);
+        step(1 + (end - p) / bytes_of_set_a_step);
     }
 }
 
@@ -234,7 +235,7 @@ std::size_t PatternMatcher::run(std::size_t s, std::size_t p) {
                 if (p >= pattern_.size() || pattern_[p] != '[')
                     throw std::invalid_argument("missing '[' after '%f' in pattern");
                 const std::size_t end = item_end(p);
-                step(2 * (end - p) / bytes_a_step);
+                step(2 * (end - p) / bytes_of_set_a_step);
                 const auto before = static_cast<unsigned char>(s == 0 ? '\0' : subject_[s - 1]);
                 const auto after =
                     static_cast<unsigned char>(s < subject_.size() ? subject_[s] : '\0');
@@ -250,7 +251,7 @@ std::size_t PatternMatcher::run(std::size_t s, std::size_t p) {
             }
         }
         const std::size_t end = item_end(p);
-        step((end - p) / bytes_a_step);  // a set may be long
+        step((end - p) / bytes_of_set_a_step);  // a set may be long
         const char suffix = end < pattern_.size() ? pattern_[end] : '\0';
         if (suffix == '*') return longest(s, p, end);
         if (suffix == '+') return single(s, p, end) ? longest(s + 1, p, end) : failed;

@@ -1,5 +1,5 @@
-// Reads fonts with FreeType, and their kerning with HarfBuzz. Both libraries may be given damaged
-// and malicious files.
+// Reads fonts with FreeType; HarfBuzz finds the kerning and joins letters. Both libraries may be
+// given damaged and malicious files.
 
 #include <algorithm>
 #include <array>
@@ -53,6 +53,13 @@ Pixel pixel_of(const FT_Bitmap& from, unsigned x, unsigned y) {
     return {channel(p[2]), channel(p[1]), channel(p[0]), p[3]};
 }
 
+// Latin letters are not joined to ligatures: each one is drawn by itself, so that a caret can be
+// between any two of them.
+constexpr std::array<hb_feature_t, 3> without_ligatures = {
+    {{HB_TAG('l', 'i', 'g', 'a'), 0, 0, ~0u},
+     {HB_TAG('c', 'l', 'i', 'g'), 0, 0, ~0u},
+     {HB_TAG('c', 'a', 'l', 't'), 0, 0, ~0u}}};
+
 bool fits(const FT_BBox& box) {  // in 64ths of a pixel
     return (box.xMax - box.xMin) / 64 <= most_pixels && (box.yMax - box.yMin) / 64 <= most_pixels;
 }
@@ -86,7 +93,7 @@ std::unique_ptr<Letter> letter_of(const FT_Bitmap& drawn, int left, int top, dou
 
 struct Font::Data {
     ~Data() {
-        hb_buffer_destroy(pair);
+        hb_buffer_destroy(buffer);
         hb_font_destroy(spacing);
         if (face != nullptr) FT_Done_Face(face);
         if (library != nullptr) FT_Done_FreeType(library);
@@ -96,8 +103,8 @@ struct Font::Data {
 
     FT_Library library = nullptr;
     FT_Face face = nullptr;
-    hb_font_t* spacing = nullptr;  // null for a font of pictures
-    hb_buffer_t* pair = nullptr;
+    hb_font_t* spacing = nullptr;   // null for a font of pictures
+    hb_buffer_t* buffer = nullptr;  // of the text that is shaped
 };
 
 void Font::Data::open_spacing(const std::string& file, int index) {
@@ -105,26 +112,22 @@ void Font::Data::open_spacing(const std::string& file, int index) {
                                            HB_MEMORY_MODE_READONLY, nullptr, nullptr);
     hb_face_t* const described = hb_face_create(blob, static_cast<unsigned>(index));
     spacing = hb_font_create(described);
-    pair = hb_buffer_create();
+    buffer = hb_buffer_create();
     hb_face_destroy(described);
     hb_blob_destroy(blob);
 }
 
 /// The two letters are set as a text: their width without the sum of their widths.
 double Font::Data::kerning(char32_t first, char32_t second) const {
-    // Letters are not joined to ligatures: each one is drawn by itself.
-    constexpr std::array<hb_feature_t, 3> features = {{{HB_TAG('l', 'i', 'g', 'a'), 0, 0, ~0u},
-                                                       {HB_TAG('c', 'l', 'i', 'g'), 0, 0, ~0u},
-                                                       {HB_TAG('c', 'a', 'l', 't'), 0, 0, ~0u}}};
     const std::array<std::uint32_t, 2> letters = {first, second};
-    hb_buffer_reset(pair);
-    hb_buffer_add_utf32(pair, letters.data(), 2, 0, 2);
-    hb_buffer_set_direction(pair, HB_DIRECTION_LTR);
-    hb_buffer_guess_segment_properties(pair);
-    hb_shape(spacing, pair, features.data(), features.size());
+    hb_buffer_reset(buffer);
+    hb_buffer_add_utf32(buffer, letters.data(), 2, 0, 2);
+    hb_buffer_set_direction(buffer, HB_DIRECTION_LTR);
+    hb_buffer_guess_segment_properties(buffer);
+    hb_shape(spacing, buffer, without_ligatures.data(), without_ligatures.size());
     unsigned count = 0;
-    const hb_glyph_info_t* const glyphs = hb_buffer_get_glyph_infos(pair, &count);
-    const hb_glyph_position_t* const places = hb_buffer_get_glyph_positions(pair, &count);
+    const hb_glyph_info_t* const glyphs = hb_buffer_get_glyph_infos(buffer, &count);
+    const hb_glyph_position_t* const places = hb_buffer_get_glyph_positions(buffer, &count);
     if (count != 2) return 0;
     double added = 0;
     for (unsigned i = 0; i < count; ++i)
@@ -158,30 +161,22 @@ Font::Font(std::string file, int index) : file_(std::move(file)), data_(std::mak
 
 Font::~Font() = default;
 
-unsigned Font::glyph(char32_t letter) const {
+const Font::Glyph& Font::known(char32_t letter) const {
     const auto [at, added] = glyphs_.try_emplace(letter, Glyph{});
-    if (!added) return at->second.index;
+    Glyph& found = at->second;
+    if (!added) return found;
     const FT_Face face = data_->face;
-    at->second.index = FT_Get_Char_Index(face, letter);
+    found.index = FT_Get_Char_Index(face, letter);
     FT_Fixed advance = 0;
     if (FT_IS_SCALABLE(face)) {
-        if (FT_Get_Advance(face, at->second.index, FT_LOAD_NO_SCALE, &advance) == 0)
-            at->second.advance = unit_ * static_cast<double>(advance);
+        if (FT_Get_Advance(face, found.index, FT_LOAD_NO_SCALE, &advance) == 0)
+            found.advance = unit_ * static_cast<double>(advance);
     } else if (FT_Select_Size(face, 0) == 0 &&
-               FT_Load_Glyph(face, at->second.index, FT_LOAD_COLOR) == 0) {
-        at->second.advance =
+               FT_Load_Glyph(face, found.index, FT_LOAD_COLOR) == 0) {
+        found.advance =
             static_cast<double>(face->glyph->advance.x) / 64 / face->size->metrics.y_ppem;
     }
-    return at->second.index;
-}
-
-bool Font::has(char32_t letter) const {
-    return glyph(letter) != 0;
-}
-
-double Font::advance(char32_t letter) const {
-    glyph(letter);
-    return glyphs_.at(letter).advance;
+    return found;
 }
 
 double Font::kerning(char32_t first, char32_t second) const {
@@ -190,6 +185,37 @@ double Font::kerning(char32_t first, char32_t second) const {
         kernings_.try_emplace(std::uint64_t{first} << 32 | std::uint64_t{second}, 0.0);
     if (added) at->second = unit_ * data_->kerning(first, second);
     return at->second;
+}
+
+std::vector<ShapedGlyph> Font::shape(std::u32string_view text, const Run& run) const {
+    std::vector<ShapedGlyph> made;
+    if (data_->spacing == nullptr) {  // pictures are not joined
+        for (std::size_t i = run.begin; i < run.end; ++i)
+            made.push_back({.glyph = glyph(text[i]), .letter = i, .advance = advance(text[i])});
+        if (run.right_to_left) std::reverse(made.begin(), made.end());
+        return made;
+    }
+    hb_buffer_t* const buffer = data_->buffer;
+    hb_buffer_reset(buffer);
+    hb_buffer_add_utf32(buffer, reinterpret_cast<const std::uint32_t*>(text.data()),
+                        static_cast<int>(text.size()), static_cast<unsigned>(run.begin),
+                        static_cast<int>(run.end - run.begin));
+    hb_buffer_set_direction(buffer, run.right_to_left ? HB_DIRECTION_RTL : HB_DIRECTION_LTR);
+    hb_buffer_set_script(buffer, static_cast<hb_script_t>(run.script));
+    const bool latin = run.script == HB_SCRIPT_LATIN;
+    hb_shape(data_->spacing, buffer, without_ligatures.data(),
+             latin ? unsigned{without_ligatures.size()} : 0);
+    unsigned count = 0;
+    const hb_glyph_info_t* const glyphs = hb_buffer_get_glyph_infos(buffer, &count);
+    const hb_glyph_position_t* const places = hb_buffer_get_glyph_positions(buffer, &count);
+    made.reserve(count);
+    for (unsigned i = 0; i < count; ++i)
+        made.push_back({.glyph = glyphs[i].codepoint,
+                        .letter = glyphs[i].cluster,
+                        .x = unit_ * places[i].x_offset,
+                        .y = -unit_ * places[i].y_offset,
+                        .advance = unit_ * places[i].x_advance});
+    return made;
 }
 
 /// Sets the size in which letters are drawn next. Fonts of pictures have few sizes. Returns the
@@ -208,12 +234,11 @@ double Font::set_size(double size) const {
     return static_cast<double>(face->available_sizes[best].y_ppem) / 64;
 }
 
-std::unique_ptr<Letter> Font::draw(char32_t letter, double wanted) const {
+std::unique_ptr<Letter> Font::draw(unsigned glyph, double wanted) const {
     const double size = set_size(wanted);
     if (!(size > 0)) return nullptr;
     const FT_GlyphSlot slot = data_->face->glyph;
-    if (FT_Load_Glyph(data_->face, glyph(letter), FT_LOAD_NO_HINTING | FT_LOAD_COLOR) != 0)
-        return nullptr;
+    if (FT_Load_Glyph(data_->face, glyph, FT_LOAD_NO_HINTING | FT_LOAD_COLOR) != 0) return nullptr;
     if (slot->format == FT_GLYPH_FORMAT_OUTLINE) {
         FT_BBox box;
         FT_Outline_Get_CBox(&slot->outline, &box);
@@ -224,13 +249,13 @@ std::unique_ptr<Letter> Font::draw(char32_t letter, double wanted) const {
     return letter_of(slot->bitmap, slot->bitmap_left, slot->bitmap_top, size);
 }
 
-std::unique_ptr<Letter> Font::draw_outline(char32_t letter, double wanted, double outline) const {
+std::unique_ptr<Letter> Font::draw_outline(unsigned glyph, double wanted, double outline) const {
     const double size = set_size(wanted);
     const FT_GlyphSlot slot = data_->face->glyph;
     FT_Stroker stroker = nullptr;
     FT_Glyph line = nullptr;
     std::unique_ptr<Letter> made;
-    if (size > 0 && FT_Load_Glyph(data_->face, glyph(letter), FT_LOAD_NO_HINTING) == 0 &&
+    if (size > 0 && FT_Load_Glyph(data_->face, glyph, FT_LOAD_NO_HINTING) == 0 &&
         slot->format == FT_GLYPH_FORMAT_OUTLINE && FT_Get_Glyph(slot, &line) == 0 &&
         FT_Stroker_New(data_->library, &stroker) == 0) {
         FT_Stroker_Set(stroker, std::lround(64 * outline * size), FT_STROKER_LINECAP_ROUND,
@@ -248,17 +273,17 @@ std::unique_ptr<Letter> Font::draw_outline(char32_t letter, double wanted, doubl
     return made;
 }
 
-const Letter* Font::letter(char32_t letter, double size, double outline) {
+const Letter* Font::letter(unsigned glyph, double size, double outline) {
     const double kept = kept_size(size);
-    // 21 bits of the letter, 11 of the outline.
+    // 21 bits of the glyph, 11 of the outline.
     const auto wide = static_cast<std::uint64_t>(std::lround(1024 * std::clamp(outline, 0.0, 1.0)));
-    const std::uint64_t key = std::uint64_t{letter} << 43 | wide << 32 |
-                              static_cast<std::uint64_t>(std::lround(4 * kept));
+    const std::uint64_t key =
+        std::uint64_t{glyph} << 43 | wide << 32 | static_cast<std::uint64_t>(std::lround(4 * kept));
     if (const auto found = letters_.find(key); found != letters_.end()) return found->second.get();
     if (letters_.size() >= most_letters) letters_.clear();
     auto& made = letters_[key];
-    made = wide > 0 ? draw_outline(letter, kept, static_cast<double>(wide) / 1024)
-                    : draw(letter, kept);
+    made =
+        wide > 0 ? draw_outline(glyph, kept, static_cast<double>(wide) / 1024) : draw(glyph, kept);
     return made.get();
 }
 

@@ -1,21 +1,40 @@
 #pragma once
-// Fonts: sizes of letters without a screen, and their pixels in any size.
+// Fonts: sizes of letters without a screen, and their pixels in any size. A glyph is a picture in a
+// font: that of a letter, of a joined form of it, or of several letters together.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include <fettle/property/picture.h>
 
 namespace fettle::visuals {
 
-/// The pixels of a letter in one size.
+/// The pixels of a glyph in one size.
 struct Letter {
     property::Picture picture;
     double size = 0;           // px, of the font
     double left = 0, top = 0;  // px, from the pen position on the baseline; y down
     bool colored = false;      // has colors of its own, such as an emoji
+};
+
+/// A part of a text in one font, script and direction.
+struct Run {
+    std::size_t begin = 0, end = 0;
+    std::uint32_t script = 0;  // as HarfBuzz numbers them
+    bool right_to_left = false;
+};
+
+/// A glyph of a shaped run. Lengths are for a font of size 1.
+struct ShapedGlyph {
+    unsigned glyph = 0;
+    std::size_t letter = 0;  // the first letter in the text that it is for
+    double x = 0, y = 0;     // from the pen, y down
+    double advance = 0;      // of the pen
 };
 
 class Font {
@@ -27,18 +46,23 @@ class Font {
     Font(const Font&) = delete;
     Font& operator=(const Font&) = delete;
 
-    bool has(char32_t letter) const;
+    bool has(char32_t letter) const { return glyph(letter) != 0; }
+    /// The glyph of the letter by itself; 0 if the font lacks it.
+    unsigned glyph(char32_t letter) const { return known(letter).index; }
     // Lengths for a font of size 1.
-    double advance(char32_t letter) const;
+    double advance(char32_t letter) const { return known(letter).advance; }
     /// The change of the distance between two letters that follow each other.
     double kerning(char32_t first, char32_t second) const;
+    /// The glyphs of a run from left to right, joined as its script asks. The letters around the
+    /// run have an effect on joins.
+    std::vector<ShapedGlyph> shape(std::u32string_view text, const Run& run) const;
     double ascent() const { return ascent_; }    // of the highest letters above the baseline
     double descent() const { return descent_; }  // below it, positive
 
-    /// `size`: px. Null for a letter without pixels, such as a space. The letter lives at least
-    /// until the next call. With an `outline`, a part of the size, it is the line around the letter
-    /// that is so wide to each side of its rim; null for a letter that is a picture.
-    const Letter* letter(char32_t letter, double size, double outline = 0);
+    /// `size`: px. Null for a glyph without pixels, such as a space. The letter lives at least
+    /// until the next call. With an `outline`, a part of the size, it is the line around the glyph
+    /// that is so wide to each side of its rim; null for a glyph that is a picture.
+    const Letter* letter(unsigned glyph, double size, double outline = 0);
 
   private:
     struct Data;
@@ -46,10 +70,10 @@ class Font {
         unsigned index = 0;  // 0: the font lacks the letter
         double advance = 0;
     };
-    unsigned glyph(char32_t letter) const;
+    const Glyph& known(char32_t letter) const;
     double set_size(double size) const;
-    std::unique_ptr<Letter> draw(char32_t letter, double wanted) const;
-    std::unique_ptr<Letter> draw_outline(char32_t letter, double wanted, double outline) const;
+    std::unique_ptr<Letter> draw(unsigned glyph, double wanted) const;
+    std::unique_ptr<Letter> draw_outline(unsigned glyph, double wanted, double outline) const;
 
     std::string file_;
     std::unique_ptr<Data> data_;

@@ -6,19 +6,14 @@
 #include <vector>
 
 #include <letters/fonts.h>
+#include <letters/shaping.h>
 
 namespace fettle::visuals {
 
 enum class Align : unsigned char { left, center, right };
 
-struct PlacedLetter {
-    Font* font = nullptr;
-    char32_t letter = 0;
-    double x = 0, y = 0;  // of the pen on the baseline, from the top left corner, y down
-};
-
 struct Layout {
-    std::vector<PlacedLetter> letters;
+    std::vector<PlacedGlyph> glyphs;  // from the top left corner
     double width = 0, height = 0;
 
     static constexpr double line_height = 1.2;
@@ -28,6 +23,10 @@ struct Layout {
     /// property::may_divide allows it. A tab goes on at the next multiple of two. Letters after the
     /// first `most_letters` are left out.
     static Layout of(std::string_view utf8, const Family& family, Align align, double wrap);
+
+    /// Where a caret stands in the first line of a text: before each letter and at the end, from
+    /// the left end of the line.
+    static std::vector<double> carets(std::string_view utf8, const Family& family);
 };
 
 }  // namespace fettle::visuals

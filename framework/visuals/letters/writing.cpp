@@ -13,8 +13,8 @@ void draw_letters(property::Painter& painter, const Layout& layout, double size,
     const double pixels = size * painter.pixels_per_unit();
     if (!(pixels >= least) || !std::isfinite(pixels)) return;
     const double down = painter.on_screen() ? 1 : -1;
-    for (const PlacedLetter& each : layout.letters) {
-        const Letter* const letter = each.font->letter(each.letter, pixels, outline);
+    for (const PlacedGlyph& each : layout.glyphs) {
+        const Letter* const letter = each.font->letter(each.glyph, pixels, outline);
         if (letter == nullptr) continue;
         const auto width = static_cast<double>(letter->picture.width());
         const auto height = static_cast<double>(letter->picture.height());

@@ -181,9 +181,8 @@ void Sprites::draw(Row& row, property::Painter& painter, double alpha) {
     if (on_screen) top = -top, bottom = -bottom;
     const Transform local = property::local_pose(read.vec2(of_.position), read.number(of_.angle),
                                                  read.number(of_.scale), on_screen);
-    painter.push(property::place_below(*tree_, tree_->parent(row.self), on_screen, alpha)
-                     .value_or(property::Transform()) *
-                 local);
+    const auto above = property::place_below(*tree_, tree_->parent(row.self), on_screen, alpha);
+    painter.push(above ? *above * local : local);
     const property::Blend blend = blend_of(read.in_place(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
     const Vec2 lower(left, on_screen ? top : bottom), upper(right, on_screen ? bottom : top);

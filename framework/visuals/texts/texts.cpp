@@ -182,7 +182,7 @@ void Texts::draw(Row& row, Painter& painter, double alpha) {
     const Reader read(*tree_, row.self);
     if (!read.flag(of_.visible)) return;
     const Layout& placed = layout(row);
-    if (placed.letters.empty()) return;
+    if (placed.glyphs.empty()) return;
     const bool screen = painter.on_screen();
     painter.push(property::place_below(*tree_, tree_->parent(row.self), screen, alpha)
                      .value_or(property::Transform()) *

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fettle/property/export.h>
 #include <fettle/property/painter.h>
@@ -53,6 +54,9 @@ class Media {
     virtual bool smooth() const = 0;
     /// Width of the longest line, and height of all lines.
     virtual Vec2 text_size(std::string_view text, const TextStyle& style) = 0;
+    /// Where a caret stands in a text of one line: before each character and at the end, from the
+    /// left end of the text. They descend where the text runs from right to left.
+    virtual std::vector<double> carets(std::string_view text, const TextStyle& style) = 0;
     /// `position`: in the middle of the height, at the beginning, middle or end of each line.
     virtual void text(Painter& painter, const Vec2& position, std::string_view text,
                       const TextStyle& style) = 0;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fettle/property/export.h>
@@ -68,15 +69,13 @@ class Painter {
     /// then by those that were pushed before. It also keeps opacity, blend mode and clip rectangle,
     /// so that `pop` brings them back.
     virtual void push(const Transform& transform) {
-        State inner = state_;
-        inner.transform = state_.transform * transform;
         outer_.push_back(state_);
-        set_state(inner);
+        set_transform(state_.transform * transform);
     }
     /// No effect if nothing is pushed.
     virtual void pop() {
         if (outer_.empty()) return;
-        const State before = outer_.back();
+        const State before = std::move(outer_.back());
         outer_.pop_back();
         set_state(before);
     }
@@ -156,8 +155,10 @@ class Painter {
         Vec2 clip_lower{0, 0}, clip_upper{0, 0};
     };
     const State& state() const { return state_; }
-    /// Called for every change of the state.
+    /// Called for every change of the state but those that `set_transform` is called for.
     virtual void set_state(const State& state) { state_ = state; }
+    /// Called for a push, which may be one for each sprite.
+    virtual void set_transform(const Transform& transform) { state_.transform = transform; }
     /// For `begin_screen`, which begins without a transform; `pop` is its end.
     void push_screen() {
         State screen = state_;

@@ -41,6 +41,7 @@ struct GameLimits {
     std::uint64_t instructions = 0;  // Lua instructions of one call into the scripts
     /// Bytes of Lua and of what the scripts add to the tree, physics included (estimated).
     std::size_t memory = 0;
+    std::size_t text = 0;       // bytes of one text of Lua
     std::size_t instances = 0;  // in the tree, also those that scripts did not make
     std::size_t handlers = 0;   // watchers included
     std::size_t timers = 0;     // that wait

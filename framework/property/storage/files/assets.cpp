@@ -36,6 +36,11 @@ void add_names(const fs::path& folder, Endings endings, std::vector<std::string>
 }  // namespace
 
 fs::path Assets::path_of(std::string_view what, const std::string& name) const {
+    // Paths of a million folders take minutes, and no system opens one that is longer.
+    constexpr std::size_t longest = 4096;
+    if (name.size() > longest)
+        throw Error(ErrorKind::rejected, std::string(what) + ": the name of a file has at most " +
+                                             std::to_string(longest) + " bytes");
     const fs::path path(name);
     bool leaves = path.is_absolute() || name.empty() || name.find('\0') != std::string::npos;
     for (const fs::path& part : path) leaves = leaves || part == "..";
