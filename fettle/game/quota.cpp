@@ -7,7 +7,7 @@ namespace fettle::program {
 namespace {
 
 constexpr std::size_t megabyte = std::size_t{1} << 20;
-constexpr std::size_t default_tree = 2048 * megabyte;  // of a trusted game: some 800 000 bodies
+constexpr std::size_t default_tree = 2048 * megabyte;  // of a trusted game: over a million bodies
 
 }  // namespace
 

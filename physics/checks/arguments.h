@@ -49,10 +49,6 @@ inline float check_limit(const char* what, float value) {
 inline float check_strength(const char* what, float value) {
     return check_range(what, value, 0.0f, infinity);
 }
-/// At least 0, may be infinite.
-inline float check_stiffness(const char* what, float hertz) {
-    return check_range(what, hertz, 0.0f, infinity);
-}
 /// Two limits that a definition gives together.
 void check_order(const char* lower_name, float lower, const char* upper_name, float upper);
 /// At most 63 bytes without a zero.

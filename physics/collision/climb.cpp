@@ -18,25 +18,33 @@ bool turned_less(Vec2 base, Vec2 u, Vec2 v) {
 int farthest_vertex(const Convex& polygon, Vec2 direction) {
     const int n = polygon.count;
     int vertex = 0;
-    if (n > most_small_vertices) {
-        // Vertex i is farthest for directions from the normal of edge i - 1 to that of edge i.
-        int low = 0, high = n;  // the first edge whose normal is not before the direction
-        while (low < high) {
-            const int middle = (low + high) / 2;
-            if (turned_less(polygon.normals[0], polygon.normals[middle], direction))
-                low = middle + 1;
-            else
-                high = middle;
+    float most = dot(direction, polygon.vertices[0]);
+    if (n <= most_small_vertices) {
+        for (int i = 1; i < n; ++i) {
+            const float d = dot(direction, polygon.vertices[i]);
+            if (d > most) {
+                most = d;
+                vertex = i;
+            }
         }
-        vertex = low < n ? low : 0;
+        return vertex;
     }
-    // Rounding may cause an error of one vertex. In small polygons, all vertices are examined.
-    float most = dot(direction, polygon.vertices[vertex]);
+    // Vertex i is farthest for directions from the normal of edge i - 1 to that of edge i.
+    int low = 0, high = n;  // the first edge whose normal is not before the direction
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (turned_less(polygon.normals[0], polygon.normals[middle], direction))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    vertex = low < n ? low : 0;
+    // Rounding may cause an error of one vertex.
+    most = dot(direction, polygon.vertices[vertex]);
     for (int way : {1, n - 1}) {
         for (int i = (vertex + way) % n, left = n; left > 0; i = (i + way) % n, --left) {
             const float d = dot(direction, polygon.vertices[i]);
-            if (d <= most && n > most_small_vertices) break;
-            if (d <= most) continue;
+            if (d <= most) break;
             most = d;
             vertex = i;
         }

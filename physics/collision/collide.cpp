@@ -37,12 +37,10 @@ void single_point(Vec2 p, Vec2 q, Vec2 fallback, const Convex& a, const Convex& 
     const float distance = length(d);
     const float separation = distance - a.radius - b.radius;
     if (separation > margin) return;
-    m.normal = distance > 1e-9f ? (1.0f / distance) * d : fallback;
-    const Vec2 surface_a = p + a.radius * m.normal;
-    const Vec2 surface_b = q - b.radius * m.normal;
-    const Vec2 middle = 0.5f * (surface_a + surface_b);
-    m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, feature};
-    m.count = 1;
+    const Vec2 normal = distance > 1e-9f ? (1.0f / distance) * d : fallback;
+    const Vec2 surface_a = p + a.radius * normal;
+    const Vec2 surface_b = q - b.radius * normal;
+    m.set_point(normal, 0.5f * (surface_a + surface_b), offset, separation, feature);
     m.corner = distance;
 }
 
@@ -74,10 +72,8 @@ void collide_circle(const Convex& a, const Convex& circle, Vec2 offset, float ma
         const float separation = best.separation - a.radius - circle.radius;
         const Vec2 surface_a = c + (a.radius - best.separation) * n;
         const Vec2 surface_b = c - circle.radius * n;
-        const Vec2 middle = 0.5f * (surface_a + surface_b);
-        m.normal = n;
-        m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, feature_of(best.edge, 254)};
-        m.count = 1;
+        m.set_point(n, 0.5f * (surface_a + surface_b), offset, separation,
+                    feature_of(best.edge, 254));
     }
 }
 

@@ -31,11 +31,9 @@ void collide_ellipse(const Solid& ellipse, const Solid& other, Vec2 offset, floa
     const float radius = both ? 0.0f : other.form.radius;
     const float separation = gap.separation - radius;
     if (separation > margin) return;
-    m.normal = gap.normal;
-    const Vec2 middle = gap.on_ellipse + (0.5f * separation) * gap.normal;
     const int feature = gap.edge >= 0 ? gap.edge : 128 + (gap.vertex & 127);
-    m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, uint16_t(feature & 255)};
-    m.count = 1;
+    m.set_point(gap.normal, gap.on_ellipse + (0.5f * separation) * gap.normal, offset, separation,
+                uint32_t(feature & 255));
 }
 
 /// Collides two shapes if one is an ellipse or a piece.

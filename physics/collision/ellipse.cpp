@@ -40,7 +40,7 @@ Vec2 half_box(const EllipseForm& ellipse) {
 AreaMoments moments_of(const Ellipse& ellipse) {
     const double a = ellipse.radius_x, b = ellipse.radius_y;
     AreaMoments moments;
-    moments.area = 3.14159265358979323846 * a * b;
+    moments.area = std::numbers::pi * a * b;
     moments.center_x = ellipse.center.x;
     moments.center_y = ellipse.center.y;
     moments.moment = 0.25 * moments.area * (a * a + b * b);

@@ -50,10 +50,8 @@ void set_point(Vec2 p, Vec2 q, Vec2 normal, float distance, float radius_a, floa
                Vec2 offset, float margin, Manifold& m) {
     const float separation = distance - radius_a - radius_b;
     if (separation > margin) return;
-    m.normal = normal;
     const Vec2 middle = 0.5f * (p + radius_a * normal + q - radius_b * normal);
-    m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, 0};
-    m.count = 1;
+    m.set_point(normal, middle, offset, separation, 0);
 }
 
 void collide_circle(const TurnedFacets& a, Vec2 center, float radius, Vec2 offset, float margin,
@@ -133,8 +131,7 @@ Nearest to_point(const TurnedFacets& a, Vec2 point) {
     found.on_a = found.on_b = point;
     if (axis.separation <= 0.0f) return found;
     const Vec2 v1 = a.vertex(axis.edge), along = a.vertex(a.next(axis.edge)) - v1;
-    const float t = clamp(dot(point - v1, along) / length_squared(along), 0.0f, 1.0f);
-    found.on_a = v1 + t * along;
+    found.on_a = v1 + nearest_fraction(along, point - v1) * along;
     found.distance = length(point - found.on_a);
     return found;
 }

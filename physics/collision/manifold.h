@@ -41,6 +41,13 @@ struct Manifold {
     int count = 0;
     float corner = 0.0f;  ///< distance of the cores at a corner contact, m; else 0
     ManifoldPoint points[2];
+
+    /// A contact of one point, at `at` from the center of mass of a; `offset` is that of b.
+    void set_point(Vec2 along, Vec2 at, Vec2 offset, float separation, uint32_t feature) {
+        normal = along;
+        points[0] = {at, at - offset, separation, 0.0f, 0.0f, feature};
+        count = 1;
+    }
 };
 
 // Wide collisions read and write four numbers at a time: `normal` to `corner`, both anchors, and

@@ -81,32 +81,15 @@ Axes axes_of(const OutlinePiece& piece, auto&& nearest) {
     return axes;
 }
 
-int support(const Convex& form, Vec2 direction) {
-    if (form.count > most_small_vertices) return farthest_vertex(form, direction);
-    int best = 0;
-    float most = dot(direction, form.vertices[0]);
-    for (int i = 1; i < form.count; ++i) {
-        const float d = dot(direction, form.vertices[i]);
-        if (d > most) {
-            most = d;
-            best = i;
-        }
-    }
-    return best;
-}
-
 float lowest(const Convex& form, Vec2 normal) {
-    return dot(normal, form.vertices[support(form, -normal)]);
+    return dot(normal, form.vertices[farthest_vertex(form, -normal)]);
 }
 
 void one_point(Vec2 on_a, Vec2 normal, float gap, float radius_b, Vec2 offset, float margin,
                uint16_t feature, Manifold& m) {
     const float separation = gap - radius_b;
     if (separation > margin) return;
-    m.normal = normal;
-    const Vec2 middle = on_a + (0.5f * separation) * normal;
-    m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, feature};
-    m.count = 1;
+    m.set_point(normal, on_a + (0.5f * separation) * normal, offset, separation, feature);
 }
 
 /// Faces extend beyond their ends by this (m), so that rounding leaves no gap between two nearly
@@ -253,8 +236,7 @@ EdgePoint nearest_on_edges(const Convex& form, Vec2 p) {
     for (int i = 0; i < form.count; ++i) {
         const Vec2 from = form.vertices[i];
         const Vec2 along = form.vertices[i + 1 < form.count ? i + 1 : 0] - from;
-        const float square = length_squared(along);
-        const float t = square > 0.0f ? clamp(dot(p - from, along) / square, 0.0f, 1.0f) : 0.0f;
+        const float t = nearest_fraction(along, p - from);
         const Vec2 q = from + t * along;
         const float d = length_squared(p - q);
         if (d < least) {
@@ -329,7 +311,7 @@ class PolygonOnPiece {
         if (m_.count > 0 || on_b.edge < 0) return;
         const Vec2 outwards = -b_.normals[on_b.edge];
         if (dot(outwards, a_.form.normals[on_a.edge]) < 0.7f) return;
-        const int vertex = support(a_.form, outwards);
+        const int vertex = farthest_vertex(a_.form, outwards);
         one_point(a_.form.vertices[vertex], outwards, on_b.separation, b_.radius, offset_, margin_,
                   feature_of(vertex, on_b.edge), m_);
     }
@@ -356,7 +338,7 @@ class PolygonOnPiece {
     void push_with_a(int edge, float separation) {
         const Vec2 n = a_.form.normals[edge];
         if (piece_b_ != nullptr) {
-            const int vertex = support(b_, -n);
+            const int vertex = farthest_vertex(b_, -n);
             if (piece_b_->decide(vertex, -n) == OutlinePiece::Verdict::leaves &&
                 !is_face(*piece_b_, vertex, -n))
                 return;
@@ -372,7 +354,7 @@ class PolygonOnPiece {
     /// Pushes along the normal of an edge of the other shape: a corner of the outline is pushed.
     void push_with_b(EdgeGap axis) {
         const Vec2 outwards = -b_.normals[axis.edge];
-        const int vertex = support(a_.form, outwards);
+        const int vertex = farthest_vertex(a_.form, outwards);
         if (is_face(a_, vertex, outwards)) {
             push_with_a(a_.edge_at(vertex, outwards), axis.separation);
             return;

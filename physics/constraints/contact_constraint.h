@@ -38,6 +38,8 @@ struct ContactConstraint {
     Softness soft;
     Vec2 inverse_a, inverse_b;  ///< inverse masses along x and y: 0 along a locked axis
     ConstraintPoint points[2];
+
+    float inverse_along(Vec2 d) const { return detail::inverse_along(d, inverse_a, inverse_b); }
 };
 
 /// Data of a contact at a corner. To first order the gap is s₀ + u_n. The actual gap of a shape
@@ -58,19 +60,29 @@ struct PairMotion {
         : va(a.velocity), vb(b.velocity), wa(a.angular_velocity), wb(b.angular_velocity) {}
 };
 
-/// The difference between the actual gap around a corner and the gap along the normal: now, or
-/// after the time `ahead` (s). `along_normal`: increase of the separation of the cores by then, m.
-/// `motion` contains the velocities va, wa of a and vb, wb of b.
-float corner_gap(const Corner& corner, Vec2 n, const SolverBody& a, const SolverBody& b,
-                 const auto& motion, float along_normal, float ahead) {
+/// What the path around a corner adds to the gap along the normal.
+struct CornerPath {
+    float gap;      ///< m, now
+    float opening;  ///< m, by the end of a sub-step: the velocity along the normal may close it
+};
+
+/// `opened`: increase of the separation of the cores since the start of the step, m; `velocity`:
+/// its rate; `h`: length of a sub-step. `motion` contains the velocities va, wa of a and vb, wb of
+/// b.
+CornerPath path_around(const Corner& corner, Vec2 n, const SolverBody& a, const SolverBody& b,
+                       const auto& motion, float opened, float velocity, float h) {
     const Vec2 t = right_perp(n);
     const float moved =
         dot(t, b.shift - a.shift) + (corner.lever_b * b.turn - corner.lever_a * a.turn);
-    const float velocity =
+    const float slip =
         dot(t, motion.vb - motion.va) + (corner.lever_b * motion.wb - corner.lever_a * motion.wa);
-    const float u = moved + ahead * velocity;
-    const float reach = max(corner.distance + along_normal, 0.0f);
-    return u * u / (std::sqrt(reach * reach + u * u) + reach + 1e-12f);
+    const auto gap_after = [&](float ahead) {
+        const float u = moved + ahead * slip;
+        const float reach = max(corner.distance + (opened + ahead * velocity), 0.0f);
+        return u * u / (std::sqrt(reach * reach + u * u) + reach + 1e-12f);
+    };
+    const float gap = gap_after(0.0f);
+    return {gap, gap_after(h) - gap};
 }
 
 struct ContactExtra {

@@ -103,10 +103,7 @@ struct JointEnds {
         body_b.shift = body_b.shift - by_b;
         return gap - (by_a + by_b);
     }
-    /// n·(M_a⁻¹ + M_b⁻¹)·n for a direction n.
-    float inverse_along(Vec2 n) const {
-        return n.x * n.x * (inverse_a.x + inverse_b.x) + n.y * n.y * (inverse_a.y + inverse_b.y);
-    }
+    float inverse_along(Vec2 d) const { return detail::inverse_along(d, inverse_a, inverse_b); }
 
   private:
     /// The part of a displacement that the first of two bodies with these inverse masses makes.

@@ -21,7 +21,7 @@ struct Spring {
     float impulse_scale = 1.0f;
 
     static Spring make(float hertz, float damping_ratio, float h) {
-        const float turn = min(6.2831853f * hertz * h, greatest_turn);  // h·ω
+        const float turn = min(two_pi<float> * hertz * h, greatest_turn);  // h·ω
         const float implicit = clamp(turn - 0.5f, 0.0f, 1.0f);
         const float a = turn * (2.0f * damping_ratio + implicit * turn);
         const float rest = 1.0f / (1.0f + a);

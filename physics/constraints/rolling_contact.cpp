@@ -13,11 +13,6 @@ constexpr float face_radius = 1e6f;
 /// enough beyond.
 constexpr double greatest_angle = 0.5;
 
-float inverse_along(const ContactConstraint& c, Vec2 d) {
-    return d.x * d.x * (c.inverse_a.x + c.inverse_b.x) +
-           d.y * d.y * (c.inverse_a.y + c.inverse_b.y);
-}
-
 }  // namespace
 
 float radius_of_curvature(const Solid& shape, Vec2 normal) {
@@ -83,10 +78,10 @@ void RollingContact::follow(ContactConstraint& c, const SolverBody& a, const Sol
     p.normal_lever_b = float(double(start_.normal_lever_b) - second_b_ * (turn_b - phi));
     p.tangent_lever_a = start_.tangent_lever_a + start_.normal_lever_a * float(phi - turn_a);
     p.tangent_lever_b = start_.tangent_lever_b + start_.normal_lever_b * float(phi - turn_b);
-    p.normal_mass = inverse_or_zero(inverse_along(c, c.normal) +
+    p.normal_mass = inverse_or_zero(c.inverse_along(c.normal) +
                                     a.inverse_inertia * p.normal_lever_a * p.normal_lever_a +
                                     b.inverse_inertia * p.normal_lever_b * p.normal_lever_b);
-    p.tangent_mass = inverse_or_zero(inverse_along(c, tangent) +
+    p.tangent_mass = inverse_or_zero(c.inverse_along(tangent) +
                                      a.inverse_inertia * p.tangent_lever_a * p.tangent_lever_a +
                                      b.inverse_inertia * p.tangent_lever_b * p.tangent_lever_b);
     // The passes add the motion of the bodies to first order.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <geometry/vector.h>
+#include <geometry/trigonometry.h>
 
 #include <cstdint>
 
@@ -45,6 +45,11 @@ inline float inverse_or_zero(float k) {
     return k > 0.0f ? 1.0f / k : 0.0f;
 }
 
+/// d·(M_a⁻¹ + M_b⁻¹)·d for a direction d. `inverse_a`, `inverse_b`: inverse masses along x and y.
+inline float inverse_along(Vec2 d, Vec2 inverse_a, Vec2 inverse_b) {
+    return d.x * d.x * (inverse_a.x + inverse_b.x) + d.y * d.y * (inverse_a.y + inverse_b.y);
+}
+
 /// Coefficients of a soft constraint.
 struct Softness {
     float bias_rate = 0.0f;
@@ -56,7 +61,7 @@ struct Softness {
 /// a2 = hω·a1 (E. Catto, "Soft Constraints", GDC 2011).
 inline Softness make_softness(float hertz, float damping_ratio, float h) {
     if (!(hertz > 0.0f)) return {0.0f, 1.0f, 0.0f};
-    const float omega = 6.2831853f * hertz;
+    const float omega = two_pi<float> * hertz;
     const float a1 = 2.0f * damping_ratio + h * omega;
     const float a2 = h * omega * a1;
     const float a3 = 1.0f / (1.0f + a2);

@@ -11,11 +11,12 @@ namespace fettle::physics::detail {
 Nearest nearest_points(const Convex& a, const Convex& b, Vec2 offset);
 Nearest nearest_points(const Solid& a, const Solid& b, Vec2 offset);
 
+/// The point of the edge from a to b that is nearest to p.
+inline Vec2 nearest_on_edge(Vec2 a, Vec2 b, Vec2 p) {
+    return a + nearest_fraction(b - a, p - a) * (b - a);
+}
 inline float squared_distance_to_edge(Vec2 a, Vec2 b, Vec2 p) {
-    const Vec2 d = b - a;
-    const float l = length_squared(d);
-    const float t = l > 0.0f ? clamp(dot(p - a, d) / l, 0.0f, 1.0f) : 0.0f;
-    return length_squared(p - (a + t * d));
+    return length_squared(p - nearest_on_edge(a, b, p));
 }
 
 /// 0 when they overlap.

@@ -34,10 +34,8 @@ Pair vertex_and_edge(const Convex& points, const Convex& shape, Vec2 to_shape) {
     for (int i = 0; i < points.count; ++i) {
         for (int k = 0; k < shape.count; ++k) {
             const Vec2 a = shape.vertices[k] + to_shape;
-            const Vec2 d = shape.vertices[k + 1 < shape.count ? k + 1 : 0] + to_shape - a;
-            const float l = length_squared(d);
-            const float t = l > 0.0f ? clamp(dot(points.vertices[i] - a, d) / l, 0.0f, 1.0f) : 0.0f;
-            const Vec2 on_edge = a + t * d;
+            const Vec2 b = shape.vertices[k + 1 < shape.count ? k + 1 : 0] + to_shape;
+            const Vec2 on_edge = nearest_on_edge(a, b, points.vertices[i]);
             const float squared = length_squared(points.vertices[i] - on_edge);
             if (squared < best.squared) best = {squared, points.vertices[i], on_edge};
         }

@@ -58,7 +58,7 @@ Integrals on_circle(Place c, double r, double angle) {
 }
 
 Integrals of_arc(Place center, double r, double from, double sweep) {
-    constexpr double turn = 6.283185307179586;
+    constexpr double turn = two_pi<double>;
     const double high = -center.w / r;  // the arc is below where sin θ is smaller than this
     Integrals sum;
     const auto add = [&](double a, double b) {
@@ -86,7 +86,7 @@ AreaPart part_below(const Convex& shape, Vec2 normal, double depth) {
     const auto place = [&](Vec2 p) {
         return Place{double(dot(along, p)), double(dot(normal, p)) - depth};
     };
-    constexpr double turn = 6.283185307179586;
+    constexpr double turn = two_pi<double>;
     const double r = double(shape.radius);
     Integrals sum;
     if (shape.count == 1 && r > 0.0) sum = of_arc(place(shape.vertices[0]), r, 0.0, turn);

@@ -1,4 +1,5 @@
 #include <geometry/decomposition.h>
+#include <geometry/orientation.h>
 
 #include <algorithm>
 
@@ -48,9 +49,7 @@ class Cutter {
 
   private:
     double turn(uint32_t o, uint32_t a, uint32_t b) const {
-        const double ax = double(p_[a].x) - double(p_[o].x), ay = double(p_[a].y) - double(p_[o].y);
-        const double bx = double(p_[b].x) - double(p_[o].x), by = double(p_[b].y) - double(p_[o].y);
-        return ax * by - ay * bx;
+        return orientation(p_[o], p_[a], p_[b]);
     }
     static uint32_t before(const Indices& q, size_t i) { return q[(i + q.size() - 1) % q.size()]; }
     static uint32_t after(const Indices& q, size_t i) { return q[(i + 1) % q.size()]; }

@@ -39,7 +39,6 @@ void add_sector(Sum& sum, double x, double y, double ux, double uy, double alpha
 }
 
 void add_rounding(Sum& sum, std::span<const Vec2> v, Vec2 origin, double r) {
-    constexpr double full_turn = 6.28318530717958647692;
     const size_t n = v.size();
     auto edge_normal = [&](size_t i, double& nx, double& ny, double& edge) {
         const double ex = double(v[(i + 1) % n].x) - v[i].x, ey = double(v[(i + 1) % n].y) - v[i].y;
@@ -50,7 +49,7 @@ void add_rounding(Sum& sum, std::span<const Vec2> v, Vec2 origin, double r) {
     for (size_t i = 0; i < n; ++i) {
         const double x = double(v[i].x) - origin.x, y = double(v[i].y) - origin.y;
         if (n == 1) {
-            add_sector(sum, x, y, 1.0, 0.0, full_turn, r);
+            add_sector(sum, x, y, 1.0, 0.0, two_pi<double>, r);
             return;
         }
         double nx, ny, edge, px, py, previous;
@@ -60,7 +59,7 @@ void add_rounding(Sum& sum, std::span<const Vec2> v, Vec2 origin, double r) {
         const double my = y + 0.5 * (double(v[(i + 1) % n].y) - v[i].y) + 0.5 * r * ny;
         sum.add(edge * r, mx, my, edge * r * (edge * edge + r * r) / 12.0);
         const double alpha =
-            n == 2 ? 0.5 * full_turn : angle_of(px * ny - py * nx, px * nx + py * ny);
+            n == 2 ? std::numbers::pi : angle_of(px * ny - py * nx, px * nx + py * ny);
         // The bisector of two opposite normals (at the end of a capsule) is parallel to the
         // segment, and points away from it.
         double ux = n == 2 ? ny : px + nx, uy = n == 2 ? -nx : py + ny;

@@ -1,4 +1,5 @@
 #include <geometry/decomposition.h>
+#include <geometry/orientation.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -8,14 +9,6 @@
 
 namespace fettle::physics::detail {
 namespace {
-
-/// Twice the signed area of a triangle. Differences of floats are exact in double precision unless
-/// their magnitudes differ strongly, so the sign is correct except very near 0.
-double turn(Vec2 o, Vec2 a, Vec2 b) {
-    const double ax = double(a.x) - double(o.x), ay = double(a.y) - double(o.y);
-    const double bx = double(b.x) - double(o.x), by = double(b.y) - double(o.y);
-    return ax * by - ay * bx;
-}
 
 bool same(Vec2 a, Vec2 b) {
     return a.x == b.x && a.y == b.y;
@@ -50,8 +43,8 @@ std::string name(Vec2 p) {
 }
 
 Vec2 crossing(const Edge& e, const Edge& f) {
-    const double d = turn(e.a, e.b, f.b) - turn(e.a, e.b, f.a);
-    const double t = d != 0.0 ? -turn(e.a, e.b, f.a) / d : 0.0;
+    const double d = orientation(e.a, e.b, f.b) - orientation(e.a, e.b, f.a);
+    const double t = d != 0.0 ? -orientation(e.a, e.b, f.a) / d : 0.0;
     return {float(double(f.a.x) + t * (double(f.b.x) - double(f.a.x))),
             float(double(f.a.y) + t * (double(f.b.y) - double(f.a.y)))};
 }
@@ -61,8 +54,8 @@ constexpr const char* no_hole =
 
 /// The error between two edges; the edge with the lower vertex comes first.
 std::optional<std::string> problem_between(const Edge& e, const Edge& f) {
-    const double ea = turn(e.a, e.b, f.a), eb = turn(e.a, e.b, f.b);
-    const double fa = turn(f.a, f.b, e.a), fb = turn(f.a, f.b, e.b);
+    const double ea = orientation(e.a, e.b, f.a), eb = orientation(e.a, e.b, f.b);
+    const double fa = orientation(f.a, f.b, e.a), fb = orientation(f.a, f.b, e.b);
     const bool on_line = ea == 0.0 && eb == 0.0;
     if (e.next_to(f)) {
         // Neighbors share a vertex; they must not overlap.
@@ -94,7 +87,7 @@ std::optional<std::string> problem_between(const Edge& e, const Edge& f) {
 double signed_area(std::span<const Vec2> outline) {
     double twice = 0.0;
     for (size_t i = 1; i + 1 < outline.size(); ++i)
-        twice += turn(outline[0], outline[i], outline[i + 1]);
+        twice += orientation(outline[0], outline[i], outline[i + 1]);
     return 0.5 * twice;
 }
 

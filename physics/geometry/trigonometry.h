@@ -2,12 +2,16 @@
 
 #include <geometry/vector.h>
 
+#include <numbers>
+
 // Sine, cosine and arc tangent without the C library, whose results differ between systems:
 // simulations would differ with them.
 
 namespace fettle::physics::detail {
 
-inline constexpr float pi = 3.14159265358979f;
+inline constexpr float pi = std::numbers::pi_v<float>;
+template <class Real>
+inline constexpr Real two_pi = 2 * std::numbers::pi_v<Real>;
 
 /// Cosine and sine of an angle (rad). The error is about one unit in the last place of a float.
 /// NaN, and angles of more than 1e15 quarter turns, give no rotation.

@@ -44,6 +44,13 @@ inline float clamp(float v, float low, float high) {
     return v < low ? low : (v > high ? high : v);
 }
 
+/// The fraction of a segment at which it is nearest to a point. `along` leads from its start to its
+/// end, `to_point` from its start to the point.
+inline float nearest_fraction(Vec2 along, Vec2 to_point) {
+    const float whole = length_squared(along);
+    return whole > 0.0f ? clamp(dot(to_point, along) / whole, 0.0f, 1.0f) : 0.0f;
+}
+
 /// Limits infinities, and replaces NaN by zero: the state stays finite for any forces and masses.
 inline float bounded(float v, float limit) {
     if (v > limit) return limit;
@@ -155,6 +162,9 @@ inline Box4 box_of(const Position& low, const Position& high) {
 }
 inline Box4 box_of(const Aabb& box) {
     return box_of(box.min, box.max);
+}
+inline bool overlap(const Aabb& a, const Aabb& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 /// Enlarges a box so that it contains another one.
 inline void add_box(Aabb& all, const Aabb& other) {

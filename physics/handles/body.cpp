@@ -115,18 +115,12 @@ void Body::set_pose(const Pose& pose) {
     data.change<teleport>(id_.index, pose.position, pose.angle);
 }
 
-namespace {
-
-/// Returns true if the body may have a velocity. Then it is awake afterwards, unless it is
-/// disabled.
-bool wake_if_movable(WorldData& data, uint32_t body) {
+bool detail::wake_if_movable(WorldData& data, uint32_t body) {
     data.read_mass(body);
     if (data.bodies[body].mobility == Mobility::fixed) return keeps_motion(data.bodies[body]);
     data.change<wake_for_edit>(body);
     return true;
 }
-
-}  // namespace
 
 void Body::set_velocity(const Vec2& velocity) {
     FETTLE_EDIT_BODY

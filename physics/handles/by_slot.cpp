@@ -3,6 +3,7 @@
 
 #include <fettle/physics/world.h>
 #include <geometry/bits.h>
+#include <handles/live.h>
 #include <world/world_data.h>
 
 namespace fettle::physics {
@@ -16,15 +17,6 @@ Vec2 World::velocity(uint32_t index) const {
 
 namespace {
 
-/// Returns true if the body is not fixed. Then it is awake afterwards; the bodies that touch it
-/// wake if necessary.
-bool wake_if_not_fixed(WorldData& data, uint32_t index) {
-    data.read_mass(index);
-    if (data.bodies[index].mobility == Mobility::fixed) return false;
-    data.change<wake_for_edit>(index);
-    return true;
-}
-
 /// The fast case, true for almost all bodies that are written: waking needs only one store.
 bool is_awake_and_current(const WorldData& data, const BodyRecord& record) {
     return record.solver_index != 0 && record.mobility == Mobility::dynamic && !record.listed &&
@@ -33,7 +25,7 @@ bool is_awake_and_current(const WorldData& data, const BodyRecord& record) {
 
 [[gnu::noinline]] bool wake_and_set(WorldData& data, uint32_t index, const Vec2& velocity) {
     data.self.may_edit("World", "set_velocity");
-    if (!wake_if_not_fixed(data, index) && !keeps_motion(data.bodies[index])) return false;
+    if (!wake_if_movable(data, index)) return false;
     data.states[index].velocity = velocity;
     return true;
 }

@@ -14,7 +14,6 @@ using namespace detail;
 
 namespace {
 
-constexpr float whole_turn = 6.2831853f;
 constexpr int arc_points = 32;  // of a whole turn
 
 constexpr uint32_t sensor_color = 0xe0c050, static_color = 0x70a070, kinematic_color = 0x7090d0,
@@ -35,10 +34,6 @@ struct Place {
 Vec2 on_circle(float angle) {
     const Rotation q = rotation_of(angle);
     return {q.c, q.s};
-}
-
-bool meet(const Aabb& a, const Aabb& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 
 Aabb box_around(const Position& a, const Position& b) {
@@ -96,7 +91,7 @@ class Drawing {
 
   private:
     void draw_body(const Body& body) {
-        if (options_.region && !meet(*options_.region, body.aabb())) return;
+        if (options_.region && !overlap(*options_.region, body.aabb())) return;
         const Pose pose = body.interpolated(options_.fraction);
         for (const Shape& shape : body.shapes()) {
             if (options_.shapes) draw_shape(shape, pose, target_.color_of(body, shape));
@@ -128,7 +123,7 @@ class Drawing {
     void add_ellipse(const Ellipse& ellipse, const Place& at) {
         const Rotation q = rotation_of(ellipse.angle);
         for (int i = 0; i < arc_points; ++i) {
-            const Vec2 p = on_circle(whole_turn * float(i) / float(arc_points));
+            const Vec2 p = on_circle(two_pi<float> * float(i) / float(arc_points));
             points_.push_back(
                 at(ellipse.center + rotate(q, {ellipse.radius_x * p.x, ellipse.radius_y * p.y})));
         }
@@ -148,8 +143,8 @@ class Drawing {
             }
             const float from = direction((i + count - 1) % count);
             float sweep = direction(i) - from;
-            if (sweep < 0.0f) sweep += whole_turn;
-            const int steps = std::max(1, int(std::ceil(sweep / whole_turn * arc_points)));
+            if (sweep < 0.0f) sweep += two_pi<float>;
+            const int steps = std::max(1, int(std::ceil(sweep / two_pi<float> * arc_points)));
             for (int k = 0; k <= steps; ++k)
                 points_.push_back(
                     at(core[i] + rounding * on_circle(from + sweep * float(k) / float(steps))));
@@ -165,7 +160,7 @@ class Drawing {
     void draw_joint(const Joint& joint) {
         if (joint.dormant()) return;
         const Position a = joint.world_anchor_a(), b = joint.world_anchor_b();
-        if (options_.region && !meet(*options_.region, box_around(a, b))) return;
+        if (options_.region && !overlap(*options_.region, box_around(a, b))) return;
         draw_end(joint.body_a(), a);
         draw_end(joint.body_b(), b);
         target_.segment(a, b, joint_color);
@@ -178,7 +173,7 @@ class Drawing {
     void draw_contact(const Contact& contact) {
         for (int i = 0; i < contact.point_count; ++i) {
             const Position at = contact.points[size_t(i)].point;
-            if (options_.region && !meet(*options_.region, {at, at})) continue;
+            if (options_.region && !overlap(*options_.region, {at, at})) continue;
             target_.point(at, contact_color);
             target_.segment(at, at + normal_length * contact.normal, contact_color);
         }

@@ -18,6 +18,10 @@ WorldData& live(WorldLink* link, Id id, const char* kind) {
 /// To be called after an edit of the surface of a shape or of its segments.
 void surface_changed(WorldData& data, uint32_t shape);
 
+/// Returns true if the body may have a velocity. Then it is awake afterwards, unless it is
+/// disabled; the bodies that touch it wake if necessary.
+bool wake_if_movable(WorldData& data, uint32_t body);
+
 /// Throws: the body that carries the bounds of a world cannot be edited.
 [[noreturn]] void refuse_border_body(const char* function);
 

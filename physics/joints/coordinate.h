@@ -71,7 +71,7 @@ struct Limits {
     bool any() const { return lower > -infinity || upper < infinity; }
     /// If the limits cross, the upper one is used.
     Limits in_order() const { return {min(lower, upper), upper}; }
-    /// How far a value is outside of the limits.
+    /// How far a value is outside of the limits; if they cross, the upper one is used.
     float beyond(float value) const {
         return max(0.0f, max(min(lower, upper) - value, value - upper));
     }
@@ -88,6 +88,12 @@ struct Motor {
     float greatest = 0.0f;  ///< N or N m; in a step, an impulse
 
     bool moves_bodies(float velocity) const { return greatest > 0.0f && follows(velocity, speed); }
+    /// Its speed, but not beyond a limit. If the motor were as fast there, the limit would have to
+    /// hold its whole force, and would yield.
+    float speed_within(const Limits& limits, float position, float inverse_h) const {
+        return clamp(speed, min((limits.lower - position) * inverse_h, 0.0f),
+                     max((limits.upper - position) * inverse_h, 0.0f));
+    }
 };
 
 struct LimitImpulses {
@@ -192,12 +198,6 @@ struct Coordinate {
     bool acts_biased() const { return springy || limited; }
     bool acts_relaxed() const { return driven || limited; }
 
-    /// Speed of the motor: not beyond a limit. If the motor were as fast there, the limit would
-    /// have to hold its whole force, and would yield.
-    float motor_speed(float position, float inverse_h) const {
-        return clamp(motor.speed, min((limits.lower - position) * inverse_h, 0.0f),
-                     max((limits.upper - position) * inverse_h, 0.0f));
-    }
     /// True if the motor moves the bodies, and neither a limit nor an obstacle stops it.
     bool moves_bodies(float velocity) const { return driven && motor.moves_bodies(velocity); }
 
@@ -212,7 +212,7 @@ struct Coordinate {
             push(change);
         }
         if (!biased && driven) {
-            const float speed = motor_speed(position, step.inverse_h);
+            const float speed = motor.speed_within(limits, position, step.inverse_h);
             push(push_motor(impulses.motor, mass, velocity(), speed, motor.greatest,
                             speed != motor.speed));
         }
@@ -223,7 +223,7 @@ struct Coordinate {
                     const Jacobian& jacobian, RowWriter& rows) const {
         if (springy) rows.spring(jacobian, spring, mass, position - target, impulses.spring);
         if (driven) {
-            const float speed = motor_speed(position, 1.0f / float(rows.h()));
+            const float speed = motor.speed_within(limits, position, 1.0f / float(rows.h()));
             rows.motor(jacobian, speed, motor.greatest, impulses.motor);
         }
         write_limits(limits, impulses.limits, position, jacobian, rows);

@@ -32,7 +32,7 @@ struct DistanceSettings {
         check_not_negative("length", length);
         check_not_negative("min_length", limits.lower);
         check_strength("max_length", limits.upper);
-        check_stiffness("hertz", stiffness.hertz);
+        check_strength("hertz", stiffness.hertz);
         check_not_negative("damping_ratio", stiffness.damping_ratio);
     }
 };
@@ -117,7 +117,7 @@ struct DistanceConstraint {
         // A spring does not act here, but the next sub-step begins with its impulse.
         const float distance = follow(a, b);
         if (driven) {
-            const float speed = motor_speed(distance, step.inverse_h);
+            const float speed = motor.speed_within(limits, distance, step.inverse_h);
             line.push(ends, a, b,
                       push_motor(impulses.motor, line.mass, line.velocity(a, b), speed,
                                  motor.greatest, speed != motor.speed));
@@ -136,8 +136,8 @@ struct DistanceConstraint {
             rows.hold(along, error, impulses.along);
         }
         if (driven)
-            rows.motor(along, motor_speed(distance, 1.0f / float(rows.h())), motor.greatest,
-                       impulses.motor);
+            rows.motor(along, motor.speed_within(limits, distance, 1.0f / float(rows.h())),
+                       motor.greatest, impulses.motor);
         write_limits(limits, impulses.limits, distance, along, rows);
     }
     JointLoad load() const { return {impulses.sum() * line.direction, 0.0f}; }
@@ -146,11 +146,6 @@ struct DistanceConstraint {
     }
 
   private:
-    /// Not beyond a limit: see `Coordinate::motor_speed`.
-    float motor_speed(float distance, float inverse_h) const {
-        return clamp(motor.speed, min((limits.lower - distance) * inverse_h, 0.0f),
-                     max((limits.upper - distance) * inverse_h, 0.0f));
-    }
     /// The length may be set in each step, as that of a winch. So a rod closes a gap eight times as
     /// fast as other joints do at most.
     template <bool biased>

@@ -1,3 +1,4 @@
+#include <joints/coordinate.h>
 #include <joints/joint_handle.h>
 
 #include <algorithm>
@@ -10,11 +11,6 @@ namespace fettle::physics {
 using namespace detail;
 
 namespace {
-
-/// How far a value is outside of limits; if they cross, the upper one is used.
-float beyond(float value, float lower, float upper) {
-    return std::max({0.0f, std::min(lower, upper) - value, value - upper});
-}
 
 float angular_separation_of(const RatchetJoint& joint) {
     const float past = joint.caught_angle() - joint.angle();
@@ -38,7 +34,7 @@ float Joint::angular_separation() const {
     if (dormant()) return 0.0f;
     const auto as = [this]<class Type>(Type) { return world().joint<Type>(id_); };
     const auto beyond_limits = [](const auto& joint) {
-        return beyond(joint.angle(), joint.lower_angle(), joint.upper_angle());
+        return Limits{joint.lower_angle(), joint.upper_angle()}.beyond(joint.angle());
     };
     switch (type()) {
         case JointType::revolute:

@@ -26,9 +26,9 @@ struct WeldSettings {
 
     void check() const {
         check_finite("reference_angle", reference_angle);
-        check_stiffness("hertz", point.hertz);
+        check_strength("hertz", point.hertz);
         check_not_negative("damping_ratio", point.damping_ratio);
-        check_stiffness("angular_hertz", angle.hertz);
+        check_strength("angular_hertz", angle.hertz);
         check_not_negative("angular_damping_ratio", angle.damping_ratio);
     }
 };

@@ -97,6 +97,41 @@ Ride ride_on(const WorldData& data, const MoverState& state, float dt) {
     return {carrier, motion_of(data, carrier, state.position, dt) + bounded(dt * belt, 1e3f)};
 }
 
+/// The motion in a step of a mover that walks with the velocity `aside`, along the slope of the
+/// ground.
+Vec2 motion_along_ground(Vec2 aside, Vec2 normal, float dt) {
+    const Vec2 along = aside - dot(aside, normal) * normal;
+    return dt * length(aside) * normalized(along);
+}
+
+/// Moves in parts that are at most half of the radius long, and finds what it pushes.
+void advance(Moving& moving, Obstacles& obstacles, const Capsule& capsule, Vec2 motion) {
+    const float longest = max(length(motion), obstacles.farthest_shift());
+    const int parts =
+        int(clamp(std::ceil(longest / (0.5f * capsule.radius)), 1.0f, float(most_parts)));
+    for (int i = 1; i <= parts; ++i) {
+        obstacles.set_time(float(i) / float(parts));
+        moving.advance((1.0f / float(parts)) * motion);
+    }
+    moving.find_pushed((1.0f / float(parts)) * motion);
+}
+
+/// The ground below the feet of a mover that may stand. `own`: its body, 0 for none.
+std::optional<Plane> ground_after(const WorldData& data, const Obstacles& obstacles, Moving& moving,
+                                  uint32_t own) {
+    const std::optional<Plane> ground = moving.ground();
+    if (!ground) return {};
+    // A body that falls freely is not ground: nothing has weight on it, and it carries no mover.
+    const Obstacle& below = obstacles[ground->obstacle];
+    if (below.dynamic && !is_supported(data, below.body, own)) return {};
+    return ground;
+}
+
+/// The shape through which a mover falls, while it exists.
+std::optional<ShapeId> dropped_in(const World& world, const MoverState& state) {
+    return world.is_valid(state.dropped) ? std::optional(state.dropped) : std::nullopt;
+}
+
 /// The velocity that a mover keeps on the ground: without its part along `up`, and without the part
 /// that a wall stops.
 Vec2 kept_on_ground(const WorldData& data, const Obstacles& obstacles, const Moving& moving,
@@ -147,34 +182,23 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     const Ride ride = stood && world.is_valid(state_.ground) ? ride_on(data, state_, dt) : Ride{};
     Vec2 motion = dt * wanted;
     if (walks) {
-        const Vec2 aside = wanted - dot(wanted, up) * up;
-        const Vec2 normal = state_.ground_normal;
-        const Vec2 along = aside - dot(aside, normal) * normal;
-        motion = dt * length(aside) * normalized(along);
-        wanted = aside;
+        wanted = wanted - dot(wanted, up) * up;
+        motion = motion_along_ground(wanted, state_.ground_normal, dt);
     }
     motion = bounded(motion, 1e6f) + ride.motion;
     if (length(motion) > most_motion) motion = most_motion * normalized(motion);
 
     // Obstacles may deflect the motion to any side.
     const float margin = def_.step_height + def_.snap + 4.0f * def_.skin + length(motion);
-    const auto left_out =
-        world.is_valid(state_.dropped) ? std::optional(state_.dropped) : std::nullopt;
+    const std::optional<ShapeId> dropped = dropped_in(world, state_);
     obstacles.find(box_between(capsule, start, start + motion, margin), start, ride.carrier, dt,
-                   left_out);
+                   dropped);
     const MoveSettings settings{.skin = def_.skin,
                                 .least_cosine = std::cos(def_.max_slope) - 1e-3f,
                                 .step_height = walks ? def_.step_height : 0.0f,
                                 .walks = walks};
     Moving moving(obstacles, capsule, settings, start);
-    const float longest = max(length(motion), obstacles.farthest_shift());
-    const int parts =
-        int(clamp(std::ceil(longest / (0.5f * capsule.radius)), 1.0f, float(most_parts)));
-    for (int i = 1; i <= parts; ++i) {
-        obstacles.set_time(float(i) / float(parts));
-        moving.advance((1.0f / float(parts)) * motion);
-    }
-    moving.find_pushed((1.0f / float(parts)) * motion);
+    advance(moving, obstacles, capsule, motion);
     if (walks && !moving.step && !moving.ground()) moving.snap_to_ground(def_.snap);
     state_.position = moving.position;
 
@@ -183,43 +207,37 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     moved.crushed = !moving.has_room();
     report_hits(moved, moving, obstacles, world, data);
 
-    Vec2 left = moving.clipped(wanted);
-    auto found = state_.climbing || lifts ? std::nullopt : moving.ground();
-    // A body that falls freely is not ground: nothing has weight on it, and it carries no mover.
+    moved.velocity = moving.clipped(wanted);
     const uint32_t own = world.is_valid(def_.body) ? def_.body.index : 0;
-    if (found && obstacles[found->obstacle].dynamic &&
-        !is_supported(data, obstacles[found->obstacle].body, own))
-        found.reset();
-    // Without ground it may be on the edge of a step.
-    state_.on_ground = found || moving.step;
-    Plane ground = moving.step.value_or(Plane{});
-    ground.normal = up;
-    if (found) ground = *found;
-    const Obstacle* const below = state_.on_ground ? &obstacles[ground.obstacle] : nullptr;
+    std::optional<Plane> ground;
+    if (!state_.climbing && !lifts) ground = ground_after(data, obstacles, moving, own);
+    if (!ground && moving.step) {  // on the edge of a step
+        ground = moving.step;
+        ground->normal = up;
+    }
+    const Obstacle* const below = ground ? &obstacles[ground->obstacle] : nullptr;
+    state_.on_ground = moved.on_ground = ground.has_value();
     state_.ground = {};
     state_.ground_normal = {};
     if (below != nullptr) {
         state_.ground = data.shape_id(data.named_shape(below->shape));
-        state_.ground_normal = ground.normal;
-        left = kept_on_ground(data, obstacles, moving, wanted, up);
+        state_.ground_normal = moved.ground_normal = ground->normal;
+        moved.velocity = kept_on_ground(data, obstacles, moving, wanted, up);
         if (!below->border) {
             const Vec2 carried = motion_of(data, below->body, moving.position, dt);
             moved.ground_velocity =
-                (1.0f / dt) * carried + belt_velocity(data, below->shape, ground.normal);
+                (1.0f / dt) * carried + belt_velocity(data, below->shape, ground->normal);
         }
         moved.ground = Shape(&world, state_.ground);
     }
-    moved.velocity = left;
-    moved.on_ground = state_.on_ground;
-    moved.ground_normal = state_.ground_normal;
-    if (left_out && !overlaps_dropped(world)) state_.dropped = {};
+    if (dropped && !overlaps_dropped(world)) state_.dropped = {};
 
     const Vec2 absolute = bounded(velocity, 1e6f) + (1.0f / dt) * ride.motion;
     for (const Push& push : moving.pushes) push_body(world, def_, push, absolute, dt);
     if (below != nullptr && below->dynamic && def_.mass > 0.0f) {
         // A force, not an impulse: a body much lighter than the mover would jump under it.
         Body body = world.body(data.body_id(below->body));
-        body.apply_force(bounded(def_.mass * world.gravity(), 1e12f), ground.point);
+        body.apply_force(bounded(def_.mass * world.gravity(), 1e12f), ground->point);
     }
     return moved;
 }
@@ -256,9 +274,8 @@ bool Mover::fits(const World& world, float height) const {
     const Capsule capsule(def_, height);
     Obstacles obstacles(world, def_, capsule);
     const Position at = state_.position;
-    const auto left_out =
-        world.is_valid(state_.dropped) ? std::optional(state_.dropped) : std::nullopt;
-    obstacles.find(box_between(capsule, at, at, def_.skin), at, none, 0.0f, left_out);
+    obstacles.find(box_between(capsule, at, at, def_.skin), at, none, 0.0f,
+                   dropped_in(world, state_));
     std::vector<Plane> found;
     obstacles.planes_at(at, 0.0f, none, found);
     return found.empty();

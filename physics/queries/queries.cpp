@@ -39,14 +39,6 @@ class Finding {
     bool going_ = true;
 };
 
-/// Adds the shapes that a query finds to a list.
-auto into(std::vector<Shape>& list) {
-    return [&list](const Shape& found) {
-        list.push_back(found);
-        return true;
-    };
-}
-
 Probe ray_on_shape(const WorldData& data, uint32_t shape, const Position& from, Vec2 d) {
     const Position center = data.bodies[data.forms[shape].body].center;
     return cast_segment(data.solid(shape), from - center, d);
@@ -141,7 +133,7 @@ void find_in(WorldData& data, const Aabb& box, const QueryFilter& filter, bool v
 
 std::vector<Shape> World::query_point(const Position& point, const QueryFilter& filter) const {
     std::vector<Shape> found;
-    find_at(*data_, point, filter, false, into(found));
+    find_at(*data_, point, filter, false, to_list(found));
     return found;
 }
 
@@ -152,7 +144,7 @@ void World::visit_point(const Position& point, Visitor<Shape> visitor,
 
 std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter) const {
     std::vector<Shape> found;
-    find_in(*data_, box, filter, false, into(found));
+    find_in(*data_, box, filter, false, to_list(found));
     return found;
 }
 

@@ -41,6 +41,14 @@ inline auto to_visitor(const WorldData& data, const Visitor<Shape>& visitor) {
     return [&](const Shape& shape) { return goes_on(data, visitor, shape); };
 }
 
+/// Adds the shapes that a query finds to a list.
+inline auto to_list(std::vector<Shape>& list) {
+    return [&list](const Shape& shape) {
+        list.push_back(shape);
+        return true;
+    };
+}
+
 /// The shapes that a query has found, since parts of one may be found several times. They lie in
 /// memory of the thread, above those of the query whose visitor makes this one.
 class FoundShapes {

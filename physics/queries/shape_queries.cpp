@@ -68,14 +68,6 @@ std::vector<Placed> probes_of(const PosedForm& at) {
     return all;
 }
 
-/// Adds the shapes that a query finds to a list.
-auto listing(std::vector<Shape>& all) {
-    return [&all](const Shape& found) {
-        all.push_back(found);
-        return true;
-    };
-}
-
 /// The fraction of its motion after which a moving shape meets the border.
 float meets_border(const Placed& probe, Vec2 motion, const BorderPlane& plane) {
     const auto before =
@@ -217,7 +209,7 @@ std::optional<RayHit> cast_parts(WorldData& data, const Sought& sought, Vec2 d,
 std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& filter) const {
     std::vector<Shape> all;
     search_for(*data_, shape.live(), shape.index(), filter, false, [&](const Sought& sought) {
-        find_overlaps(*data_, sought, filter, false, listing(all));
+        find_overlaps(*data_, sought, filter, false, to_list(all));
     });
     return all;
 }
@@ -226,7 +218,7 @@ std::vector<Shape> World::query_overlap(const Form& form, const Pose& pose,
                                         const QueryFilter& filter) const {
     std::vector<Shape> all;
     search_for(*data_, form, pose, [&](const Sought& sought) {
-        find_overlaps(*data_, sought, filter, false, listing(all));
+        find_overlaps(*data_, sought, filter, false, to_list(all));
     });
     return all;
 }

@@ -6,10 +6,7 @@ namespace fettle::physics::detail {
 namespace {
 
 using Fault = std::optional<std::string>;
-
-std::string number(uint64_t value) {
-    return std::to_string(value);
-}
+using std::to_string;
 
 /// True if the list contains all marked slots. It may contain others: slots that were freed and
 /// used again.
@@ -79,7 +76,7 @@ Fault check_traits(const WorldState& data) {
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {
         const uint32_t traits = data.bodies[body].traits;
         if (data.body_generations[body] == 0 || traits == none) continue;
-        if (owned[traits]) return "body " + number(body) + " shares its traits with another one";
+        if (owned[traits]) return "body " + to_string(body) + " shares its traits with another one";
         owned[traits] = true;
         ++owners;
     }
@@ -117,33 +114,34 @@ Fault check_bodies(const WorldState& data) {
         if (data.body_generations[body] == 0) {
             if (record.solver_index != 0 || record.lists.first_shape != none ||
                 record.lists.first_contact != none || record.lists.first_joint != none)
-                return "body " + number(body) + " is destroyed but still linked";
+                return "body " + to_string(body) + " is destroyed but still linked";
             continue;
         }
         live += body != 0;
         if (record.flags.disabled &&
             (record.mobility != Mobility::fixed || record.lists.first_contact != none))
-            return "body " + number(body) + " is disabled but takes part";
+            return "body " + to_string(body) + " is disabled but takes part";
         bullets += record.flags.bullet;
         kinematic += record.mobility == Mobility::kinematic;
         if ((record.flags.mass_dirty || record.flags.placement_dirty) && !record.listed)
-            return "body " + number(body) + " is out of date but not listed";
+            return "body " + to_string(body) + " is out of date but not listed";
         if (record.lists.island == none && record.lists.next != none)
-            return "body " + number(body) + " is in no island but linked to another body";
+            return "body " + to_string(body) + " is in no island but linked to another body";
         if (!mobility_fits_type(record))
-            return "body " + number(body) + " has a mobility that does not fit its type";
+            return "body " + to_string(body) + " has a mobility that does not fit its type";
         if (record.solver_index != 0) {
             ++awake;
             if (record.mobility == Mobility::fixed)
-                return "body " + number(body) + " is awake and cannot move";
+                return "body " + to_string(body) + " is awake and cannot move";
             if (record.lists.island != none)
-                return "body " + number(body) + " is awake and in a sleeping island";
+                return "body " + to_string(body) + " is awake and in a sleeping island";
             if (record.solver_index > data.awake_bodies.size() ||
                 data.awake_bodies[record.solver_index - 1] != body)
-                return "body " + number(body) + " is not where it is listed";
+                return "body " + to_string(body) + " is not where it is listed";
         } else if (record.asleep()) {
             ++asleep;
-            if (record.lists.island == none) return "body " + number(body) + " sleeps in no island";
+            if (record.lists.island == none)
+                return "body " + to_string(body) + " sleeps in no island";
         }
     }
     if (live != data.body_slots.count || kinematic != data.kinematic_bodies ||
@@ -180,7 +178,7 @@ Fault check_vertices(const WorldState& data) {
     for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
         const uint32_t size = data.shapes[shape].capacity;
         if (size > 0 && !claim(data.forms[shape].begin, size))
-            return "shape " + number(shape) + " has the vertices of another one";
+            return "shape " + to_string(shape) + " has the vertices of another one";
     }
     bool free = true;
     data.pool.for_each_free([&](size_t begin, size_t size) { free &= claim(begin, size); });
@@ -195,7 +193,7 @@ Fault check_shapes(const WorldState& data) {
         if (data.shape_generations[shape] == 0) {
             if (data.forms[shape].body != none || record.proxy != Tree::none ||
                 record.owner != none || record.capacity != 0)
-                return "shape " + number(shape) + " is destroyed but still linked";
+                return "shape " + to_string(shape) + " is destroyed but still linked";
             continue;
         }
         live += record.owner == none;
@@ -203,17 +201,17 @@ Fault check_shapes(const WorldState& data) {
         crowded += record.crowded;
         on_bodies += data.forms[shape].body != none;
         if (record.geometry_dirty && !record.listed)
-            return "shape " + number(shape) + " is out of date but not listed";
+            return "shape " + to_string(shape) + " is out of date but not listed";
         if (record.proxy == Tree::none) {
-            if (needs_proxy(data, shape)) return "shape " + number(shape) + " is in no tree";
+            if (needs_proxy(data, shape)) return "shape " + to_string(shape) + " is in no tree";
             continue;
         }
         ++proxies;
         if (data.forms[shape].body != none && data.bodies[data.forms[shape].body].flags.disabled)
-            return "shape " + number(shape) + " is in a tree, and its body is disabled";
+            return "shape " + to_string(shape) + " is in a tree, and its body is disabled";
         const Tree& tree = record.tree == Mobility::fixed ? data.fixed_tree : data.moving_tree;
         if (tree.item(record.proxy) != shape || data.forms[shape].body == none)
-            return "shape " + number(shape) + " is in a tree as another one";
+            return "shape " + to_string(shape) + " is in a tree as another one";
     }
     if (live != data.shape_slots.count || sensors != data.sensors)
         return std::string("the number of shapes is wrong");
@@ -223,12 +221,12 @@ Fault check_shapes(const WorldState& data) {
         uint32_t previous = none;
         for (uint32_t s = data.bodies[body].lists.first_shape; s != none; s = data.shapes[s].next) {
             if (data.forms[s].body != body || data.shapes[s].previous != previous)
-                return "shape " + number(s) + " is listed in another body";
+                return "shape " + to_string(s) + " is listed in another body";
             previous = s;
             ++listed;
         }
         if (data.bodies[body].lists.last_shape != previous)
-            return "body " + number(body) + " has a broken list of shapes";
+            return "body " + to_string(body) + " has a broken list of shapes";
     }
     if (crowded != data.crowded_shapes) return std::string("the number of crowded shapes is wrong");
     if (listed != on_bodies) return std::string("a shape is not listed in its body");
@@ -248,25 +246,26 @@ Fault check_contacts(const WorldState& data) {
         const ContactRecord& c = data.contacts[slot];
         if (c.shape_a == none) {
             if (c.awake_index != none)
-                return "contact " + number(slot) + " is destroyed but still listed";
+                return "contact " + to_string(slot) + " is destroyed but still listed";
             continue;
         }
         ++live;
         if (c.shape_a >= c.shape_b)
-            return "contact " + number(slot) + " has its shapes in the wrong order";
+            return "contact " + to_string(slot) + " has its shapes in the wrong order";
         if (data.pairs.find(c.shape_a, c.shape_b) != slot)
-            return "contact " + number(slot) + " is not in the pair set";
+            return "contact " + to_string(slot) + " is not in the pair set";
         if (data.forms[c.shape_a].body != c.body_a || data.forms[c.shape_b].body != c.body_b)
-            return "contact " + number(slot) + " names a body that its shape left";
+            return "contact " + to_string(slot) + " names a body that its shape left";
         const bool active =
             data.bodies[c.body_a].solver_index != 0 || data.bodies[c.body_b].solver_index != 0;
         if (active != (c.awake_index != none))
-            return "contact " + number(slot) + " is not listed as asleep or awake like its bodies";
+            return "contact " + to_string(slot) +
+                   " is not listed as asleep or awake like its bodies";
         if (active) {
             ++awake;
             if (c.awake_index >= data.awake_contacts.size() ||
                 data.awake_contacts[c.awake_index] != slot)
-                return "contact " + number(slot) + " is not where it is listed";
+                return "contact " + to_string(slot) + " is not where it is listed";
         }
         for (uint32_t body : {c.body_a, c.body_b}) touching[body] += c.touching && !c.sensor;
     }
@@ -284,9 +283,9 @@ Fault check_contacts(const WorldState& data) {
                 return c.shape_a == none ? none : side == 0 ? c.body_a : c.body_b;
             });
         if (count != record.lists.contact_count)
-            return "body " + number(body) + " has a broken list of contacts";
+            return "body " + to_string(body) + " has a broken list of contacts";
         if (touching[body] != record.lists.touching)
-            return "body " + number(body) + " has a wrong number of touching contacts";
+            return "body " + to_string(body) + " has a wrong number of touching contacts";
         edges += count;
     }
     if (edges != 2 * live) return std::string("a contact is not listed in its bodies");
@@ -310,7 +309,7 @@ Fault check_joints(const WorldState& data) {
         const auto& list = data.awake_joints[size_t(record.type)];
         const uint32_t index = record.awake_index;
         if (active != (index != none) || (active && (index >= list.size() || list[index] != joint)))
-            return "joint " + number(joint) + " is not listed as it should be";
+            return "joint " + to_string(joint) + " is not listed as it should be";
         awake += active;
     }
     if (live != data.joint_slots.count || dormant != data.dormant_joints)
@@ -325,7 +324,7 @@ Fault check_joints(const WorldState& data) {
                 return data.joint_generations[joint] == 0 ? none : data.joints[joint].bodies[side];
             });
         if (count != data.bodies[body].lists.joint_count)
-            return "body " + number(body) + " has a broken list of joints";
+            return "body " + to_string(body) + " has a broken list of joints";
         edges += count;
     }
     if (edges != 2 * live) return std::string("a joint is not listed in its bodies");

@@ -10,10 +10,7 @@ using namespace detail;
 namespace {
 
 using Fault = std::optional<std::string>;
-
-std::string number(uint64_t value) {
-    return std::to_string(value);
-}
+using std::to_string;
 
 Fault check_trees(const WorldData& data) {
     if (!data.fixed_tree.is_consistent()) return std::string("the tree of fixed shapes is broken");
@@ -27,13 +24,13 @@ Fault check_trees(const WorldData& data) {
             continue;  // not yet refreshed
         if (data.bodies[data.forms[shape].body].flags.disabled) continue;
         if (!data.is_solid(shape)) {
-            if (record.proxy != Tree::none) return "outline " + number(shape) + " is in a tree";
+            if (record.proxy != Tree::none) return "outline " + to_string(shape) + " is in a tree";
             continue;
         }
-        if (record.proxy == Tree::none) return "shape " + number(shape) + " is in no tree";
+        if (record.proxy == Tree::none) return "shape " + to_string(shape) + " is in no tree";
         const Tree& tree = record.tree == Mobility::fixed ? data.fixed_tree : data.moving_tree;
         if (!contains(tree.box(record.proxy), data.boxes[shape]))
-            return "shape " + number(shape) + " left its fat box";
+            return "shape " + to_string(shape) + " left its fat box";
         ++proxies;
     }
     if (data.edited_bodies.empty() && proxies != data.fixed_tree.size() + data.moving_tree.size()) {
@@ -58,7 +55,8 @@ Fault check_pairs(const WorldData& data) {
             if (!overlap(data.fat_boxes[a], data.fat_boxes[b]) || !data.may_collide(a, b)) continue;
             if (data.shapes[a].crowded || data.shapes[b].crowded) continue;
             if (data.pairs.find(a, b) == PairSet::absent) {
-                return "shapes " + number(a) + " and " + number(b) + " overlap without a contact";
+                return "shapes " + to_string(a) + " and " + to_string(b) +
+                       " overlap without a contact";
             }
         }
     }

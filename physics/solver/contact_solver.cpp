@@ -82,13 +82,10 @@ inline void solve_normals(ContactConstraint& c, const SolverBody& a, const Solve
     float v1 = approach + (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
     if (c.count == 1) {
         if (corner != nullptr) {
-            // The velocity along the normal may close the gap as fast as the path around the corner
-            // opens it.
-            const float h = 1.0f / inverse_h, opened = s1 - p.separation;
-            const float gap = corner_gap(*corner, n, a, b, pair, opened, 0.0f);
-            const float later = corner_gap(*corner, n, a, b, pair, opened + h * v1, h);
-            v1 += (later - gap) * inverse_h;
-            s1 += gap;
+            const CornerPath path =
+                path_around(*corner, n, a, b, pair, s1 - p.separation, v1, 1.0f / inverse_h);
+            v1 += path.opening * inverse_h;
+            s1 += path.gap;
         }
         const float total = NormalRow::make<biased>(p, s1, soft, inverse_h, push_speed).total(v1);
         const float impulse = total - p.normal_impulse;

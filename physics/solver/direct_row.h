@@ -17,7 +17,13 @@ namespace fettle::physics::detail {
 /// not move.
 struct MassScale {
     double x = 0.0, y = 0.0, turn = 0.0;
+
+    bool moves() const { return x > 0.0 || y > 0.0 || turn > 0.0; }
 };
+
+struct SolverInput;
+/// By solver body.
+std::vector<MassScale> mass_scales(const SolverInput& input);
 
 /// v = on_a·(velocity, angular velocity of a) + on_b·(velocity, angular velocity of b).
 struct Jacobian {

@@ -1,4 +1,7 @@
 #include <solver/direct_row.h>
+#include <solver/solvers.h>
+
+#include <cmath>
 
 // Rows of contacts for the direct solver. Rows of joints are in the files of the joints.
 
@@ -19,17 +22,13 @@ NormalBias normal_bias(const RowWriter& rows, const ContactConstraint& c, const 
     float separation = p.separation + opened;
     double bias = 0.0;
     if (extra != nullptr && extra->corner.distance != 0.0f) {
-        // The velocity along the normal may close the gap as fast as the path around the corner
-        // opens it.
         const PairMotion motion(a, b);
-        const float h = float(rows.h());
         const float velocity = dot(c.normal, motion.vb - motion.va) +
                                (p.normal_lever_b * motion.wb - p.normal_lever_a * motion.wa);
-        const float gap = corner_gap(extra->corner, c.normal, a, b, motion, opened, 0.0f);
-        const float later =
-            corner_gap(extra->corner, c.normal, a, b, motion, opened + h * velocity, h);
-        bias += double(later - gap) / rows.h();
-        separation += gap;
+        const CornerPath path =
+            path_around(extra->corner, c.normal, a, b, motion, opened, velocity, float(rows.h()));
+        bias += double(path.opening) / rows.h();
+        separation += path.gap;
     }
     if (separation > 0.0f) return {bias + double(separation) / rows.h()};
     if (!rows.biased()) return {bias};
@@ -39,6 +38,18 @@ NormalBias normal_bias(const RowWriter& rows, const ContactConstraint& c, const 
 }
 
 }  // namespace
+
+std::vector<MassScale> mass_scales(const SolverInput& input) {
+    const std::vector<SolverBody>& bodies = input.bodies.solver_bodies;
+    std::vector<MassScale> scales(bodies.size());
+    for (size_t i = 1; i < bodies.size() && i <= input.active.awake_bodies.size(); ++i) {
+        const BodyRecord& record = input.objects.bodies[input.active.awake_bodies[i - 1]];
+        const double linear = std::sqrt(double(bodies[i].inverse_mass));
+        scales[i] = {record.flags.locked_x ? 0.0 : linear, record.flags.locked_y ? 0.0 : linear,
+                     std::sqrt(double(bodies[i].inverse_inertia))};
+    }
+    return scales;
+}
 
 void write_rows(RowWriter& rows, ContactConstraint& c, ContactExtra* extra, const SolverBody& a,
                 const SolverBody& b, float push_speed, float restitution_threshold) {

@@ -16,10 +16,6 @@ double weighted_dot(const MassScale& s, const double (&on)[3], const double (&wi
            s.turn * s.turn * on[2] * with[2];
 }
 
-bool moves(const MassScale& s) {
-    return s.x > 0.0 || s.y > 0.0 || s.turn > 0.0;
-}
-
 }  // namespace
 
 double JointResponse::Reaction::reduction(const Reaction& other) const {
@@ -29,15 +25,8 @@ double JointResponse::Reaction::reduction(const Reaction& other) const {
     return sum;
 }
 
-JointResponse::JointResponse(const SolverInput& input, float h) : input_(input), h_(h) {
-    const std::vector<SolverBody>& bodies = input.bodies.solver_bodies;
-    scales_.assign(bodies.size(), {});
-    for (size_t i = 1; i < bodies.size() && i <= input.active.awake_bodies.size(); ++i) {
-        const BodyRecord& record = input.objects.bodies[input.active.awake_bodies[i - 1]];
-        const double linear = std::sqrt(double(bodies[i].inverse_mass));
-        scales_[i] = {record.flags.locked_x ? 0.0 : linear, record.flags.locked_y ? 0.0 : linear,
-                      std::sqrt(double(bodies[i].inverse_inertia))};
-    }
+JointResponse::JointResponse(const SolverInput& input, float h)
+    : input_(input), h_(h), scales_(mass_scales(input)) {
     list_joints();
 }
 
@@ -52,7 +41,7 @@ void JointResponse::list_joints() {
             const auto [a, b] = input_.objects.joints[arrays[array].joints[i]].bodies;
             const uint32_t end_a = input_.bodies.solver_ends[a].index(),
                            end_b = input_.bodies.solver_ends[b].index();
-            const bool moves_a = moves(scales_[end_a]), moves_b = moves(scales_[end_b]);
+            const bool moves_a = scales_[end_a].moves(), moves_b = scales_[end_b].moves();
             if (moves_a && moves_b) sets.unite(end_a, end_b);
             joints_.push_back({array, i, none});
             ends.push_back(moves_a ? end_a : moves_b ? end_b : 0);
@@ -92,7 +81,7 @@ void JointResponse::read(uint32_t first_joint, Component& component) {
             component.rows.push_back(row);
             component.rows.back().impulse = 0.0;
             for (const uint32_t body : {row.jacobian.a, row.jacobian.b})
-                if (moves(scales_[body])) component.bodies.push_back(body);
+                if (scales_[body].moves()) component.bodies.push_back(body);
         }
         component.members.push_back({array, index, first_row, component.rows.size()});
     }
@@ -116,7 +105,7 @@ void JointResponse::factorize(Component& component) const {
     std::vector<std::pair<uint32_t, uint32_t>> ends;  // body, place of a row on it
     for (uint32_t i = 0; i < rows.size(); ++i)
         for (const uint32_t body : {rows[i].jacobian.a, rows[i].jacobian.b})
-            if (moves(scales_[body])) ends.emplace_back(body, i);
+            if (scales_[body].moves()) ends.emplace_back(body, i);
     std::sort(ends.begin(), ends.end());
     std::vector<std::pair<uint32_t, uint32_t>> pairs;  // of rows with a body in common
     for (size_t first = 0, end = 0; first < ends.size(); first = end) {
@@ -181,7 +170,7 @@ void JointResponse::push(DirectRow& row, double impulse, std::span<SolverBody> b
     row.impulse += impulse;
     const auto add = [&](uint32_t body, const double(&on)[3]) {
         const MassScale& s = scales_[body];
-        if (!moves(s)) return;
+        if (!s.moves()) return;
         SolverBody& b = bodies[body];
         b.velocity.x += float(impulse * s.x * s.x * on[0]);
         b.velocity.y += float(impulse * s.y * s.y * on[1]);

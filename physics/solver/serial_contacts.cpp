@@ -18,8 +18,7 @@ enum StoredFlag : uint8_t { touches = 1, is_changed = 2, may_hit = 4 };
 /// d·(M_a⁻¹ + M_b⁻¹)·d; along a locked axis a body is infinitely heavy.
 float inverse_along(const ContactConstraint& c, Vec2 d, const SolverBody& a, const SolverBody& b) {
     if (!c.anisotropic) return a.inverse_mass + b.inverse_mass;
-    return d.x * d.x * (c.inverse_a.x + c.inverse_b.x) +
-           d.y * d.y * (c.inverse_a.y + c.inverse_b.y);
+    return c.inverse_along(d);
 }
 
 void prepare_point(const ManifoldPoint& m, const ContactConstraint& c, Vec2 t, const SolverBody& a,

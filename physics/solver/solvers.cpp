@@ -31,12 +31,7 @@ void apply_forces(const SolverInput& input, float h) {
 void zero_locked(const SolverInput& input) {
     for (const uint32_t i : input.bodies.locked) {
         const BodyRecord& record = input.objects.bodies[input.active.awake_bodies[i - 1]];
-        SolverBody& b = input.bodies.solver_bodies[i];
-        if (record.flags.locked_x) b.velocity.x = 0.0f;
-        if (record.flags.locked_y) b.velocity.y = 0.0f;
-        if (record.flags.locked_rotation) b.angular_velocity = 0.0f;
-        const float most = input.objects.max_speed_of(record), speed = length(b.velocity);
-        if (speed > most) b.velocity = (most / speed) * b.velocity;
+        input.objects.limit_velocity(record, input.bodies.solver_bodies[i]);
     }
 }
 

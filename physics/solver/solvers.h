@@ -48,7 +48,7 @@ void solve_directly(const SolverInput& input, const JointStep& joint_step,
 
 /// Begins a sub-step of a solver without warm starting.
 void apply_forces(const SolverInput& input, float h);
-/// Sets the velocity of bodies along their locked axes to 0.
+/// Keeps the velocities of bodies within their locked axes and their maximum speeds.
 void zero_locked(const SolverInput& input);
 /// Writes direction, levers and gap of curved contacts for the current poses of the bodies.
 void follow_curved_contacts(const SolverInput& input);

@@ -1,3 +1,4 @@
+#include <geometry/orientation.h>
 #include <standalone/farthest_point.h>
 
 #include <algorithm>
@@ -14,9 +15,7 @@ constexpr size_t few = 32;
 
 float distance_squared(Vec2 point, const FarthestPoint::Segment& from) {
     const Vec2 p = point - from.from;
-    const float whole = length_squared(from.to_end);
-    const float t = whole > 0.0f ? clamp(dot(p, from.to_end) / whole, 0.0f, 1.0f) : 0.0f;
-    return length_squared(p - t * from.to_end);
+    return length_squared(p - nearest_fraction(from.to_end, p) * from.to_end);
 }
 
 /// The greatest distance in a box is that of a corner.
@@ -27,11 +26,6 @@ float farthest_in(const Box4& box, const FarthestPoint::Segment& from) {
         for (const float y : {box.low.y, box.high.y})
             most = max(most, distance_squared({x, y}, from));
     return rounding * most;
-}
-
-bool turns_left(Vec2 o, Vec2 a, Vec2 b) {
-    return (double(a.x) - double(o.x)) * (double(b.y) - double(o.y)) >
-           (double(a.y) - double(o.y)) * (double(b.x) - double(o.x));
 }
 
 }  // namespace
@@ -58,7 +52,6 @@ FarthestPoint::FarthestPoint(std::span<const Vec2> points) : points_(points) {
     }
 }
 
-/// The hull by the monotone chain of A. M. Andrew, as in `convex_hull`.
 FarthestPoint::Piece FarthestPoint::piece_of(std::vector<uint32_t> candidates) const {
     Piece made;
     std::sort(candidates.begin(), candidates.end(), [this](uint32_t a, uint32_t b) {
@@ -70,18 +63,8 @@ FarthestPoint::Piece FarthestPoint::piece_of(std::vector<uint32_t> candidates) c
         std::unique(candidates.begin(), candidates.end(),
                     [this](uint32_t a, uint32_t b) { return points_[a] == points_[b]; }),
         candidates.end());
-    std::vector<uint32_t>& hull = made.hull;
-    const auto extend = [&](uint32_t next, size_t base) {
-        while (hull.size() >= base + 2 &&
-               !turns_left(points_[hull[hull.size() - 2]], points_[hull.back()], points_[next]))
-            hull.pop_back();
-        hull.push_back(next);
-    };
-    for (const uint32_t i : candidates) extend(i, 0);
-    const size_t upper = hull.size() - 1;
-    for (size_t i = candidates.size() - 1; i-- > 0;) extend(candidates[i], upper);
-    if (hull.size() > 1) hull.pop_back();
-    for (const uint32_t i : hull) {
+    made.hull = monotone_chain(candidates, [this](uint32_t i) { return points_[i]; });
+    for (const uint32_t i : made.hull) {
         made.box.low = {min(made.box.low.x, points_[i].x), min(made.box.low.y, points_[i].y)};
         made.box.high = {max(made.box.high.x, points_[i].x), max(made.box.high.y, points_[i].y)};
     }

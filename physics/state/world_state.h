@@ -2,6 +2,7 @@
 
 #include <broad_phase/pair_set.h>
 #include <broad_phase/tree.h>
+#include <constraints/solver_body.h>
 #include <fettle/physics/world.h>
 #include <geometry/growth.h>
 #include <geometry/vertex_pool.h>
@@ -155,6 +156,14 @@ struct ObjectState {
     }
     float max_speed_of(const BodyRecord& body) const {
         return body.traits == none ? infinity : traits[body.traits].max_speed;
+    }
+    /// Keeps a velocity within the locked axes and the maximum speed of a body.
+    void limit_velocity(const BodyRecord& body, SolverBody& b) const {
+        if (body.flags.locked_x) b.velocity.x = 0.0f;
+        if (body.flags.locked_y) b.velocity.y = 0.0f;
+        if (body.flags.locked_rotation) b.angular_velocity = 0.0f;
+        const float most = max_speed_of(body), speed = length(b.velocity);
+        if (speed > most) b.velocity = (most / speed) * b.velocity;
     }
     /// False for a joint with a disabled body, too.
     bool may_act(const JointRecord& joint) const {

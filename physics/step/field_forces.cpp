@@ -28,10 +28,6 @@ bool inside(const std::optional<Aabb>& region, const Position& p) {
                        p.y <= region->max.y);
 }
 
-bool overlap(const Aabb& a, const Aabb& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
-
 class FieldOnBody {
   public:
     FieldOnBody(const ObjectState& objects, const Columns& columns, Vec2 gravity, uint32_t body,

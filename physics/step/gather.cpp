@@ -46,14 +46,6 @@ uint8_t gather_body(const BodyRecord& record, const BodyState& state, Vec2 gravi
 
 }  // namespace
 
-void limit_commanded(const ObjectState& objects, const BodyRecord& record, SolverBody& b) {
-    if (record.flags.locked_x) b.velocity.x = 0.0f;
-    if (record.flags.locked_y) b.velocity.y = 0.0f;
-    if (record.flags.locked_rotation) b.angular_velocity = 0.0f;
-    const float most = objects.max_speed_of(record), speed = length(b.velocity);
-    if (speed > most) b.velocity = (most / speed) * b.velocity;
-}
-
 void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLists& active,
                    const WorldDef& settings, const Strips& strips, float h, BodyScratch& bodies,
                    Hubs& hubs, ThreadPool* threads) {
@@ -80,7 +72,7 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
                                  bodies.solver_forces[i + 1]);
             if (objects.max_speed_of(record) < infinity) found |= some_locked;
             if (record.mobility != Mobility::dynamic)
-                limit_commanded(objects, record, bodies.solver_bodies[i + 1]);
+                objects.limit_velocity(record, bodies.solver_bodies[i + 1]);
         }
         bodies.gathered[begin / gathered_at_a_time] = found;
     });

@@ -15,10 +15,6 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
                    const WorldDef& settings, const Strips& strips, float h, BodyScratch& bodies,
                    Hubs& hubs, ThreadPool* threads);
 
-/// Locked axes and the maximum speed of a body whose velocity nothing else changes: a kinematic
-/// one.
-void limit_commanded(const ObjectState& objects, const BodyRecord& record, SolverBody& body);
-
 /// Must be called when no later stage of the step needs the ends of the bodies.
 void clear_ends(const ActiveLists& active, BodyScratch& bodies);
 

@@ -82,7 +82,7 @@ void WorldData::call_velocity_functions(float dt, int substeps) {
         if (kinematic) {  // nothing else changes its velocity
             b.velocity = wanted;
             b.angular_velocity = turn;
-            limit_commanded(*this, bodies[slot], b);
+            limit_velocity(bodies[slot], b);
             continue;
         }
         if (wanted != usual.velocity) {

@@ -307,7 +307,7 @@ void define_body(Hosting& hosting) {
     property::ClassDescriptor body;
     body.snapshots = property::Snapshots::natively;
     body.name = "Body";
-    body.weight = 700;
+    body.weight = 250;
     body.doc =
         "A rigid body: its shapes are its children. It is simulated while it is below a World.";
     for (const auto& group : {motion(hosting), weight(hosting), forces(hosting), switches(hosting),

@@ -16,7 +16,6 @@ using property::Vec2;
 
 constexpr Color allowed{1.0f, 0.72f, 0.3f, 0.9f};  // the range
 constexpr Color present{1.0f, 0.95f, 0.7f, 1.0f};  // the value now
-constexpr double pi = std::numbers::pi;
 
 /// A body's coordinates as they are drawn; those of the world without a body.
 class Side {
@@ -40,8 +39,8 @@ void draw_angle_limits(const physics::RevoluteJoint& joint, const Side& b, const
     if (!std::isfinite(lower) && !std::isfinite(upper)) return;
     const double now = static_cast<double>(joint.angle());
     // Without a limit on one side, a half turn is drawn to that side.
-    if (!std::isfinite(lower)) lower = std::min(now, upper) - pi;
-    if (!std::isfinite(upper)) upper = std::max(now, lower) + pi;
+    if (!std::isfinite(lower)) lower = std::min(now, upper) - std::numbers::pi;
+    if (!std::isfinite(upper)) upper = std::max(now, lower) + std::numbers::pi;
     const physics::Body body = joint.body_b();
     const Vec2 arm = body ? Vec2(b.point(body.center()) - at) : Vec2(0, 0);
     const double radius = std::clamp(0.6 * arm.length(), 0.4, 2.0);

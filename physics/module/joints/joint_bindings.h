@@ -78,6 +78,15 @@ Binding reading(Hosting& hosting) {
 
 /// Current angle of b relative to a.
 float angle_between(Hosting& hosting, Row row);
+/// The same less the reference angle of the joint; 0 while it has no bodies.
+template <class Native>
+Binding angle_from_reference(Hosting& hosting) {
+    return accessor(hosting, [](Hosting& h, Row row) {
+        const bool known = h.joints.ties(row).source != Source::none;
+        const float reference = h.joints.at<Native>(row).reference_angle();
+        return widened(known ? angle_between(h, row) - reference : 0.0f);
+    });
+}
 
 template <physics::JointType type>
 property::ClassDescriptor pair_joint(Hosting& hosting, std::string name, std::string stem,

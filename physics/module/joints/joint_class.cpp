@@ -29,7 +29,7 @@ void define_joint(Hosting& hosting) {
     property::ClassDescriptor joint;
     joint.snapshots = property::Snapshots::natively;
     joint.name = "Joint";
-    joint.weight = 700;
+    joint.weight = 250;
     joint.doc =
         "Connects bodies with each other or with the world. It acts while it and its bodies are "
         "in the same world.";

@@ -8,14 +8,6 @@ namespace {
 using physics::JointType;
 using physics::RotaryLimitJoint;
 
-Binding limited_angle(Hosting& hosting) {
-    return accessor(hosting, [](Hosting& h, Row row) {
-        const bool known = h.joints.ties(row).source != Source::none;
-        const float reference = h.joints.at<RotaryLimitJoint>(row).reference_angle();
-        return widened(known ? angle_between(h, row) - reference : 0.0f);
-    });
-}
-
 }  // namespace
 
 void define_limiting_joints(Hosting& hosting) {
@@ -27,7 +19,7 @@ void define_limiting_joints(Hosting& hosting) {
         "Keeps the angle of body_b relative to body_a between two angles, wherever the bodies are.",
         {
             figure("angle", "rad", "Angle of body_b relative to body_a, minus the reference_angle.",
-                   limited_angle(hosting)),
+                   angle_from_reference<RotaryLimitJoint>(hosting)),
             measured_number(
                 "reference_angle", "rad",
                 "The angle that counts as 0. Unless it is set, the angle when the "

@@ -8,18 +8,10 @@ namespace {
 using physics::JointType;
 using physics::RevoluteJoint;
 
-Binding revolute_angle(Hosting& hosting) {
-    return accessor(hosting, [](Hosting& h, Row row) {
-        const bool known = h.joints.ties(row).source != Source::none;
-        const float reference = h.joints.at<RevoluteJoint>(row).reference_angle();
-        return widened(known ? angle_between(h, row) - reference : 0.0f);
-    });
-}
-
 std::vector<Property> properties(Hosting& hosting) {
     return {
         figure("angle", "rad", "Angle of body_b relative to body_a, minus the reference_angle.",
-               revolute_angle(hosting)),
+               angle_from_reference<RevoluteJoint>(hosting)),
         measured_number(
             "reference_angle", "rad",
             "The angle that counts as 0. Unless it is set, the angle when the joint began to act.",

@@ -289,7 +289,7 @@ void define_mover(Hosting& hosting) {
     mover.snapshots = property::Snapshots::natively;
     mover.name = "Mover";
     mover.base = "Body";
-    mover.weight = 3500;
+    mover.weight = 2000;
     mover.doc =
         "A character: a body with the shape of an upright capsule, which walks up slopes and "
         "steps, "

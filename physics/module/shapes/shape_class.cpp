@@ -209,7 +209,7 @@ void define_shape(Hosting& hosting) {
     property::ClassDescriptor shape;
     shape.snapshots = property::Snapshots::natively;
     shape.name = "Shape";
-    shape.weight = 800;
+    shape.weight = 350;
     shape.doc = "A part of a body with an outline, a density and a surface.";
     shape.creatable = false;
     for (const auto& group : {surface(hosting), filter(hosting), looks(hosting), derived(hosting)})

@@ -131,7 +131,7 @@ void define_outlines(Hosting& hosting) {
         "A polygon that may be concave. It collides in convex pieces, but is one shape.",
         {points<most_corners>(
             hosting, "vertices", std::get<physics::Concave>(hosting.kinds[6].geometry).vertices,
-            1200,
+            700,
             "Its corners in the coordinates of the body, clockwise or counter-clockwise. An "
             "outline that crosses or touches itself is refused, and so is a hole; at most 4096.")});
     std::vector<Property> chain = {
@@ -182,7 +182,7 @@ void define_shapes(Hosting& hosting) {
     define(hosting, 4, "Polygon", "A convex polygon.",
            {points<most_points>(
                 hosting, "vertices", std::get<physics::Polygon>(hosting.kinds[4].geometry).vertices,
-                150,
+                100,
                 "Its corners in the coordinates of the body, counter-clockwise. The convex hull "
                 "of the written points becomes the shape."),
             rounding(hosting, "Radius that is added on all sides.")},

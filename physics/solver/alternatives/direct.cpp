@@ -1,10 +1,10 @@
+#include <partition/union_find.h>
 #include <solver/alternatives/direct_problem.h>
 #include <solver/direct_row.h>
 #include <solver/joint_passes.h>
 #include <solver/motion.h>
 #include <solver/solvers.h>
 
-#include <cmath>
 #include <deque>
 
 // The direct solver: in each sub-step all joints and contacts of an island are solved at once,
@@ -28,10 +28,8 @@ class DirectSolver {
           extras_(input.contacts.serial.extras),
           bodies_(input.bodies.solver_bodies),
           h_(h),
-          statistics_(statistics) {
-        const auto count = bodies_.size();
-        scales_.resize(count);
-        for (size_t i = 1; i < count; ++i) scales_[i] = scale_of(i);
+          statistics_(statistics),
+          scales_(mass_scales(input)) {
         write(DirectPass::biased);
         find_problems();
     }
@@ -60,15 +58,6 @@ class DirectSolver {
     }
 
   private:
-    MassScale scale_of(size_t solver_index) const {
-        const SolverBody& body = bodies_[solver_index];
-        const BodyRecord& record =
-            input_.objects.bodies[input_.active.awake_bodies[solver_index - 1]];
-        const double linear = std::sqrt(double(body.inverse_mass));
-        return {record.flags.locked_x ? 0.0 : linear, record.flags.locked_y ? 0.0 : linear,
-                std::sqrt(double(body.inverse_inertia))};
-    }
-
     /// Every pass writes the same rows in the same order, with different numbers.
     void write(DirectPass pass) {
         RowWriter writer(rows_, scales_, h_, pass);
@@ -90,40 +79,30 @@ class DirectSolver {
             if (c.extra != 0) visit(c, extras_[c.extra - 1]);
     }
 
-    bool moves(uint32_t body) const {
-        const MassScale& s = scales_[body];
-        return s.x > 0.0 || s.y > 0.0 || s.turn > 0.0;
-    }
+    bool moves(uint32_t body) const { return scales_[body].moves(); }
 
-    /// Finds islands by union-find. The body with the lowest index is the root, so the order of the
-    /// islands is fixed.
+    /// Finds islands.
     void find_problems() {
         const auto count = uint32_t(scales_.size());
-        std::vector<uint32_t> parent(count);
-        for (uint32_t i = 0; i < count; ++i) parent[i] = i;
-        const auto find = [&](uint32_t i) {
-            while (parent[i] != i) i = parent[i] = parent[parent[i]];
-            return i;
-        };
-        for (const DirectRow& row : rows_) {
-            if (!moves(row.jacobian.a) || !moves(row.jacobian.b)) continue;
-            const uint32_t a = find(row.jacobian.a), b = find(row.jacobian.b);
-            parent[a < b ? b : a] = a < b ? a : b;
-        }
+        UnionFind islands;
+        islands.reset(count);
+        for (const DirectRow& row : rows_)
+            if (moves(row.jacobian.a) && moves(row.jacobian.b))
+                islands.unite(row.jacobian.a, row.jacobian.b);
         std::vector<std::vector<uint32_t>> bodies(count), rows(count);
         std::vector<int32_t> place(count, -1);
         for (uint32_t i = 1; i < count; ++i) {
             if (!moves(i)) continue;
-            auto& island = bodies[find(i)];
+            auto& island = bodies[islands.find(i)];
             place[i] = int32_t(island.size());
             island.push_back(i);
         }
         for (uint32_t i = 0; i < rows_.size(); ++i) {
             const Jacobian& j = rows_[i].jacobian;
             if (moves(j.a))
-                rows[find(j.a)].push_back(i);
+                rows[islands.find(j.a)].push_back(i);
             else if (moves(j.b))
-                rows[find(j.b)].push_back(i);
+                rows[islands.find(j.b)].push_back(i);
         }
         for (uint32_t i = 1; i < count; ++i) {
             if (rows[i].empty()) continue;

@@ -98,10 +98,9 @@ class SequentialPass {
         if (c.extra == 0) return {p.separation + opened, velocity};
         const Corner& corner = extras_[c.extra - 1].corner;
         if (corner.distance == 0.0f) return {p.separation + opened, velocity};
-        const PairMotion motion(a, b);
-        const float gap = corner_gap(corner, c.normal, a, b, motion, opened, 0.0f);
-        const float later = corner_gap(corner, c.normal, a, b, motion, opened + h_ * velocity, h_);
-        return {p.separation + opened + gap, velocity + (later - gap) / h_};
+        const CornerPath path =
+            path_around(corner, c.normal, a, b, PairMotion(a, b), opened, velocity, h_);
+        return {p.separation + opened + path.gap, velocity + path.opening / h_};
     }
 
     void apply(const ContactConstraint& c, Vec2 direction, float impulse, float lever_a,
@@ -161,8 +160,7 @@ class SequentialPass {
         const float depth = -gap_of(queued).separation;
         if (!(depth > 0.0f)) return;
         const Vec2 n = c.normal;
-        const float inverse = n.x * n.x * (c.inverse_a.x + c.inverse_b.x) +
-                              n.y * n.y * (c.inverse_a.y + c.inverse_b.y);
+        const float inverse = c.inverse_along(n);
         if (!(inverse > 0.0f)) return;
         const float way = min(part * depth, h_ * input_.settings.push_speed) / inverse;
         SolverBody &a = bodies_[c.a], &b = bodies_[c.b];
