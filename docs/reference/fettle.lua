@@ -97,7 +97,7 @@ function fettle_Store:clear() end
 ---@return boolean
 function fettle_Store:has(name) end
 
----What watch, on, after and every return.
+---The result of watch, on, after and every.
 ---@class Connection
 local fettle_Connection = {}
 
@@ -283,7 +283,7 @@ function fettle_Class:watch(property, handler) end
 ---@class PropertyDescription
 ---@field class Class? The class that a reference, or a list of them, takes.
 ---@field clamp boolean Whether what is out of range is clamped instead of refused.
----@field default any Nil for what is computed.
+---@field default any nil if the property is computed.
 ---@field derives_from string[] What it is computed from, as paths from its instance.
 ---@field doc string What it means.
 ---@field element string? Type of a list's elements.
@@ -341,12 +341,12 @@ local fettle_FieldDescription = {}
 ---A plain node: a place for children and for properties of your own.
 ---@class Object
 ---@field class string The name of its class. · any text · read-only
----@field name string What its parent calls it: the last part of its path. · any text · default computed · not saved
+---@field name string Its name among the children of its parent: the last part of its path. · any text · default computed · not saved
 ---@field parent Object? The instance of which it is a child. · any instance · default computed · not saved
 ---@field z number The order of drawing: a larger z is drawn later, over a smaller one; equal ones in the order of the tree. It is added to the z of everything below. · -1e9 to 1e9 · default 0
 local fettle_Object = {}
 
----Gives a new instance its place here and returns it.
+---Makes a new instance a child of this one and returns it.
 ---@param child Object
 ---@param name? string
 ---@return Object
@@ -464,10 +464,10 @@ function fettle_Object:watch(property, handler) end
 ---@overload fun(members?: table): Object
 Object = {}
 
----A snapshot was restored, or time rewound: everything in the tree is as it was then. What a script keeps for itself is not.
+---A snapshot was restored, or time rewound: everything in the tree is as it was then. Variables of scripts that are not in the tree are not.
 ---@class Game.restored
 ---@field step integer Where simulation time goes on from.
----@field left integer The step that time had come to.
+---@field left integer The step at which the game was before.
 ---@field instance Game The instance with the event.
 
 ---The root of the tree: its children are the services and whatever a game puts beside them.
@@ -476,7 +476,7 @@ Object = {}
 ---@field console Console The in-game console and inspector.
 ---@field input Input What the player does: keys, mouse, gamepads, and the actions bound to them.
 ---@field interface Interface What all widgets have in common.
----@field time Time Simulation time: how fast it passes, and how far it is.
+---@field time Time Simulation time: how fast it passes, and how much has passed.
 ---@field view View Which part of the world is seen, and what lies over it.
 ---@field world World Bodies below it are simulated together. Its child `step` describes the last step.
 local fettle_Game = {}
@@ -565,7 +565,7 @@ StepStatistics = {}
 ---@field point vec Point of the contact in the world. · m
 ---@field normal vec Direction from a to b; its length is 1.
 ---@field separation number Distance of the surfaces; below 0: the depth of their overlap. · m
----@field force number Impulse that separates them. · N
+---@field force number Force that separates them. · N
 
 ---Distance between two shapes or bodies.
 ---@class World.distance.result
@@ -686,7 +686,7 @@ function fettle_World:overlap(shape, mask, group, accept) end
 
 ---The bodies that overlap a box. Sensors count, too.
 ---@param corner vec A corner of the box. · m
----@param opposite vec The corner across. · m
+---@param opposite vec The opposite corner. · m
 ---@param mask? integer Categories to look for, as bits; all if it is left out.
 ---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
 ---@param accept? any A function that gets a shape, a mover for its capsule, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
@@ -865,7 +865,7 @@ World = {}
 ---@field mass number Mass: area times density of its shapes, unless it is set; nil computes it again. With infinite mass, or 1e18 kg and more, nothing moves it, not even gravity. A dynamic body without shapes, or of lines alone, has 1 kg. · kg · 1e-30 to inf · default computed · simulated, may be infinite
 ---@field max_speed number Limit of the speed. World.substeps says how often it is applied in a step. · m/s · 1e-30 to inf · default inf · may be infinite
 ---@field position vec Position of its origin in the world. A write moves it at once. · m · -1e8 to 1e8 · default vec(0, 0) · simulated
----@field sleep_speed number It rests below this speed; that of the world unless it is set; nil uses that of the world again. · m/s · at least 0 · default 0.05 · simulated
+---@field sleep_speed number Speed below which it counts as at rest. Unless it is set, that of the world; nil uses that of the world again. · m/s · at least 0 · default 0.05 · simulated
 ---@field torque number Torque in every step until it is changed. · N m · any finite number · default 0
 ---@field type "static"|"kinematic"|"dynamic" How it moves. "static": not at all; "kinematic": with its velocity, and no force changes that; "dynamic": by forces, contacts and joints. · "static", "kinematic", "dynamic" · default "dynamic"
 ---@field velocity vec Velocity of its `center`. A step limits it to 10000 m/s. · m/s · any finite vec · default vec(0, 0) · simulated
@@ -1129,7 +1129,7 @@ function fettle_Polygon:add_vertex(point) end
 ---@overload fun(members?: table): Polygon
 Polygon = {}
 
----An ellipse, exactly.
+---An exact ellipse, without corners.
 ---@class Ellipse : Shape
 ---@field angle number Its angle on the body, counter-clockwise. · rad · -1e8 to 1e8 · default 0
 ---@field center vec Its center in the coordinates of the body. · m · -1e6 to 1e6 · default vec(0, 0)
@@ -1138,7 +1138,7 @@ Polygon = {}
 ---@field radius_y number Half its height at angle 0. · m · 0.00001 to 1e6 · default 0.25
 local fettle_Ellipse = {}
 
----An ellipse, exactly.
+---An exact ellipse, without corners.
 ---@class Class.Ellipse : Class
 ---@overload fun(members?: table): Ellipse
 Ellipse = {}
@@ -1195,14 +1195,14 @@ Chain = {}
 ---@field instance Mover The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----A character: a body with the form of an upright capsule, which walks up slopes and steps, rides on platforms, passes through ledges from below and pushes crates. Its position is at its feet. It moves by itself while its type is "kinematic"; with "dynamic" it is a body like others.
+---A character: a body with the shape of an upright capsule, which walks up slopes and steps, rides on platforms, passes through ledges from below and pushes crates. Its position is at its feet. It moves by itself while its type is "kinematic"; with "dynamic" it is a body like others.
 ---@class Mover : Body
 ---@field acceleration number Acceleration to the speed `walk` on the ground. · m/s² · at least 0 · default 60
 ---@field air_acceleration number Acceleration to the speed `walk` in the air. · m/s² · at least 0 · default 20
 ---@field category integer Its categories, as bits: see `Shape.category`. · any integer · default 1
 ---@field climb number Speed upwards while it climbs. · m/s · any finite number · default 0
 ---@field climbing boolean True if it is on a ladder: gravity does not act, and it moves by walk and climb. · true or false · default false · simulated
----@field crouch boolean True: it crouches. After false it stands up as soon as there is room: `crouched`. · true or false · default false
+---@field crouch boolean True if it is to crouch. After false it stands up as soon as there is room; `crouched` says whether it is still low. · true or false · default false
 ---@field crouch_height number Height while it crouches. · m · 0.02 to 1000 · default 0.9
 ---@field crouched boolean True if it has the height for crouching. · true or false · read-only, simulated
 ---@field ground Object? The body on which it stands, or the world for its bounds; nil in the air. · any instance · read-only, simulated, may be nil
@@ -1210,7 +1210,7 @@ Chain = {}
 ---@field ground_velocity vec Velocity of the ground below its feet. · m/s · any finite vec · read-only, simulated
 ---@field height number Height while it stands; at least twice the radius is used. Its position is at its feet. · m · 0.02 to 1000 · default 1.8
 ---@field ledges integer Categories of ledges, as bits: shapes on which it stands and through which it passes from below. Chains are like this without a category. · any integer · default 0
----@field mask integer Categories of the shapes that stop it and that meet it, as bits; -1 is all. · any integer · default -1
+---@field mask integer Categories of the shapes with which it collides, as bits; -1 is all. · any integer · default -1
 ---@field max_slope number Steepest ground on which it stands; steeper ground is a wall. · rad · 0 to 1.5 · default 0.87
 ---@field on_ceiling boolean True if a ceiling stopped it. · true or false · read-only, simulated
 ---@field on_ground boolean True if it stands on the ground. · true or false · read-only, simulated
@@ -1219,7 +1219,7 @@ Chain = {}
 ---@field radius number Radius of its capsule: half its width. · m · 0.01 to 500 · default 0.4
 ---@field snap number It stays on ground that falls away by at most this in a step of time. · m · 0 to 1000 · default 0.25
 ---@field step_height number Height of the steps that it climbs. · m · 0 to 1000 · default 0.3
----@field visible boolean True if its capsule is drawn; turn it off under a sprite. · true or false · default true
+---@field visible boolean True if its capsule is drawn; set it to false if a sprite is drawn in its place. · true or false · default true
 ---@field walk number Target speed along the ground, to its right; negative to its left. · m/s · any finite number · default 0
 local fettle_Mover = {}
 
@@ -1252,7 +1252,7 @@ function fettle_Mover:jump(speed) end
 ---@overload fun(self: Mover, event: "crushed", handler: fun(record: Mover.crushed)): Connection
 function fettle_Mover:on(event, handler) end
 
----A character: a body with the form of an upright capsule, which walks up slopes and steps, rides on platforms, passes through ledges from below and pushes crates. Its position is at its feet. It moves by itself while its type is "kinematic"; with "dynamic" it is a body like others.
+---A character: a body with the shape of an upright capsule, which walks up slopes and steps, rides on platforms, passes through ledges from below and pushes crates. Its position is at its feet. It moves by itself while its type is "kinematic"; with "dynamic" it is a body like others.
 ---@class Class.Mover : Class
 ---@overload fun(members?: table): Mover
 Mover = {}
@@ -1260,31 +1260,31 @@ Mover = {}
 ---Its force or torque was larger than break_force or break_torque.
 ---@class Joint.broke
 ---@field force vec Force of the joint when it broke. · N
----@field torque number Torque of the joint when it broke, besides that of the force. · N m
+---@field torque number Torque of the joint when it broke, not counting that of the force. · N m
 ---@field instance Joint The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Its force or torque was larger than report_force or report_torque.
 ---@class Joint.loaded
 ---@field force vec Force of the joint in the step. · N
----@field torque number Torque of the joint in the step, besides that of the force. · N m
+---@field torque number Torque of the joint in the step, not counting that of the force. · N m
 ---@field instance Joint The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
 ---Connects bodies with each other or with the world. It acts while it and its bodies are in the same world.
 ---@class Joint : Object
----@field angular_separation number The same for the angle that it should hold. · rad · any finite number · read-only, simulated
+---@field angular_separation number Difference between the angle of its bodies and the angle that it should hold. · rad · any finite number · read-only, simulated
 ---@field break_force number It breaks if its force is larger, as the mean of a step; infinite: never. · N · 0 to inf · default inf · may be infinite
----@field break_torque number It breaks if its torque, besides that of its force, is larger. · N m · 0 to inf · default inf · may be infinite
+---@field break_torque number It breaks if its torque, not counting that of its force, is larger. · N m · 0 to inf · default inf · may be infinite
 ---@field broken boolean True if it broke and does not act; false repairs it. · true or false · default false · simulated
 ---@field constraint_damping_ratio number Damping ratio of a constraint_hertz above 0. · 0 to 1000 · default 2
 ---@field constraint_hertz number How fast it corrects an error of its position, at most a quarter of the rate of sub-steps; 0: 60 Hz, and more where it connects bodies of very different masses. · Hz · at least 0 · default 0
 ---@field enabled boolean True if it may act. · true or false · default true
 ---@field force vec Force on its body, or on body_b, in the last step. · N · any finite vec · read-only, simulated
 ---@field report_force number The event loaded is emitted in each step in which its force, as the mean of the step, is larger; infinite: never. · N · 0 to inf · default inf · may be infinite
----@field report_torque number The event loaded is emitted in each step in which its torque, besides that of its force, is larger. · N m · 0 to inf · default inf · may be infinite
+---@field report_torque number The event loaded is emitted in each step in which its torque, not counting that of its force, is larger. · N m · 0 to inf · default inf · may be infinite
 ---@field separation number Distance of its bodies from where it should hold them: what a rigid part or a limit has yielded. · m · any finite number · read-only, simulated
----@field torque number Torque on body_b in the last step, besides that of its force. · N m · any finite number · read-only, simulated
+---@field torque number Torque on body_b in the last step, not counting that of its force. · N m · any finite number · read-only, simulated
 local fettle_Joint = {}
 
 ---Calls the function with a record when the instance has the event.
@@ -1350,7 +1350,7 @@ DistanceJoint = {}
 
 ---A pin through two bodies, about which they turn.
 ---@class RevoluteJoint : PairJoint
----@field angle number Angle of body_b relative to body_a, less the reference_angle. · rad · any finite number · read-only, simulated
+---@field angle number Angle of body_b relative to body_a, minus the reference_angle. · rad · any finite number · read-only, simulated
 ---@field damping_ratio number Damping ratio of the spring; with 1 it comes to rest without swinging. · at least 0 · default 0
 ---@field hertz number Stiffness of a spring to the target_angle; 0: none. · Hz · at least 0 · default 0
 ---@field lower_angle number Smallest angle. · rad · any number, infinite too · default -inf · may be infinite
@@ -1482,7 +1482,7 @@ PulleyJoint = {}
 
 ---Turns body_b with body_a.
 ---@class GearJoint : PairJoint
----@field phase number The angle of body_b less ratio times that of body_a. Unless it is set, its value when the joint began to act. · rad · any finite number · default computed · simulated
+---@field phase number The angle of body_b minus ratio times that of body_a. Unless it is set, its value when the joint began to act. · rad · any finite number · default computed · simulated
 ---@field ratio number Turns of body_b for one turn of body_a: negative for wheels that mesh, positive for wheels with a belt. · any finite number · default 1
 local fettle_GearJoint = {}
 
@@ -1515,7 +1515,7 @@ FilterJoint = {}
 
 ---Keeps the angle of body_b relative to body_a between two angles, wherever the bodies are.
 ---@class RotaryLimitJoint : PairJoint
----@field angle number Angle of body_b relative to body_a, less the reference_angle. · rad · any finite number · read-only, simulated
+---@field angle number Angle of body_b relative to body_a, minus the reference_angle. · rad · any finite number · read-only, simulated
 ---@field lower_angle number Smallest angle. · rad · any number, infinite too · default -inf · may be infinite
 ---@field reference_angle number The angle that counts as 0. Unless it is set, the angle when the joint began to act. · rad · any finite number · default computed · simulated
 ---@field upper_angle number Largest angle. If lower_angle is larger, both are this angle. · rad · any number, infinite too · default inf · may be infinite
@@ -1634,7 +1634,7 @@ function fettle_Sprite:on(event, handler) end
 ---@overload fun(members?: table): Sprite
 Sprite = {}
 
----Written text in the world or, in a layer, on the screen. Its parent moves it, as a Sprite.
+---Written text in the world or, in a layer, on the screen. Its parent moves it, as that of a Sprite does.
 ---@class Text : Object
 ---@field align "left"|"center"|"right" Where lines begin that are shorter than the longest. · "left", "center", "right" · default "center"
 ---@field anchor vec The point of the text that is at its position: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1e6 to 1e6 · default vec(0.5, 0.5)
@@ -1653,7 +1653,7 @@ Sprite = {}
 ---@field wrap number Longest line; words beyond it begin another line, and a word that is longer has one of its own. Chinese, Japanese and Korean are divided between characters. 0: no limit. Pixels in a layer on the screen. · m · 0 to 1e9 · default 0
 local fettle_Text = {}
 
----Written text in the world or, in a layer, on the screen. Its parent moves it, as a Sprite.
+---Written text in the world or, in a layer, on the screen. Its parent moves it, as that of a Sprite does.
 ---@class Class.Text : Class
 ---@overload fun(members?: table): Text
 Text = {}
@@ -1709,7 +1709,7 @@ Layer = {}
 ---@field instance Tilemap The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----A map of the Tiled editor, or one that a script makes of a `tileset`. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to meet it.
+---A map of the Tiled editor, or one that a script makes of a `tileset`. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to collide with it.
 ---@class Tilemap : Object
 ---@field animation_time number Time since the animations of the tiles began. · s · 0 to 1e9 · default 0 · simulated
 ---@field cells vec For a map without a file: the number of cells side by side, and of rows. Cells that were written stay when it changes. · 0 to 2048 · default vec(0, 0)
@@ -1720,7 +1720,7 @@ Layer = {}
 ---@field rows integer Number of rows of cells; 0 for an infinite map. · any integer · read-only
 ---@field size vec Width and height of the map; 0 for an infinite map. · m · any finite vec · read-only
 ---@field smooth boolean Whether pixels are mixed when tiles are enlarged; otherwise each is a square. · true or false · default false
----@field solid_tiles integer[] For an image `tileset`: the numbers of the tiles that bodies meet. · 1 to 1e6 · default {}
+---@field solid_tiles integer[] For an image `tileset`: the numbers of the solid tiles. · 1 to 1e6 · default {}
 ---@field tile_size vec Width and height of a tile in the image `tileset`. A tileset file and a map file have their own. · px · 1 to 4096 · default vec(16, 16)
 ---@field tileset string For a map without a file: an image with tiles, or a tileset file of the Tiled editor (TSJ or TSX). The map has one layer, `tiles`, of empty cells, for `set_tile`. · any text · default ""
 local fettle_Tilemap = {}
@@ -1777,7 +1777,7 @@ function fettle_Tilemap:tile_property(tile, name) end
 ---@overload fun(self: Tilemap, event: "cell_changed", handler: fun(record: Tilemap.cell_changed)): Connection
 function fettle_Tilemap:on(event, handler) end
 
----A map of the Tiled editor, or one that a script makes of a `tileset`. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to meet it.
+---A map of the Tiled editor, or one that a script makes of a `tileset`. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to collide with it.
 ---@class Class.Tilemap : Class
 ---@overload fun(members?: table): Tilemap
 Tilemap = {}
@@ -1792,7 +1792,7 @@ Tilemap = {}
 ---@field opacity number Multiplies the opacity of its tiles. · 0 to 1 · default 1
 ---@field parallax vec How fast it moves past when the view moves: 1 as the world, 0.5 half as fast, 0 not at all. · -1000 to 1000 · default vec(1, 1)
 ---@field restitution number Share of the speed with which bodies bounce off its solid tiles. · 0 to 1 · default 0
----@field solid boolean Whether bodies meet its solid tiles: those with collision shapes, and those with the custom property `solid`. · true or false · default true
+---@field solid boolean Whether bodies collide with its solid tiles: those with collision shapes, and those with the custom property `solid`. · true or false · default true
 ---@field tint color The colors of its tiles are multiplied by it. · 0 to 1 · default color("#ffffff")
 ---@field visible boolean Whether it is drawn. · true or false · default true
 local fettle_TileLayer = {}
@@ -1862,7 +1862,7 @@ Emitter = {}
 ---@field fork integer The last step that it has in common with the present branch.
 ---@field newest integer Its last step.
 
----Simulation time: how fast it passes, and how far it is.
+---Simulation time: how fast it passes, and how much has passed.
 ---@class Time : Object
 ---@field alpha number How far the picture is between the last two steps. · 0 to 1 · read-only, simulated
 ---@field branch string The name of the present branch; time:name_branch changes it. · any text · read-only, simulated
@@ -1874,7 +1874,7 @@ Emitter = {}
 ---@field max_steps integer How many steps a slow frame may make to catch up. What is due beyond that is dropped: the game slows down. · 1 to 1000 · default 5
 ---@field newest integer The last step made; beyond `step` after going back, until a step is made from there. · any integer · read-only, simulated
 ---@field now number Simulation time since the game started. · s · any finite number · read-only, simulated
----@field oldest integer The first step one can go back to. · any integer · read-only, simulated
+---@field oldest integer The first step to which you can go back. · any integer · read-only, simulated
 ---@field paused boolean Whether simulation time stands still. update and draw are still called. · true or false · default false · not saved
 ---@field real number Real time since the game started, also while it is paused: the sum of real_dt of all updates. It is never rewound. In a headless run, a frame is as long as a step. · s · any finite number · read-only, simulated
 ---@field rewind_limit number How much of the past is kept, for rewind and the time bar; 0: nothing. · s · 0 to 3600 · default 60 · not saved
@@ -1882,7 +1882,7 @@ Emitter = {}
 ---@field scale number Simulated seconds a real second: 0.1 is slow motion. A headless run ignores it. · 0 to 100 · default 1
 ---@field step integer Fixed steps made since the game started. · any integer · read-only, simulated
 ---@field step_once boolean Set it to make one step while paused; it is false again when the step is made. · true or false · default false · not saved
----@field timings Timings Where a frame's time goes, smoothed over about half a second. In a headless run a frame is a turn, and the half second is one of the simulation.
+---@field timings Timings Where a frame's time goes, smoothed over about half a second. In a headless run a frame is one turn of the loop, and the half second is simulation time.
 local fettle_Time = {}
 
 ---The branches besides the present one, the oldest first. A branch is what came later, where the game went on from an earlier step. It is kept as long as the past.
@@ -1906,11 +1906,11 @@ function fettle_Time:name_branch(name, branch) end
 ---@param branch string The name of a branch.
 function fettle_Time:switch_to(branch) end
 
----Simulation time: how fast it passes, and how far it is.
+---Simulation time: how fast it passes, and how much has passed.
 ---@class Class.Time : Class
 Time = {}
 
----Where a frame's time goes, smoothed over about half a second. In a headless run a frame is a turn, and the half second is one of the simulation.
+---Where a frame's time goes, smoothed over about half a second. In a headless run a frame is one turn of the loop, and the half second is simulation time.
 ---@class Timings : Object
 ---@field draw number Drawing, layers included. · ms · any finite number · read-only, simulated
 ---@field frame number The whole frame, waiting for the screen included. · ms · any finite number · read-only, simulated
@@ -1922,7 +1922,7 @@ Time = {}
 ---@field wait number Waiting for the screen, and what is in no other part; 0 in a headless run. · ms · any finite number · read-only, simulated
 local fettle_Timings = {}
 
----Where a frame's time goes, smoothed over about half a second. In a headless run a frame is a turn, and the half second is one of the simulation.
+---Where a frame's time goes, smoothed over about half a second. In a headless run a frame is one turn of the loop, and the half second is simulation time.
 ---@class Class.Timings : Class
 Timings = {}
 
@@ -1931,7 +1931,7 @@ Timings = {}
 ---@field angle number The turn of the viewer, counter-clockwise: the picture turns the other way. · rad · -1e6 to 1e6 · default 0
 ---@field background color The color behind everything. · 0 to 1 · default color("#1b1f27")
 ---@field center vec The point of the world in the middle of the screen. · m · -1e9 to 1e9 · default vec(0, 0) · simulated
----@field dead_zone vec Width and height of the box round the center in which what it follows moves without moving it. · m · 0 to 1e9 · default vec(0, 0)
+---@field dead_zone vec Width and height of the box round the center: while the followed instance is in this box, the picture does not move. · m · 0 to 1e9 · default vec(0, 0)
 ---@field design vec The size of the picture for which the game is made, for `fit` letterbox and pixel. · px · 1 to 16384 · default vec(1280, 800)
 ---@field effect string A fragment shader in GLSL, a file in the game's folder (.frag, .glsl), through which the picture with its menus is drawn; empty: none. Its uniforms are the properties of `view.uniforms`. · any text · default ""
 ---@field fit "expand"|"letterbox"|"pixel" How the picture fits into the window. expand: all of the window is used. letterbox: what is seen has the proportions of `design`, with black bars beside it. pixel: so that each pixel of `design` is a whole number of pixels. · "expand", "letterbox", "pixel" · default "expand"
@@ -1940,7 +1940,7 @@ Timings = {}
 ---@field height number How much of the world is seen from the bottom of the screen to its top. · m · 0.001 to 1e6 · default 20
 ---@field limits vec[] The lower and the upper corner of the part of the world that may be seen; empty: all of it. If that part is smaller than what is seen, it is in the middle. · m · any length · default {}
 ---@field lower vec The smallest x and y of the world that are seen: the bottom left corner unless the view is turned. · m · any finite vec · read-only
----@field screen vec Size of the picture on the screen: of the window, without the bars of `fit`. A headless run pretends to have a window. · px · any finite vec · read-only, simulated
+---@field screen vec Size of the picture on the screen: of the window, without the bars of `fit`. In a headless run, the size that a window would have. · px · any finite vec · read-only, simulated
 ---@field upper vec The largest x and y of the world that are seen: the top right corner unless the view is turned. · m · any finite vec · read-only
 ---@field width number How much of the world is seen from side to side. · m · any finite number · read-only
 ---@field zoom number Pixels a meter. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1e6 · default computed · simulated, not saved
@@ -1971,7 +1971,7 @@ View = {}
 ---What is shown over the picture, for looking into a game.
 ---@class Show : Object
 ---@field aabbs boolean Axis-aligned bounding boxes of shapes. · true or false · default false · not saved
----@field blame boolean Who wrote last: what is drawn has the color of the line of a script, the console, the inspector or the physics that wrote it. · true or false · default false · not saved
+---@field blame boolean What wrote last: each instance has the color of the line of a script, the console, the inspector or the physics that wrote it. · true or false · default false · not saved
 ---@field centers boolean Centers of mass. · true or false · default false · not saved
 ---@field contacts boolean Contact points, their normals and impulses. · true or false · default false · not saved
 ---@field grid boolean A grid of meters. · true or false · default false · not saved
@@ -1979,7 +1979,7 @@ View = {}
 ---@field islands boolean Islands: bodies that sleep and wake together, each island in a color of its own. · true or false · default false · not saved
 ---@field joints boolean Joints and their anchors. · true or false · default false · not saved
 ---@field limits boolean Limits of joints: the angles and ways that they allow. · true or false · default false · not saved
----@field names boolean Names of bodies. Of those that would overlap one is drawn. · true or false · default false · not saved
+---@field names boolean Names of bodies. Where names would overlap, only one is drawn. · true or false · default false · not saved
 ---@field onion_skins boolean Earlier poses of the selected instance while the console is open, and later ones after going back. · true or false · default false · not saved
 ---@field shapes boolean Outlines of all shapes, also of those that are not visible because the game draws something else. · true or false · default false · not saved
 ---@field timings boolean Frames a second, and where a frame's time goes. · true or false · default false · not saved
@@ -2001,7 +2001,7 @@ Show = {}
 ---@field resizable boolean Whether the player can change the size of the window. · true or false · default true · not saved
 ---@field size vec Size of the window while it is not fullscreen. view.screen is what is seen now. · px · 1 to 16384 · default vec(1280, 800) · simulated, not saved
 ---@field title string Title of the window; at the start that of game.json. · any text · default "Fettle" · not saved
----@field vsync boolean Whether frames wait for the screen. Off, they are drawn as fast as they go. · true or false · default true · not saved
+---@field vsync boolean Whether frames wait for the screen. false: they are drawn as fast as possible. · true or false · default true · not saved
 local fettle_GameWindow = {}
 
 ---The window of the game. It is not part of saved games, and going back in time leaves it as it is.
@@ -2036,7 +2036,7 @@ Buses = {}
 ---A group of sounds with a volume of its own. It acts below `audio.buses`.
 ---@class Bus : Object
 ---@field muted boolean Silences the bus and leaves its volume as it is. · true or false · default false
----@field pauses boolean Whether its sounds pause with the game (time.paused). Off, they go on in real time. · true or false · default true
+---@field pauses boolean Whether its sounds pause with the game (time.paused). false: they go on in real time. · true or false · default true
 ---@field volume number Loudness of all sounds of the bus. · 0 to 1 · default 1
 local fettle_Bus = {}
 
@@ -2099,7 +2099,7 @@ local fettle_Sound = {}
 ---@overload fun(members?: table): Sound
 Sound = {}
 
----Music from a file, decoded while it plays. One of a bus sounds at a time: another one fades in while it fades out.
+---Music from a file, decoded while it plays. In each bus only one sounds at a time: another one fades in while it fades out.
 ---@class Music : SoundSource
 ---@field bus string The name of the bus in `audio.buses` whose volume applies to it, too. · any text · default "music"
 ---@field fade number How long it takes to fade in, and other music of its bus to fade out. · s · 0 to 1000 · default 1
@@ -2107,7 +2107,7 @@ Sound = {}
 ---@field loop boolean Whether it begins again at the end. · true or false · default true
 local fettle_Music = {}
 
----Music from a file, decoded while it plays. One of a bus sounds at a time: another one fades in while it fades out.
+---Music from a file, decoded while it plays. In each bus only one sounds at a time: another one fades in while it fades out.
 ---@class Class.Music : Class
 ---@overload fun(members?: table): Music
 Music = {}
@@ -2121,7 +2121,7 @@ Music = {}
 ---@field duty number The part of a period in which a square wave is high. Other waves have none. · 0.01 to 0.99 · default 0.5
 ---@field duty_slide number How much `duty` grows a second. · 1/s · -100 to 100 · default 0
 ---@field filter number A short name for `low_pass`. · Hz · 20 to 20000 · default computed · not saved
----@field flanger number The sound is heard a second time, so much later. 0: once. · ms · 0 to 50 · default 0
+---@field flanger number The sound is heard a second time, with this delay. 0: once. · ms · 0 to 50 · default 0
 ---@field flanger_slide number How fast that delay grows. · ms/s · -1000 to 1000 · default 0
 ---@field frequency number The pitch at the beginning. · Hz · 1 to 20000 · default 440
 ---@field high_pass number Lower tones than this are weakened, which sounds thin. 0: none. · Hz · 0 to 20000 · default 0
@@ -2164,14 +2164,14 @@ Synth = {}
 ---@field instance Voice The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----One sounding of a Sound, Music or Synth; `play` makes it. It ends with the sound, in simulation time.
+---A Sound, Music or Synth that is playing once; `play` makes it. It ends with the sound, in simulation time.
 ---@class Voice : Object
 ---@field fade number Loudness while it fades, on its way to `fade_to`. · 0 to 1 · default 1
 ---@field fade_time number How long it takes to fade from 0 to 1. · s · 0 to 1000 · default 0
 ---@field fade_to number The loudness to which it fades. A voice that has faded to 0 ends. · 0 to 1 · default 1
----@field pauses boolean Whether it pauses with the game. Off if it began while the game was paused: a menu's click is heard. · true or false · default true
+---@field pauses boolean Whether it pauses with the game. false if it began while the game was paused, so that the click of a menu is heard. · true or false · default true
 ---@field pitch number How fast it is played, in addition to the pitch of its source. · 0.01 to 100 · default 1
----@field playing boolean Off, it pauses. · true or false · default true
+---@field playing boolean Whether it goes on; false: it pauses. · true or false · default true
 ---@field position vec? Where in the world it is heard from. nil: from where its source is. · m · -1e9 to 1e9 · default nil · may be nil
 ---@field time number How much of the sound it has played. Setting it goes there. · s · 0 to 1e6 · default 0
 ---@field volume number Loudness, in addition to that of its source. · 0 to 4 · default 1
@@ -2190,14 +2190,14 @@ function fettle_Voice:stop(fade) end
 ---@overload fun(self: Voice, event: "finished", handler: fun(record: Voice.finished)): Connection
 function fettle_Voice:on(event, handler) end
 
----One sounding of a Sound, Music or Synth; `play` makes it. It ends with the sound, in simulation time.
+---A Sound, Music or Synth that is playing once; `play` makes it. It ends with the sound, in simulation time.
 ---@class Class.Voice : Class
 ---@overload fun(members?: table): Voice
 Voice = {}
 
 ---What the player does: keys, mouse, gamepads, and the actions bound to them.
 ---@class Input : Object
----@field dead_zone number How far a stick must be moved before actions take notice of it. · 0 to 0.9 · default 0.2 · not saved
+---@field dead_zone number How far a stick must be moved before actions react to it. · 0 to 0.9 · default 0.2 · not saved
 ---@field gamepads Gamepad[] All gamepads, connected or not: input.gamepads[1].left. · any length · read-only
 ---@field move vec Where the player wants to go, right and up positive, of length 1 at most: from the keys and sticks of `input.actions.move`. · -1 to 1 · read-only, simulated
 ---@field actions Actions The keys, buttons and sticks of each action, as lists of names: "space", "mouse.left", "gamepad.a", "gamepad_2.left_trigger", "gamepad.left", or a list of four keys: left, right, down, up. Assigning a new name makes an action, nil removes it.
@@ -2409,7 +2409,7 @@ Actions = {}
 ---@field held boolean Whether it is held. Setting it to true holds it until it is set to false. · true or false · default false · simulated, not saved
 ---@field pressed boolean Whether it began to be held: true in one step, and in one update. · true or false · read-only, simulated
 ---@field released boolean Whether it ceased to be held: true in one step, and in one update. · true or false · read-only, simulated
----@field strength number How far the strongest of its switches is down, 0 to 1: triggers and sticks have values in between. · any finite number · read-only, simulated
+---@field strength number How far the strongest of its keys, buttons and axes is pressed, 0 to 1: triggers and sticks have values in between. · any finite number · read-only, simulated
 local fettle_Action = {}
 
 ---Calls the function with a record when the instance has the event.
@@ -2432,7 +2432,7 @@ Action = {}
 ---@field angle number The turn of the viewer, counter-clockwise: the picture turns the other way. · rad · -1e6 to 1e6 · default 0
 ---@field background color? The color behind everything; nil: that of the view. · 0 to 1 · default nil · may be nil
 ---@field center vec The point of the world in its middle. · m · -1e9 to 1e9 · default vec(0, 0)
----@field dead_zone vec Width and height of the box round the center in which what it follows moves without moving it. · m · 0 to 1e9 · default vec(0, 0)
+---@field dead_zone vec Width and height of the box round the center: while the followed instance is in this box, the picture does not move. · m · 0 to 1e9 · default vec(0, 0)
 ---@field follow Object? It moves with this instance, from step to step. · any instance · default nil
 ---@field follow_damping number The time in which it makes two thirds of the way to what it follows; 0: it is always there. · s · 0 to 1000 · default 0
 ---@field height number How much of the world is seen from the bottom of its viewport to its top. · m · 0.001 to 1e6 · default 20
@@ -2484,7 +2484,7 @@ Uniforms = {}
 ---@field padding number Distance between the edge of a panel and what is in it. · px · 0 to 1000 · default 22
 ---@field panel color Background of panels. · 0 to 1 · default color("#1c222e")
 ---@field radius number Radius of corners. · px · 0 to 1000 · default 9
----@field shade color What is behind a modal widget is covered by it. · 0 to 1 · default color("#05070b99")
+---@field shade color Covers what is behind a modal widget. · 0 to 1 · default color("#05070b99")
 ---@field spacing number Distance between the widgets of a row, a column or a list. · px · 0 to 1000 · default 10
 ---@field text color Text. · 0 to 1 · default color("#f1f4f9")
 local fettle_Theme = {}
@@ -2620,7 +2620,7 @@ Column = {}
 ---@field instance List The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----The player has pressed return on a line, or clicked on the chosen one.
+---The player has pressed Enter on a line, or clicked on the chosen one.
 ---@class List.submitted
 ---@field selected integer Number of the line.
 ---@field instance List The instance with the event.
@@ -2635,7 +2635,7 @@ Column = {}
 ---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
 ---@field items string[] Its lines. If there are none, it shows the widgets below it. · any length · default {}
 ---@field modal boolean While it is visible, it gets all keys, buttons and clicks: nothing reaches the game or other widgets. If it has a background, a shade covers what is behind it. · true or false · default false
----@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field overflow "cut"|"wrap" What happens with text that is too long for its width: cut ends it with "…", wrap continues it in another line. · "cut", "wrap" · default "cut"
 ---@field padding number? Distance between its edge and what is in it. nil: that of the theme for panels, 5 for lists, 0 for rows and columns. · px · 0 to 100000 · default nil · may be nil
 ---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
 ---@field scroll number How far down it is scrolled. · px · 0 to 1e9 · default 0
@@ -2672,7 +2672,7 @@ List = {}
 ---@field instance Button The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----Something to press: with the mouse, return or space, or A on the gamepad.
+---Something to press: with the mouse, Enter or Space, or A on the gamepad.
 ---@class Button : Widget
 ---@field bind string Path of the keys of an action, such as input.actions.jump: the button shows them, and after a press the player chooses another one. · any text · default ""
 ---@field color color? Its background; nil: that of its look. · 0 to 1 · default nil · may be nil
@@ -2682,7 +2682,7 @@ List = {}
 ---@field image string A picture before its text: a file in the game's folder. · any text · default ""
 ---@field listening boolean Whether it waits for a key or button of any device. The event `captured` reports the next one, which does nothing else; escape ends it. · true or false · default false
 ---@field look "normal"|"accent"|"quiet" accent: it stands out. quiet: only its text is seen. · "normal", "accent", "quiet" · default "normal"
----@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field overflow "cut"|"wrap" What happens with text that is too long for its width: cut ends it with "…", wrap continues it in another line. · "cut", "wrap" · default "cut"
 ---@field prompt string What is written on it while it is listening. · any text · default "press a key"
 ---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
 ---@field text string What is written on it. · any text · default ""
@@ -2700,7 +2700,7 @@ local fettle_Button = {}
 ---@overload fun(self: Button, event: "captured", handler: fun(record: Button.captured)): Connection
 function fettle_Button:on(event, handler) end
 
----Something to press: with the mouse, return or space, or A on the gamepad.
+---Something to press: with the mouse, Enter or Space, or A on the gamepad.
 ---@class Class.Button : Class
 ---@overload fun(members?: table): Button
 Button = {}
@@ -2710,7 +2710,7 @@ Button = {}
 ---@field bind string Path of a property; the text is its value. · any text · default ""
 ---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
 ---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
----@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "wrap"
+---@field overflow "cut"|"wrap" What happens with text that is too long for its width: cut ends it with "…", wrap continues it in another line. · "cut", "wrap" · default "wrap"
 ---@field text string What is written; it may have several lines. · any text · default ""
 ---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "left"
 ---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
@@ -2776,7 +2776,7 @@ Slider = {}
 ---@field focusable boolean Whether it can have the keyboard. · true or false · default true
 ---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
 ---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
----@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field overflow "cut"|"wrap" What happens with text that is too long for its width: cut ends it with "…", wrap continues it in another line. · "cut", "wrap" · default "cut"
 ---@field text string What is written beside it. · any text · default ""
 ---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "left"
 ---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
@@ -2803,7 +2803,7 @@ Toggle = {}
 ---@field instance TextField The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----The player has pressed return.
+---The player has pressed Enter.
 ---@class TextField.submitted
 ---@field text string What is in it.
 ---@field instance TextField The instance with the event.
@@ -2817,7 +2817,7 @@ Toggle = {}
 ---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
 ---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
 ---@field max_length integer Number of characters that can be typed; 0: no limit. · 0 to 1e6 · default 0
----@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field overflow "cut"|"wrap" What happens with text that is too long for its width: cut ends it with "…", wrap continues it in another line. · "cut", "wrap" · default "cut"
 ---@field placeholder string Shown while it is empty. · any text · default ""
 ---@field text string What is in it. · any text · default ""
 ---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "left"
@@ -2847,7 +2847,7 @@ TextField = {}
 ---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
 ---@field max number? The greatest value. nil: that of the bound property, else 1. · -1e12 to 1e12 · default nil · may be nil
 ---@field min number? The least value. nil: that of the bound property, else 0. · -1e12 to 1e12 · default nil · may be nil
----@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field overflow "cut"|"wrap" What happens with text that is too long for its width: cut ends it with "…", wrap continues it in another line. · "cut", "wrap" · default "cut"
 ---@field text string Written on it. · any text · default ""
 ---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "center"
 ---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
@@ -2868,8 +2868,8 @@ ProgressBar = {}
 local fettle_Interface = {}
 
 ---Writes a property as a setting of the player: no rewind and no saved game changes it, and later runs begin with it. A widget that is bound to a property of audio or input.actions does so by itself.
----@param path string Of the property, such as "input.actions.jump".
----@param value? any What the player has chosen; nil: the value is the game's again.
+---@param path string Path of the property, such as "input.actions.jump".
+---@param value? any What the player has chosen; nil ends the preference, and the game decides about the value again.
 function fettle_Interface:prefer(path, value) end
 
 ---The widget that is seen at a point of the screen, the foremost of several. Rows, columns and the like without a color of their own are not seen.
@@ -2984,7 +2984,7 @@ Transition = {}
 ---@field inspector_width number Width of the inspector at a scale of 1. · px · 200 to 2000 · default 380 · not saved
 ---@field key "a"|"b"|"c"|"d"|"e"|"f"|"g"|"h"|"i"|"j"|"k"|"l"|"m"|"n"|"o"|"p"|"q"|"r"|"s"|"t"|"u"|"v"|"w"|"x"|"y"|"z"|"0"|"1"|"2"|"3"|"4"|"5"|"6"|"7"|"8"|"9"|"space"|"enter"|"escape"|"tab"|"backspace"|"delete"|"insert"|"left"|"right"|"up"|"down"|"home"|"end"|"page_up"|"page_down"|"left_shift"|"right_shift"|"left_control"|"right_control"|"left_alt"|"right_alt"|"left_system"|"right_system"|"menu"|"pause"|"grave"|"minus"|"equal"|"left_bracket"|"right_bracket"|"backslash"|"semicolon"|"apostrophe"|"comma"|"period"|"slash"|"numpad_0"|"numpad_1"|"numpad_2"|"numpad_3"|"numpad_4"|"numpad_5"|"numpad_6"|"numpad_7"|"numpad_8"|"numpad_9"|"numpad_add"|"numpad_subtract"|"numpad_multiply"|"numpad_divide"|"f1"|"f2"|"f3"|"f4"|"f5"|"f6"|"f7"|"f8"|"f9"|"f10"|"f11"|"f12"|"f13"|"f14"|"f15" The key that opens and closes the console, by its name in the class Keys. · 101 texts · default "grave" · not saved
 ---@field listen boolean Whether `fettle repl --attach` may attach to this game: only this user, on this computer, with the token in the user's runtime folder. · true or false · default false · not saved
----@field memory_limit number How much memory one command may add, by Lua's values and by what it makes in the tree; a command that needs more is stopped. · MB · 1 to 1e6 · default 128 · not saved
+---@field memory_limit number How much memory one command may add, by Lua's values and by what it makes in the tree; a command that needs more is stopped. · MB · 1 to 1e6 · default 256 · not saved
 ---@field opacity number Of the background. Below 1 the game is seen behind the text. · 0.3 to 1 · default 1 · not saved
 ---@field open boolean Whether the console is shown. · true or false · default false · not saved
 ---@field overlays boolean Whether the overlays of `view.show` are shown as a row of buttons. · true or false · default false · not saved
@@ -3044,7 +3044,7 @@ input = nil
 ---@type Interface
 interface = nil
 
----Simulation time: how fast it passes, and how far it is.
+---Simulation time: how fast it passes, and how much has passed.
 ---@type Time
 time = nil
 
@@ -3083,12 +3083,12 @@ function ab(path, value, seconds) end
 ---@return Connection
 function after(seconds, action, options) end
 
----In the console the word stands for the command; what is typed after it is put after the command. Without a command the word means itself again.
+---In the console the word stands for the command; what is typed after it is put after the command. Without a command the alias is removed.
 ---@param word string
 ---@param command? string
 function alias(word, command) end
 
----Runs the command whenever the key goes down, also while the console is closed: bind("f5", "rewind(5)"). Keys have the names of the class Keys. The game does not get the key. Without a command the key is the game's again.
+---Runs the command whenever the key goes down, also while the console is closed: bind("f5", "rewind(5)"). Keys have the names of the class Keys. The game does not get the key. Without a command the game gets the key again.
 ---@param key string
 ---@param command? string
 function bind(key, command) end
@@ -3102,7 +3102,7 @@ function bookmark(name, step) end
 ---@return table
 function bookmarks() end
 
----Pauses the game after the step in which the condition becomes true, and prints its old and new value and who wrote it. A value that is not a boolean breaks when it changes. `breaks` lists the conditions, `unbreak` ends one; without a condition all end.
+---Pauses the game after the step in which the condition becomes true, and prints its old and new value and what wrote it. If the value is not a boolean, the game pauses when it changes. `breaks` lists the conditions, `unbreak` ends one; without a condition all end.
 ---@param condition? string|fun(): any
 function break_when(condition) end
 
@@ -3187,7 +3187,7 @@ function history() end
 ---@param pattern string
 function keep(pattern) end
 
----Searches the kept past for the last step at which the condition was true, and goes there. While it is true now, it goes to the step at which it became so.
+---Searches the kept past for the last step at which the condition was true, and goes there. If it is true now, it goes to the step at which it became true.
 ---@param condition string|fun(): any
 function last_time(condition) end
 
@@ -3200,7 +3200,7 @@ function load_game(slot) end
 ---@param ... string|fun(): any
 function pin(what, ...) end
 
----In the console: shows the last seconds once more, as they were; at the present the game goes on, unless it was paused before. Without seconds, or with more than is kept, it begins with the oldest step that is kept. In the past it shows what follows.
+---In the console: shows the last seconds once more, as they were; then the game goes on, unless it was paused before. Without seconds, or with more than is kept, it begins with the oldest step that is kept. After going back it shows what followed.
 ---@param seconds? number
 function play_back(seconds) end
 
@@ -3208,7 +3208,7 @@ function play_back(seconds) end
 ---@param ... string|fun(): any
 function plot(...) end
 
----Finds what a pattern matches. If its last part is the name of a child, the result is a set of instances: query("world.*.circle"). If it is the name of a property, or a star, which stands for every property, the result is a table of values by path: query("world.*.mass"). If nothing matches, it is an empty set. Formulas in error are left out. A condition gives the set of instances for which it holds: query("Body and mass > 5 and position.x < 0"). It can compare and compute, and calls nothing. The name of a class is one, unless something of that name is at the top: query("Body").
+---Finds what a pattern matches. If its last part is the name of a child, the result is a set of instances: query("world.*.circle"). If it is the name of a property, or a star, which stands for every property, the result is a table of values by path: query("world.*.mass"). If nothing matches, it is an empty set. Formulas in error are left out. A condition gives the set of instances for which it holds: query("Body and mass > 5 and position.x < 0"). It can compare and compute, and calls nothing. The name of a class is a condition, unless `game` has something of that name: query("Body").
 ---@param pattern string
 ---@return Set|table<string, any>
 function query(pattern) end
@@ -3228,7 +3228,7 @@ function random() end
 ---@param pattern string
 function reapply_tweaks(pattern) end
 
----A command of the console, and the red button of the time bar: writes a recording of the run, from its first step to the present one and then all that follows, until record(false) or the end of the run. `fettle run --replay FILE` plays it again, and compares every step that was made while it was written. The file is in the folder `recordings` of the player's files, and the command prints where. A run in a window can be recorded so, until one of its files changes and is read again; the first 64 MB of it are kept for that.
+---A command of the console, and the red button of the time bar: writes a recording of the run, from its first step to the present one and then all that follows, until record(false) or the end of the run. `fettle run --replay FILE` plays it again, and compares every step that was made while it was written. The file is in the folder `recordings` of the player's files, and the command prints where. This works for a run in a window until one of its files changes and is read again; for this purpose the first 64 MB of a recording are kept.
 ---@param on? boolean
 function record(on) end
 
@@ -3284,7 +3284,7 @@ function share(name) end
 ---@return Snapshot
 function snapshot() end
 
----Declares a variable of the game that is a property of `game`: state("score", 0). From then on, `score` reads and writes game.score, so it is saved, rewound, watched and inspected. The value is given only if there is none yet: one that a saved game or a reload has brought stays. Returns the current value.
+---Declares a variable of the game that is a property of `game`: state("score", 0). From then on, `score` reads and writes game.score, so it is saved, rewound, watched and inspected. The value is set only if there is none yet: one from a saved game or from before a reload stays. Returns the current value.
 ---@param name string
 ---@param value any
 ---@return any
@@ -3346,7 +3346,7 @@ function wait(seconds) end
 ---@return Connection
 function watch(pattern, handler) end
 
----Prints who wrote a property last, and at which step: "console:1, step 49". After going back in time, that is the last write before that moment, or "restore, step 30" if none is known. The file and line of a script are known if the property was watched when it was written; otherwise only "script" is printed. For a value that the simulation changes, the last other writer is printed; the simulation is printed only if there is no other writer or the property is watched.
+---Prints what wrote a property last, and at which step: "console:1, step 49". After going back in time, that is the last write before that moment, or "restore, step 30" if none is known. The file and line of a script are known if the property was watched when it was written; otherwise only "script" is printed. For a value that the simulation changes, the last other writer is printed; the simulation is printed only if there is no other writer or the property is watched.
 ---@param path string
 function who(path) end
 
@@ -3377,7 +3377,7 @@ function coroutine.close(thread) end
 ---@return thread
 function coroutine.create(action) end
 
----Whether what runs can yield.
+---Whether the running function can yield.
 ---@return boolean
 function coroutine.isyieldable() end
 
@@ -3408,7 +3408,7 @@ function coroutine.wrap(action) end
 ---@return any
 function coroutine.yield(...) end
 
----Stops what runs with an error.
+---Raises an error, which ends the running function.
 ---@param message any
 ---@param level? integer
 function error(message, level) end
@@ -3580,7 +3580,7 @@ function math.ult(a, b) end
 ---@return any
 function next(table, key) end
 
----Processor time used, in seconds. A recording does not hold it.
+---Processor time used, in seconds. It is not recorded.
 ---@return number
 function os.clock() end
 
@@ -3596,7 +3596,7 @@ function os.date(format, time) end
 ---@return number
 function os.difftime(later, earlier) end
 
----Seconds since 1970. A recording does not hold it: a game that keeps it in a property is not replayed as it was.
+---Seconds since 1970. It is not recorded: a game that keeps it in a property differs in a replay.
 ---@param date? table
 ---@return integer
 function os.time(date) end
@@ -3615,7 +3615,7 @@ function pairs(table) end
 ---@return any
 function pcall(action, ...) end
 
----Prints values: to the console, and to the terminal. Of a table it prints what is in it, on one line.
+---Prints values: to the console, and to the terminal. For a table it prints the entries, on one line.
 ---@param ... any
 function print(...) end
 
@@ -3735,12 +3735,12 @@ function string.packsize(format) end
 ---@return string
 function string.rep(text, count, separator) end
 
----Its bytes backwards.
+---The bytes of a text in reverse order.
 ---@param text string
 ---@return string
 function string.reverse(text) end
 
----A part of it; negative places count from the end.
+---A part of a text; negative places count from the end.
 ---@param text string
 ---@param from integer
 ---@param to? integer
@@ -3859,7 +3859,7 @@ function utf8.len(text, from, to) end
 ---@return integer?
 function utf8.offset(text, n, from) end
 
----Calls the function; the handler sees an error where it arises.
+---Calls the function; the handler is called with an error at the place where it was raised.
 ---@param action function
 ---@param handler fun(error: any): any
 ---@param ... any
@@ -3879,7 +3879,7 @@ function update(dt, real_dt) end
 ---@param dt number
 function step(dt) end
 
----Called for every picture, over what draws itself.
+---Called for every picture, after the instances that draw themselves.
 ---@param pen Pen
 function draw(pen) end
 
@@ -3895,7 +3895,7 @@ function key_pressed(key) end
 ---@param key string
 function key_released(key) end
 
----A character was typed, by whatever keys.
+---A character was typed, by one key or several.
 ---@param text string
 function text_input(text) end
 
@@ -3965,5 +3965,5 @@ function leave() end
 ---@param files string[]
 function reloaded(files) end
 
----The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for it. quit() and the end of --steps do not call it. After it no update and no draw is called; watchers and handlers of events still hear what it changed. After a signal it may take five seconds.
+---The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) was received. quit() and the end of --steps do not call it. After it no update and no draw is called; watchers and handlers of events are still called for what it changed. After a signal it may take five seconds.
 function closing() end

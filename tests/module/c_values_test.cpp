@@ -65,7 +65,7 @@ TEST_CASE("the stride of a column must suit its elements") {
         module::Plugins plugins;
         property::Tree tree;
         CHECK_THAT(message_of([&] { plugins.open(built(wrong)).attach(tree); }),
-                   contains("bytes: expected 8 to 1073741824"));
+                   contains("bytes, expected 8 to 1073741824"));
     }
 }
 

@@ -295,7 +295,7 @@ TEST_CASE("invalid numbers in a descriptor are refused") {
         of.properties[0].default_value = Handle{7, 7};
     });
     for (const std::size_t stride : {std::size_t(-1), std::size_t{3}})
-        refused("bytes a row, expected 4 to", [&](auto& of) {
+        refused("bytes, expected 4 to", [&](auto& of) {
             Binding& binding = of.properties[0].binding;
             binding.kind = BindingKind::column;
             binding.native = Native::f32;

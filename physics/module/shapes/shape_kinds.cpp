@@ -136,7 +136,7 @@ void define_outlines(Hosting& hosting) {
             "outline that crosses or touches itself is refused, and so is a hole; at most 4096.")});
     std::vector<Property> chain = {
         points<most_points>(hosting, "points",
-                            std::get<physics::Chain>(hosting.kinds[7].geometry).points, 1600,
+                            std::get<physics::Chain>(hosting.kinds[7].geometry).points, 800,
                             "Its points in the coordinates of the body."),
         flag("closed", false,
              "True if the last point is connected to the first; this needs three points.",
