@@ -36,8 +36,7 @@ std::vector<Property> Texts::properties() {
          .type = Type::text,
          .doc = "What is written; it may have several lines. What follows the first 100 000 "
                 "letters is "
-                "not shown.",
-         .element_weight = 100},  // six corners of a letter
+                "not shown."},
         {.name = "font",
          .type = Type::text,
          .default_value = "sans",
