@@ -1,5 +1,5 @@
 #include <in_game/ghosts.h>
-#include <observed/last_value.h>
+#include <observed/game_time.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <observed/branches.h>
-#include <observed/last_value.h>
+#include <observed/game_time.h>
 
 namespace fettle::console {
 

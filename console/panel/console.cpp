@@ -1,6 +1,7 @@
 // The console as a layer: opening, closing, selection, and links in the log.
 
 #include <fettle/console/console.h>
+#include <observed/game_time.h>
 #include <observed/last_value.h>
 
 #include <algorithm>

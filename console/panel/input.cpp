@@ -191,8 +191,7 @@ void Console::State::prompt_key(const InputEvent& event) {
 
 void Console::State::note_lost_undo() {
     const std::size_t now = property::edits_without_undo(tree);
-    if (std::exchange(status.edits_without_undo, now) < now)
-        log.note("this edit took too much memory to be undone");
+    if (std::exchange(status.edits_without_undo, now) < now) log.note(property::no_undo_message);
 }
 
 // --- Mouse

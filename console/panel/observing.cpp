@@ -1,4 +1,4 @@
-#include <observed/last_value.h>
+#include <observed/game_time.h>
 #include <panel/observing.h>
 
 #include <algorithm>

@@ -55,7 +55,7 @@ bool write_all(int fd, std::string_view bytes) {
     return true;
 }
 
-/// Writes behind what the file has. False with errno set.
+/// Writes at the end of the file. False with errno set.
 bool append_to(const std::filesystem::path& file, std::string_view bytes) {
     const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_APPEND, 0600);
     if (fd < 0) return false;

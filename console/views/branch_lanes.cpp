@@ -1,6 +1,6 @@
 // The lanes of the other branches above the track of the time bar.
 
-#include <observed/last_value.h>
+#include <observed/game_time.h>
 #include <views/time_bar.h>
 
 #include <algorithm>

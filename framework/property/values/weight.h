@@ -31,10 +31,7 @@ inline std::int64_t weight_beside(const Value& value) {
 }
 /// The content, with what the module of a property needs for it.
 inline std::int64_t weight_beside(const Value& value, const Property& property) {
-    if (property.element_weight == 0) return weight_beside(value);
-    const std::size_t elements = value.is(Type::text)   ? value.text().size()
-                                 : value.is(Type::list) ? value.list().size()
-                                                        : 0;
+    const std::size_t elements = value.is(Type::list) ? value.list().size() : 0;
     return weight_beside(value) + static_cast<std::int64_t>(elements * property.element_weight);
 }
 

@@ -152,7 +152,7 @@ int why(lua_State* L) {
 std::string lost_undo(const Machine& machine, std::size_t before) {
     if (property::edits_without_undo(machine.tree) == before) return {};
     const std::string hint = memory_hint(machine);
-    return "this edit took too much memory to be undone" + (hint.empty() ? "" : "; " + hint);
+    return std::string(property::no_undo_message) + (hint.empty() ? "" : "; " + hint);
 }
 
 void open_history(lua_State* L) {

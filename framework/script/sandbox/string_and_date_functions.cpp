@@ -81,7 +81,7 @@ int repeat(lua_State* L) {
     char* const to = luaL_buffinitsize(L, &buffer, size);
     std::memcpy(to, text, length);
     if (count > 1) std::memcpy(to + length, between, separator);
-    // What is there is copied behind itself.
+    // The text so far is appended to itself until it is long enough.
     for (std::size_t made = part; made < size; made *= 2)
         std::memcpy(to + made, to, std::min(made, size - made));
     luaL_pushresultsize(&buffer, size);

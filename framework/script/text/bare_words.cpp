@@ -47,7 +47,7 @@ bool is_used_as_value(std::string_view before, std::string_view after) {
     return ends && (before.ends_with('(') || before.ends_with(','));
 }
 
-/// Whether `word`, which is used as a value behind `before`, is a text that a property takes. One
+/// Whether `word`, which is used as a value after `before`, is a text that a property takes. One
 /// letter is the name of a variable, as in print(i), unless it is compared with a property that
 /// takes it, as in key == i.
 bool is_meant_as_text(const property::Tree& tree, std::string_view before, std::string_view word) {

@@ -143,8 +143,8 @@ struct Property {
     bool sparse = false;     // stored number: only values that differ from the default take memory
     bool bits = false;       // an integer whose bits have a meaning each
 
-    /// Of a text or a list: bytes that its module needs for each letter or element, beside the
-    /// value itself. An estimate, for `Tree::weight`.
+    /// Of a list: bytes that its module needs for each element, beside the value itself. An
+    /// estimate, for `Tree::weight`.
     std::uint32_t element_weight = 0;
 
     std::vector<std::string> enumerators{};  // a text property takes only these

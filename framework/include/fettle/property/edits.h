@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
 #include <fettle/property/class.h>
 #include <fettle/property/export.h>
@@ -44,6 +45,8 @@ class EditObserver {
 /// How many edits have ended so far that cannot be undone, because they took more memory than the
 /// history may.
 std::size_t edits_without_undo(const Tree& tree);
+/// What the console and scripts print about such an edit.
+inline constexpr std::string_view no_undo_message = "this edit took too much memory to be undone";
 
 }  // namespace fettle::property
 
