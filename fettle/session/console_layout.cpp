@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using LayoutJson = nlohmann::ordered_json;
+using LayoutJson = nlohmann::json;
 constexpr std::uintmax_t largest = 1 << 20;  // bytes, of both files
 
 std::string content_of(const fs::path& file) {

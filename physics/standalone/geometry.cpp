@@ -139,12 +139,12 @@ std::vector<ContactManifold> contact_manifolds(const Form& a, const Pose& pose_a
 namespace {
 
 /// A movement of a form: the form at its beginning, and the motion of its center.
-struct Moving {
+struct MovingForm {
     PosedForm form;
     Motion motion;
     float extent;
 
-    Moving(const Form& moved, const char* what, const Movement& movement)
+    MovingForm(const Form& moved, const char* what, const Movement& movement)
         : form(FormAccess::data(moved), check_pose(what, movement.from),
                check_point("center", movement.center)),
           extent(form.extent()) {
@@ -160,7 +160,7 @@ struct Moving {
 
 std::optional<float> time_of_impact(const Form& a, const Movement& movement_a, const Form& b,
                                     const Movement& movement_b) {
-    const Moving moving_a(a, "movement_a", movement_a), moving_b(b, "movement_b", movement_b);
+    const MovingForm moving_a(a, "movement_a", movement_a), moving_b(b, "movement_b", movement_b);
     constexpr float gap = 1e-4f;
     constexpr int most_searches = 64;
     float first = 1.0f;

@@ -66,7 +66,7 @@ namespace {
 
 using namespace condition_program;
 
-constexpr std::size_t longest = 2000;  // bytes
+constexpr std::size_t longest_condition = 2000;  // bytes
 constexpr int deepest = 50;
 
 bool truth(const Tree& tree, const Value& value) {
@@ -356,9 +356,9 @@ class Parser {
 }  // namespace
 
 Condition::Condition(std::string_view text) : program_(std::make_unique<Program>()) {
-    if (text.size() > longest)
+    if (text.size() > longest_condition)
         throw Error(ErrorKind::rejected,
-                    "a condition has at most " + std::to_string(longest) + " bytes");
+                    "a condition has at most " + std::to_string(longest_condition) + " bytes");
     const Parser parser(text, *program_);
 }
 Condition::~Condition() = default;

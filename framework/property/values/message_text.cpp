@@ -7,7 +7,7 @@
 namespace fettle::property {
 namespace {
 
-constexpr std::size_t longest = 300, kept = 200;  // bytes of a quoted text, or of a word
+constexpr std::size_t longest_quoted = 300, kept = 200;  // bytes of a quoted text, or of a word
 
 /// The end of the quoted text or of the word that begins at `at`.
 std::size_t end_of_part(std::string_view text, std::size_t at) {
@@ -17,7 +17,8 @@ std::size_t end_of_part(std::string_view text, std::size_t at) {
 }
 
 void append(std::string& out, std::string_view part) {
-    const std::size_t end = part.size() > longest ? code_point_boundary(part, kept) : part.size();
+    const std::size_t end =
+        part.size() > longest_quoted ? code_point_boundary(part, kept) : part.size();
     for (const char c : part.substr(0, end)) c == '\0' ? out += "\\0" : out += c;
     if (end == part.size()) return;
     out += "…";
@@ -28,7 +29,7 @@ void append(std::string& out, std::string_view part) {
 }  // namespace
 
 std::string message_text(std::string_view message) {
-    if (message.size() <= longest && message.find('\0') == std::string_view::npos)
+    if (message.size() <= longest_quoted && message.find('\0') == std::string_view::npos)
         return std::string(message);
     std::string out;
     for (std::size_t at = 0; at < message.size();) {

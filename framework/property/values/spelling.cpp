@@ -33,7 +33,9 @@ bool unlike(std::string_view a, std::string_view b) {
 }  // namespace
 
 bool contains_ignoring_case(std::string_view text, std::string_view part) {
-    return !std::ranges::search(text, part, {}, lower, lower).empty() || part.empty();
+    const auto same = [](char x, char y) { return lower(x) == lower(y); };
+    return part.empty() ||
+           std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {

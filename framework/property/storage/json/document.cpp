@@ -11,7 +11,8 @@ namespace fettle::property {
 
 namespace {
 
-using Json = nlohmann::json;
+// The same class as in the other files of this library: it is compiled once for all of them.
+using Json = nlohmann::ordered_json;
 
 std::size_t skip_comment(std::string_view text, std::size_t at) {
     if (text.substr(at, 2) == "//") return std::min(text.find_first_of("\r\n", at), text.size());
