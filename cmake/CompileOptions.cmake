@@ -23,7 +23,7 @@ function(fettle_compile_options target)
   # GCC 12 warns of overlaps and overflows that do not exist where short texts are joined to a std::string (its bugs 105651
   # and 105329). Builds with clang and with later releases have these warnings.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
+    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
   endif()
   # With -fipa-ra, GCC assumes that a call of an inline function changes only the registers that the copy in the same file
   # changes. On Windows the linker may use the copy of another file, which was compiled with other optimization and changes
