@@ -29,6 +29,19 @@ std::string range_text(const Property& property, const Range& range) {
            bound_text(range.max, property.precision()) + unit;
 }
 
+/// What the elements of a list are called in "a list of numbers".
+std::string elements_text(const Property& property) {
+    switch (property.element) {
+        case Type::vec2:
+            return "vec2";
+        case Type::reference:
+            return property.reference_class.empty() ? "instances"
+                                                    : property.reference_class + " instances";
+        default:
+            return std::string(type_name(property.element)) + "s";
+    }
+}
+
 /// The type and range that `property`, or an element of its list, accepts.
 std::string expectation_in(const Property& property, Type type, const Range& range) {
     if (property.any_type) return "a value";
@@ -52,7 +65,7 @@ std::string expectation_in(const Property& property, Type type, const Range& ran
         case Type::list:
             return (property.element == Type::nil
                         ? "a list"
-                        : "a list of " + std::string(type_name(property.element)) +
+                        : "a list of " + elements_text(property) +
                               (range.bounded() ? range_text(property, range) : "")) +
                    nil;
         case Type::text:
@@ -129,8 +142,13 @@ class Coercion {
         }
         const Type wanted = in_list() ? property_.element : property_.type;
         const bool named = wanted == Type::text && !property_.enumerators.empty();
+        const bool lone_element =
+            wanted == Type::list && (value.is(property_.element) ||
+                                     (property_.element == Type::number && value.is_numeric()));
         fail(ErrorKind::wrong_type, "expected " + expected() + ", got " + got +
-                                        (named ? "" : literal_hint(wanted, value)));
+                                        (lone_element ? " (write {" + shown(value) + "})"
+                                         : named      ? ""
+                                                      : literal_hint(wanted, value)));
     }
     std::string shown(const Value& value) const {
         std::string text =
