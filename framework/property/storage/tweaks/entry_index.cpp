@@ -43,8 +43,7 @@ std::vector<Tweaks::State::Entry*> Tweaks::State::at_or_below(const std::string&
 
 std::vector<Tweaks::State::Entry*> Tweaks::State::in_order(std::vector<Entry*> all) const {
     std::ranges::sort(all, {}, [](const Entry* each) { return each->row.number; });
-    const auto twice = std::ranges::unique(all);
-    all.erase(twice.begin(), twice.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
 }
 
