@@ -145,8 +145,21 @@ void CompareView::draw_side(const Rect& place, const property::Tree& tree, const
     pen.show(seen);
     line.show(seen);
     draw_all(tree, pen, posed);
+    // What the picture lacks, such as a body that a script draws, has an outline.
+    Pen outline(list, to_pixels, {.color = palette::note, .width = 1.5f});
+    outline.show(seen);
+    Posed lacking(tree, outline, false);
     for (const Comparison::Pose& pose : own) {
         if (!tree.alive(pose.instance) || pen.drew_for(pose.instance.key())) continue;
+        if (const auto now = property::place_below(tree, pose.instance, false, 1))
+            lacking.add(pose, *now);
+    }
+    draw_all(tree, outline, lacking);
+    outline.outline_pictures();
+    for (const Comparison::Pose& pose : own) {
+        if (!tree.alive(pose.instance) || pen.drew_for(pose.instance.key()) ||
+            outline.drew_for(pose.instance.key()))
+            continue;
         const Vec2 at = window.pixels(pose.position);  // a dot shows where it is
         list.AddCircleFilled(ImVec2(static_cast<float>(at.x), static_cast<float>(at.y)), 3,
                              palette::note);
