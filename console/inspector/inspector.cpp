@@ -151,6 +151,7 @@ bool Inspector::tab(bool back) {
 
 void Inspector::draw(ImFont* bold) {
     editor_.begin_frame();
+    pointed_ = {};
     draw_search();
     if (!outline_.problem().empty()) {
         ImGui::PushTextWrapPos(0);
@@ -238,6 +239,7 @@ void Inspector::draw_outline_row(const InstanceTree::Row& row) {
     float x = at.x + em * (0.3f + 0.85f * static_cast<float>(row.depth));
     ImGui::InvisibleButton("row", ImVec2(std::max(width, 1.0f), height));
     bool hovered = ImGui::IsItemHovered();
+    if (hovered) pointed_ = row.instance;
     if (ImGui::IsItemClicked(0)) {
         bool on_arrow = row.has_children && ImGui::GetIO().MousePos.x < x + em;
         if (on_arrow || (row.has_children && ImGui::IsMouseDoubleClicked(0)))

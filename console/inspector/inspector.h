@@ -61,6 +61,8 @@ class Inspector {
     bool about_to_type() const { return frames_to_search_ > 0 || editor_.about_to_type(); }
     /// The search field gets the keyboard in the next frames.
     void begin_search() { frames_to_search_ = 4; }
+    /// The instance whose row is under the mouse, or was reached with the arrow keys.
+    property::Handle pointed() const { return tree_.alive(walked_) ? walked_ : pointed_; }
     /// Tab goes from the search to the properties, and from field to field. Returns false if the
     /// inspector does not have the keyboard.
     bool tab(bool back);
@@ -94,6 +96,7 @@ class Inspector {
     int frames_to_search_ = 0;
     bool searches_ = false;     // the search field has the keyboard
     property::Handle walked_;   // the row that the arrow keys have reached
+    property::Handle pointed_;  // the row under the mouse
     float outline_height_ = 0;  // px, in the last frame
     float outline_share_ = 0.36f;
 };

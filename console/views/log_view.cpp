@@ -345,6 +345,12 @@ LogView::Point LogView::point_at(std::ptrdiff_t index, float column) const {
     return {row.line, row.begin + cell_offset(text, cells)};
 }
 
+std::string_view LogView::pointed_link() const {
+    const LogLine* const found = hovering_link_ ? line(link_line_) : nullptr;
+    if (found == nullptr || link_.end > found->text.size()) return {};
+    return std::string_view(found->text).substr(link_.begin, link_.end - link_.begin);
+}
+
 void LogView::mouse(ImVec2 origin, float line_height, float cell) {
     ImVec2 at = ImGui::GetIO().MousePos;
     auto row = static_cast<std::ptrdiff_t>(std::floor((at.y - origin.y) / line_height));

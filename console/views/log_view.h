@@ -53,6 +53,9 @@ class LogView {
     /// Left end of the position below the last line.
     ImVec2 text_end() const { return text_end_; }
 
+    /// The path under the mouse; "" if there is none.
+    std::string_view pointed_link() const;
+
   private:
     bool passes(const LogLine& whole) const;
     struct Row {

@@ -97,6 +97,14 @@ TEST_CASE("what beginners type at the console is answered by what they may have 
          "(write alias(\"heavy\", \"world.stage.ball.mass =\"))"},
         {"bind F5 = restart()", "(write bind(\"F5\", \"restart()\"))"},
         {"goto world.stage", "(write it = world.stage)"},
+        {"goto 100", "(write time:go_to(100))"},
+        {"select Body where mass > 3", "(write it = world.name to select an instance)"},
+        {"toggle world.stage.ball.awake",
+         "(write world.stage.ball.awake = not world.stage.ball.awake)"},
+        {"watch world.stage.ball.mass", "(write pin world.stage.ball.mass)"},
+        {"break world.stage.ball.mass > 3", "(write break_when world.stage.ball.mass > 3)"},
+        {"ab world.stage.ball.mass = 3", "(write ab(\"world.stage.ball.mass\", 3))"},
+        {"step 5", "(write time.step_once = true to make one step)"},
         {"stop", "(write time.paused = true)"},
         {"timescale 0.5", "(write time.scale = 0.5)"},
         {"cls", "(write clear)"},
@@ -145,6 +153,39 @@ TEST_CASE("a method of other consoles that an instance lacks has a hint") {
     CHECK_THAT(s.runtime->evaluate("console.log(world.stage)").error->message,
                contains("console.log: no such name (write world.stage)"));
     CHECK_THAT(s.runtime->evaluate("console.clear()").error->message, contains("(write clear)"));
+}
+
+TEST_CASE("a pattern of one name that is deeper in the tree has a hint") {
+    Stage s;
+    s.run("world.stage = Object {} world.stage.brick_1 = Body {}");
+    const auto line = [&](const std::string& command) {
+        return s.runtime->evaluate(command).lines.at(0);
+    };
+    CHECK(line("query('brick_*')") ==
+          "no instances (write query(\"**.brick_*\") to search all of the tree)");
+    CHECK(line("query brick_1") ==
+          "no instances (write query(\"**.brick_1\") to search all of the tree)");
+    CHECK(line("query('wall_*')") == "no instances");
+}
+
+TEST_CASE("a callback that the game does not define is explained") {
+    Stage s;
+    CHECK_THAT(s.runtime->evaluate("update").lines.at(0), contains("update(dt"));
+    CHECK_THAT(s.runtime->evaluate("step").lines.at(0), contains("step(dt"));
+    CHECK(s.runtime->evaluate("nil").lines == std::vector<std::string>{"nil"});
+    s.run("function step() end");
+    CHECK_THAT(s.runtime->evaluate("step").lines.at(0), contains("step(dt"));
+}
+
+TEST_CASE("the answer to an instance that is in no tree says how it gets into the world") {
+    Stage s;
+    CHECK(s.runtime->evaluate("Body {}").lines.back() ==
+          "it is in no tree: world:add(_) puts it into the world");
+    REQUIRE(s.runtime->evaluate("world:add(_)").ok);
+    CHECK(s.runtime->evaluate("world.body_1").lines.back() !=
+          "it is in no tree: world:add(_) puts it into the world");
+    CHECK(s.runtime->evaluate("game").lines.back() !=
+          "it is in no tree: world:add(_) puts it into the world");
 }
 
 TEST_CASE("undo and redo take a number of edits") {

@@ -87,6 +87,13 @@ std::vector<std::string> help_of_function(lua_State* L, Machine& machine,
     return help_for(machine, std::string(command));
 }
 
+/// Whether the first result is an instance that nothing shows, as that of `Body {}`.
+bool is_detached(lua_State* L, const Machine& machine) {
+    const auto* const box = instance_at(L, 1);
+    return box != nullptr && machine.tree.alive(box->handle) &&
+           box->handle != machine.tree.root() && !machine.tree.parent(box->handle);
+}
+
 // Adds lines for the results on the stack from index 1.
 void add_results(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
     const int count = lua_gettop(L);
@@ -104,6 +111,10 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
         } else if (std::vector<std::string> help = help_of_function(L, machine, command);
                    !help.empty()) {
             for (std::string& line : help) evaluation.lines.push_back(std::move(line));
+        } else if (lua_isnil(L, 1) && command == machine.recording.missing) {
+            // A callback that the game does not define.
+            for (std::string& line : help_for(machine, machine.recording.missing))
+                evaluation.lines.push_back(std::move(line));
         } else {
             const std::size_t first = evaluation.lines.size();
             TableLines table{first, true, {}};
@@ -113,6 +124,9 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
             if (!table.cells.empty()) evaluation.tables.push_back(std::move(table));
             folded.line += first;
             if (!folded.lines.empty()) evaluation.folded.push_back(std::move(folded));
+            if (is_detached(L, machine))
+                evaluation.lines.emplace_back(
+                    "it is in no tree: world:add(_) puts it into the world");
         }
     } else {
         std::string line;

@@ -8,37 +8,50 @@ namespace fettle::script {
 
 namespace {
 
+enum class Argument { none, any, path, number };
+
 struct Command {
     std::string_view words;  // separated by blanks
     std::string_view alone;  // what is written in place of the word
-    std::string_view with;   // the same with an argument, which stands in place of the %
+    Argument takes = Argument::none;
+    std::string_view with = {};  // the same with an argument, which stands in place of each %
 };
 
+/// Of several with the same word, the first whose argument fits counts.
 constexpr Command commands[] = {
-    {"cd goto focus select inspect", "it = world.name to select an instance", "it = %"},
-    {"pwd self this me $0", "it, the selected instance", {}},
-    {"$_", "_, the last result", {}},
-    {"ls dir tree children list", "game to see what is in it", "% to see what is in it"},
+    {"cd goto focus select inspect", "it = world.name to select an instance", Argument::path,
+     "it = %"},
+    {"goto seek jump", "time:go_to(step)", Argument::number, "time:go_to(%)"},
+    {"pwd self this me $0", "it, the selected instance"},
+    {"$_", "_, the last result"},
+    {"ls dir tree children list", "game to see what is in it", Argument::path,
+     "% to see what is in it"},
     {"cat get show print echo p dump view examine console.log console.table console.dir",
-     "print(...)", "%"},
-    {"set", "path = value", {}},
-    {"rm kill remove delete destroy despawn free queue_free", "path:delete()", "%:delete()"},
-    {"cp copy clone duplicate", "world:add(path:clone())", "world:add(%:clone())"},
-    {"spawn create make give summon", "world.name = Body { ... }", "world.name = % { ... }"},
-    {"stop freeze pause", "time.paused = true", {}},
-    {"resume unpause continue play", "time.paused = false", {}},
+     "print(...)", Argument::any, "%"},
+    {"rm kill remove delete destroy despawn free queue_free", "path:delete()", Argument::path,
+     "%:delete()"},
+    {"cp clone duplicate", "world:add(path:clone())", Argument::path, "world:add(%:clone())"},
+    {"spawn create make give summon add", "world.name = Body { ... }", Argument::path,
+     "world.name = % { ... }"},
+    {"stop freeze pause", "time.paused = true"},
+    {"resume unpause continue play", "time.paused = false"},
+    {"step next skip advance", "time.step_once = true to make one step"},
     {"slow slowmo slomo timescale time_scale host_timescale speed", "time.scale = 0.5",
-     "time.scale = %"},
-    {"sv_gravity", "world.gravity = vec(0, -10)", "world.gravity = vec(0, -%)"},
-    {"cls clear_log con_clear console.clear", "clear", {}},
-    {"say", "print(\"text\")", "print(\"%\")"},
-    {"man info describe doc", "help", "help %"},
-    {"?", "help", "help %"},
-    {"grep search where locate $ document.querySelector", "find word", "find %"},
-    {"fps stat stats showfps show_fps cl_showfps net_graph", "view.show.timings = true",
-     "view.show.timings = true"},
-    {"reload map changelevel", "restart()", "restart()"},
-    {"q exit :q :quit :wq", "quit()", {}},
+     Argument::number, "time.scale = %"},
+    {"sv_gravity", "world.gravity = vec(0, -10)", Argument::number, "world.gravity = vec(0, -%)"},
+    {"toggle", "path = not path", Argument::path, "% = not %"},
+    {"cls clear_log con_clear console.clear", "clear"},
+    {"say", "print(\"text\")", Argument::any, "print(\"%\")"},
+    {"man info describe doc", "help", Argument::any, "help %"},
+    {"?", "help", Argument::any, "help %"},
+    {"cvarlist cmdlist commands", "help"},
+    {"grep search where locate $ document.querySelector", "find word", Argument::any, "find %"},
+    {"watch monitor trace", "pin path", Argument::any, "pin %"},
+    {"break breakpoint debugger stop_when pause_when", "break_when condition", Argument::any,
+     "break_when %"},
+    {"fps stat stats showfps show_fps cl_showfps net_graph", "view.show.timings = true"},
+    {"reload map changelevel", "restart()"},
+    {"q exit :q :quit :wq", "quit()"},
 };
 
 /// Functions whose arguments are texts, and how many of them there are.
@@ -68,9 +81,40 @@ std::string_view argument_of(std::string_view command) {
     return without_quotes(rest);
 }
 
+bool is_number(std::string_view text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+        return (c >= '0' && c <= '9') || c == '.' || c == '-';
+    });
+}
+
 bool is_path(std::string_view text) {
     return !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
            std::all_of(text.begin(), text.end(), [](char c) { return is_word(c) || c == '.'; });
+}
+
+bool fits(Argument takes, std::string_view argument) {
+    switch (takes) {
+        case Argument::none:
+            return false;
+        case Argument::any:
+            return !argument.empty();
+        case Argument::path:
+            return is_path(argument);
+        case Argument::number:
+            return is_number(argument);
+    }
+    return false;
+}
+
+/// The text with the argument in place of each %.
+std::string filled(std::string_view text, std::string_view argument) {
+    std::string result;
+    for (const char c : text)
+        if (c == '%')
+            result += argument;
+        else
+            result += c;
+    return result;
 }
 
 std::string to_write(std::string_view text) {
@@ -88,6 +132,15 @@ std::string assignment(std::string_view text) {
         std::string_view("\"'({-#").find(value.front()) == std::string_view::npos)
         return {};  // an operator
     return std::string(path) + " = " + std::string(value);
+}
+
+/// The call of `ab` for `ab world.ball.mass = 3`, whose argument this is.
+std::string compared(std::string_view argument) {
+    const std::size_t equals = argument.find('=');
+    const std::string_view path = trimmed(argument.substr(0, equals));
+    if (equals == std::string_view::npos || !is_path(path)) return {};
+    return to_write("ab(\"" + std::string(path) + "\", " +
+                    std::string(trimmed(argument.substr(equals + 1))) + ")");
 }
 
 /// `world.brick_*` and `world.brick_*.mass = 3`: the instances of a pattern.
@@ -133,18 +186,16 @@ std::string hint_for_command(std::string_view command) {
     if (const std::string query = of_pattern(command); !query.empty()) return to_write(query);
     const std::string_view word = first_word(command);
     const std::string argument = one_line(argument_of(command));
+    if (word == "set")
+        if (const std::string here = assignment(argument); !here.empty()) return to_write(here);
+    const Command* known = nullptr;
     for (const Command& each : commands) {
         if (!holds_word(each.words, word)) continue;
-        if (word == "set")
-            if (const std::string here = assignment(argument); !here.empty()) return to_write(here);
-        // cd .. and ls -l have no argument that means something here.
-        const bool usable = !argument.empty() && argument.front() != '.' && argument.front() != '-';
-        if (!usable || each.with.empty()) return to_write(each.alone);
-        std::string here(each.with);
-        if (const std::size_t at = here.find('%'); at != std::string::npos)
-            here.replace(at, 1, argument);
-        return to_write(here);
+        if (fits(each.takes, argument)) return to_write(filled(each.with, argument));
+        if (known == nullptr) known = &each;
     }
+    if (known != nullptr) return to_write(known->alone);
+    if (word == "ab") return compared(argument);
     if (word.find('.') != std::string_view::npos)
         if (const std::string here = assignment(command); !here.empty()) return to_write(here);
     return {};
@@ -165,10 +216,8 @@ std::string call_with_arguments(std::string_view command) {
         if (action.empty()) return {};
         return name + "(" + in_quotes(key) + ", " + in_quotes(action) + ")";
     }
-    const bool number = std::all_of(rest.begin(), rest.end(), [](char c) {
-        return (c >= '0' && c <= '9') || c == '.' || c == '-';
-    });
-    return number || is_path(rest) ? name + "(" + std::string(rest) + ")" : std::string();
+    const bool clear = is_number(rest) || is_path(rest);
+    return clear ? name + "(" + std::string(rest) + ")" : std::string();
 }
 
 }  // namespace fettle::script
