@@ -62,19 +62,19 @@ struct Haunted : Rig {
 }  // namespace
 
 TEST_CASE_METHOD(Haunted, "an instance has an outline while the mouse is over its path or row") {
-    state().inspector.deselect();
+    state().choose_all({});
     draw(3);
     CHECK_FALSE(lined({5, -2}));
     SECTION("a path in the log") {
-        state().log.output("ghost");
+        state().log.output("ghost.position");
         draw(2);
         const ImVec2 end = state().views.log_view.text_end();
         for (float y = 8; y < 60; y += 4)
-            for (float x = 8; x < 60 && state().views.log_view.pointed_link() != "ghost"; x += 4) {
+            for (float x = 8; x < 60 && state().views.log_view.pointed_link().empty(); x += 4) {
                 move(x, end.y - y);
                 draw();
             }
-        REQUIRE(state().views.log_view.pointed_link() == "ghost");
+        REQUIRE(state().views.log_view.pointed_link() == "ghost.position");
     }
     SECTION("the row that the arrow keys have reached") {
         key("ctrl+f");
