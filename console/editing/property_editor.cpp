@@ -61,7 +61,7 @@ bool small_button(const char* id, const char* sign, const char* tip) {
     return pressed;
 }
 
-/// A value to begin with behind the others. A point is half a side away from the last one, and
+/// A value to begin with after the others. A point is half a side away from the last one, and
 /// bends to the left: a polygon drops a point that it has already, or that lies on a side.
 Value added_to(const List& elements, Type type) {
     if (elements.empty()) return zero_of(type == Type::nil ? Type::number : type);
@@ -101,7 +101,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     const float available = whole - gutter_width(whole);
     bool tall = property.type == Type::list || property.any_type;
     bool plain = !tall && mixed_.others().empty() && !problems_.contains(&property) &&
-                 tree_.formula_count() == 0;
+                 tree_.formula_count() == 0 && !fields_.typing() && !fields_.going();
     if (plain && !ImGui::IsRectVisible(ImVec2(whole, ImGui::GetFrameHeight()))) {
         ImGui::Dummy(ImVec2(whole, ImGui::GetFrameHeight()));
         return false;

@@ -57,7 +57,11 @@ class PropertyEditor {
     void end_drag();
     /// The rectangle of the property's widget in the last frame; empty if it was not visible.
     Rect widget_rect(const property::Property& property) const;
-    bool about_to_type() const { return fields_.about_to_type(); }
+    bool about_to_type() const { return fields_.about_to_type() || fields_.going(); }
+    bool typing() const { return fields_.typing(); }
+    /// Goes to the next field, or the one before; see `Fields`.
+    void go(bool back) { fields_.go(back); }
+    bool take_went_before_first() { return fields_.take_went_before_first(); }
     /// Removes the shown errors, because another instance is edited.
     void forget() {
         problems_.clear();
@@ -86,7 +90,7 @@ class PropertyEditor {
     float label_column(float available) const;
     /// The least width of a field of a vector that has another one beside it.
     static float component_width();
-    /// Width of a small button behind a value.
+    /// Width of a small button after a value.
     static float button_width();
     bool written_by_simulation(property::Handle instance, const property::Property& property) const;
     void mixed_line(const Target& target, float start, float indent, const std::string& text);

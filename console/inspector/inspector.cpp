@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <fettle/property/natural_order.h>
@@ -65,20 +66,93 @@ void Inspector::choose(Handle instance) {
     if (chosen) chosen(instance);
 }
 
-void Inspector::draw(ImFont* bold) {
-    editor_.begin_frame();
+void Inspector::draw_search() {
     ImGui::SetNextItemWidth(-1);
     const char* const hint = "search by name, class, or mass > 5";
     const bool fits =
         text_width(hint) + 2 * ImGui::GetStyle().FramePadding.x < ImGui::GetContentRegionAvail().x;
-    const bool searched = !search_.empty();
-    input_line("##search", fits ? hint : "search", search_, 0);
+    if (frames_to_search_ > 0) ImGui::SetKeyboardFocusHere();
+    const std::string before = search_;
+    input_line("##search", fits ? hint : "search", search_, ImGuiInputTextFlags_AutoSelectAll);
+    const bool had_keyboard = searches_;
+    searches_ = ImGui::IsItemActive();
+    frames_to_search_ = searches_ ? 0 : std::max(0, frames_to_search_ - 1);
+    // Escape clears the text, and ends the search when there is none.
+    if (had_keyboard && !searches_ && compat::escape_pressed() && !before.empty()) {
+        search_.clear();
+        begin_search();
+    }
+    if (search_ != before) walked_ = {};
     outline_.search(search_);
-    if (searched && search_.empty() &&
+    if (!before.empty() && search_.empty() &&
         tree_.alive(selected())) {  // the whole tree again, where the selected instance is
         outline_.reveal(selected());
         scroll_to_selected_ = true;
     }
+    if (searches_)
+        walk();
+    else if (had_keyboard && compat::pressed(ImGuiKey_Enter))
+        choose_walked();
+    else if (had_keyboard)
+        walked_ = {};
+}
+
+/// The keys that move through the rows while the search field has the keyboard.
+void Inspector::walk() {
+    const auto& rows = outline_.rows(ImGui::GetTime());
+    if (rows.empty()) return;
+    const auto last = static_cast<std::ptrdiff_t>(rows.size()) - 1;
+    const auto page = static_cast<std::ptrdiff_t>(outline_height_ / ImGui::GetFrameHeight());
+    std::ptrdiff_t by = 0;
+    if (compat::pressed(ImGuiKey_DownArrow, true)) by = 1;
+    if (compat::pressed(ImGuiKey_UpArrow, true)) by = -1;
+    if (compat::pressed(ImGuiKey_PageDown, true)) by = std::max<std::ptrdiff_t>(1, page);
+    if (compat::pressed(ImGuiKey_PageUp, true)) by = -std::max<std::ptrdiff_t>(1, page);
+    const bool began = tree_.alive(walked_);
+    const std::ptrdiff_t at = outline_.row_of(began ? walked_ : selected());
+    if (by != 0) {
+        const std::ptrdiff_t to = at < 0 ? (by > 0 ? 0 : last) : std::clamp(at + by, {}, last);
+        walked_ = rows[static_cast<std::size_t>(to)].instance;
+        scroll_to_selected_ = true;
+    } else if (at >= 0 && search_.empty()) {  // else the arrows move the cursor in the text
+        const InstanceTree::Row row = rows[static_cast<std::size_t>(at)];
+        if (compat::pressed(ImGuiKey_RightArrow)) outline_.fold(row.instance, true);
+        if (compat::pressed(ImGuiKey_LeftArrow)) {
+            if (row.unfolded && row.has_children)
+                outline_.fold(row.instance, false);
+            else if (const Handle parent = tree_.parent(row.instance))
+                walked_ = parent;
+            scroll_to_selected_ = true;
+        }
+    }
+}
+
+/// Selects the row that the arrow keys have reached, or the first one that was found.
+void Inspector::choose_walked() {
+    const auto& rows = outline_.rows(ImGui::GetTime());
+    Handle found = std::exchange(walked_, {});
+    if (!tree_.alive(found) && !search_.empty() && !rows.empty()) found = rows.front().instance;
+    if (tree_.alive(found)) choose(found);
+}
+
+bool Inspector::tab(bool back) {
+    if (searches_ || frames_to_search_ > 0) {
+        if (!back) {
+            choose_walked();
+            editor_.go(false);
+        }
+        frames_to_search_ = 0;
+        return true;
+    }
+    if (!editor_.typing()) return false;
+    editor_.go(back);
+    return true;
+}
+
+void Inspector::draw(ImFont* bold) {
+    editor_.begin_frame();
+    pointed_ = {};
+    draw_search();
     if (!outline_.problem().empty()) {
         ImGui::PushTextWrapPos(0);
         ImGui::PushStyleColor(ImGuiCol_Text, palette::error);
@@ -114,6 +188,7 @@ void Inspector::draw(ImFont* bold) {
         ImGui::EndChild();
     }
     editor_.end_frame();
+    if (editor_.take_went_before_first()) begin_search();
 }
 
 // --- Outline
@@ -129,7 +204,8 @@ void Inspector::draw_outline(float height) {
     ImGui::BeginChild("outline", ImVec2(0, height));
     const auto& rows = outline_.rows(ImGui::GetTime());
     if (scroll_to_selected_) {
-        const auto row = static_cast<float>(outline_.row_of(selected()));
+        const auto row =
+            static_cast<float>(outline_.row_of(tree_.alive(walked_) ? walked_ : selected()));
         const float y = row * row_height, view = ImGui::GetScrollY();
         if (row >= 0 && (y < view || y + row_height > view + height))
             // The row in the middle, and none that is cut.
@@ -163,6 +239,7 @@ void Inspector::draw_outline_row(const InstanceTree::Row& row) {
     float x = at.x + em * (0.3f + 0.85f * static_cast<float>(row.depth));
     ImGui::InvisibleButton("row", ImVec2(std::max(width, 1.0f), height));
     bool hovered = ImGui::IsItemHovered();
+    if (hovered) pointed_ = row.instance;
     if (ImGui::IsItemClicked(0)) {
         bool on_arrow = row.has_children && ImGui::GetIO().MousePos.x < x + em;
         if (on_arrow || (row.has_children && ImGui::IsMouseDoubleClicked(0)))
@@ -184,6 +261,8 @@ void Inspector::draw_outline_row(const InstanceTree::Row& row) {
     if (chosen_row || hovered)
         list.AddRectFilled(at, end, chosen_row ? palette::selection : palette::rgb(0x1b2029),
                            ImGui::GetStyle().FrameRounding);
+    if (row.instance == walked_)
+        list.AddRect(at, end, palette::accent, ImGui::GetStyle().FrameRounding);
     float y = at.y + (height - ImGui::GetTextLineHeight()) / 2;
     if (row.has_children) draw_text(list, ImVec2(x, y), palette::dim, row.unfolded ? "▾" : "▸");
     const property::Class& kind = tree_.class_of(row.instance);

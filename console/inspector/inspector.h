@@ -58,10 +58,20 @@ class Inspector {
 
     /// Draws into the current ImGui window.
     void draw(ImFont* bold);
-    bool about_to_type() const { return editor_.about_to_type(); }
+    bool about_to_type() const { return frames_to_search_ > 0 || editor_.about_to_type(); }
+    /// The search field gets the keyboard in the next frames.
+    void begin_search() { frames_to_search_ = 4; }
+    /// The instance whose row is under the mouse, or was reached with the arrow keys.
+    property::Handle pointed() const { return tree_.alive(walked_) ? walked_ : pointed_; }
+    /// Tab goes from the search to the properties, and from field to field. Returns false if the
+    /// inspector does not have the keyboard.
+    bool tab(bool back);
     PropertyEditor& editor() { return editor_; }
 
   private:
+    void draw_search();
+    void walk();
+    void choose_walked();
     void draw_outline(float height);
     void draw_outline_row(const InstanceTree::Row& row);
     void draw_splitter();
@@ -83,6 +93,10 @@ class Inspector {
     std::string last_path_;  // path of the selected instance; shown when it is deleted
     std::string scroll_to_property_;
     bool scroll_to_selected_ = false;
+    int frames_to_search_ = 0;
+    bool searches_ = false;     // the search field has the keyboard
+    property::Handle walked_;   // the row that the arrow keys have reached
+    property::Handle pointed_;  // the row under the mouse
     float outline_height_ = 0;  // px, in the last frame
     float outline_share_ = 0.36f;
 };

@@ -28,7 +28,7 @@ bool derives_from(const property::Class& of, std::string_view name) {
     return false;
 }
 
-/// The next one in the order of `each_below`; null behind the last.
+/// The next one in the order of `each_below`; null after the last.
 Handle next_of(const property::Tree& tree, Handle at) {
     if (const Handle child = tree.first_child(at)) return child;
     for (; at; at = tree.parent(at))

@@ -120,8 +120,34 @@ void Fields::begin_text(const char* id, std::string text) {
     before_ = "\n";  // no line that is typed equals it: Enter takes the text as it stands
 }
 
+/// Whether `go` has arrived at the field, which is about to be drawn.
+bool Fields::arrives(ImGuiID field, const std::string& text) {
+    if (compat::disabled()) return false;
+    if (go_ == Go::on && typing_ == 0) {
+        go_ = Go::none;
+        start_typing(field, text);
+        if (!ImGui::IsRectVisible(ImVec2(1, ImGui::GetFrameHeight()))) ImGui::SetScrollHereY(0.5f);
+        return true;
+    }
+    if (typing_ != 0 || go_ != Go::none) passed_ = {field, text, ImGui::GetCursorPosY()};
+    return false;
+}
+
+/// Goes back from the field that had the keyboard. The next one is not drawn yet: it `arrives`.
+void Fields::leave() {
+    if (go_ != Go::back) return;
+    go_ = Go::none;
+    before_first_ = passed_.field == 0;
+    if (before_first_) return;
+    start_typing(passed_.field, passed_.text);
+    const float y = passed_.y - ImGui::GetScrollY();
+    if (y < 0) ImGui::SetScrollFromPosY(y, 0.5f);
+}
+
 void Fields::refuse() {
     if (committed_ == 0 || !by_enter_) return;
+    go_ = Go::none;
+    before_first_ = false;
     typing_ = std::exchange(committed_, 0);
     typing_active_ = false;
     typing_seen_ = true;
@@ -134,6 +160,8 @@ void Fields::end_frame() {
     // The edited field was not drawn: it is out of sight, or its property was deleted.
     if (typing_ != 0 && (!typing_seen_ || (!typing_active_ && frames_to_focus_ <= 0))) typing_ = 0;
     typing_seen_ = false;
+    if (typing_ == 0) go_ = Go::none;  // there was no field
+    passed_ = {};
 }
 
 std::string Fields::consume_problem() {
@@ -155,6 +183,7 @@ std::optional<double> Fields::number(const char* id, double value, const NumberL
     std::string digits = look.integer && std::abs(value) < 9e15
                              ? std::to_string(static_cast<long long>(value))
                              : property::number_text(value, look.precision);
+    if (arrives(field, digits)) return typed_number(id, look, width);
     ImVec2 low = ImGui::GetCursorScreenPos();
     ImVec2 high(low.x + width, low.y + ImGui::GetFrameHeight());
     ImGui::InvisibleButton(id, ImVec2(std::max(1.0f, width), ImGui::GetFrameHeight()));
@@ -228,7 +257,7 @@ std::optional<double> Fields::typed_number(const char* id, const NumberLook& loo
 
 std::optional<std::string> Fields::text(const char* id, const std::string& value, float width) {
     ImGuiID field = ImGui::GetID(id);
-    bool mine = typing_ == field;
+    bool mine = typing_ == field || arrives(field, value);
     ImGui::SetNextItemWidth(width);
     std::string passive = mine ? std::string() : value;
     if (mine && !typing_active_ && frames_to_focus_-- > 0) ImGui::SetKeyboardFocusHere();
@@ -242,7 +271,8 @@ std::optional<std::string> Fields::text(const char* id, const std::string& value
         return std::nullopt;
     }
     typing_seen_ = true;
-    if (active) {
+    const bool leaves = active && typing_active_ && go_ != Go::none;
+    if (active && !leaves) {
         typing_active_ = true;
         return std::nullopt;
     }
@@ -250,12 +280,18 @@ std::optional<std::string> Fields::text(const char* id, const std::string& value
     typing_ = 0;
     typing_active_ = false;
     settled_ = true;
-    by_enter_ = compat::enter_pressed();
+    by_enter_ = leaves || compat::enter_pressed();
+    const std::string typed = std::exchange(buffer_, {});
     // Escape restores what the field of Dear ImGui began with, which may be a refused text.
-    if (buffer_ == before_ || compat::escape_pressed()) return std::nullopt;
+    const bool same = typed == before_ || (!leaves && compat::escape_pressed());
+    if (leaves) {
+        compat::release_keyboard();
+        leave();
+    }
+    if (same) return std::nullopt;
     committed_ = field;
-    committed_text_ = buffer_;
-    return std::exchange(buffer_, {});
+    committed_text_ = typed;
+    return typed;
 }
 
 }  // namespace fettle::console

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fettle/property/class.h>
 
@@ -36,6 +37,12 @@ class Fields {
     bool types_into(const char* id) const { return typing_ == ImGui::GetID(id); }
 
     bool typing() const { return typing_ != 0; }
+    /// Goes from the field that has the keyboard to the next one, or to the one before; if none has
+    /// it, to the first one. What was typed is entered.
+    void go(bool back) { go_ = back ? Go::back : Go::on; }
+    bool going() const { return go_ != Go::none; }
+    /// True once after no field was found before the first one.
+    bool take_went_before_first() { return std::exchange(before_first_, false); }
 
     /// A field was clicked for typing and gets the keyboard within the next frames.
     bool about_to_type() const { return typing_ != 0 && !typing_active_; }
@@ -56,6 +63,8 @@ class Fields {
     std::optional<double> parse(const std::string& typed, std::string_view unit);
     double dragged(double pixels, const NumberLook& look);
     void start_typing(ImGuiID field, std::string text);
+    bool arrives(ImGuiID field, const std::string& text);
+    void leave();
 
     // Only one field at a time is dragged or edited.
     ImGuiID typing_ = 0;
@@ -70,6 +79,15 @@ class Fields {
     ImGuiID committed_ = 0;  // the field that returned a text in this frame
     std::string committed_text_;
     bool by_enter_ = false, settled_ = false;
+    enum class Go { none, on, back };
+    Go go_ = Go::none;
+    bool before_first_ = false;
+    struct Passed {
+        ImGuiID field = 0;
+        std::string text;
+        float y = 0;  // in its window
+    };
+    Passed passed_;  // the last field before the one that has the keyboard
 };
 
 /// An input line without a length limit. `flags`: ImGuiInputTextFlags.

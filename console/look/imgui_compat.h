@@ -125,13 +125,21 @@ inline void mouse_wheel(ImGuiIO& io, float notches) {
 
 #endif
 
-/// Whether the key went down in this frame.
-inline bool pressed(ImGuiKey key) {
+/// Whether the key went down in this frame. `repeated`: also while it is held.
+inline bool pressed(ImGuiKey key, bool repeated = false) {
 #if IMGUI_VERSION_NUM >= 18700
-    return ImGui::IsKeyPressed(key, false);
+    return ImGui::IsKeyPressed(key, repeated);
 #else
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeated);
 #endif
+}
+/// Whether the next widget is disabled.
+inline bool disabled() {
+    return (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
+}
+/// Takes the keyboard away from the active widget.
+inline void release_keyboard() {
+    ImGui::ClearActiveID();
 }
 inline bool enter_pressed() {
     return pressed(ImGuiKey_Enter) || pressed(ImGuiKey_Tab);

@@ -76,8 +76,11 @@ bool Console::State::press_key(const InputEvent& event) {
         return true;  // auto-repeat of a key that the game holds
     input.keys.press(event.name, HeldKeys::Owner::console);
     note_letter(event);
-    if (widgets_have_keyboard()) {
-        feed(event);
+    if (event.name == "f" && event.control && !event.alt) {
+        if (!settings.flag("inspector")) settings.set("inspector", property::Value(true));
+        inspector.begin_search();
+    } else if (widgets_have_keyboard()) {
+        if (event.name != "tab" || screen.popup_open || !inspector.tab(event.shift)) feed(event);
     } else {
         ui.feed_modifiers(event);
         if (!selection_key(event)) prompt_key(event);

@@ -98,6 +98,14 @@ property::Seen Console::State::seen() const {
     return {(a + b) / 2, a.min(b), a.max(b), size};
 }
 
+/// The instance whose row in the inspector, or whose path in the log, is under the mouse.
+property::Handle Console::State::pointed() {
+    if (settings.flag("inspector") && tree.alive(inspector.pointed())) return inspector.pointed();
+    const std::string_view path = views.log_view.pointed_link();
+    return !path.empty() && is_link(path) ? property::resolve(tree, path).instance
+                                          : property::Handle();
+}
+
 void Console::State::draw_outlines() {
     constexpr std::size_t most = 300;  // more outlines could not be distinguished
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -106,6 +114,8 @@ void Console::State::draw_outlines() {
     std::vector<property::Handle> all(others.end() - static_cast<std::ptrdiff_t>(shown),
                                       others.end());
     all.push_back(inspector.selected());
+    const property::Handle under = pointed();
+    if (under && !inspector.selected_instances().contains(under)) all.push_back(under);
     console::draw_outlines(list, tree, all, options.to_pixels, seen(), ImGui::GetTime());
 }
 
@@ -234,9 +244,8 @@ void Console::State::draw_in_game() {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     ghosts.update(static_cast<double>(settings.number("ghost_time")));
     ghosts.draw(list, options.to_pixels);
-    const property::Handle selected = inspector.selected();
-    if (!tree.alive(selected)) return;
-    if (shows("onion_skins")) onion_skins.draw(list, options.to_pixels);
+    if (tree.alive(inspector.selected()) && shows("onion_skins"))
+        onion_skins.draw(list, options.to_pixels);
     draw_outlines();
 }
 

@@ -184,6 +184,7 @@ struct Console::State {
     // --- Appearance (layout.cpp, title.cpp)
     void frame(double seconds);
     property::Seen seen() const;
+    property::Handle pointed();
     void draw_outlines();
     void draw_box();
     void draw_part(const std::function<void()>& part);

@@ -53,6 +53,20 @@ void CompletionMenu::page(std::ptrdiff_t rows) {
         std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(selected_) + rows, 0, count - 1));
 }
 
+bool CompletionMenu::select_continuation(std::string_view input, std::size_t cursor) {
+    std::size_t found = candidates_.size();
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        const script::Completion& each = candidates_[i].completion;
+        std::string_view typed;
+        if (!typed_part(each, input, cursor, typed) || typed.empty()) return false;
+        if (!each.text.starts_with(typed)) continue;
+        if (found < candidates_.size() || each.text == typed) return false;
+        found = i;
+    }
+    select(found);
+    return found < candidates_.size();
+}
+
 std::string CompletionMenu::common_prefix() const {
     if (candidates_.empty()) return {};
     std::string_view common = candidates_.front().completion.text;

@@ -31,6 +31,9 @@ class CompletionMenu {
     void step(std::ptrdiff_t rows);
     void page(std::ptrdiff_t rows);  // stops at the ends
 
+    /// Selects the only candidate that begins with the typed text and is longer, if there is one:
+    /// the others only resemble it.
+    bool select_continuation(std::string_view input, std::size_t cursor);
     /// The common beginning of all candidates, if all replace text from the same position.
     std::string common_prefix() const;
 

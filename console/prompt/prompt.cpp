@@ -126,7 +126,8 @@ void Prompt::complete() {
     if (!interpreter_.complete) return;
     edit_.place(edit_.cursor(), false);
     show_candidates();
-    if (menu_.candidates().size() == 1) return apply_candidate();
+    if (menu_.candidates().size() == 1 || menu_.select_continuation(edit_.text(), edit_.cursor()))
+        return apply_candidate();
     if (!menu_.open()) return;
     // The common beginning of all candidates is inserted, unless that would remove typed text.
     std::string common = menu_.common_prefix();

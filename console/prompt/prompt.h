@@ -56,7 +56,7 @@ class Prompt {
     /// The text of the reverse search; nullopt outside a search.
     const std::optional<std::string>& search() const { return search_; }
     bool search_failed() const { return search_failed_; }
-    /// The rest of the latest command that begins with the typed text. It is shown dim behind the
+    /// The rest of the latest command that begins with the typed text. It is shown dim after the
     /// cursor, and Right or End accepts it.
     std::string_view suggestion() const;
     /// The signature of the call around the cursor; none outside of calls.

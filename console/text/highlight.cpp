@@ -72,7 +72,7 @@ class Lexer {
                (letter(peek(slash + 1)) || digit(peek(slash + 1)) || peek(slash + 1) == '.');
     }
 
-    /// The numbers and names in the path of a file have no colors. A mark behind it is not in it.
+    /// The numbers and names in the path of a file have no colors. A mark after it is not in it.
     Token file() {
         while (at_ < line_.size() && !blank(line_[at_])) ++at_;
         while (std::string_view(",;:").find(line_[at_ - 1]) != std::string_view::npos) --at_;

@@ -153,7 +153,7 @@ void Log::clear() {
 void Log::table(std::span<const std::string> rows, const script::TableLines& of) {
     const auto shape = std::make_shared<LogTable>();
     const std::size_t columns = of.cells.front().size();
-    // Where a cell begins. A row does not end with blanks, so its last cells may lie behind it.
+    // Where a cell begins. A row does not end with blanks, so its last cells may lie after it.
     const auto place = [&](std::size_t row, std::size_t k) {
         const std::size_t begin = of.cells[row][k], end = std::min(begin, rows[row].size());
         return cell_count(std::string_view(rows[row]).substr(0, end)) + begin - end;
@@ -267,11 +267,11 @@ void Log::unfold(std::size_t index) {
     if (index >= lines_.size() || lines_[index].kind != LineKind::fold) return;
     std::vector<LogLine> hidden = std::move(lines_[index].hidden);
     const auto fold = std::next(lines_.begin(), static_cast<std::ptrdiff_t>(index));
-    std::deque<LogLine> behind(std::make_move_iterator(std::next(fold)),
-                               std::make_move_iterator(lines_.end()));
+    std::deque<LogLine> after(std::make_move_iterator(std::next(fold)),
+                              std::make_move_iterator(lines_.end()));
     lines_.erase(fold, lines_.end());
     for (LogLine& line : hidden) push(std::move(line));
-    for (LogLine& line : behind) push(std::move(line));
+    for (LogLine& line : after) push(std::move(line));
     ++rearranged_;
 }
 

@@ -97,7 +97,7 @@ class Log {
     void add(LineKind kind, std::string_view text, bool short_numbers = false);
     void push(LineKind kind, std::string text, bool short_numbers = false);
     void push(LogLine line);
-    /// Hides the lines from that index on behind one with the text.
+    /// Hides the lines from that index on below one with the text.
     void fold(std::string text, std::size_t first);
     void table(std::span<const std::string> rows, const script::TableLines& of);
 

@@ -66,7 +66,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Whether a minus sign at the byte belongs to the number behind it.
+/// Whether a minus sign at the byte belongs to the number after it.
 bool is_sign(std::string_view line, std::size_t at) {
     if (line[at] != '-') return false;
     const char before = at > 0 ? line[at - 1] : ' ';

@@ -51,7 +51,7 @@ void TimeBar::draw_lane(const Times& now, const OtherBranch& branch, const Rect&
     }
     list.AddRectFilled(ImVec2(from, y - 2), ImVec2(to, y + 2), with_alpha(color, 0.7f), 2);
     list.AddCircleFilled(ImVec2(to, y), 3.5f, color);
-    // Its name is behind its end, or before its beginning where there is no room.
+    // Its name is after its end, or before its beginning where there is no room.
     const float room = lane.high.x - to - 10, wide = text_width(branch.name);
     const float text = wide <= room || from - lane.low.x < wide + 10 ? to + 10 : from - wide - 10;
     draw_text_fit(list, ImVec2(text, y - ImGui::GetTextLineHeight() / 2),

@@ -26,6 +26,12 @@ constexpr double rest = 0.8;  // s that the last moment stays
 // In ems: around and between the pictures, their titles, the track.
 constexpr float gap_ems = 0.4f, title_ems = 1.4f, track_ems = 2;
 
+/// The dark line below makes the outline visible on any picture.
+PenStyle outline_of(ImU32 color) {
+    return {
+        .color = color, .width = 1.5f, .glow = with_alpha(palette::well, 0.6f), .glow_width = 4};
+}
+
 /// The map of the world into a rectangle, as large as it fits.
 class Window {
   public:
@@ -57,6 +63,7 @@ class Posed : public property::Drawer {
     void add(const Comparison::Pose& pose, const Transform& now) {
         moves_[pose.instance.key()] = Transform::placed(pose.position, pose.angle) * inverse(now);
     }
+    bool any() const { return !moves_.empty(); }
     bool draws(const property::Class&) override { return false; }
     bool begins(Handle instance) override {
         if (pen_.on_screen()) return false;
@@ -130,7 +137,7 @@ void CompareView::draw_side(const Rect& place, const property::Tree& tree, const
     const auto& own = (second ? runs.b() : runs.a())[shown_].poses;
     const auto& others = (second ? runs.a() : runs.b())[shown_].poses;
     Pen pen(list, to_pixels, {.as_drawn = true, .pictures = &pictures});
-    Pen line(list, to_pixels, {.color = with_alpha(palette::accent, 0.6f), .width = 1.2f});
+    Pen line(list, to_pixels, outline_of(palette::accent));
     Posed posed(tree, pen, true), elsewhere(tree, line, false);
     for (std::size_t i = 0; i < own.size(); ++i) {
         const Comparison::Pose& pose = own[i];
@@ -145,8 +152,21 @@ void CompareView::draw_side(const Rect& place, const property::Tree& tree, const
     pen.show(seen);
     line.show(seen);
     draw_all(tree, pen, posed);
+    // What the picture lacks, such as a body that a script draws, has an outline.
+    Pen outline(list, to_pixels, outline_of(palette::note));
+    outline.show(seen);
+    Posed lacking(tree, outline, false);
     for (const Comparison::Pose& pose : own) {
         if (!tree.alive(pose.instance) || pen.drew_for(pose.instance.key())) continue;
+        if (const auto now = property::place_below(tree, pose.instance, false, 1))
+            lacking.add(pose, *now);
+    }
+    if (lacking.any()) draw_all(tree, outline, lacking);
+    outline.outline_pictures();
+    for (const Comparison::Pose& pose : own) {
+        if (!tree.alive(pose.instance) || pen.drew_for(pose.instance.key()) ||
+            outline.drew_for(pose.instance.key()))
+            continue;
         const Vec2 at = window.pixels(pose.position);  // a dot shows where it is
         list.AddCircleFilled(ImVec2(static_cast<float>(at.x), static_cast<float>(at.y)), 3,
                              palette::note);

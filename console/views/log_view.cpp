@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::size_t gutter = 2;  // columns
 
-constexpr std::size_t row_indent = 4;  // cells, of the rows of a table behind the first
+constexpr std::size_t row_indent = 4;  // cells, of the rows of a table after the first
 
-/// Whether a step of a path begins at the byte: ".name" behind a name, or what follows a slash.
+/// Whether a step of a path begins at the byte: ".name" after a name, or what follows a slash.
 bool is_step(std::string_view text, std::size_t at) {
     const auto letter = [&](std::size_t i) {
         const auto c = static_cast<unsigned char>(text[i]);
@@ -46,7 +46,7 @@ std::vector<Span> spans_of(const LogLine& line) {
 }
 
 /// Where the last column of a table begins, if that is between `from` and `end`; otherwise `end`. A
-/// column that begins behind the middle of a row is moved to the next row, because little of it
+/// column that begins after the middle of a row is moved to the next row, because little of it
 /// would fit.
 std::size_t last_column(std::string_view text, std::size_t from, std::size_t end) {
     const std::size_t gap = text.substr(0, end).rfind("  ");
@@ -54,8 +54,8 @@ std::size_t last_column(std::string_view text, std::size_t from, std::size_t end
     return std::min(text.find_first_not_of(' ', gap), end);
 }
 
-/// Where a row that begins at `begin` and has room up to `end` ends best: behind a blank outside of
-/// brackets and texts, behind another blank, before a step of a path, or at `end`. No row is less
+/// Where a row that begins at `begin` and has room up to `end` ends best: after a blank outside of
+/// brackets and texts, after another blank, before a step of a path, or at `end`. No row is less
 /// than half full.
 std::size_t break_in(std::string_view text, std::size_t begin, std::size_t end) {
     const std::size_t half = begin + (end - begin) / 2, late = begin + (end - begin) * 2 / 3;
@@ -85,7 +85,7 @@ const LogLine* LogView::line(std::uint64_t number) const {
     return &log_.lines()[number - log_.dropped()];
 }
 
-/// Columns by which the rows behind the first are indented: to the last column of a table, or, in
+/// Columns by which the rows after the first are indented: to the last column of a table, or, in
 /// other lines, as far as the line itself.
 std::size_t LogView::hanging_indent(std::string_view text) const {
     const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
@@ -343,6 +343,12 @@ LogView::Point LogView::point_at(std::ptrdiff_t index, float column) const {
     std::string_view text = std::string_view(found->text).substr(row.begin, row.end - row.begin);
     auto cells = static_cast<std::size_t>(std::max(0.0f, column - static_cast<float>(row.indent)));
     return {row.line, row.begin + cell_offset(text, cells)};
+}
+
+std::string_view LogView::pointed_link() const {
+    const LogLine* const found = hovering_link_ ? line(link_line_) : nullptr;
+    if (found == nullptr || link_.end > found->text.size()) return {};
+    return std::string_view(found->text).substr(link_.begin, link_.end - link_.begin);
 }
 
 void LogView::mouse(ImVec2 origin, float line_height, float cell) {

@@ -43,7 +43,7 @@ class LogView {
     void clear_selection() { selection_.reset(); }
     std::string selected() const;
 
-    /// All rows as text, from the first column behind the signs.
+    /// All rows as text, from the first column after the signs.
     std::vector<std::string> shown_rows() const;
 
     // Sizes of the last drawing, in pixels.
@@ -53,13 +53,16 @@ class LogView {
     /// Left end of the position below the last line.
     ImVec2 text_end() const { return text_end_; }
 
+    /// The path under the mouse; "" if there is none.
+    std::string_view pointed_link() const;
+
   private:
     bool passes(const LogLine& whole) const;
     struct Row {
         std::uint64_t line;      // number of the line since the beginning
         std::size_t begin, end;  // bytes of the line
         bool first;              // the first row of its line
-        std::size_t indent = 0;  // columns; rows behind the first begin below the text of a column
+        std::size_t indent = 0;  // columns; rows after the first begin below the text of a column
     };
     struct Point {
         std::uint64_t line = 0;
@@ -67,7 +70,7 @@ class LogView {
         friend auto operator<=>(const Point&, const Point&) = default;  // NOLINT: no pointer here
     };
     struct Selection {
-        Point from, to;  // in the order of selection; `from` may be behind `to`
+        Point from, to;  // in the order of selection; `from` may be after `to`
     };
     void wrap(std::size_t columns);
     void wrap_line(std::uint64_t number, const LogLine& line);

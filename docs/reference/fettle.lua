@@ -3232,8 +3232,9 @@ function reapply_tweaks(pattern) end
 ---@param on? boolean
 function record(on) end
 
----Repeats the last edit that undo reversed.
-function redo() end
+---Repeats the last edit that undo reversed, or as many as `count` says.
+---@param count? integer
+function redo(count) end
 
 ---Runs another file of the game once, and returns what it returned.
 ---@param name string
@@ -3313,8 +3314,9 @@ function tween.parallel(tweens) end
 ---@return TweenGroup
 function tween.sequence(tweens) end
 
----Reverses the latest edit.
-function undo() end
+---Reverses the latest edit, or as many as `count` says.
+---@param count? integer
+function undo(count) end
 
 ---Removes a bookmark; all of them without a name.
 ---@param name? string

@@ -96,6 +96,27 @@ TEST_CASE_METHOD(PictureRig, "both runs show the pictures of the game") {
     CHECK(surface.textures() == before);
 }
 
+TEST_CASE_METHOD(CompareRig, "what the pictures of both runs lack has an outline") {
+    property::ClassDescriptor hidden{.name = "Hidden"};
+    hidden.properties = {{.name = "position", .type = property::Type::vec2}};
+    hidden.lifecycle.draw = [](void*, const property::Tree& all, property::Handle self,
+                               property::Row, property::Painter& painter, double) {
+        if (painter.shows(property::Overlay::shapes))
+            painter.circle(all.get(self, "position").vec2(), 2, {});
+    };
+    runs().request_change("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    draw(3);
+    const std::size_t before = surface.triangle_count();
+    runs().end();
+    tree.create(tree.define(std::move(hidden)), tree.child(tree.root(), "world"), "hidden");
+    runs().request_change("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    draw(3);
+    save("compare_hidden");
+    CHECK(surface.triangle_count() > before + 80);  // a dot has fewer than 40 on each side
+}
+
 TEST_CASE_METHOD(PictureRig, "the pictures of both runs are drawn on a surface that changes") {
     runs().request_change("world.ball.mass", Value(3.0), 1);
     console.between_frames();

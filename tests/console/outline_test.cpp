@@ -61,6 +61,32 @@ struct Haunted : Rig {
 
 }  // namespace
 
+TEST_CASE_METHOD(Haunted, "an instance has an outline while the mouse is over its path or row") {
+    state().choose_all({});
+    draw(3);
+    CHECK_FALSE(lined({5, -2}));
+    SECTION("a path in the log") {
+        state().log.output("ghost.position");
+        draw(2);
+        const ImVec2 end = state().views.log_view.text_end();
+        for (float y = 8; y < 60; y += 4)
+            for (float x = 8; x < 60 && state().views.log_view.pointed_link().empty(); x += 4) {
+                move(x, end.y - y);
+                draw();
+            }
+        REQUIRE(state().views.log_view.pointed_link() == "ghost.position");
+    }
+    SECTION("the row that the arrow keys have reached") {
+        key("ctrl+f");
+        draw(3);
+        type("ghost");
+        draw(3);
+        key("down");
+    }
+    draw(2);
+    CHECK(lined({5, -2}));
+}
+
 TEST_CASE_METHOD(Haunted, "the outline of the selected instance is where the instance is drawn") {
     const double alpha = GENERATE(0.0, 0.5, 1.0);
     {

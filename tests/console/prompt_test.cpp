@@ -152,6 +152,25 @@ TEST_CASE("Tab completes at once when there is one candidate") {
     CHECK_FALSE(rig.menu().open());
 }
 
+TEST_CASE("Tab completes at once to the only name that begins with what is typed") {
+    const auto named = [](const char* name) {
+        return fettle::script::Completion{.text = name, .label = name, .detail = {}, .doc = {}};
+    };
+    CompletionMenu menu;
+    menu.show({named("velocity"), named("angular_velocity")}, "vel", 3);
+    CHECK(menu.select_continuation("vel", 3));
+    CHECK(menu.selection().text == "velocity");
+    menu.show({named("World"), named("world")}, "wor", 3);
+    CHECK(menu.select_continuation("wor", 3));
+    CHECK(menu.selection().text == "world");
+    menu.show({named("mass"), named("mass_center")}, "mas", 3);
+    CHECK_FALSE(menu.select_continuation("mas", 3));
+    menu.show({named("mass"), named("mass_center")}, "mass", 4);
+    CHECK_FALSE(menu.select_continuation("mass", 4));  // the list shows the other
+    menu.show({named("force"), named("torque")}, "", 0);
+    CHECK_FALSE(menu.select_continuation("", 0));
+}
+
 TEST_CASE("Tab shows candidates and typing narrows them") {
     OpenRig rig;
     rig.type("world.ball.f");

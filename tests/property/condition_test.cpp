@@ -155,6 +155,30 @@ TEST_CASE("a failing formula makes its instance fail and nothing else") {
     CHECK(!field.holds("true"));
 }
 
+TEST_CASE("a vector that is compared with a number has a hint") {
+    Field field;
+    for (const char* text : {"velocity > 3", "3 <= velocity", "Ball and velocity < mass"}) {
+        INFO(text);
+        Condition condition(text);
+        CHECK(!condition.holds(field.tree, field.ball));
+        CHECK(condition.unknown(field.tree) ==
+              "velocity is a vector (write velocity.length, velocity.x or velocity.y)");
+    }
+    Condition length("velocity.length >= 0");
+    CHECK(length.holds(field.tree, field.ball));
+    CHECK(length.unknown(field.tree).empty());
+}
+
+TEST_CASE("signs of other languages are conditions, whose messages name the words of Lua") {
+    for (const auto& [text, message] : {std::pair("!awake", "\"not\" is a word here"),
+                                        {"mass && awake", "\"and\" is a word here"},
+                                        {"mass || awake", "\"or\" is a word here"}}) {
+        INFO(text);
+        CHECK(Condition::is_meant(text));
+        CHECK_THROWS_WITH(Condition(text), Catch::Contains(message));
+    }
+}
+
 TEST_CASE("any text is refused or gives an answer") {
     Field field;
     const std::vector<std::string> words = {

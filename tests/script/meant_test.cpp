@@ -12,6 +12,7 @@ TEST_CASE("a value of the wrong type is reported with the form that is probably 
         {"Body { position = 3 }", "got integer 3 (write vec(x, y))"},
         {"Body { position = { x = 1, y = 2 } }", "a vector is vec(x, y)"},
         {"Body { color = { 255, 0, 0 } }", "(write color(\"#ff0000\"))"},
+        {"Body { color = 0xff8000 }", "(write color(\"#ff8000\"))"},
         {"Body { color = { 0, 1, 0, 1 } }", "(write color(\"#00ff00\"))"},
         {"Body { color = { 255, 0, 0, 1 } }", "(write color(\"#ff0000\"))"},
         {"color(255, 0, 0)", "color.r: 255 is not between 0 and 1 (write color(\"#ff0000\"))"},

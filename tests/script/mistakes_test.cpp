@@ -55,11 +55,11 @@ TEST_CASE("what beginners type at the console is answered by what they may have 
         {"world.stage.ball.mass = 5 kg", "(write the number without its unit)"},
         {"world.stage.ball.mass = 2.5 kg", "(write the number without its unit)"},
         {"world.stage.ball.position.x = 5 m/s", "(write the number without its unit)"},
-        {"world.stage.ball.mass 5", "(write path = value)"},
+        {"world.stage.ball.mass 5", "(write world.stage.ball.mass = 5)"},
         {"world:gravity = vec(0, 1)", "(write a.b = value)"},
         {"world.stage.ball.mass is", "(write path is expression)"},
-        {"delete world.stage.ball", "(write path:delete())"},
-        {"set mass 5", "(write path = value)"},
+        {"delete world.stage.ball", "(write world.stage.ball:delete())"},
+        {"set mass 5", "(write mass = 5)"},
         {"for i = 0; i < 5; i++ do print(i) end", "(write for i = 1, n do ... end)"},
         {"for (i = 0, 5) do print(i) end", "(write for i = 1, n do ... end)"},
         {"for i in 1..5 do print(i) end", "(write for i = 1, n do ... end)"},
@@ -71,13 +71,55 @@ TEST_CASE("what beginners type at the console is answered by what they may have 
         {"mass * 2", "(did you mean \"world.stage.ball.mass\"?)"},
         {"Gravity", "(did you mean \"world.gravity\"?)"},
         {"raycast_all(vec(), vec(1, 0))", "(did you mean \"world:raycast_all(...)\"?)"},
-        {"rewind 5", "(write rewind(...))"},
-        {"bind f5 restart()", "(write bind(...))"},
-        {"select world.stage.ball", "(write selection { path })"},
+        {"rewind 5", "(write rewind(5))"},
+        {"bind f5 restart()", "(write bind(\"f5\", \"restart()\"))"},
+        {"select world.stage.ball", "(write it = world.stage.ball)"},
         {"world.stage.ball.awake = yes", "(write true)"},
         {"world.stage.ball:goto(1)", "(goto is a word of Lua and no name)"},
         {"string.repeat('a', 3)", "(repeat is a word of Lua and no name)"},
         {"sleep(1)", "(write after(seconds, action))"},
+        {"cd", "(write it = world.name to select an instance)"},
+        {"cd world.stage", "(write it = world.stage)"},
+        {"cd ..", "(write it = world.name to select an instance)"},
+        {"ls", "(write game to see what is in it)"},
+        {"ls world.stage", "(write world.stage to see what is in it)"},
+        {"ls -l", "(write game to see what is in it)"},
+        {"ls(\"world\")", "(write world to see what is in it)"},
+        {"get world.gravity", "(write world.gravity)"},
+        {"set world.gravity 0", "(write world.gravity = 0)"},
+        {"set world.gravity to 0", "(write world.gravity = 0)"},
+        {"world.stage.ball.mass += 1", "(write a = a + b)"},
+        {"world.gravity: 0", "(write world.gravity = 0)"},
+        {"undo 3", "(write undo(3))"},
+        {"redo 2", "(write redo(2))"},
+        {"exec setup.lua", "(write exec(\"setup.lua\"))"},
+        {"alias heavy world.stage.ball.mass =",
+         "(write alias(\"heavy\", \"world.stage.ball.mass =\"))"},
+        {"bind F5 = restart()", "(write bind(\"F5\", \"restart()\"))"},
+        {"goto world.stage", "(write it = world.stage)"},
+        {"goto 100", "(write time:go_to(100))"},
+        {"select Body where mass > 3", "(write it = world.name to select an instance)"},
+        {"toggle world.stage.ball.awake",
+         "(write world.stage.ball.awake = not world.stage.ball.awake)"},
+        {"watch world.stage.ball.mass", "(write pin world.stage.ball.mass)"},
+        {"break world.stage.ball.mass > 3", "(write break_when world.stage.ball.mass > 3)"},
+        {"ab world.stage.ball.mass = 3", "(write ab(\"world.stage.ball.mass\", 3))"},
+        {"step 5", "(write time.step_once = true to make one step)"},
+        {"stop", "(write time.paused = true)"},
+        {"timescale 0.5", "(write time.scale = 0.5)"},
+        {"cls", "(write clear)"},
+        {"man undo", "(write help undo)"},
+        {"? undo", "(write help undo)"},
+        {"stat fps", "(write view.show.timings = true)"},
+        {"$0", "(write it, the selected instance)"},
+        {"say hello", "(write print(\"hello\"))"},
+        {"/world/stage", "(write world.stage)"},
+        {"world.stage.*", "(write query(\"world.stage.*\"))"},
+        {"world.stage.ball*.mass = 3", "(write query(\"world.stage.ball*\"):set(\"mass\", 3))"},
+        {"world.stage.ball.tint = #ff8000", "(write \"#ff8000\")"},
+        {"world.stage.ball.tint = #008000", "(write a color in quotes, \"#ff8000\")"},
+        {"world.stage.ball.tint = rgb(255, 0, 0)", "(write color(r, g, b) with numbers"},
+        {"world.stage.ball:parent()", "(write .parent without brackets: it is a property)"},
         {"save", "(write save_game(\"name\"))"},
         {"play", "(write time.paused = false)"},
     }));
@@ -86,6 +128,78 @@ TEST_CASE("what beginners type at the console is answered by what they may have 
     REQUIRE(answer.error);
     CHECK_THAT(answer.error->message, contains(hint));
     CHECK(s.runtime->evaluate("local x = 5\nlocal y = x\ny").incomplete);
+}
+
+TEST_CASE("a command that makes a variable named like a property says which property it may mean") {
+    Stage s;
+    s.run("world.stage = Object {} world.stage.ball = Body {} score = 1");
+    const auto lines = [&](const std::string& command) {
+        const Evaluation answer = s.runtime->evaluate(command);
+        REQUIRE(answer.ok);
+        return answer.lines;
+    };
+    CHECK(lines("gravity = 0") ==
+          std::vector<std::string>{"gravity is a new variable (did you mean world.gravity?)"});
+    CHECK(lines("gravity = 1").empty());  // the variable exists
+    CHECK(lines("score = 2").empty());
+    CHECK(lines("total = 2").empty());
+    s.run("function set() mass = 3 end");
+    CHECK(lines("set()").empty());
+}
+
+TEST_CASE("a method of other consoles that an instance lacks has a hint") {
+    Stage s;
+    s.run("game.console = Object {} world.stage = Object {}");
+    CHECK_THAT(s.runtime->evaluate("console.log(world.stage)").error->message,
+               contains("console.log: no such name (write world.stage)"));
+    CHECK_THAT(s.runtime->evaluate("console.clear()").error->message, contains("(write clear)"));
+}
+
+TEST_CASE("a pattern of one name that is deeper in the tree has a hint") {
+    Stage s;
+    s.run("world.stage = Object {} world.stage.brick_1 = Body {}");
+    const auto line = [&](const std::string& command) {
+        return s.runtime->evaluate(command).lines.at(0);
+    };
+    CHECK(line("query('brick_*')") ==
+          "no instances (write query(\"**.brick_*\") to search all of the tree)");
+    CHECK(line("query brick_1") ==
+          "no instances (write query(\"**.brick_1\") to search all of the tree)");
+    CHECK(line("query('wall_*')") == "no instances");
+}
+
+TEST_CASE("a callback that the game does not define is explained") {
+    Stage s;
+    CHECK_THAT(s.runtime->evaluate("update").lines.at(0), contains("update(dt"));
+    CHECK_THAT(s.runtime->evaluate("step").lines.at(0), contains("step(dt"));
+    CHECK(s.runtime->evaluate("nil").lines == std::vector<std::string>{"nil"});
+    s.run("function step() end");
+    CHECK_THAT(s.runtime->evaluate("step").lines.at(0), contains("step(dt"));
+}
+
+TEST_CASE("the answer to an instance that is in no tree says how it gets into the world") {
+    Stage s;
+    CHECK(s.runtime->evaluate("Body {}").lines.back() ==
+          "it is in no tree: world:add(_) puts it into the world");
+    REQUIRE(s.runtime->evaluate("world:add(_)").ok);
+    CHECK(s.runtime->evaluate("world.body_1").lines.back() !=
+          "it is in no tree: world:add(_) puts it into the world");
+    CHECK(s.runtime->evaluate("game").lines.back() !=
+          "it is in no tree: world:add(_) puts it into the world");
+}
+
+TEST_CASE("undo and redo take a number of edits") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    for (const char* value : {"2", "3", "4"})
+        s.runtime->evaluate(std::string("world.ball.mass = ") + value);
+    CHECK(s.runtime->evaluate("undo(2)").lines.size() == 4);
+    CHECK(s.runtime->evaluate("world.ball.mass").lines == std::vector<std::string>{"2 kg"});
+    CHECK(s.runtime->evaluate("redo(100)").lines.size() == 4);
+    CHECK(s.runtime->evaluate("world.ball.mass").lines == std::vector<std::string>{"4 kg"});
+    CHECK(s.runtime->evaluate("redo(1)").lines == std::vector<std::string>{"nothing to redo"});
+    CHECK_THAT(s.fails("undo(0)"), contains("needs a number of edits"));
+    CHECK_THAT(s.fails("undo('all')"), contains("needs a number of edits"));
 }
 
 TEST_CASE("a color without quotes is shown with quotes") {

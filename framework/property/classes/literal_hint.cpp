@@ -30,9 +30,16 @@ std::string way_to_write_vec(const Value& value) {
 }
 
 /// Channels above 1 are probably those of other libraries, which count to 255. Some of these count
-/// the opacity to 1 all the same.
+/// the opacity to 1 all the same. An integer is the same in one number: 0xff8000.
 std::string way_to_write_color(const Value& value) {
     constexpr double full = 255;
+    constexpr std::int64_t white = 0xffffff;
+    if (value.is(Type::integer) && value.integer() >= 0 && value.integer() <= white) {
+        const auto channel = [&](int shift) {
+            return static_cast<float>(static_cast<double>((value.integer() >> shift) & 255) / full);
+        };
+        return write(value_text(Value(Color{channel(16), channel(8), channel(0), 1})));
+    }
     if (!is_list_of_numbers(value)) return {};
     const List& list = value.list();
     if (list.size() != 3 && list.size() != 4) return {};

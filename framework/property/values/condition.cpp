@@ -142,6 +142,8 @@ struct Condition::Program {
     std::vector<Value> constants;
     std::vector<Lookup> reads;
     std::vector<Value> stack;
+    std::string last_vector;  // what was read last and is a vector
+    std::string unordered;    // the same, if it was compared with a number by its size
 
     Value look(const Tree& tree, Handle instance, Lookup& read) {
         std::optional<Value> value = member(tree, instance, read.name);
@@ -154,6 +156,7 @@ struct Condition::Program {
         }
         if (!value) return {};
         read.known = true;
+        if (value->is(Type::vec2) && unordered.empty()) last_vector = read.text();
         return *value;
     }
 
@@ -195,9 +198,11 @@ Value Condition::Program::run(const Tree& tree, Handle instance) {
         const Value b = pop(), a = pop();
         if (step.action == Do::equal || step.action == Do::unequal)
             stack.emplace_back(equal(a, b) == (step.action == Do::equal));
-        else if (step.action == Do::less || step.action == Do::less_or_equal)
+        else if (step.action == Do::less || step.action == Do::less_or_equal) {
             stack.emplace_back(less(a, b, step.action == Do::less_or_equal));
-        else
+            if ((a.is(Type::vec2) && b.is_numeric()) || (a.is_numeric() && b.is(Type::vec2)))
+                unordered = last_vector;
+        } else
             stack.push_back(computed(step.action, a, b));
     }
     return pop();
@@ -366,7 +371,9 @@ Condition::Condition(Condition&&) noexcept = default;
 Condition& Condition::operator=(Condition&&) noexcept = default;
 
 bool Condition::is_meant(std::string_view text) {
-    if (text.find_first_of("<>=~()+/") != std::string_view::npos) return true;
+    if (text.find_first_of("<>=~()+/") != std::string_view::npos || text.starts_with('!') ||
+        text.find("&&") != std::string_view::npos || text.find("||") != std::string_view::npos)
+        return true;  // with the signs of other languages, too: the message has those of Lua
     std::size_t at = 0;
     while (at < text.size()) {
         while (at < text.size() && is_space(text[at])) ++at;
@@ -394,7 +401,12 @@ std::size_t Condition::weight() const {
 
 std::string Condition::unknown(const Tree& tree) const {
     const auto first_unknown = std::ranges::find(program_->reads, false, &Lookup::known);
-    if (first_unknown == program_->reads.end()) return {};
+    if (first_unknown == program_->reads.end()) {
+        const std::string& vector = program_->unordered;
+        return vector.empty() ? std::string()
+                              : vector + " is a vector (write " + vector + ".length, " + vector +
+                                    ".x or " + vector + ".y)";
+    }
     std::vector<std::string> names;
     for (const Class* of : tree.classes()) {
         names.push_back(of->name());

@@ -92,6 +92,9 @@ class Words {
                 return;
             }
         if (rest.starts_with("!=")) fail("\"not equal\" is written ~=");
+        if (rest.starts_with("&&")) fail("\"and\" is a word here");
+        if (rest.starts_with("||")) fail("\"or\" is a word here");
+        if (rest[0] == '!') fail("\"not\" is a word here");
         if (rest[0] == '=') fail("two values are compared by ==");
         if (std::string_view("<>+-*/()[].").find(rest[0]) == std::string_view::npos)
             fail("\"" + std::string(1, rest[0]) + "\" means nothing in a condition");

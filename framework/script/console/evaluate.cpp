@@ -30,6 +30,7 @@
 #include <objects/hints.h>
 #include <reference/language.h>
 #include <text/columns.h>
+#include <text/command_words.h>
 #include <text/other_languages.h>
 #include <text/words.h>
 #include <values/recording.h>
@@ -86,6 +87,13 @@ std::vector<std::string> help_of_function(lua_State* L, Machine& machine,
     return help_for(machine, std::string(command));
 }
 
+/// Whether the first result is an instance that nothing shows, as that of `Body {}`.
+bool is_detached(lua_State* L, const Machine& machine) {
+    const auto* const box = instance_at(L, 1);
+    return box != nullptr && machine.tree.alive(box->handle) &&
+           box->handle != machine.tree.root() && !machine.tree.parent(box->handle);
+}
+
 // Adds lines for the results on the stack from index 1.
 void add_results(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
     const int count = lua_gettop(L);
@@ -103,6 +111,10 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
         } else if (std::vector<std::string> help = help_of_function(L, machine, command);
                    !help.empty()) {
             for (std::string& line : help) evaluation.lines.push_back(std::move(line));
+        } else if (lua_isnil(L, 1) && command == machine.recording.missing) {
+            // A callback that the game does not define.
+            for (std::string& line : help_for(machine, machine.recording.missing))
+                evaluation.lines.push_back(std::move(line));
         } else {
             const std::size_t first = evaluation.lines.size();
             TableLines table{first, true, {}};
@@ -112,6 +124,9 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
             if (!table.cells.empty()) evaluation.tables.push_back(std::move(table));
             folded.line += first;
             if (!folded.lines.empty()) evaluation.folded.push_back(std::move(folded));
+            if (is_detached(L, machine))
+                evaluation.lines.emplace_back(
+                    "it is in no tree: world:add(_) puts it into the world");
         }
     } else {
         std::string line;
@@ -182,7 +197,7 @@ Compiled compile(lua_State* L, std::string_view command) {
         lua_pop(L, 1);
         const auto line = 1 + std::ranges::count(trimmed(command), '\n');
         push_text(L,
-                  "console:" + std::to_string(line) + ": a word behind a number" + hint_for_unit());
+                  "console:" + std::to_string(line) + ": a word after a number" + hint_for_unit());
         return Compiled::wrong;
     }
     if (ends_early(L)) return Compiled::incomplete;
@@ -317,18 +332,27 @@ bool call_with_words(lua_State* L, std::string_view command) {
     return true;
 }
 
-/// Adds how a function is called to the message about a command such as `rewind 5`, which is at the
-/// top of the stack.
-void add_call_hint(lua_State* L, std::string_view command) {
+/// Adds what can be typed in place of a command such as `rewind 5` or `cd world` to the message
+/// about it, which is at the top of the stack. It says more than a hint about the place of the
+/// error.
+void add_command_hint(lua_State* L, std::string_view command) {
     Sources::Stop& stop = machine_of(L).sources.stop;
-    const std::size_t space = command.find(' ');
-    if (space == std::string_view::npos || stop.message.ends_with(')') ||
-        stop.place != command.find_first_not_of(' ', space) || view_at(L, -1) != stop.message)
-        return;
-    const GlobalDoc* const doc = global_doc(command.substr(0, space));
-    if (doc == nullptr || std::string_view(doc->signature).find('(') == std::string_view::npos)
-        return;
-    stop.message += std::string(" (write ") + doc->name + "(...))";
+    if (stop.message.empty() || view_at(L, -1) != stop.message) return;
+    const std::string_view name = first_word(command);
+    const bool called = command.substr(name.size()).starts_with('(');
+    if (called && stop.message.ends_with(')')) return;  // print(1..5)
+    std::string hint = hint_for_command(command);
+    const GlobalDoc* const doc = global_doc(name);
+    const bool after_name = stop.place == command.find_first_not_of(' ', name.size());
+    if (hint.empty() && after_name && !stop.message.ends_with(')') && doc != nullptr &&
+        std::string_view(doc->signature).find('(') != std::string_view::npos) {
+        const std::string call = call_with_arguments(command);
+        hint = " (write " + (call.empty() ? std::string(name) + "(...)" : call) + ")";
+    }
+    if (hint.empty()) return;
+    if (stop.message.ends_with(')'))
+        stop.message.resize(std::min(stop.message.rfind(" (write "), stop.message.size()));
+    stop.message += hint;
     lua_pop(L, 1);
     push_text(L, stop.message);
 }
@@ -362,7 +386,7 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
         case Compiled::wrong:
             if (add_formula(L, machine, command)) return;
             if (call_with_words(L, command)) break;
-            add_call_hint(L, command);
+            add_command_hint(L, command);
             lua_error(L);
             return;
         default:

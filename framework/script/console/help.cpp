@@ -343,9 +343,10 @@ std::vector<std::string> help_lines(lua_State* L, int index) {
         if (!lines.empty()) return lines;
         if (lines = members_called(machine.tree, name); !lines.empty()) return lines;
         if (is_path(name)) {
-            const std::string hint = hint_for_class(name);
-            return {name + ": no such name" +
-                    (hint.empty() ? property::suggestion(name, known_names(machine.tree)) : hint)};
+            std::string hint = hint_for_class(name);
+            if (hint.empty()) hint = property::suggestion(name, known_names(machine.tree));
+            if (hint.empty()) hint = "; find " + name + " searches names and explanations";
+            return {name + ": no such name" + hint};
         }
     }
     return {short_text(L, index) + " · " + describe_type(L, index)};

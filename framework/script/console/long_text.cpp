@@ -164,6 +164,13 @@ std::string entry_text(lua_State* L, const property::Tree& tree, const std::stri
     return short_text(L, -1);
 }
 
+bool has_match(const property::Tree& tree, const property::Pattern& pattern) {
+    bool found = false;
+    tree.each_below(tree.root(),
+                    [&](Handle handle) { found = found || pattern.matches(tree, handle); });
+    return found;
+}
+
 /// The text for an empty set: at the console, a name of the pattern is perhaps misspelt.
 std::string nothing_found(const property::Tree& tree, const std::string& pattern) {
     std::string text = "no instances";
@@ -174,6 +181,12 @@ std::string nothing_found(const property::Tree& tree, const std::string& pattern
         for (const Property* property : tree.properties(handle)) names.insert(property->name);
     });
     const property::Pattern asked(pattern);
+    // A name alone is looked for among the children of game only.
+    if (asked.segments().size() == 1) {
+        const std::string deep = "**." + pattern;
+        if (const property::Pattern anywhere(deep); has_match(tree, anywhere))
+            return text + " (write query(\"" + deep + "\") to search all of the tree)";
+    }
     for (const std::string& each : asked.segments()) {
         if (each.find('*') != std::string::npos || names.contains(each)) continue;
         const std::string start = property::message_text(text + ": nothing has \"" + each + "\"");

@@ -134,8 +134,12 @@ std::string reading_line(lua_State* L) {
 
 /// What a name that nothing has may mean.
 std::string hint_for(lua_State* L, Machine& machine, std::string_view name) {
-    if (std::string hint = bare_word_hint(machine.tree, reading_line(L), name); !hint.empty())
+    if (std::string hint = machine.hints.of_command(name);
+        !hint.empty() && machine.hints.path_of_instance(name).empty())
         return hint;
+    const std::string line = reading_line(L);
+    if (std::string hint = bare_word_hint(machine.tree, line, name); !hint.empty()) return hint;
+    if (std::string hint = hint_for_color(line, find_word(line, name)); !hint.empty()) return hint;
     if (std::string hint = hint_for_name(name); !hint.empty()) return hint;
     if (std::string hint = hint_for_class(name); !hint.empty()) return hint;
     // At the console, where people write what they see on the screen.
@@ -213,7 +217,15 @@ int write_global(lua_State* L) {
         }
         push_registry(L, machine.globals.declared);
         lua_pushvalue(L, 2);
-        if (lua_rawget(L, 4) == LUA_TNIL) machine.globals.assigned.emplace_back(name);
+        if (lua_rawget(L, 4) == LUA_TNIL) {
+            machine.globals.assigned.emplace_back(name);
+            // gravity = 0: nothing that is seen changes.
+            if (machine.hints.begins_command(name))
+                if (const std::string path = machine.hints.path_of_member(name);
+                    !path.empty() && !path.ends_with(')'))
+                    print_line(machine, std::string(name) + " is a new variable (did you mean " +
+                                            path + "?)");
+        }
         lua_pushvalue(L, 2);
         lua_pushboolean(L, 1);
         lua_rawset(L, 4);

@@ -47,16 +47,33 @@ void report(Machine& machine, const char* what, const property::UndoResult& resu
         print_line(machine, "  " + hint);
 }
 
-int undo(lua_State* L) {
+/// Calls `reverse` as often as the argument says: once without one.
+template <typename Reverse>
+int repeat(lua_State* L, const char* what, Reverse reverse) {
     Machine& machine = machine_of(L);
-    report(machine, "undo", machine.tree.undo());
+    lua_Integer count = 1;
+    if (!lua_isnoneornil(L, 1)) {
+        int is_integer = 0;
+        count = lua_tointegerx(L, 1, &is_integer);
+        if (is_integer == 0 || count < 1)
+            throw Error(ErrorKind::wrong_type,
+                        std::string(what) + ": needs a number of edits, such as 3");
+    }
+    bool done = true;
+    for (lua_Integer i = 0; i < count && done; ++i) {
+        const property::UndoResult result = reverse(machine.tree);
+        done = result.done;
+        if (done || i == 0) report(machine, what, result);
+    }
     return 0;
 }
 
+int undo(lua_State* L) {
+    return repeat(L, "undo", [](property::Tree& tree) { return tree.undo(); });
+}
+
 int redo(lua_State* L) {
-    Machine& machine = machine_of(L);
-    report(machine, "redo", machine.tree.redo());
-    return 0;
+    return repeat(L, "redo", [](property::Tree& tree) { return tree.redo(); });
 }
 
 int history(lua_State* L) {

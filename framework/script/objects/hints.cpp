@@ -10,6 +10,7 @@
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <objects/hints.h>
+#include <text/command_words.h>
 #include <text/synonyms.h>
 #include <text/words.h>
 #include <values/recording.h>
@@ -90,6 +91,17 @@ std::string Hints::of_added(Handle instance, std::string_view name) const {
     }
     const std::string child = child_with(instance, name);
     return child.empty() ? child : "; " + child;
+}
+
+bool Hints::begins_command(std::string_view word) const {
+    if (!machine_.recording.active) return false;
+    const auto command = machine_.sources.texts.find("console");
+    return command != machine_.sources.texts.end() && first_word(command->second) == word;
+}
+
+std::string Hints::of_command(std::string_view word) const {
+    return begins_command(word) ? hint_for_command(machine_.sources.texts["console"])
+                                : std::string();
 }
 
 /// The first path that `part` finds, level by level from the top.

@@ -109,6 +109,7 @@ void require_name(lua_State* L, const property::Tree& tree, Handle instance) {
     if (hint.empty())
         if (const std::string child = machine.hints.child_with(instance, name); !child.empty())
             hint = "; " + child;
+    if (hint.empty()) hint = machine.hints.of_command(path_of(machine.tree, instance, name));
     if (hint.empty() && machine.recording.active)
         if (const std::string path = machine.hints.path_of_instance(name); !path.empty())
             hint = hint_of(path);

@@ -138,7 +138,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "`recordings` of the player's files, and the command prints where. This works for a run "
          "in a window until one of its files changes and is read again; for this purpose the first "
          "64 MB of a recording are kept."},
-        {"redo", "redo()", "Repeats the last edit that undo reversed."},
+        {"redo", "redo(count?: integer)",
+         "Repeats the last edit that undo reversed, or as many as `count` says."},
         {"require", "require(name: string): any",
          "Runs another file of the game once, and returns what it returned."},
         {"restart", "restart()",
@@ -197,7 +198,7 @@ const std::vector<GlobalDoc>& global_docs() {
          "Runs tweens and groups together."},
         {"tween.sequence", "tween.sequence(tweens: any[]): TweenGroup",
          "Runs tweens and groups one after the other; a number is a pause in seconds."},
-        {"undo", "undo()", "Reverses the latest edit."},
+        {"undo", "undo(count?: integer)", "Reverses the latest edit, or as many as `count` says."},
         {"unbookmark", "unbookmark(name?: string)",
          "Removes a bookmark; all of them without a name."},
         {"unbreak", "unbreak(condition?: string)",

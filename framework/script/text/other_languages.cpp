@@ -44,6 +44,7 @@ constexpr Foreign foreign_names[] = {
     {"save", "save_game(\"name\")"},
     {"fps", "view.show.timings = true"},
     {"try catch", "pcall(action, ...)"},
+    {"rgb rgba Color Color3", "color(r, g, b) with numbers from 0 to 1, or \"#ff8000\""},
 };
 
 /// Functions in tables of other versions of Lua.
@@ -179,6 +180,14 @@ std::string hint_for_value(std::string_view message) {
         const bool global = message.find("(global '") != std::string_view::npos;
         return written((global ? "" : "it:") + std::string(name) + "() to call it");
     }
+    // #008000: the length of the number 8000.
+    if (message.find("attempt to get length of a number value") != std::string_view::npos)
+        return written("a color in quotes, \"#ff8000\"");
+    // world.ball:parent() for the property `parent`.
+    if (message.find("attempt to call a ") != std::string_view::npos &&
+        message.find("attempt to call a nil value") == std::string_view::npos)
+        if (const auto name = name_after(" value (method '"); !name.empty())
+            return written("." + std::string(name) + " without brackets: it is a property");
     // Lua calls the value after `in`.
     if (message.find("(for iterator 'for iterator')") != std::string_view::npos &&
         message.find("attempt to call a nil value") == std::string_view::npos)
@@ -186,6 +195,16 @@ std::string hint_for_value(std::string_view message) {
     if (message.find("attempt to add a 'string' with a ") != std::string_view::npos)
         return written(".. to join texts");
     return {};
+}
+
+std::string hint_for_color(std::string_view line, std::size_t at) {
+    if (at == 0 || at >= line.size() || line[at - 1] != '#') return {};
+    const std::string_view digits = word_at(line, at);
+    const bool hexadecimal = std::all_of(digits.begin(), digits.end(), [](char c) {
+        return std::isxdigit(static_cast<unsigned char>(c)) != 0;
+    });
+    if (!hexadecimal || (digits.size() != 3 && digits.size() != 6 && digits.size() != 8)) return {};
+    return written("\"#" + std::string(digits) + "\"");
 }
 
 bool ends_with_unit(std::string_view text) {
@@ -213,6 +232,7 @@ std::string hint_for_syntax(std::string_view message, std::string_view line, std
     if (rest.starts_with("//") || (column > 0 && line.substr(column - 1).starts_with("//")))
         return written("-- before a comment");
     if (const std::string_view here = sign_at(line, column); !here.empty()) return written(here);
+    if (std::string hint = hint_for_color(line, column); !hint.empty()) return hint;
     const auto says = [&](std::string_view part) {
         return message.find(part) != std::string_view::npos;
     };
