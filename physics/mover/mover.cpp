@@ -237,7 +237,10 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     if (below != nullptr && below->dynamic && def_.mass > 0.0f) {
         // A force, not an impulse: a body much lighter than the mover would jump under it.
         Body body = world.body(data.body_id(below->body));
-        body.apply_force(bounded(def_.mass * world.gravity(), 1e12f), ground->point);
+        const Vec2 weight = def_.mass * world.gravity();
+        const float share =
+            weight_share(data, below->body, ground->point, normalized(weight), def_.mass);
+        body.apply_force(bounded(share * weight, 1e12f), ground->point);
     }
     return moved;
 }

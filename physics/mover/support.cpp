@@ -10,6 +10,64 @@ bool is_pushed(const Load& load) {
     return load.force.x != 0.0f || load.force.y != 0.0f || load.torque != 0.0f;
 }
 
+/// A direction in which something holds a point of a body.
+struct Hold {
+    Vec2 arm, direction;
+    float friction = 0.0f;  ///< of the contact whose tangent this is: the hold before is its normal
+    bool both_ways = false;  ///< a pin, and not a contact
+    float impulse = 0.0f;
+};
+
+/// What an impulse of 1 N s does to a body that its neighbors hold.
+struct Response {
+    float inverse_mass, inverse_inertia;
+    Vec2 velocity;
+    float angular_velocity = 0.0f;
+
+    void push(Vec2 arm, Vec2 impulse) {
+        velocity = velocity + inverse_mass * impulse;
+        angular_velocity += inverse_inertia * cross(arm, impulse);
+    }
+    float speed(Vec2 arm, Vec2 direction) const {
+        return dot(direction, velocity + cross(angular_velocity, arm));
+    }
+};
+
+void add_contact(const ContactRecord& contact, uint32_t body, std::vector<Hold>& holds) {
+    const bool is_b = contact.body_b == body;
+    const Vec2 normal = is_b ? contact.manifold.normal : -contact.manifold.normal;
+    for (int i = 0; i < contact.manifold.count; ++i) {
+        const ManifoldPoint& point = contact.manifold.points[i];
+        const Vec2 arm = is_b ? point.anchor_b : point.anchor_a;
+        holds.push_back({.arm = arm, .direction = normal});
+        holds.push_back(
+            {.arm = arm, .direction = right_perp(normal), .friction = contact.friction});
+    }
+}
+
+/// Projected Gauss-Seidel: each hold in turn stops the motion that it does not allow.
+void hold(Response& response, std::vector<Hold>& holds) {
+    constexpr int rounds = 32;  // enough for one body
+    for (int round = 0; round < rounds; ++round) {
+        for (size_t i = 0; i < holds.size(); ++i) {
+            Hold& each = holds[i];
+            const float lever = cross(each.arm, each.direction);
+            const float yielding = response.inverse_mass + response.inverse_inertia * lever * lever;
+            if (!(yielding > 0.0f)) continue;
+            const float before = each.impulse;
+            float now = before - response.speed(each.arm, each.direction) / yielding;
+            if (each.friction > 0.0f) {
+                const float most = each.friction * holds[i - 1].impulse;
+                now = clamp(now, -most, most);
+            } else if (!each.both_ways) {
+                now = max(now, 0.0f);
+            }
+            each.impulse = now;
+            response.push(each.arm, (now - before) * each.direction);
+        }
+    }
+}
+
 }  // namespace
 
 bool is_supported(const WorldData& data, uint32_t body, uint32_t left_out) {
@@ -33,6 +91,35 @@ bool is_supported(const WorldData& data, uint32_t body, uint32_t left_out) {
         });
     }
     return supported;
+}
+
+float weight_share(const WorldData& data, uint32_t body, const Position& point, Vec2 down,
+                   float mass) {
+    const BodyRecord& record = data.bodies[body];
+    const BodyState& state = data.states[body];
+    std::vector<Hold> holds;
+    bool fixed =
+        data.field_slots.count > 0 || is_pushed(record.load) || is_pushed(record.step_load);
+    data.for_each_joint(body, [&](uint32_t slot, uint32_t side) {
+        const JointRecord& joint = data.joints[slot];
+        if (!joint.moves()) return;
+        // A motor, a spring or a limit holds the angle, too; other joints hold more or less.
+        fixed = fixed || joint.type != JointType::revolute || joint.torque != 0.0f;
+        const Vec2 anchor = joint.anchors[side] - Position();
+        const Vec2 arm =
+            state.position + rotate({state.cosine, state.sine}, anchor) - record.center;
+        for (const Vec2 direction : {Vec2(1.0f, 0.0f), Vec2(0.0f, 1.0f)})
+            holds.push_back({.arm = arm, .direction = direction, .both_ways = true});
+    });
+    if (fixed) return 1.0f;
+    data.for_each_contact(body, [&](uint32_t contact) {
+        if (data.contacts[contact].acts()) add_contact(data.contacts[contact], body, holds);
+    });
+    Response response{record.inverse_mass, record.inverse_inertia, {}};
+    const Vec2 arm = point - record.center;
+    response.push(arm, down);
+    hold(response, holds);
+    return 1.0f / (1.0f + mass * max(0.0f, response.speed(arm, down)));
 }
 
 }  // namespace fettle::physics::detail

@@ -11,4 +11,10 @@ namespace fettle::physics::detail {
 /// free fall. `left_out`: a body that does not count, 0 for none.
 bool is_supported(const WorldData& data, uint32_t body, uint32_t left_out);
 
+/// The share of its weight (0 … 1) with which a mover of `mass` (kg) loads a dynamic body at a
+/// `point`, in the direction `down` of gravity. Where contacts and pins hold the body there, all of
+/// it; where it gives way, no more than makes the point fall with the mover.
+float weight_share(const WorldData& data, uint32_t body, const Position& point, Vec2 down,
+                   float mass);
+
 }  // namespace fettle::physics::detail

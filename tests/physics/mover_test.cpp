@@ -261,6 +261,9 @@ TEST_CASE("a light crate rests below a heavy mover") {
     CHECK(crate.velocity().length() < 0.01f);
     CHECK(hero.last.ground_velocity.length() < 0.01f);
     CHECK(hero.y() - crate.position().y == Approx(0.505f).margin(0.01f));
+    float force = 0;
+    for (const Contact& contact : crate.contacts()) force += contact.normal_force;
+    CHECK(force == Approx(10 * (80 + crate.mass())).epsilon(0.02));
 }
 
 TEST_CASE("a mover passes through a body that a joint keeps apart from its own") {
