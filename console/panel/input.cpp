@@ -163,6 +163,7 @@ bool Console::State::widgets_have_keyboard() {
     // the keyboard one frame later.
     if (input.fed_button) frame(0);
     for (int i = 0; i < 3 && inspector.about_to_type(); ++i) frame(0);
+    inspector.give_up_search();
     ui.activate();
     return screen.width > 0 && (ImGui::IsAnyItemActive() || screen.popup_open);
 }

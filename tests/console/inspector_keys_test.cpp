@@ -52,6 +52,18 @@ TEST_CASE("Ctrl+F shows the inspector if it is hidden") {
     CHECK(rig.selected() == rig.at("ball"));
 }
 
+TEST_CASE("Ctrl+F leaves the keyboard to the prompt if the inspector has no room") {
+    OpenRig rig;
+    console::test::RasterSurface small(330, 140);
+    for (int i = 0; i < 3; ++i) rig.console.draw(small, 1.0 / 60);
+    rig.key("ctrl+f");
+    rig.type("ab");
+    CHECK(rig.input() == "ab");
+    rig.draw(3);
+    rig.type("c");
+    CHECK(rig.input() == "abc");
+}
+
 TEST_CASE("the arrow keys walk through what is found") {
     OpenRig rig;
     rig.keys({"ctrl+f"});
