@@ -101,7 +101,8 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     const float available = whole - gutter_width(whole);
     bool tall = property.type == Type::list || property.any_type;
     bool plain = !tall && mixed_.others().empty() && !problems_.contains(&property) &&
-                 tree_.formula_count() == 0 && !fields_.typing() && !fields_.going();
+                 tree_.formula_count() == 0 && !fields_.typing() && !fields_.stopped() &&
+                 !fields_.going();
     if (plain && !ImGui::IsRectVisible(ImVec2(whole, ImGui::GetFrameHeight()))) {
         ImGui::Dummy(ImVec2(whole, ImGui::GetFrameHeight()));
         return false;
@@ -270,7 +271,11 @@ NumberLook PropertyEditor::look_of(const Property& property) {
 
 void PropertyEditor::boolean(const Target& target, const Value& value) {
     bool checked = value.boolean();
-    if (ImGui::Checkbox("##value", &checked)) write(target, Value(checked));
+    const bool clicked = ImGui::Checkbox("##value", &checked);
+    if (fields_.stop("##value"))
+        write(target, Value(!value.boolean()));
+    else if (clicked)
+        write(target, Value(checked));
 }
 
 void PropertyEditor::number(const Target& target, const Value& value, float width) {
@@ -297,7 +302,13 @@ void PropertyEditor::text(const Target& target, const Value& value, float width)
 
 void PropertyEditor::enumerator(const Target& target, const Value& value, float width) {
     ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo("##value", widget_text(value.text()).c_str())) return;
+    if (!ImGui::BeginCombo("##value", widget_text(value.text()).c_str())) {
+        const std::vector<std::string>& all = target.property->enumerators;
+        if (!fields_.stop("##value")) return;
+        const auto now = std::ranges::find(all, value.text());
+        write(target, Value(now == all.end() || now + 1 == all.end() ? all.front() : now[1]));
+        return;
+    }
     for (const std::string& name : target.property->enumerators) {
         bool current = name == value.text();
         if (ImGui::Selectable(widget_text(name).c_str(), current)) write(target, Value(name));

@@ -58,7 +58,8 @@ class PropertyEditor {
     /// The rectangle of the property's widget in the last frame; empty if it was not visible.
     Rect widget_rect(const property::Property& property) const;
     bool about_to_type() const { return fields_.about_to_type() || fields_.going(); }
-    bool typing() const { return fields_.typing(); }
+    /// Whether a field, or a widget at which `go` has stopped, has the keyboard.
+    bool typing() const { return fields_.typing() || fields_.stopped(); }
     /// Goes to the next field, or the one before; see `Fields`.
     void go(bool back) { fields_.go(back); }
     bool take_went_before_first() { return fields_.take_went_before_first(); }

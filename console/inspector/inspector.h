@@ -61,6 +61,9 @@ class Inspector {
     bool about_to_type() const { return frames_to_search_ > 0 || editor_.about_to_type(); }
     /// The search field gets the keyboard in the next frames.
     void begin_search() { frames_to_search_ = 4; }
+    /// The search field does not get the keyboard any more, if it has not got it yet: the inspector
+    /// has no room.
+    void give_up_search() { frames_to_search_ = 0; }
     /// The instance whose row is under the mouse, or was reached with the arrow keys.
     property::Handle pointed() const { return tree_.alive(walked_) ? walked_ : pointed_; }
     /// Tab goes from the search to the properties, and from field to field. Returns false if the

@@ -108,6 +108,7 @@ bool input_line(const char* id, const char* hint, std::string& text, int flags) 
 
 void Fields::start_typing(ImGuiID field, std::string text) {
     typing_ = field;
+    stopped_ = 0;
     typing_active_ = false;
     typing_seen_ = true;
     frames_to_focus_ = 4;
@@ -123,14 +124,40 @@ void Fields::begin_text(const char* id, std::string text) {
 /// Whether `go` has arrived at the field, which is about to be drawn.
 bool Fields::arrives(ImGuiID field, const std::string& text) {
     if (compat::disabled()) return false;
-    if (go_ == Go::on && typing_ == 0) {
+    if (go_ == Go::on && typing_ == 0 && stopped_ == 0) {
         go_ = Go::none;
         start_typing(field, text);
         if (!ImGui::IsRectVisible(ImVec2(1, ImGui::GetFrameHeight()))) ImGui::SetScrollHereY(0.5f);
         return true;
     }
-    if (typing_ != 0 || go_ != Go::none) passed_ = {field, text, ImGui::GetCursorPosY()};
+    if (typing_ != 0 || stopped_ != 0 || go_ != Go::none)
+        passed_ = {field, text, ImGui::GetCursorPosY()};
     return false;
+}
+
+bool Fields::stop(const char* id) {
+    const ImGuiID field = ImGui::GetID(id);
+    if (compat::disabled()) return false;
+    const float y = ImGui::GetCursorPosY();
+    if (stopped_ != field) {
+        if (go_ != Go::on || typing_ != 0 || stopped_ != 0) {
+            if (typing_ != 0 || stopped_ != 0) passed_ = {field, {}, y, false};
+            return false;
+        }
+        go_ = Go::none;
+        stopped_ = field;
+        pressed_ = false;
+        if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
+    }
+    stop_seen_ = true;
+    ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                        palette::accent, ImGui::GetStyle().FrameRounding);
+    const bool pressed = std::exchange(pressed_, false);
+    if (go_ != Go::none) {
+        stopped_ = 0;
+        leave();
+    }
+    return pressed;
 }
 
 /// Goes back from the field that had the keyboard. The next one is not drawn yet: it `arrives`.
@@ -139,7 +166,12 @@ void Fields::leave() {
     go_ = Go::none;
     before_first_ = passed_.field == 0;
     if (before_first_) return;
-    start_typing(passed_.field, passed_.text);
+    if (passed_.is_field) {
+        start_typing(passed_.field, passed_.text);
+    } else {
+        stopped_ = passed_.field;
+        stop_seen_ = true;
+    }
     const float y = passed_.y - ImGui::GetScrollY();
     if (y < 0) ImGui::SetScrollFromPosY(y, 0.5f);
 }
@@ -161,6 +193,7 @@ void Fields::end_frame() {
     if (typing_ != 0 && (!typing_seen_ || (!typing_active_ && frames_to_focus_ <= 0))) typing_ = 0;
     typing_seen_ = false;
     if (typing_ == 0) go_ = Go::none;  // there was no field
+    if (!std::exchange(stop_seen_, false)) stopped_ = 0;
     passed_ = {};
 }
 

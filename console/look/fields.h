@@ -41,6 +41,12 @@ class Fields {
     /// it, to the first one. What was typed is entered.
     void go(bool back) { go_ = back ? Go::back : Go::on; }
     bool going() const { return go_ != Go::none; }
+    /// `go` also stops at the widget that was drawn last, which is no field: a check box. Returns
+    /// true once after `press`, if it has stopped there.
+    bool stop(const char* id);
+    bool stopped() const { return stopped_ != 0; }
+    void press() { pressed_ = true; }
+    void leave_stop() { stopped_ = 0; }
     /// True once after no field was found before the first one.
     bool take_went_before_first() { return std::exchange(before_first_, false); }
 
@@ -82,10 +88,13 @@ class Fields {
     enum class Go { none, on, back };
     Go go_ = Go::none;
     bool before_first_ = false;
+    ImGuiID stopped_ = 0;  // the widget that is no field and has the keyboard
+    bool stop_seen_ = false, pressed_ = false;
     struct Passed {
         ImGuiID field = 0;
         std::string text;
         float y = 0;  // in its window
+        bool is_field = true;
     };
     Passed passed_;  // the last field before the one that has the keyboard
 };

@@ -79,6 +79,8 @@ bool Console::State::press_key(const InputEvent& event) {
     if (event.name == "f" && event.control && !event.alt) {
         if (!settings.flag("inspector")) settings.set("inspector", property::Value(true));
         inspector.begin_search();
+    } else if (stop_key(event)) {
+        return true;
     } else if (widgets_have_keyboard()) {
         if (event.name != "tab" || screen.popup_open || !inspector.tab(event.shift)) feed(event);
     } else {
@@ -86,6 +88,18 @@ bool Console::State::press_key(const InputEvent& event) {
         if (!selection_key(event)) prompt_key(event);
     }
     return true;
+}
+
+bool Console::State::stop_key(const InputEvent& event) {
+    for (int i = 0; i < 3 && inspector.about_to_type(); ++i) frame(0);
+    Fields& fields = inspector.editor().fields();
+    const bool modifier = event.name.ends_with("_shift") || event.name.ends_with("_control");
+    if (!fields.stopped() || modifier) return false;
+    if (event.name == "tab") return inspector.tab(event.shift);
+    const bool presses = event.name == "space" || event.name == "enter";
+    input.swallow_text = event.name == "space";
+    presses ? fields.press() : fields.leave_stop();
+    return presses || event.name == "escape";
 }
 
 bool Console::State::run_key(const InputEvent& event) {
@@ -163,6 +177,7 @@ bool Console::State::widgets_have_keyboard() {
     // the keyboard one frame later.
     if (input.fed_button) frame(0);
     for (int i = 0; i < 3 && inspector.about_to_type(); ++i) frame(0);
+    inspector.give_up_search();
     ui.activate();
     return screen.width > 0 && (ImGui::IsAnyItemActive() || screen.popup_open);
 }
@@ -224,6 +239,7 @@ bool Console::State::mouse(const InputEvent& event) {
             return over;
         case EventKind::mouse_pressed:
             input.keys_to_selection = false;
+            inspector.editor().fields().leave_stop();
             // Ctrl+Z takes back what is edited with the mouse, and no text that was deleted before.
             if (prompt.edit().empty()) prompt.edit().clear_steps();
             if (over) {

@@ -52,6 +52,18 @@ TEST_CASE("Ctrl+F shows the inspector if it is hidden") {
     CHECK(rig.selected() == rig.at("ball"));
 }
 
+TEST_CASE("Ctrl+F leaves the keyboard to the prompt if the inspector has no room") {
+    OpenRig rig;
+    console::test::RasterSurface small(330, 140);
+    for (int i = 0; i < 3; ++i) rig.console.draw(small, 1.0 / 60);
+    rig.key("ctrl+f");
+    rig.type("ab");
+    CHECK(rig.input() == "ab");
+    rig.draw(3);
+    rig.type("c");
+    CHECK(rig.input() == "abc");
+}
+
 TEST_CASE("the arrow keys walk through what is found") {
     OpenRig rig;
     rig.keys({"ctrl+f"});
@@ -105,13 +117,17 @@ TEST_CASE("Tab goes from the search to the properties and from field to field") 
     rig.draw(2);
     rig.keys({"tab"});
     REQUIRE(rig.selected() == rig.at("ball"));
-    // The fields: name, z, position, angle, mass.
+    // The fields: name, z, type, position, angle, mass; the list of the mask is no field.
     const auto enter = [&](std::string_view text) {
         rig.key("ctrl+a");
         rig.type(text);
         rig.keys({"tab"});
     };
     rig.keys({"tab"});  // the name stays
+    rig.keys({"tab"});
+    CHECK(rig.value("world.ball.type") == Value("dynamic"));
+    rig.keys({"space"});  // the next of the texts
+    CHECK(rig.value("world.ball.type") == Value("static"));
     rig.keys({"tab"});
     enter("2");
     enter("3");
@@ -124,6 +140,31 @@ TEST_CASE("Tab goes from the search to the properties and from field to field") 
     CHECK(rig.value("world.ball.mass") == Value(1.0));
     rig.type("x");
     CHECK(rig.input() == "x");
+}
+
+TEST_CASE("Space switches a check box that Tab has reached, and other keys go to the prompt") {
+    OpenRig rig;
+    rig.console.select(rig.at("ball"));
+    rig.draw(3);
+    const ImVec2 place = rig.widget("lives");  // the one before
+    rig.click(place.x, place.y);
+    rig.draw(2);
+    const auto press_space = [&] {
+        rig.press("space");
+        rig.character(U' ');
+        rig.release("space");
+        rig.draw(2);
+    };
+    rig.keys({"tab"});
+    press_space();
+    CHECK(rig.value("world.ball.awake") == Value(false));
+    rig.keys({"tab", "shift+tab"});
+    press_space();
+    CHECK(rig.value("world.ball.awake") == Value(true));
+    CHECK(rig.input().empty());
+    rig.type("x y");
+    CHECK(rig.input() == "x y");
+    CHECK(rig.value("world.ball.awake") == Value(true));
 }
 
 TEST_CASE("Tab scrolls to fields that are out of sight, and ends after the last one") {
