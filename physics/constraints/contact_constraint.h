@@ -109,4 +109,10 @@ struct ContactExtra {
     }
 };
 
+/// The impacts of a body in a pass that come first.
+struct FirstImpact {
+    float time = 1.0f;  ///< as a share of the step
+    uint32_t count = 0;
+};
+
 }  // namespace fettle::physics::detail

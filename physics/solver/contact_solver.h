@@ -9,6 +9,12 @@ namespace fettle::physics::detail {
 
 class JointResponse;
 
+/// Data of each body for the passes of impacts.
+struct Bounced {
+    std::span<uint8_t> last_pass;  ///< the last pass that changed it; 0 at the start
+    std::span<FirstImpact> first;
+};
+
 struct ContactSolver {
     std::span<SolverBody> bodies;
     std::span<const SolverForce> forces;
@@ -22,12 +28,12 @@ struct ContactSolver {
     /// Called before the sub-steps, which compute no impacts. Contacts whose shapes approach fast
     /// enough to meet within the step (`substeps` sub-steps) get their restitution times that speed
     /// as separation speed; without restitution (contacts of jointed bodies) they keep the speed at
-    /// which their gap closes within the step. This is done pair by pair and pass after pass
-    /// (`pass` = 1, 2, …), until their restitution would leave nothing of an impact that has passed
-    /// through so many bodies. Returns false when no pair did so in this pass. So an impact passes
-    /// through a row of bodies in one step without loss. `changed`, by body: the last pass that
-    /// changed it; 0 at the start. `joints`: they take part in the impact; may be null.
-    bool bounce(int substeps, uint8_t pass, std::span<uint8_t> changed, JointResponse* joints);
+    /// which their gap closes within the step. This is done pass after pass (`pass` = 1, 2, …) for
+    /// all pairs that approach at its beginning, until their restitution would leave nothing of an
+    /// impact that has passed through so many bodies. Returns false when no pair did so in this
+    /// pass. So an impact passes through a row of bodies in one step without loss. `joints`: they
+    /// take part in the impact; may be null.
+    bool bounce(int substeps, uint8_t pass, const Bounced& bounced, JointResponse* joints);
     /// True if some contact that takes impacts approaches fast enough.
     bool may_bounce() const;
     /// Maximum length of the row of bodies that an impact passes through in a step.

@@ -279,6 +279,8 @@ struct alignas(cache_line_size) FirstBlock {
     void bounce(const SolverBlock& block) const {
         if (!serial.may_bounce()) return;
         step.bodies.bounced.assign(step.bodies.solver_bodies.size(), 0);
+        step.bodies.first_impacts.resize(step.bodies.solver_bodies.size());
+        const Bounced bounced = {step.bodies.bounced, step.bodies.first_impacts};
         const int substeps = step.input.settings.substeps;
         if (step.input.joints.acting_joints() > 0) {
             // An impact that goes through joints may reach bodies of any strip.
@@ -286,8 +288,8 @@ struct alignas(cache_line_size) FirstBlock {
             ContactSolver fast = serial, others = passing;
             bool any = true;
             for (uint8_t pass = 1; any && pass <= ContactSolver::most_passes; ++pass) {
-                any = fast.bounce(substeps, pass, step.bodies.bounced, &joints);
-                any |= others.bounce(substeps, pass, step.bodies.bounced, &joints);
+                any = fast.bounce(substeps, pass, bounced, &joints);
+                any |= others.bounce(substeps, pass, bounced, &joints);
             }
             joints.report();
             return;
@@ -298,8 +300,7 @@ struct alignas(cache_line_size) FirstBlock {
             step.section_loop(block,
                               [&](uint32_t, const StripNodes& nodes) {
                                   for (ContactSolver some : {serial_of(nodes), passing_of(nodes)})
-                                      if (some.bounce(substeps, pass, step.bodies.bounced, nullptr))
-                                          any = true;
+                                      if (some.bounce(substeps, pass, bounced, nullptr)) any = true;
                               })
                 .run();
         }
