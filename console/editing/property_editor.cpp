@@ -101,8 +101,8 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     const float available = whole - gutter_width(whole);
     bool tall = property.type == Type::list || property.any_type;
     bool plain = !tall && mixed_.others().empty() && !problems_.contains(&property) &&
-                 tree_.formula_count() == 0 && !fields_.typing() && !fields_.stopped() &&
-                 !fields_.going();
+                 tree_.formula_count() == 0 && !fields_.typing() && !fields_.widget_has_focus() &&
+                 !fields_.moves_focus();
     if (plain && !ImGui::IsRectVisible(ImVec2(whole, ImGui::GetFrameHeight()))) {
         ImGui::Dummy(ImVec2(whole, ImGui::GetFrameHeight()));
         return false;
@@ -272,7 +272,7 @@ NumberLook PropertyEditor::look_of(const Property& property) {
 void PropertyEditor::boolean(const Target& target, const Value& value) {
     bool checked = value.boolean();
     const bool clicked = ImGui::Checkbox("##value", &checked);
-    if (fields_.stop("##value"))
+    if (fields_.focus_stop("##value"))
         write(target, Value(!value.boolean()));
     else if (clicked)
         write(target, Value(checked));
@@ -304,7 +304,7 @@ void PropertyEditor::enumerator(const Target& target, const Value& value, float 
     ImGui::SetNextItemWidth(width);
     if (!ImGui::BeginCombo("##value", widget_text(value.text()).c_str())) {
         const std::vector<std::string>& all = target.property->enumerators;
-        if (!fields_.stop("##value")) return;
+        if (!fields_.focus_stop("##value")) return;
         const auto now = std::ranges::find(all, value.text());
         write(target, Value(now == all.end() || now + 1 == all.end() ? all.front() : now[1]));
         return;

@@ -57,12 +57,12 @@ class PropertyEditor {
     void end_drag();
     /// The rectangle of the property's widget in the last frame; empty if it was not visible.
     Rect widget_rect(const property::Property& property) const;
-    bool about_to_type() const { return fields_.about_to_type() || fields_.going(); }
+    bool about_to_type() const { return fields_.about_to_type() || fields_.moves_focus(); }
     /// Whether a field, or a widget at which `go` has stopped, has the keyboard.
-    bool typing() const { return fields_.typing() || fields_.stopped(); }
+    bool typing() const { return fields_.typing() || fields_.widget_has_focus(); }
     /// Goes to the next field, or the one before; see `Fields`.
-    void go(bool back) { fields_.go(back); }
-    bool take_went_before_first() { return fields_.take_went_before_first(); }
+    void move_focus(bool back) { fields_.move_focus(back); }
+    bool consume_moved_before_first() { return fields_.consume_moved_before_first(); }
     /// Removes the shown errors, because another instance is edited.
     void forget() {
         problems_.clear();

@@ -82,7 +82,7 @@ void Inspector::draw_search() {
         search_.clear();
         begin_search();
     }
-    if (search_ != before) walked_ = {};
+    if (search_ != before) focused_row_ = {};
     outline_.search(search_);
     if (!before.empty() && search_.empty() &&
         tree_.alive(selected())) {  // the whole tree again, where the selected instance is
@@ -90,15 +90,15 @@ void Inspector::draw_search() {
         scroll_to_selected_ = true;
     }
     if (searches_)
-        walk();
+        move_through_rows();
     else if (had_keyboard && compat::pressed(ImGuiKey_Enter))
-        choose_walked();
+        choose_focused_row();
     else if (had_keyboard)
-        walked_ = {};
+        focused_row_ = {};
 }
 
 /// The keys that move through the rows while the search field has the keyboard.
-void Inspector::walk() {
+void Inspector::move_through_rows() {
     const auto& rows = outline_.rows(ImGui::GetTime());
     if (rows.empty()) return;
     const auto last = static_cast<std::ptrdiff_t>(rows.size()) - 1;
@@ -108,11 +108,11 @@ void Inspector::walk() {
     if (compat::pressed(ImGuiKey_UpArrow, true)) by = -1;
     if (compat::pressed(ImGuiKey_PageDown, true)) by = std::max<std::ptrdiff_t>(1, page);
     if (compat::pressed(ImGuiKey_PageUp, true)) by = -std::max<std::ptrdiff_t>(1, page);
-    const bool began = tree_.alive(walked_);
-    const std::ptrdiff_t at = outline_.row_of(began ? walked_ : selected());
+    const bool began = tree_.alive(focused_row_);
+    const std::ptrdiff_t at = outline_.row_of(began ? focused_row_ : selected());
     if (by != 0) {
         const std::ptrdiff_t to = at < 0 ? (by > 0 ? 0 : last) : std::clamp(at + by, {}, last);
-        walked_ = rows[static_cast<std::size_t>(to)].instance;
+        focused_row_ = rows[static_cast<std::size_t>(to)].instance;
         scroll_to_selected_ = true;
     } else if (at >= 0 && search_.empty()) {  // else the arrows move the cursor in the text
         const InstanceTree::Row row = rows[static_cast<std::size_t>(at)];
@@ -121,16 +121,16 @@ void Inspector::walk() {
             if (row.unfolded && row.has_children)
                 outline_.fold(row.instance, false);
             else if (const Handle parent = tree_.parent(row.instance))
-                walked_ = parent;
+                focused_row_ = parent;
             scroll_to_selected_ = true;
         }
     }
 }
 
 /// Selects the row that the arrow keys have reached, or the first one that was found.
-void Inspector::choose_walked() {
+void Inspector::choose_focused_row() {
     const auto& rows = outline_.rows(ImGui::GetTime());
-    Handle found = std::exchange(walked_, {});
+    Handle found = std::exchange(focused_row_, {});
     if (!tree_.alive(found) && !search_.empty() && !rows.empty()) found = rows.front().instance;
     if (tree_.alive(found)) choose(found);
 }
@@ -138,14 +138,14 @@ void Inspector::choose_walked() {
 bool Inspector::tab(bool back) {
     if (searches_ || frames_to_search_ > 0) {
         if (!back) {
-            choose_walked();
-            editor_.go(false);
+            choose_focused_row();
+            editor_.move_focus(false);
         }
         frames_to_search_ = 0;
         return true;
     }
     if (!editor_.typing()) return false;
-    editor_.go(back);
+    editor_.move_focus(back);
     return true;
 }
 
@@ -188,7 +188,7 @@ void Inspector::draw(ImFont* bold) {
         ImGui::EndChild();
     }
     editor_.end_frame();
-    if (editor_.take_went_before_first()) begin_search();
+    if (editor_.consume_moved_before_first()) begin_search();
 }
 
 // --- Outline
@@ -204,8 +204,8 @@ void Inspector::draw_outline(float height) {
     ImGui::BeginChild("outline", ImVec2(0, height));
     const auto& rows = outline_.rows(ImGui::GetTime());
     if (scroll_to_selected_) {
-        const auto row =
-            static_cast<float>(outline_.row_of(tree_.alive(walked_) ? walked_ : selected()));
+        const auto row = static_cast<float>(
+            outline_.row_of(tree_.alive(focused_row_) ? focused_row_ : selected()));
         const float y = row * row_height, view = ImGui::GetScrollY();
         if (row >= 0 && (y < view || y + row_height > view + height))
             // The row in the middle, and none that is cut.
@@ -261,7 +261,7 @@ void Inspector::draw_outline_row(const InstanceTree::Row& row) {
     if (chosen_row || hovered)
         list.AddRectFilled(at, end, chosen_row ? palette::selection : palette::rgb(0x1b2029),
                            ImGui::GetStyle().FrameRounding);
-    if (row.instance == walked_)
+    if (row.instance == focused_row_)
         list.AddRect(at, end, palette::accent, ImGui::GetStyle().FrameRounding);
     float y = at.y + (height - ImGui::GetTextLineHeight()) / 2;
     if (row.has_children) draw_text(list, ImVec2(x, y), palette::dim, row.unfolded ? "▾" : "▸");

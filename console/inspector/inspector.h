@@ -65,7 +65,7 @@ class Inspector {
     /// has no room.
     void give_up_search() { frames_to_search_ = 0; }
     /// The instance whose row is under the mouse, or was reached with the arrow keys.
-    property::Handle pointed() const { return tree_.alive(walked_) ? walked_ : pointed_; }
+    property::Handle pointed() const { return tree_.alive(focused_row_) ? focused_row_ : pointed_; }
     /// Tab goes from the search to the properties, and from field to field. Returns false if the
     /// inspector does not have the keyboard.
     bool tab(bool back);
@@ -73,8 +73,8 @@ class Inspector {
 
   private:
     void draw_search();
-    void walk();
-    void choose_walked();
+    void move_through_rows();
+    void choose_focused_row();
     void draw_outline(float height);
     void draw_outline_row(const InstanceTree::Row& row);
     void draw_splitter();
@@ -97,10 +97,10 @@ class Inspector {
     std::string scroll_to_property_;
     bool scroll_to_selected_ = false;
     int frames_to_search_ = 0;
-    bool searches_ = false;     // the search field has the keyboard
-    property::Handle walked_;   // the row that the arrow keys have reached
-    property::Handle pointed_;  // the row under the mouse
-    float outline_height_ = 0;  // px, in the last frame
+    bool searches_ = false;         // the search field has the keyboard
+    property::Handle focused_row_;  // the row that the arrow keys have reached
+    property::Handle pointed_;      // the row under the mouse
+    float outline_height_ = 0;      // px, in the last frame
     float outline_share_ = 0.36f;
 };
 

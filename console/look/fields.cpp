@@ -108,7 +108,7 @@ bool input_line(const char* id, const char* hint, std::string& text, int flags) 
 
 void Fields::start_typing(ImGuiID field, std::string text) {
     typing_ = field;
-    stopped_ = 0;
+    focused_widget_ = 0;
     typing_active_ = false;
     typing_seen_ = true;
     frames_to_focus_ = 4;
@@ -121,65 +121,66 @@ void Fields::begin_text(const char* id, std::string text) {
     before_ = "\n";  // no line that is typed equals it: Enter takes the text as it stands
 }
 
-/// Whether `go` has arrived at the field, which is about to be drawn.
-bool Fields::arrives(ImGuiID field, const std::string& text) {
+/// Whether `move_focus` has arrived at the field, which is about to be drawn.
+bool Fields::receives_focus(ImGuiID field, const std::string& text) {
     if (compat::disabled()) return false;
-    if (go_ == Go::on && typing_ == 0 && stopped_ == 0) {
-        go_ = Go::none;
+    if (focus_move_ == FocusMove::next && typing_ == 0 && focused_widget_ == 0) {
+        focus_move_ = FocusMove::none;
         start_typing(field, text);
         if (!ImGui::IsRectVisible(ImVec2(1, ImGui::GetFrameHeight()))) ImGui::SetScrollHereY(0.5f);
         return true;
     }
-    if (typing_ != 0 || stopped_ != 0 || go_ != Go::none)
-        passed_ = {field, text, ImGui::GetCursorPosY()};
+    if (typing_ != 0 || focused_widget_ != 0 || focus_move_ != FocusMove::none)
+        previous_ = {field, text, ImGui::GetCursorPosY()};
     return false;
 }
 
-bool Fields::stop(const char* id) {
+bool Fields::focus_stop(const char* id) {
     const ImGuiID field = ImGui::GetID(id);
     if (compat::disabled()) return false;
     const float y = ImGui::GetCursorPosY();
-    if (stopped_ != field) {
-        if (go_ != Go::on || typing_ != 0 || stopped_ != 0) {
-            if (typing_ != 0 || stopped_ != 0) passed_ = {field, {}, y, false};
+    if (focused_widget_ != field) {
+        if (focus_move_ != FocusMove::next || typing_ != 0 || focused_widget_ != 0) {
+            if (typing_ != 0 || focused_widget_ != 0) previous_ = {field, {}, y, false};
             return false;
         }
-        go_ = Go::none;
-        stopped_ = field;
+        focus_move_ = FocusMove::none;
+        focused_widget_ = field;
         pressed_ = false;
         if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
     }
-    stop_seen_ = true;
+    focused_widget_seen_ = true;
     ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
                                         palette::accent, ImGui::GetStyle().FrameRounding);
     const bool pressed = std::exchange(pressed_, false);
-    if (go_ != Go::none) {
-        stopped_ = 0;
-        leave();
+    if (focus_move_ != FocusMove::none) {
+        focused_widget_ = 0;
+        focus_previous();
     }
     return pressed;
 }
 
-/// Goes back from the field that had the keyboard. The next one is not drawn yet: it `arrives`.
-void Fields::leave() {
-    if (go_ != Go::back) return;
-    go_ = Go::none;
-    before_first_ = passed_.field == 0;
-    if (before_first_) return;
-    if (passed_.is_field) {
-        start_typing(passed_.field, passed_.text);
+/// Goes back from the field that had the keyboard. The next one is not drawn yet: it
+/// `receives_focus`.
+void Fields::focus_previous() {
+    if (focus_move_ != FocusMove::previous) return;
+    focus_move_ = FocusMove::none;
+    moved_before_first_ = previous_.field == 0;
+    if (moved_before_first_) return;
+    if (previous_.is_field) {
+        start_typing(previous_.field, previous_.text);
     } else {
-        stopped_ = passed_.field;
-        stop_seen_ = true;
+        focused_widget_ = previous_.field;
+        focused_widget_seen_ = true;
     }
-    const float y = passed_.y - ImGui::GetScrollY();
+    const float y = previous_.y - ImGui::GetScrollY();
     if (y < 0) ImGui::SetScrollFromPosY(y, 0.5f);
 }
 
 void Fields::refuse() {
     if (committed_ == 0 || !by_enter_) return;
-    go_ = Go::none;
-    before_first_ = false;
+    focus_move_ = FocusMove::none;
+    moved_before_first_ = false;
     typing_ = std::exchange(committed_, 0);
     typing_active_ = false;
     typing_seen_ = true;
@@ -192,9 +193,9 @@ void Fields::end_frame() {
     // The edited field was not drawn: it is out of sight, or its property was deleted.
     if (typing_ != 0 && (!typing_seen_ || (!typing_active_ && frames_to_focus_ <= 0))) typing_ = 0;
     typing_seen_ = false;
-    if (typing_ == 0) go_ = Go::none;  // there was no field
-    if (!std::exchange(stop_seen_, false)) stopped_ = 0;
-    passed_ = {};
+    if (typing_ == 0) focus_move_ = FocusMove::none;  // there was no field
+    if (!std::exchange(focused_widget_seen_, false)) focused_widget_ = 0;
+    previous_ = {};
 }
 
 std::string Fields::consume_problem() {
@@ -216,7 +217,7 @@ std::optional<double> Fields::number(const char* id, double value, const NumberL
     std::string digits = look.integer && std::abs(value) < 9e15
                              ? std::to_string(static_cast<long long>(value))
                              : property::number_text(value, look.precision);
-    if (arrives(field, digits)) return typed_number(id, look, width);
+    if (receives_focus(field, digits)) return typed_number(id, look, width);
     ImVec2 low = ImGui::GetCursorScreenPos();
     ImVec2 high(low.x + width, low.y + ImGui::GetFrameHeight());
     ImGui::InvisibleButton(id, ImVec2(std::max(1.0f, width), ImGui::GetFrameHeight()));
@@ -290,7 +291,7 @@ std::optional<double> Fields::typed_number(const char* id, const NumberLook& loo
 
 std::optional<std::string> Fields::text(const char* id, const std::string& value, float width) {
     ImGuiID field = ImGui::GetID(id);
-    bool mine = typing_ == field || arrives(field, value);
+    bool mine = typing_ == field || receives_focus(field, value);
     ImGui::SetNextItemWidth(width);
     std::string passive = mine ? std::string() : value;
     if (mine && !typing_active_ && frames_to_focus_-- > 0) ImGui::SetKeyboardFocusHere();
@@ -304,7 +305,7 @@ std::optional<std::string> Fields::text(const char* id, const std::string& value
         return std::nullopt;
     }
     typing_seen_ = true;
-    const bool leaves = active && typing_active_ && go_ != Go::none;
+    const bool leaves = active && typing_active_ && focus_move_ != FocusMove::none;
     if (active && !leaves) {
         typing_active_ = true;
         return std::nullopt;
@@ -319,7 +320,7 @@ std::optional<std::string> Fields::text(const char* id, const std::string& value
     const bool same = typed == before_ || (!leaves && compat::escape_pressed());
     if (leaves) {
         compat::release_keyboard();
-        leave();
+        focus_previous();
     }
     if (same) return std::nullopt;
     committed_ = field;

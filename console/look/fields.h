@@ -39,16 +39,16 @@ class Fields {
     bool typing() const { return typing_ != 0; }
     /// Goes from the field that has the keyboard to the next one, or to the one before; if none has
     /// it, to the first one. What was typed is entered.
-    void go(bool back) { go_ = back ? Go::back : Go::on; }
-    bool going() const { return go_ != Go::none; }
-    /// `go` also stops at the widget that was drawn last, which is no field: a check box. Returns
-    /// true once after `press`, if it has stopped there.
-    bool stop(const char* id);
-    bool stopped() const { return stopped_ != 0; }
-    void press() { pressed_ = true; }
-    void leave_stop() { stopped_ = 0; }
+    void move_focus(bool back) { focus_move_ = back ? FocusMove::previous : FocusMove::next; }
+    bool moves_focus() const { return focus_move_ != FocusMove::none; }
+    /// `move_focus` also stops at the widget that was drawn last, which is no field: a check box.
+    /// Returns true once after `press_widget`, if it has stopped there.
+    bool focus_stop(const char* id);
+    bool widget_has_focus() const { return focused_widget_ != 0; }
+    void press_widget() { pressed_ = true; }
+    void unfocus_widget() { focused_widget_ = 0; }
     /// True once after no field was found before the first one.
-    bool take_went_before_first() { return std::exchange(before_first_, false); }
+    bool consume_moved_before_first() { return std::exchange(moved_before_first_, false); }
 
     /// A field was clicked for typing and gets the keyboard within the next frames.
     bool about_to_type() const { return typing_ != 0 && !typing_active_; }
@@ -69,8 +69,8 @@ class Fields {
     std::optional<double> parse(const std::string& typed, std::string_view unit);
     double dragged(double pixels, const NumberLook& look);
     void start_typing(ImGuiID field, std::string text);
-    bool arrives(ImGuiID field, const std::string& text);
-    void leave();
+    bool receives_focus(ImGuiID field, const std::string& text);
+    void focus_previous();
 
     // Only one field at a time is dragged or edited.
     ImGuiID typing_ = 0;
@@ -85,18 +85,18 @@ class Fields {
     ImGuiID committed_ = 0;  // the field that returned a text in this frame
     std::string committed_text_;
     bool by_enter_ = false, settled_ = false;
-    enum class Go { none, on, back };
-    Go go_ = Go::none;
-    bool before_first_ = false;
-    ImGuiID stopped_ = 0;  // the widget that is no field and has the keyboard
-    bool stop_seen_ = false, pressed_ = false;
-    struct Passed {
+    enum class FocusMove { none, next, previous };
+    FocusMove focus_move_ = FocusMove::none;
+    bool moved_before_first_ = false;
+    ImGuiID focused_widget_ = 0;  // the widget that is no field and has the keyboard
+    bool focused_widget_seen_ = false, pressed_ = false;
+    struct Previous {
         ImGuiID field = 0;
         std::string text;
         float y = 0;  // in its window
         bool is_field = true;
     };
-    Passed passed_;  // the last field before the one that has the keyboard
+    Previous previous_;  // the last field before the one that has the keyboard
 };
 
 /// An input line without a length limit. `flags`: ImGuiInputTextFlags.

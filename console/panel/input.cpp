@@ -98,7 +98,7 @@ bool Console::State::stop_key(const InputEvent& event) {
     if (event.name == "tab") return inspector.tab(event.shift);
     const bool presses = event.name == "space" || event.name == "enter";
     input.swallow_text = event.name == "space";
-    presses ? fields.press() : fields.leave_stop();
+    presses ? fields.press() : fields.unfocus_widget();
     return presses || event.name == "escape";
 }
 
@@ -239,7 +239,7 @@ bool Console::State::mouse(const InputEvent& event) {
             return over;
         case EventKind::mouse_pressed:
             input.keys_to_selection = false;
-            inspector.editor().fields().leave_stop();
+            inspector.editor().fields().unfocus_widget();
             // Ctrl+Z takes back what is edited with the mouse, and no text that was deleted before.
             if (prompt.edit().empty()) prompt.edit().clear_steps();
             if (over) {
