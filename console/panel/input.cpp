@@ -94,11 +94,11 @@ bool Console::State::stop_key(const InputEvent& event) {
     for (int i = 0; i < 3 && inspector.about_to_type(); ++i) frame(0);
     Fields& fields = inspector.editor().fields();
     const bool modifier = event.name.ends_with("_shift") || event.name.ends_with("_control");
-    if (!fields.stopped() || modifier) return false;
+    if (!fields.widget_has_focus() || modifier) return false;
     if (event.name == "tab") return inspector.tab(event.shift);
     const bool presses = event.name == "space" || event.name == "enter";
     input.swallow_text = event.name == "space";
-    presses ? fields.press() : fields.unfocus_widget();
+    presses ? fields.press_widget() : fields.unfocus_widget();
     return presses || event.name == "escape";
 }
 

@@ -20,6 +20,11 @@ struct alignas(32) SolverBody {
 };
 static_assert(sizeof(SolverBody) == 32);
 
+/// False for a body that no impulse moves.
+inline bool moves(const SolverBody& body) {
+    return body.inverse_mass > 0.0f || body.inverse_inertia > 0.0f;
+}
+
 /// Square of the radius of gyration of a body, m²; a large number for one that does not rotate.
 inline float gyration_of(const SolverBody& b) {
     return b.inverse_mass > 0.0f && b.inverse_inertia > 0.0f ? b.inverse_mass / b.inverse_inertia

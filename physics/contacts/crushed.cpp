@@ -16,7 +16,7 @@ constexpr float passing_share = 0.125f;
 /// The maximum of the cosine of the angle between the normals at the two sides of a crushed body.
 constexpr float opposite = -0.5f;
 /// Maximum number of bodies through which the pressure is followed.
-constexpr size_t most_bodies = 64;
+constexpr size_t most_crushed_bodies = 64;
 
 /// Bodies that overlap by more than this part of the smaller width are pressed together. Bodies in
 /// a stack overlap by less.
@@ -129,7 +129,7 @@ class Pressure {
     void add(uint32_t body, uint32_t from) {
         const bool known = std::any_of(pressed_.begin(), pressed_.end(),
                                        [&](const Pressed& p) { return p.body == body; });
-        if (!known && pressed_.size() < most_bodies) pressed_.push_back({body, from});
+        if (!known && pressed_.size() < most_crushed_bodies) pressed_.push_back({body, from});
     }
 
     const ObjectState& objects_;
@@ -171,7 +171,8 @@ bool skip_crushed(const Touching& touching, const ActiveLists& active) {
 void release_pressed(ObjectState& objects, const ContactRecord& ended) {
     std::vector<uint32_t> pressed;
     const auto add = [&](uint32_t body) {
-        if (objects.bodies[body].mobility == Mobility::dynamic && pressed.size() < most_bodies &&
+        if (objects.bodies[body].mobility == Mobility::dynamic &&
+            pressed.size() < most_crushed_bodies &&
             std::find(pressed.begin(), pressed.end(), body) == pressed.end())
             pressed.push_back(body);
     };

@@ -89,12 +89,12 @@ class Cutter {
     }
 
     bool best_cut(const Indices& q, size_t& from, size_t& to) const {
-        struct Candidate {
+        struct Cut {
             int convex;
             float length;
             size_t from, to;
         };
-        std::vector<Candidate> candidates;
+        std::vector<Cut> candidates;
         // In a small outline, all reflex vertices are tested against all others. In a long outline,
         // only the first few are tested, because their cuts are short anyway. A long outline also
         // needs many cuts, so the limit for the total cost is the same for all outlines.
@@ -115,14 +115,14 @@ class Cutter {
         }
         // A heap with the best cut on top: nearly always one of the first is used, so the others
         // need not be sorted.
-        const auto worse = [](const Candidate& a, const Candidate& b) {
+        const auto worse = [](const Cut& a, const Cut& b) {
             if (a.convex != b.convex) return a.convex < b.convex;
             if (a.length != b.length) return a.length > b.length;
             return a.from != b.from ? a.from > b.from : a.to > b.to;
         };
         std::make_heap(candidates.begin(), candidates.end(), worse);
         for (; !candidates.empty(); candidates.pop_back()) {
-            const Candidate& candidate = candidates.front();
+            const Cut& candidate = candidates.front();
             if (visible(q, candidate.from, candidate.to)) {
                 from = candidate.from;
                 to = candidate.to;

@@ -76,10 +76,6 @@ float velocity_at(const ContactConstraint& c, int point, const SolverBody& a, co
            (p.normal_lever_b * b.angular_velocity - p.normal_lever_a * a.angular_velocity);
 }
 
-bool moves(const SolverBody& body) {
-    return body.inverse_mass != 0.0f || body.inverse_inertia != 0.0f;
-}
-
 /// Does not write a body that no impulse moves, because other threads may read it.
 void push(const ContactConstraint& c, int point, float impulse, std::span<SolverBody> bodies) {
     const ConstraintPoint& p = c.points[point];
@@ -116,8 +112,8 @@ bool is_fast(const ContactExtra& extra, float restitution_threshold) {
 /// part of their speed.
 constexpr float least_worth = 0.2f;
 
-/// An impact in a pass.
-struct Impact {
+/// An impact of two bodies in a pass.
+struct PairImpact {
     uint32_t constraint = 0;
     float time = 0.0f;  ///< until the shapes meet, as a share of the step; < 0: they overlap
     PointResponse response;
@@ -130,8 +126,8 @@ struct Impact {
     float impulses[2] = {};  ///< of all rounds
     float added[2] = {};     ///< in the present round
 
-    Impact(uint32_t index, const ContactConstraint& c, const ContactExtra& extra,
-           const float (&wanted)[2], const bool (&meeting)[2], float when)
+    PairImpact(uint32_t index, const ContactConstraint& c, const ContactExtra& extra,
+               const float (&wanted)[2], const bool (&meeting)[2], float when)
         : constraint(index),
           time(when),
           response(c),
@@ -175,16 +171,16 @@ void for_moving(const ContactConstraint& c, std::span<const SolverBody> bodies, 
 
 /// Leaves out impacts that come later than another one of the same body: after that one, the body
 /// moves elsewhere. The others get their share: 1 / the number of impacts of one of its bodies.
-void keep_first(std::vector<Impact>& impacts, std::span<const ContactConstraint> constraints,
+void keep_first(std::vector<PairImpact>& impacts, std::span<const ContactConstraint> constraints,
                 std::span<const SolverBody> bodies, std::span<FirstImpact> first) {
     constexpr float same = 1e-4f;
-    for (const Impact& impact : impacts)
+    for (const PairImpact& impact : impacts)
         for_moving(constraints[impact.constraint], bodies,
                    [&](uint32_t body) { first[body] = {.time = 1.0f, .count = 0}; });
-    for (const Impact& impact : impacts)
+    for (const PairImpact& impact : impacts)
         for_moving(constraints[impact.constraint], bodies,
                    [&](uint32_t body) { first[body].time = min(first[body].time, impact.time); });
-    std::erase_if(impacts, [&](const Impact& impact) {
+    std::erase_if(impacts, [&](const PairImpact& impact) {
         const ContactConstraint& c = constraints[impact.constraint];
         bool later = false;
         for_moving(c, bodies,
@@ -200,11 +196,12 @@ void keep_first(std::vector<Impact>& impacts, std::span<const ContactConstraint>
 /// a narrow wedge such rounds would take long, so the last ones are one after the other. What is
 /// missing at the end is left to the next pass, which bounces it: after n rounds this is worth
 /// about eⁿ with the restitution e, and no less than `least_worth`.
-void solve_together(std::vector<Impact>& impacts, std::span<const ContactConstraint> constraints,
-                    std::span<SolverBody> bodies, std::span<const FirstImpact> first) {
-    constexpr int rounds_together = 12, most_rounds = 60;
-    std::vector<Impact*> shared;  // Alone, an impact is exact after the first round.
-    for (Impact& impact : impacts) {
+void solve_together(std::vector<PairImpact>& impacts,
+                    std::span<const ContactConstraint> constraints, std::span<SolverBody> bodies,
+                    std::span<const FirstImpact> first) {
+    constexpr int rounds_together = 12, rounds_in_all = 60;
+    std::vector<PairImpact*> shared;  // Alone, an impact is exact after the first round.
+    for (PairImpact& impact : impacts) {
         const ContactConstraint& c = constraints[impact.constraint];
         uint32_t count = 1;
         for_moving(c, bodies, [&](uint32_t body) { count = max(count, first[body].count); });
@@ -212,19 +209,19 @@ void solve_together(std::vector<Impact>& impacts, std::span<const ContactConstra
         impact.approach(c, bodies, impact.share);
         if (count > 1) shared.push_back(&impact);
     }
-    for (Impact& impact : impacts) impact.add(constraints[impact.constraint], bodies);
-    for (int round = 1; round < most_rounds && !shared.empty(); ++round) {
+    for (PairImpact& impact : impacts) impact.add(constraints[impact.constraint], bodies);
+    for (int round = 1; round < rounds_in_all && !shared.empty(); ++round) {
         const bool in_turn = round >= rounds_together;
         bool any = false;
-        for (Impact* const impact : shared) {
+        for (PairImpact* const impact : shared) {
             const ContactConstraint& c = constraints[impact->constraint];
             any |= impact->approach(c, bodies, in_turn ? 1.0f : impact->share);
             if (in_turn) impact->add(c, bodies);
         }
         if (!any) return;
-        for (Impact* const impact : shared)
+        for (PairImpact* const impact : shared)
             if (!in_turn) impact->add(constraints[impact->constraint], bodies);
-        std::erase_if(shared, [&](Impact* impact) {
+        std::erase_if(shared, [&](PairImpact* impact) {
             impact->worth *= impact->restitution;
             return impact->worth < least_worth;
         });
@@ -243,7 +240,7 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
                            JointResponse* joints) {
     const float dt = float(substeps) / inverse_h;
     const std::span<uint8_t> changed = bounced.last_pass;
-    std::vector<Impact> impacts;
+    std::vector<PairImpact> impacts;
     bool any = false;
     const auto mark = [&](uint32_t body) {
         if (moves(bodies[body])) changed[body] = pass;
@@ -288,7 +285,7 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
         if (!meets[0] && !meets[1]) continue;
         const bool jointed = joints != nullptr && joints->acts_on(c.a, c.b);
         if (!jointed && extra.restitution >= least_worth) {
-            impacts.push_back(Impact(i, c, extra, wanted, meets, time));
+            impacts.push_back(PairImpact(i, c, extra, wanted, meets, time));
             continue;
         }
         const auto apply = [&](const PointResponse& response) {
@@ -321,7 +318,7 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
     if (impacts.empty()) return any;
     keep_first(impacts, constraints, bodies, bounced.first);
     solve_together(impacts, constraints, bodies, bounced.first);
-    for (const Impact& impact : impacts) {
+    for (const PairImpact& impact : impacts) {
         const ContactConstraint& c = constraints[impact.constraint];
         for (int k = 0; k < c.count; ++k) record(extras[c.extra - 1], k, impact.impulses[k]);
         mark(c.a);

@@ -50,10 +50,6 @@ void use_load_settings(size_t load, JointStep& step) {
     step.wide_share = min(wide_rate * step.h, 0.5f);
 }
 
-bool moves(const SolverBody& body) {
-    return body.inverse_mass > 0.0f || body.inverse_inertia > 0.0f;
-}
-
 /// Index of the load between two bodies with these inverse masses.
 uint8_t load_of(float lighter, float heavier) {
     uint8_t load = JointScratch::loads - 1;

@@ -41,9 +41,9 @@ namespace fettle::physics::detail {
 namespace {
 
 /// Islands with more bodies are solved by sweeps.
-constexpr size_t most_bodies = 500;
+constexpr size_t most_bodies_of_problem = 500;
 constexpr int most_first_steps = 6, most_steps = 15, most_factorizations = 120;
-constexpr int most_rounds = 25, most_friction_rounds = 9;
+constexpr int most_rounds_of_problem = 25, most_friction_rounds = 9;
 /// Share of the rigidity of rows with which the search begins if no solution is found at once.
 constexpr double softest = 3e-6;
 /// Velocities that rigid rows may leave, m/s: `tolerance` for a good result, `acceptable` for a
@@ -342,12 +342,12 @@ double DirectProblem::residual() {
 
 bool DirectProblem::solve_exactly() {
     least_left_ = worst_begin;
-    if (bodies_.size() > most_bodies || search_failed_) return false;
+    if (bodies_.size() > most_bodies_of_problem || search_failed_) return false;
     if (!analyzed_) analyze();
     budget_ = factorizations_left();
     share_ = begin_;
     guess_states();
-    for (int round = 0; round < most_rounds && budget_ > 0; ++round) {
+    for (int round = 0; round < most_rounds_of_problem && budget_ > 0; ++round) {
         const int before = budget_;
         if (!solve_boxed(share_ == 1.0 ? most_first_steps : most_steps)) {
             if (budget_ == 0) break;

@@ -39,7 +39,7 @@ struct QueuedPoint {
     }
 };
 
-struct Gap {
+struct ContactGap {
     float separation;
     float velocity;
 };
@@ -64,7 +64,7 @@ class SequentialPass {
         }
         for (ContactExtra& extra : extras_) extra.rolling_impulse = 0.0f;
         for (QueuedPoint& queued : queue_) {
-            const Gap gap = gap_of(queued);
+            const ContactGap gap = gap_of(queued);
             queued.severity = bounded(gap.separation + h_ * gap.velocity, 1e30f);
         }
         std::sort(queue_.begin(), queue_.end());
@@ -86,7 +86,7 @@ class SequentialPass {
     }
 
   private:
-    Gap gap_of(const QueuedPoint& queued) const {
+    ContactGap gap_of(const QueuedPoint& queued) const {
         const ContactConstraint& c = constraints_[queued.constraint];
         const ConstraintPoint& p = c.points[queued.point];
         const SolverBody &a = bodies_[c.a], &b = bodies_[c.b];
@@ -117,7 +117,7 @@ class SequentialPass {
         ContactConstraint& c = constraints_[queued.constraint];
         ConstraintPoint& p = c.points[queued.point];
         ContactExtra* extra = c.extra != 0 ? &extras_[c.extra - 1] : nullptr;
-        const Gap gap = gap_of(queued);
+        const ContactGap gap = gap_of(queued);
         // If the shapes are apart, the gap may close, but not more.
         const float excess = gap.velocity + max(gap.separation, 0.0f) / h_;
         if (!(excess < 0.0f)) return;
