@@ -22,8 +22,8 @@ TEST_CASE("a value of the wrong type is reported with the form that is probably 
         {"Body { awake = 0 }", "expected true or false, got integer 0 (write false)"},
         {"world:add(Body {}):nudge(5, 0)", "expected a vec2, got 5, 0 (write vec(5, 0))"},
         {"world:raycast(0, 0)", "expected a vec2, got 0, 0 (write vec(0, 0))"},
-        {"class('Trail', { widths = { 0.1, 0.2 } }) Trail { widths = 0.5 }",
-         "expected a list of numbers, got number 0.5 (write {0.5})"},
+        {"Polygon { vertices = vec(1, 2) }",
+         "expected a list of vec2, got vec2 vec(1, 2) (write {vec(1, 2)})"},
     }));
     CAPTURE(code);
     Stage s;
