@@ -58,7 +58,7 @@ class PropertyEditor {
     /// The rectangle of the property's widget in the last frame; empty if it was not visible.
     Rect widget_rect(const property::Property& property) const;
     bool about_to_type() const { return fields_.about_to_type() || fields_.moves_focus(); }
-    /// Whether a field, or a widget at which `go` has stopped, has the keyboard.
+    /// Whether a field, or a widget at which `move_focus` has stopped, has the keyboard.
     bool typing() const { return fields_.typing() || fields_.widget_has_focus(); }
     /// Goes to the next field, or the one before; see `Fields`.
     void move_focus(bool back) { fields_.move_focus(back); }

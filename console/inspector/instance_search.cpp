@@ -110,7 +110,7 @@ void InstanceSearch::end() {
     for (const auto& [score, instance] : similar_) found_.push_back(instance);
     matches_.clear();
     first_ = false;
-    problem_ = condition_ && found_.empty() ? condition_->unknown(tree_) : std::string();
+    problem_ = condition_ && found_.empty() ? condition_->problem(tree_) : std::string();
 }
 
 }  // namespace fettle::console

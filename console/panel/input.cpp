@@ -79,7 +79,7 @@ bool Console::State::press_key(const InputEvent& event) {
     if (event.name == "f" && event.control && !event.alt) {
         if (!settings.flag("inspector")) settings.set("inspector", property::Value(true));
         inspector.begin_search();
-    } else if (stop_key(event)) {
+    } else if (focused_widget_key(event)) {
         return true;
     } else if (widgets_have_keyboard()) {
         if (event.name != "tab" || screen.popup_open || !inspector.tab(event.shift)) feed(event);
@@ -90,8 +90,13 @@ bool Console::State::press_key(const InputEvent& event) {
     return true;
 }
 
-bool Console::State::stop_key(const InputEvent& event) {
+/// A clicked field, or one to which the focus moves, gets the keyboard one frame later.
+void Console::State::wait_for_focus() {
     for (int i = 0; i < 3 && inspector.about_to_type(); ++i) frame(0);
+}
+
+bool Console::State::focused_widget_key(const InputEvent& event) {
+    wait_for_focus();
     Fields& fields = inspector.editor().fields();
     const bool modifier = event.name.ends_with("_shift") || event.name.ends_with("_control");
     if (!fields.widget_has_focus() || modifier) return false;
@@ -173,10 +178,9 @@ bool Console::State::leaves_menu(char32_t character) {
 }
 
 bool Console::State::widgets_have_keyboard() {
-    // A press that no frame has processed yet may give a field the keyboard. A clicked field gets
-    // the keyboard one frame later.
+    // A press that no frame has processed yet may give a field the keyboard.
     if (input.fed_button) frame(0);
-    for (int i = 0; i < 3 && inspector.about_to_type(); ++i) frame(0);
+    wait_for_focus();
     inspector.give_up_search();
     ui.activate();
     return screen.width > 0 && (ImGui::IsAnyItemActive() || screen.popup_open);

@@ -135,7 +135,8 @@ struct Console::State {
     /// Keys for the selection, after a click into the game: arrows move it, Delete deletes it.
     bool selection_key(const app::InputEvent& event);
     /// Keys for a check box or a list of the inspector that has the keyboard.
-    bool stop_key(const app::InputEvent& event);
+    bool focused_widget_key(const app::InputEvent& event);
+    void wait_for_focus();
     /// Runs the command of a key, if it has one. Function keys work while the console is open, the
     /// others only while it is closed.
     bool run_key(const app::InputEvent& event);

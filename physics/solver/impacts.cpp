@@ -1,5 +1,6 @@
 #include <solver/contact_solver.h>
 #include <solver/joint_response.h>
+#include <solver/solved_pair.h>
 
 #include <cmath>
 #include <vector>
@@ -14,7 +15,6 @@ namespace {
 struct PointResponse {
     float of_first = 0.0f, of_second = 0.0f, between = 0.0f;
 
-    PointResponse() = default;
     explicit PointResponse(const ContactConstraint& c)
         : of_first(inverse_or_zero(c.points[0].normal_mass)),
           of_second(inverse_or_zero(c.points[1].normal_mass)),
@@ -76,19 +76,11 @@ float velocity_at(const ContactConstraint& c, int point, const SolverBody& a, co
            (p.normal_lever_b * b.angular_velocity - p.normal_lever_a * a.angular_velocity);
 }
 
-/// Does not write a body that no impulse moves, because other threads may read it.
 void push(const ContactConstraint& c, int point, float impulse, std::span<SolverBody> bodies) {
     const ConstraintPoint& p = c.points[point];
-    const Vec2 along = impulse * c.normal;
-    SolverBody &a = bodies[c.a], &b = bodies[c.b];
-    if (moves(a)) {
-        a.velocity = a.velocity - Vec2(c.inverse_a.x * along.x, c.inverse_a.y * along.y);
-        a.angular_velocity -= a.inverse_inertia * (p.normal_lever_a * impulse);
-    }
-    if (moves(b)) {
-        b.velocity = b.velocity + Vec2(c.inverse_b.x * along.x, c.inverse_b.y * along.y);
-        b.angular_velocity += b.inverse_inertia * (p.normal_lever_b * impulse);
-    }
+    SolvedPair pair(c, bodies[c.a], bodies[c.b]);
+    pair.apply(c.normal, impulse, p.normal_lever_a * impulse, p.normal_lever_b * impulse);
+    pair.store(bodies[c.a], bodies[c.b]);
 }
 
 /// False in the pass in which a contact with this restitution e no longer passes impacts on. A body
@@ -176,7 +168,7 @@ void keep_first(std::vector<PairImpact>& impacts, std::span<const ContactConstra
     constexpr float same = 1e-4f;
     for (const PairImpact& impact : impacts)
         for_moving(constraints[impact.constraint], bodies,
-                   [&](uint32_t body) { first[body] = {.time = 1.0f, .count = 0}; });
+                   [&](uint32_t body) { first[body] = {}; });
     for (const PairImpact& impact : impacts)
         for_moving(constraints[impact.constraint], bodies,
                    [&](uint32_t body) { first[body].time = min(first[body].time, impact.time); });
@@ -286,6 +278,9 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
         const bool jointed = joints != nullptr && joints->acts_on(c.a, c.b);
         if (!jointed && extra.restitution >= least_worth) {
             impacts.push_back(PairImpact(i, c, extra, wanted, meets, time));
+            // Also if it is left out of this pass: the next one looks at it again.
+            mark(c.a);
+            mark(c.b);
             continue;
         }
         const auto apply = [&](const PointResponse& response) {
@@ -321,8 +316,6 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
     for (const PairImpact& impact : impacts) {
         const ContactConstraint& c = constraints[impact.constraint];
         for (int k = 0; k < c.count; ++k) record(extras[c.extra - 1], k, impact.impulses[k]);
-        mark(c.a);
-        mark(c.b);
     }
     return true;
 }

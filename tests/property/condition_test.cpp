@@ -34,7 +34,7 @@ struct Field {
     std::string unknown(std::string_view text) {
         Condition condition(text);
         tree.each_below(tree.root(), [&](Handle each) { condition.holds(tree, each); });
-        return condition.unknown(tree);
+        return condition.problem(tree);
     }
     static std::string refusal(std::string_view text) {
         try {
@@ -161,12 +161,12 @@ TEST_CASE("a vector that is compared with a number has a hint") {
         INFO(text);
         Condition condition(text);
         CHECK(!condition.holds(field.tree, field.ball));
-        CHECK(condition.unknown(field.tree) ==
+        CHECK(condition.problem(field.tree) ==
               "velocity is a vector (write velocity.length, velocity.x or velocity.y)");
     }
     Condition length("velocity.length >= 0");
     CHECK(length.holds(field.tree, field.ball));
-    CHECK(length.unknown(field.tree).empty());
+    CHECK(length.problem(field.tree).empty());
 }
 
 TEST_CASE("signs of other languages are conditions, whose messages name the words of Lua") {

@@ -142,8 +142,8 @@ struct Condition::Program {
     std::vector<Value> constants;
     std::vector<Lookup> reads;
     std::vector<Value> stack;
-    std::string last_vector;  // what was read last and is a vector
-    std::string unordered;    // the same, if it was compared with a number by its size
+    const Lookup* last_vector = nullptr;  // what was read last and is a vector
+    const Lookup* unordered = nullptr;    // the same, if it was compared with a number by its size
 
     Value look(const Tree& tree, Handle instance, Lookup& read) {
         std::optional<Value> value = member(tree, instance, read.name);
@@ -156,7 +156,7 @@ struct Condition::Program {
         }
         if (!value) return {};
         read.known = true;
-        if (value->is(Type::vec2) && unordered.empty()) last_vector = read.text();
+        if (value->is(Type::vec2)) last_vector = &read;
         return *value;
     }
 
@@ -399,13 +399,13 @@ std::size_t Condition::weight() const {
     return program_->steps.size();
 }
 
-std::string Condition::unknown(const Tree& tree) const {
+std::string Condition::problem(const Tree& tree) const {
     const auto first_unknown = std::ranges::find(program_->reads, false, &Lookup::known);
     if (first_unknown == program_->reads.end()) {
-        const std::string& vector = program_->unordered;
-        return vector.empty() ? std::string()
-                              : vector + " is a vector (write " + vector + ".length, " + vector +
-                                    ".x or " + vector + ".y)";
+        if (program_->unordered == nullptr) return {};
+        const std::string vector = program_->unordered->text();
+        return vector + " is a vector (write " + vector + ".length, " + vector + ".x or " + vector +
+               ".y)";
     }
     std::vector<std::string> names;
     for (const Class* of : tree.classes()) {

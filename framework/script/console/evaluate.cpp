@@ -347,7 +347,7 @@ void add_command_hint(lua_State* L, std::string_view command) {
     if (hint.empty() && after_name && !stop.message.ends_with(')') && doc != nullptr &&
         std::string_view(doc->signature).find('(') != std::string_view::npos) {
         const std::string call = call_with_arguments(command);
-        hint = " (write " + (call.empty() ? std::string(name) + "(...)" : call) + ")";
+        hint = hint_to_write(call.empty() ? std::string(name) + "(...)" : call);
     }
     if (hint.empty()) return;
     if (stop.message.ends_with(')'))

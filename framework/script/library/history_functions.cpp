@@ -48,8 +48,7 @@ void report(Machine& machine, const char* what, const property::UndoResult& resu
 }
 
 /// Calls `reverse` as often as the argument says: once without one.
-template <typename Reverse>
-int repeat(lua_State* L, const char* what, Reverse reverse) {
+int repeat(lua_State* L, const char* what, property::UndoResult (property::Tree::*reverse)()) {
     Machine& machine = machine_of(L);
     lua_Integer count = 1;
     if (!lua_isnoneornil(L, 1)) {
@@ -61,7 +60,7 @@ int repeat(lua_State* L, const char* what, Reverse reverse) {
     }
     bool done = true;
     for (lua_Integer i = 0; i < count && done; ++i) {
-        const property::UndoResult result = reverse(machine.tree);
+        const property::UndoResult result = (machine.tree.*reverse)();
         done = result.done;
         if (done || i == 0) report(machine, what, result);
     }
@@ -69,11 +68,11 @@ int repeat(lua_State* L, const char* what, Reverse reverse) {
 }
 
 int undo(lua_State* L) {
-    return repeat(L, "undo", [](property::Tree& tree) { return tree.undo(); });
+    return repeat(L, "undo", &property::Tree::undo);
 }
 
 int redo(lua_State* L) {
-    return repeat(L, "redo", [](property::Tree& tree) { return tree.redo(); });
+    return repeat(L, "redo", &property::Tree::redo);
 }
 
 int history(lua_State* L) {

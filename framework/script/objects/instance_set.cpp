@@ -194,8 +194,8 @@ std::vector<Handle> instances_matching(lua_State* L, const std::string& text) {
         if (condition.holds(machine.tree, handle)) found.push_back(handle);
     });
     machine.budget.charge(L, machine.tree.size() * (1 + condition.weight()));
-    if (const std::string unknown = condition.unknown(machine.tree); !unknown.empty())
-        throw Error(ErrorKind::unknown_name, "\"" + text + "\": " + unknown);
+    if (const std::string problem = condition.problem(machine.tree); !problem.empty())
+        throw Error(ErrorKind::unknown_name, "\"" + text + "\": " + problem);
     return found;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 
+#include <fettle/property/value.h>
 #include <text/command_words.h>
 #include <text/words.h>
 
@@ -42,8 +43,7 @@ constexpr Command commands[] = {
     {"toggle", "path = not path", Argument::path, "% = not %"},
     {"cls clear_log con_clear console.clear", "clear"},
     {"say", "print(\"text\")", Argument::any, "print(\"%\")"},
-    {"man info describe doc", "help", Argument::any, "help %"},
-    {"?", "help", Argument::any, "help %"},
+    {"man info describe doc ?", "help", Argument::any, "help %"},
     {"cvarlist cmdlist commands", "help"},
     {"grep search where locate $ document.querySelector", "find word", Argument::any, "find %"},
     {"watch monitor trace", "pin path", Argument::any, "pin %"},
@@ -66,12 +66,7 @@ std::string_view without_quotes(std::string_view text) {
 }
 
 std::string in_quotes(std::string_view text) {
-    std::string result = "\"";
-    for (const char c : without_quotes(text)) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result + "\"";
+    return property::value_text(property::Value(std::string(without_quotes(text))));
 }
 
 /// What follows the first word, without the brackets and quotes around all of it.
@@ -117,10 +112,6 @@ std::string filled(std::string_view text, std::string_view argument) {
     return result;
 }
 
-std::string to_write(std::string_view text) {
-    return " (write " + std::string(text) + ")";
-}
-
 /// `world.ball.mass 5`, `world.ball.mass: 5`, and the same after `set`.
 std::string assignment(std::string_view text) {
     std::string_view path = first_word(text);
@@ -139,8 +130,8 @@ std::string compared(std::string_view argument) {
     const std::size_t equals = argument.find('=');
     const std::string_view path = trimmed(argument.substr(0, equals));
     if (equals == std::string_view::npos || !is_path(path)) return {};
-    return to_write("ab(\"" + std::string(path) + "\", " +
-                    std::string(trimmed(argument.substr(equals + 1))) + ")");
+    return hint_to_write("ab(\"" + std::string(path) + "\", " +
+                         std::string(trimmed(argument.substr(equals + 1))) + ")");
 }
 
 /// `world.brick_*` and `world.brick_*.mass = 3`: the instances of a pattern.
@@ -182,22 +173,23 @@ std::string_view first_word(std::string_view command) {
 std::string hint_for_command(std::string_view command) {
     command = trimmed(command);
     if (command.find('\n') != std::string_view::npos) return {};  // a piece of a program
-    if (const std::string path = with_dots(command); !path.empty()) return to_write(path);
-    if (const std::string query = of_pattern(command); !query.empty()) return to_write(query);
+    if (const std::string path = with_dots(command); !path.empty()) return hint_to_write(path);
+    if (const std::string query = of_pattern(command); !query.empty()) return hint_to_write(query);
     const std::string_view word = first_word(command);
     const std::string argument = one_line(argument_of(command));
     if (word == "set")
-        if (const std::string here = assignment(argument); !here.empty()) return to_write(here);
+        if (const std::string here = assignment(argument); !here.empty())
+            return hint_to_write(here);
     const Command* known = nullptr;
     for (const Command& each : commands) {
         if (!holds_word(each.words, word)) continue;
-        if (fits(each.takes, argument)) return to_write(filled(each.with, argument));
+        if (fits(each.takes, argument)) return hint_to_write(filled(each.with, argument));
         if (known == nullptr) known = &each;
     }
-    if (known != nullptr) return to_write(known->alone);
+    if (known != nullptr) return hint_to_write(known->alone);
     if (word == "ab") return compared(argument);
     if (word.find('.') != std::string_view::npos)
-        if (const std::string here = assignment(command); !here.empty()) return to_write(here);
+        if (const std::string here = assignment(command); !here.empty()) return hint_to_write(here);
     return {};
 }
 

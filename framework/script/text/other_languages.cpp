@@ -111,10 +111,6 @@ std::string_view in_place_of(const Foreign (&table)[size], std::string_view word
     return {};
 }
 
-std::string written(std::string_view here) {
-    return here.empty() ? std::string() : " (write " + std::string(here) + ")";
-}
-
 /// The first text between single quotes after `from`.
 std::string_view quoted(std::string_view text, std::size_t from) {
     const std::size_t open = text.find('\'', from);
@@ -160,7 +156,7 @@ std::string hint_for_name(std::string_view name) {
     if (name == "self") return " (it exists in methods only: function Ball:name() ... end)";
     if (holds_word(in_math, name)) return " (did you mean \"math." + std::string(name) + "\"?)";
     const std::string_view here = in_place_of(foreign_names, name);
-    return written(here.empty() ? in_place_of(foreign_functions, name) : here);
+    return hint_to_write(here.empty() ? in_place_of(foreign_functions, name) : here);
 }
 
 std::string hint_for_value(std::string_view message) {
@@ -170,30 +166,30 @@ std::string hint_for_value(std::string_view message) {
     };
     if (const auto name = name_after("attempt to call a nil value (field "); !name.empty())
         return name == "execute" ? std::string(only_files)
-                                 : written(in_place_of(foreign_functions, name));
+                                 : hint_to_write(in_place_of(foreign_functions, name));
     // A callback that the game does not define is nil; other unknown names are errors.
     if (name_after("attempt to call a nil value (global ") == "step")
-        return written("time.step_once = true to make one step");
+        return hint_to_write("time.step_once = true to make one step");
     if (const auto name = name_after("attempt to get length of a function value ("); !name.empty())
-        return written("#it:" + std::string(name) + "() if this is a method of it");
+        return hint_to_write("#it:" + std::string(name) + "() if this is a method of it");
     if (const auto name = name_after("attempt to index a function value ("); !name.empty()) {
         const bool global = message.find("(global '") != std::string_view::npos;
-        return written((global ? "" : "it:") + std::string(name) + "() to call it");
+        return hint_to_write((global ? "" : "it:") + std::string(name) + "() to call it");
     }
     // #008000: the length of the number 8000.
     if (message.find("attempt to get length of a number value") != std::string_view::npos)
-        return written("a color in quotes, \"#ff8000\"");
+        return hint_to_write("a color in quotes, \"#ff8000\"");
     // world.ball:parent() for the property `parent`.
     if (message.find("attempt to call a ") != std::string_view::npos &&
         message.find("attempt to call a nil value") == std::string_view::npos)
         if (const auto name = name_after(" value (method '"); !name.empty())
-            return written("." + std::string(name) + " without brackets: it is a property");
+            return hint_to_write("." + std::string(name) + " without brackets: it is a property");
     // Lua calls the value after `in`.
     if (message.find("(for iterator 'for iterator')") != std::string_view::npos &&
         message.find("attempt to call a nil value") == std::string_view::npos)
-        return written("for _, each in ipairs(list) do, or pairs(table)");
+        return hint_to_write("for _, each in ipairs(list) do, or pairs(table)");
     if (message.find("attempt to add a 'string' with a ") != std::string_view::npos)
-        return written(".. to join texts");
+        return hint_to_write(".. to join texts");
     return {};
 }
 
@@ -204,7 +200,7 @@ std::string hint_for_color(std::string_view line, std::size_t at) {
         return std::isxdigit(static_cast<unsigned char>(c)) != 0;
     });
     if (!hexadecimal || (digits.size() != 3 && digits.size() != 6 && digits.size() != 8)) return {};
-    return written("\"#" + std::string(digits) + "\"");
+    return hint_to_write("\"#" + std::string(digits) + "\"");
 }
 
 bool ends_with_unit(std::string_view text) {
@@ -223,15 +219,16 @@ bool ends_with_unit(std::string_view text) {
 }
 
 std::string hint_for_unit() {
-    return written("the number without its unit");
+    return hint_to_write("the number without its unit");
 }
 
 std::string hint_for_syntax(std::string_view message, std::string_view line, std::size_t column) {
     if (column >= line.size()) return {};
     const std::string_view rest = line.substr(column);
     if (rest.starts_with("//") || (column > 0 && line.substr(column - 1).starts_with("//")))
-        return written("-- before a comment");
-    if (const std::string_view here = sign_at(line, column); !here.empty()) return written(here);
+        return hint_to_write("-- before a comment");
+    if (const std::string_view here = sign_at(line, column); !here.empty())
+        return hint_to_write(here);
     if (std::string hint = hint_for_color(line, column); !hint.empty()) return hint;
     const auto says = [&](std::string_view part) {
         return message.find(part) != std::string_view::npos;
@@ -240,41 +237,41 @@ std::string hint_for_syntax(std::string_view message, std::string_view line, std
     if (word_at(trimmed(line), 0) == "for" &&
         (says("',' expected near ';'") || says("<name> expected near '('") ||
          says("malformed number near")))
-        return written("for i = 1, n do ... end");
-    if (says("malformed number near") && says("..")) return written("a .. b with blanks");
+        return hint_to_write("for i = 1, n do ... end");
+    if (says("malformed number near") && says("..")) return hint_to_write("a .. b with blanks");
     if (says("<name> expected near") && column > 0 &&
         (line[column - 1] == '.' || line[column - 1] == ':') &&
         is_word_of_lua(word_at(line, column)))
         return " (" + std::string(word_at(line, column)) + " is a word of Lua and no name)";
-    if (says("')' expected near ','")) return written("vec(x, y)");
-    if (says("function arguments expected near '='")) return written("a.b = value");
-    if (says("syntax error near 'is'")) return written("path is expression");
+    if (says("')' expected near ','")) return hint_to_write("vec(x, y)");
+    if (says("function arguments expected near '='")) return hint_to_write("a.b = value");
+    if (says("syntax error near 'is'")) return hint_to_write("path is expression");
     const bool block = message.find("'then' expected") != std::string_view::npos ||
                        message.find("'do' expected") != std::string_view::npos;
     const std::string_view opens =
         message.find("'do' expected") != std::string_view::npos ? "do" : "then";
-    if (block && rest.starts_with('=')) return written("== to compare");
+    if (block && rest.starts_with('=')) return hint_to_write("== to compare");
     if (block && (rest.starts_with('{') || rest.starts_with(':')))
-        return written(std::string(opens) + " ... end");
+        return hint_to_write(std::string(opens) + " ... end");
     if (rest.starts_with('{') && line.substr(0, column).find(')') != std::string_view::npos)
-        return written("the lines of a function without { }, and end after them");
+        return hint_to_write("the lines of a function without { }, and end after them");
     // An entry that follows another one without a comma begins with one of these.
     const bool entry =
         is_word(rest[0]) || std::string_view("{[\"'").find(rest[0]) != std::string_view::npos;
     if (entry && message.find("'}' expected") != std::string_view::npos)
-        return written(", between the entries of a table");
+        return hint_to_write(", between the entries of a table");
     if (entry && message.find("')' expected") != std::string_view::npos)
-        return written(", between the arguments of a function");
+        return hint_to_write(", between the arguments of a function");
     if (const std::string_view here = in_place_of(foreign_statements, word_before(line, column));
         !here.empty())
-        return written(here);
+        return hint_to_write(here);
     if (const std::string_view here = in_place_of(foreign_statements, word_at(line, column));
         !here.empty())
-        return written(here);
+        return hint_to_write(here);
     // path 5
     if (says("syntax error near") && rest[0] >= '0' && rest[0] <= '9' &&
         line.substr(0, column).find('.') != std::string_view::npos)
-        return written("path = value");
+        return hint_to_write("path = value");
     return {};
 }
 

@@ -75,4 +75,9 @@ inline std::string one_line(std::string_view text) {
     return out;
 }
 
+/// The hint at the end of a message: " (write here)"; "" if there is nothing to write.
+inline std::string hint_to_write(std::string_view here) {
+    return here.empty() ? std::string() : " (write " + std::string(here) + ")";
+}
+
 }  // namespace fettle::script

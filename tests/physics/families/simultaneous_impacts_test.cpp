@@ -67,6 +67,28 @@ TEST_CASE("a ball that meets two others in the middle goes straight on or back")
     CHECK(most_energy < 1.005f);
 }
 
+TEST_CASE("an impact passes through a row also if an earlier one of its bodies does not happen") {
+    for (unsigned seed = 0; seed < seeds_or(50); ++seed) {
+        Random random{std::mt19937(seed)};
+        World world({.gravity = {}});
+        // The first ball would hit the second one, but a fixed ball turns it away before.
+        Body first = add_ball(world, {0, 0}, 0.1f, 1, 1);
+        first.set_velocity({2, 0});
+        Body fixed = world.create_body({.type = BodyType::static_body,
+                                        .position = turned({random(0.151f, 0.153f), 0}, 0.52f)});
+        fixed.add(Circle{.radius = 0.05f}, {.friction = 0, .restitution = 1});
+        const float x = 0.2f + random(0.006f, 0.01f), gap = random(0.012f, 0.018f);
+        Body second = add_ball(world, {x, 0}, 0.1f, 1, 1);
+        second.set_velocity({0, -2});
+        std::vector<Body> row;
+        for (int i = 0; i < 5; ++i)
+            row.push_back(add_ball(world, {x, -0.2f - gap - 0.2f * float(i)}, 0.1f, 1, 1));
+        world.step(1.0f / 60);
+        INFO("seed " << seed << ": the last ball of the row has " << row.back().velocity().y);
+        CHECK(row.back().velocity().y < -1.98f);
+    }
+}
+
 TEST_CASE("a triangle of balls breaks in the same way on both sides") {
     float worst = 0;
     for (unsigned seed = 0; seed < seeds_or(20); ++seed) {

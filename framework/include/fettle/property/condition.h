@@ -38,9 +38,10 @@ class Condition {
     /// formula that fails makes its instance fail. Changes nothing; takes time in proportion to the
     /// text.
     bool holds(const Tree& tree, Handle instance);
-    /// A message if no instance that was asked had one of the names, with the nearest spelling; ""
-    /// if all names are known.
-    std::string unknown(const Tree& tree) const;
+    /// What is wrong with the condition, once instances were asked: none of them had one of its
+    /// names (with the nearest spelling), or a vector was compared with a number by size. "" if
+    /// nothing is.
+    std::string problem(const Tree& tree) const;
     /// Number of operations for one instance.
     std::size_t weight() const;
 
