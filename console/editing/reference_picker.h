@@ -1,6 +1,8 @@
 #pragma once
-// A list for choosing an instance: all valid values of a reference property, filtered by typing.
+// A list for choosing an instance: all valid values of a reference property, filtered by typing. The
+// arrow keys move a mark, Enter chooses.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,10 +22,12 @@ class ReferencePicker {
 
   private:
     void take_candidates(const property::Property& property);
+    bool move_mark();
 
     const property::Tree& tree_;
     std::string search_, taken_for_;
-    std::vector<property::Handle> candidates_;
+    std::vector<property::Handle> candidates_;  // the best first; a null handle for nil
+    std::size_t marked_ = 0;                    // what Enter chooses
     bool stale_ = true;
 };
 

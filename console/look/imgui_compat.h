@@ -1,7 +1,7 @@
 #pragma once
 // Differences between versions of Dear ImGui: passing keys (1.87), setting the clipboard (1.91.1),
-// ending windows after an exception (1.91.3), and making textures and glyphs (1.92). Only this file
-// depends on the version.
+// ending windows after an exception (1.91.3), the outline of the widget that has the keyboard
+// (1.91.4), and making textures and glyphs (1.92). Only this file depends on the version.
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -29,6 +29,13 @@ inline app::Surface::Texture surface_texture(ImTextureID id) {
 using KeyCode = ImGuiKey;
 #else
 using KeyCode = int;
+#endif
+
+/// The color of the outline round the widget that has the keyboard.
+#if IMGUI_VERSION_NUM >= 19140
+inline constexpr ImGuiCol keyboard_outline = ImGuiCol_NavCursor;
+#else
+inline constexpr ImGuiCol keyboard_outline = ImGuiCol_NavHighlight;
 #endif
 
 /// Keys that widgets use, by their names in app::InputEvent.

@@ -72,6 +72,7 @@ void apply_colors(ImGuiStyle& style) {
     set(ImGuiCol_ResizeGrip, palette::clear);
     set(ImGuiCol_TextSelectedBg, palette::selection);
     set(ImGuiCol_TableBorderLight, palette::line);
+    set(compat::keyboard_outline, palette::accent);
 }
 
 }  // namespace

@@ -161,10 +161,10 @@ TEST_CASE("breaks say what they wait for and are listed and removed singly") {
     says("breaks", "\"world.ball.position.x >= 7\"");
     says("#breaks()", "3");
     says("unbreak world.crate.mas", "no break waits for that");
-    rig.run("unbreak world.boss.mass > 3");
+    says("unbreak world.boss.mass > 3", "that break is removed");
     rig.run("unbreak(breaks()[1])");
     CHECK(breaks.texts() == std::vector<std::string>{"world.crate.mass"});
-    says("unbreak()", "");
+    says("unbreak()", "no break is set any more");
     says("unbreak()", "no break is set");
     says("break_when()", "no break is set any more");
     // One that was removed does not pause.

@@ -112,6 +112,16 @@ TEST_CASE("who and why take a path without quotes") {
     CHECK_THAT(s.console("whom world.ball.mass"), contains("error"));
 }
 
+TEST_CASE("who of an instance names the writer of each property") {
+    TwoBodies s;
+    s.console("world.ball.mass = 5");
+    s.console("world.ball.friction = 0.1");
+    const std::string writers = s.console("who world.ball");
+    CHECK_THAT(writers, contains("world.ball.mass: console"));
+    CHECK_THAT(writers, contains("world.ball.friction: console"));
+    CHECK_THAT(s.console("why world.ball"), contains("name one of its properties"));
+}
+
 TEST_CASE("undo and redo print how values changed") {
     TwoBodies s;
     s.console("world.ball.mass = 5");

@@ -90,8 +90,12 @@ int unbreak(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string text = text_or_nothing(L, 1, "unbreak: needs the text of the condition");
     const auto* function = served(machine, &ConsoleFunctions::unbreak, "unbreak");
-    if (function != nullptr && (*function)(text.empty() ? text : with_selected(machine, text)) == 0)
+    if (function == nullptr) return 0;
+    const bool removed = (*function)(text.empty() ? text : with_selected(machine, text)) > 0;
+    if (!removed)
         print_line(machine, text.empty() ? "no break is set" : "no break waits for that");
+    else
+        print_line(machine, text.empty() ? "no break is set any more" : "that break is removed");
     return 0;
 }
 

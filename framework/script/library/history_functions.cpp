@@ -107,18 +107,13 @@ int edit(lua_State* L) {
     return 0;
 }
 
-Place property_at(lua_State* L, const char* what) {
+Place place_at(lua_State* L, const char* what) {
     Machine& machine = machine_of(L);
-    Place place = property::resolve(
+    return property::resolve(
         machine.tree,
         with_selected(
             machine,
             check_text(L, 1, std::string(what) + ": needs a path like \"world.ball.mass\"")));
-    if (place.property == nullptr)
-        throw Error(ErrorKind::wrong_type, std::string(what) + ": " +
-                                               machine.tree.path(place.instance) +
-                                               " is an instance; name one of its properties");
-    return place;
 }
 
 /// Of writes of scripts and modules it is not known which value they left, so it cannot be said
@@ -133,9 +128,26 @@ std::string writer_text(const property::Tree& tree, const Place& place) {
     return written.cause.text() + "; later steps may have changed it";
 }
 
+/// The last writer of each property of the instance that has a known one.
+void print_writers(Machine& machine, Handle instance) {
+    const property::Tree& tree = machine.tree;
+    bool any = false;
+    for (const property::Property* property : tree.properties(instance)) {
+        const Place place{instance, property, {}};
+        if (!tree.last_writer(instance, *property).known) continue;
+        print_line(machine, tree.path(instance, *property) + ": " + writer_text(tree, place));
+        any = true;
+    }
+    if (!any) print_line(machine, tree.path(instance) + ": no recent write is known");
+}
+
 int who(lua_State* L) {
     Machine& machine = machine_of(L);
-    const Place place = property_at(L, "who");
+    const Place place = place_at(L, "who");
+    if (place.property == nullptr) {
+        print_writers(machine, place.instance);
+        return 0;
+    }
     print_line(machine, machine.tree.path(place.instance, *place.property) + ": " +
                             writer_text(machine.tree, place));
     return 0;
@@ -152,7 +164,10 @@ void explain(Machine& machine, const Explanation& why, const std::string& indent
 
 int why(lua_State* L) {
     Machine& machine = machine_of(L);
-    const Place place = property_at(L, "why");
+    const Place place = place_at(L, "why");
+    if (place.property == nullptr)
+        throw Error(ErrorKind::wrong_type, "why: " + machine.tree.path(place.instance) +
+                                               " is an instance; name one of its properties");
     const Explanation explanation = machine.tree.why(place.instance, *place.property);
     explain(machine, explanation, "");
     // Values that a module explains often have no writer; then no line about it is printed.

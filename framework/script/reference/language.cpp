@@ -218,7 +218,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "Calls the function after a property that matches has changed: "
          "watch(\"world.*.velocity\", handler)."},
         {"who", "who(path: string)",
-         "Prints what wrote a property last, and at which step: \"console:1, step 49\". After "
+         "Prints what wrote a property last, and at which step: \"console:1, step 49\"; for the "
+         "path of an instance, what wrote each of its properties. After "
          "going back in time, that is the last write before that moment, or \"restore, step 30\" "
          "if none is known. The file and line of a script are known if the property was watched "
          "when it was written; "
