@@ -8,6 +8,7 @@
 #include <fettle/property/exception_text.h>
 
 #include <editing/bit_field.h>
+#include <look/imgui_compat.h>
 #include <look/theme.h>
 
 namespace fettle::console {
@@ -280,7 +281,9 @@ void PropertyEditor::boolean(const Target& target, const Value& value) {
 
 void PropertyEditor::number(const Target& target, const Value& value, float width) {
     if (target.property->bits && value.is(Type::integer)) {
-        if (const auto changed = bit_field(value.integer(), width)) write(target, Value(*changed));
+        const auto changed = bit_field(value.integer(), width);
+        if (fields_.focus_stop("##value")) compat::press("##value");
+        if (changed) write(target, Value(*changed));
         return;
     }
     NumberLook look = look_of(*target.property);
@@ -338,14 +341,18 @@ void PropertyEditor::vector(const Target& target, const Value& value, float widt
         write(target, Value(*changed));
 }
 
+/// A square that opens the picker, and the color as text: "#e9ecef", a name, or "is" and a formula.
 void PropertyEditor::color(const Target& target, const Value& value, float width) {
     property::Color c = value.color();
     std::array<float, 4> channels = {c.r, c.g, c.b, c.a};
-    ImGui::SetNextItemWidth(width);
-    int flags = ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_AlphaPreviewHalf |
-                ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_PickerHueWheel;
-    if (ImGui::ColorEdit4("##value", channels.data(), flags))
+    const int flags = ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_AlphaPreviewHalf |
+                      ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_PickerHueWheel |
+                      ImGuiColorEditFlags_DisplayHex;
+    if (ImGui::ColorEdit4("##picker", channels.data(), flags))
         write(target, Value(property::Color{channels[0], channels[1], channels[2], channels[3]}));
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SameLine(0, gap);
+    text(target, Value(property::color_text(c)), width - ImGui::GetFrameHeight() - gap);
 }
 
 void PropertyEditor::reference(Handle to, float width) {
@@ -374,8 +381,9 @@ void PropertyEditor::editable_reference(const Target& target, Handle to, float w
     }
     reference(to, width - button_width());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    if (auto chosen = references_.draw(*target.property, to))
-        write(target, *chosen ? Value(*chosen) : Value());
+    const auto chosen = references_.draw(*target.property, to);
+    if (fields_.focus_stop("##choose")) compat::press("##choose");
+    if (chosen) write(target, *chosen ? Value(*chosen) : Value());
 }
 
 void PropertyEditor::nil(const Target& target, float width) {
@@ -388,7 +396,9 @@ void PropertyEditor::nil(const Target& target, float width) {
     ImGui::TextDisabled("nil");
     if (target.property->read_only || type == Type::nil) return;
     ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x * 2);
-    if (width > 0 && low_button("set")) write(target, zero_of(type));
+    if (width <= 0) return;
+    const bool set = low_button("set");
+    if (fields_.focus_stop("set") || set) write(target, zero_of(type));
 }
 
 // --- Lists
@@ -399,7 +409,10 @@ void PropertyEditor::list(const Target& target, const Value& value, float width)
         elements.size() == 1 ? "1 value" : std::to_string(elements.size()) + " values";
     int flags = ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_FramePadding |
                 ImGuiTreeNodeFlags_SpanAvailWidth;
-    if (!ImGui::TreeNodeEx("##list", flags, "%s", head.c_str())) return;
+    const bool open = ImGui::TreeNodeEx("##list", flags, "%s", head.c_str());
+    if (fields_.focus_stop("##list"))
+        ImGui::GetStateStorage()->SetBool(ImGui::GetID("##list"), !open);
+    if (!open) return;
     float row = ImGui::GetFrameHeightWithSpacing();
     auto count = static_cast<int>(elements.size());
     ImGui::BeginChild("elements",

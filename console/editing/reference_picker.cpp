@@ -67,7 +67,8 @@ std::optional<Handle> ReferencePicker::draw(const property::Property& property, 
     }
     ImGui::SetNextItemWidth(-1);
     const bool searched = !search_.empty();
-    // With CallbackHistory the field keeps the keys Up and Down, which would take the keyboard away.
+    // With CallbackHistory the field keeps the keys Up and Down, which would take the keyboard
+    // away.
     const bool entered =
         input_line("##search", "search", search_,
                    ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory);
@@ -77,13 +78,13 @@ std::optional<Handle> ReferencePicker::draw(const property::Property& property, 
     if (stale_ || search_ != taken_for_) take_candidates(property);
     const bool moved = move_mark();
     if (entered && !candidates_.empty()) chosen = candidates_[marked_];
+    ImGui::PushStyleColor(ImGuiCol_Header, palette::chosen);
     ImGui::BeginChild("list", ImVec2(0, 0), false, ImGuiWindowFlags_NoNav);
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
         const Handle instance = candidates_[i];
         if (instance && !tree_.alive(instance)) continue;
         ImGui::PushID(static_cast<int>(instance.index));
-        if (instance == current)
-            ImGui::PushStyleColor(ImGuiCol_Text, palette::accent);
+        if (instance == current) ImGui::PushStyleColor(ImGuiCol_Text, palette::accent);
         const std::string path = instance ? widget_text(tree_.path(instance)) : "none";
         if (ImGui::Selectable(path.c_str(), i == marked_)) chosen = instance;
         if (instance == current) ImGui::PopStyleColor();
@@ -92,6 +93,7 @@ std::optional<Handle> ReferencePicker::draw(const property::Property& property, 
     }
     if (candidates_.empty()) ImGui::TextDisabled("nothing fits");
     ImGui::EndChild();
+    ImGui::PopStyleColor();
     if (chosen || closes) ImGui::CloseCurrentPopup();
     ImGui::EndCombo();
     return chosen;

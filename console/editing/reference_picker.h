@@ -1,6 +1,6 @@
 #pragma once
-// A list for choosing an instance: all valid values of a reference property, filtered by typing. The
-// arrow keys move a mark, Enter chooses.
+// A list for choosing an instance: all valid values of a reference property, filtered by typing.
+// The arrow keys move a mark, Enter chooses.
 
 #include <cstddef>
 #include <optional>

@@ -155,6 +155,14 @@ inline bool escape_pressed() {
     return pressed(ImGuiKey_Escape);
 }
 
+/// Presses the button with that name in the next frame. The function for it has two names, by
+/// version; the fields that it sets have one.
+inline void press(const char* button) {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    context.NavNextActivateId = ImGui::GetID(button);
+    context.NavNextActivateFlags = ImGuiActivateFlags_None;
+}
+
 /// Ends the windows, groups, fonts and colors that were begun after its construction and that an
 /// exception left open.
 class Recovery {

@@ -99,7 +99,7 @@ bool Console::State::focused_widget_key(const InputEvent& event) {
     wait_for_focus();
     Fields& fields = inspector.editor().fields();
     const bool modifier = event.name.ends_with("_shift") || event.name.ends_with("_control");
-    if (!fields.widget_has_focus() || modifier) return false;
+    if (!fields.widget_has_focus() || modifier || screen.popup_open) return false;
     if (event.name == "tab") return inspector.tab(event.shift);
     const bool presses = event.name == "space" || event.name == "enter";
     input.swallow_text = event.name == "space";

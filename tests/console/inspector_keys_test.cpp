@@ -117,14 +117,16 @@ TEST_CASE("Tab goes from the search to the properties and from field to field") 
     rig.draw(2);
     rig.keys({"tab"});
     REQUIRE(rig.selected() == rig.at("ball"));
-    // The fields: name, z, type, position, angle, mass; the list of the mask is no field.
+    // The stops: name, parent, z, mask, type, position, angle, mass.
     const auto enter = [&](std::string_view text) {
         rig.key("ctrl+a");
         rig.type(text);
         rig.keys({"tab"});
     };
-    rig.keys({"tab"});  // the name stays
-    rig.keys({"tab"});
+    rig.keys({"tab", "tab", "tab"});  // the values stay
+    rig.keys({"space"});
+    CHECK(rig.state().screen.popup_open);  // the bits of the mask
+    rig.keys({"escape", "tab"});
     CHECK(rig.value("world.ball.type") == Value("dynamic"));
     rig.keys({"space"});  // the next of the texts
     CHECK(rig.value("world.ball.type") == Value("static"));
@@ -165,6 +167,41 @@ TEST_CASE("Space switches a check box that Tab has reached, and other keys go to
     rig.type("x y");
     CHECK(rig.input() == "x y");
     CHECK(rig.value("world.ball.awake") == Value(true));
+}
+
+TEST_CASE("Tab stops at colors, references and lists") {
+    OpenRig rig;
+    rig.console.select(rig.at("ball"));
+    rig.draw(3);
+    const ImVec2 place = rig.widget("label");  // the one before
+    rig.click(place.x, place.y);
+    rig.draw(2);
+    rig.keys({"tab"});
+    rig.key("ctrl+a");
+    rig.type("#00ff00");
+    rig.keys({"tab"});
+    CHECK(rig.value("world.ball.color") == Value(property::Color{0, 1, 0, 1}));
+    rig.keys({"space"});
+    rig.draw(2);
+    REQUIRE(rig.state().screen.popup_open);
+    rig.type("crate");
+    rig.draw();
+    rig.keys({"enter"});
+    CHECK(rig.value("world.ball.target") == Value(rig.at("crate")));
+    const property::Property& vertices = rig.tree.property(rig.at("ball"), "vertices");
+    const auto height = [&] {
+        const console::Rect rect = rig.state().inspector.editor().widget_rect(vertices);
+        return rect.high.y - rect.low.y;
+    };
+    rig.keys({"tab"});
+    const float folded = height();
+    rig.keys({"space"});
+    CHECK(height() > 3 * folded);  // three vertices are shown
+    rig.keys({"shift+tab", "shift+tab"});
+    rig.key("ctrl+a");
+    rig.type("tomato");
+    rig.keys({"enter"});
+    CHECK(rig.value("world.ball.color").color().r == 1);
 }
 
 TEST_CASE("Tab scrolls to fields that are out of sight, and ends after the last one") {

@@ -25,7 +25,8 @@ void open_list(Rig& rig) {
 TEST_CASE("arrow keys and Enter choose in the list of references") {
     Rig rig;
     const Handle world = rig.tree.child(rig.tree.root(), "world");
-    for (const char* name : {"crate_box", "box"}) rig.tree.create(*rig.tree.find_class("Body"), world, name);
+    for (const char* name : {"crate_box", "box"})
+        rig.tree.create(*rig.tree.find_class("Body"), world, name);
     open_list(rig);
     rig.type("box");
     rig.draw();

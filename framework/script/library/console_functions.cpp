@@ -125,7 +125,10 @@ int ab(lua_State* L) {
     }
     const std::string path =
         with_selected(machine, check_text(L, 1, "ab: needs the path of a property as text"));
-    if (lua_isnone(L, 2)) refuse_type(L, 2, "ab: needs the other value");
+    if (lua_isnone(L, 2))
+        throw Error(
+            ErrorKind::wrong_type,
+            "ab: needs the other value after the path, as in ab(\"world.gravity\", vec(0, -2))");
     const property::Value value = to_value(L, 2);
     const double seconds = lua_isnoneornil(L, 3) ? 4 : check_number(L, 3, "ab: seconds");
     if (function != nullptr) (*function)(path, value, seconds);
