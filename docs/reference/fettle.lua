@@ -3348,7 +3348,7 @@ function wait(seconds) end
 ---@return Connection
 function watch(pattern, handler) end
 
----Prints what wrote a property last, and at which step: "console:1, step 49". After going back in time, that is the last write before that moment, or "restore, step 30" if none is known. The file and line of a script are known if the property was watched when it was written; otherwise only "script" is printed. For a value that the simulation changes, the last other writer is printed; the simulation is printed only if there is no other writer or the property is watched.
+---Prints what wrote a property last, and at which step: "console:1, step 49"; for the path of an instance, what wrote each of its properties. After going back in time, that is the last write before that moment, or "restore, step 30" if none is known. The file and line of a script are known if the property was watched when it was written; otherwise only "script" is printed. For a value that the simulation changes, the last other writer is printed; the simulation is printed only if there is no other writer or the property is watched.
 ---@param path string
 function who(path) end
 

@@ -131,6 +131,7 @@ BridgedClass::BridgedClass(HostTable& host, const fettle_class& native)
     descriptor.doc = text_or_empty(native.doc);
     descriptor.stem = text_or_empty(native.stem);
     descriptor.creatable = (native.flags & FETTLE_NOT_CREATABLE) == 0;
+    descriptor.weight = native.weight;
     if ((native.flags & FETTLE_SAVED_NATIVELY) != 0)
         descriptor.snapshots = property::Snapshots::natively;
     for (const auto& property : elements<fettle_property>(native.properties))
@@ -172,6 +173,7 @@ Property BridgedClass::bridged(const fettle_property& native) {
     property.any_type = is(FETTLE_ANY_TYPE);
     property.hidden = is(FETTLE_HIDDEN);
     property.single_precision = is(FETTLE_SINGLE_PRECISION);
+    property.element_weight = native.element_weight;
     property.enumerators = texts(native.enumerators);
     property.derives_from = texts(native.derives_from);
     property.element = type_of(native.element, of);

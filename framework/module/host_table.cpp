@@ -274,6 +274,9 @@ struct HostFunctions {
         (void)host.guarded([&](property::Tree& tree) { tree.refreshing(*host.part, what); });
     }
     static double drawing_alpha(void*) { return property::Drawing::alpha(); }
+    static void grow(void* self, std::int64_t bytes) {
+        (void)host_of(self).guarded([&](property::Tree& tree) { tree.add_weight(bytes); });
+    }
 };
 
 HostTable::HostTable() {
@@ -313,7 +316,8 @@ HostTable::HostTable() {
               .touched = F::touched,
               .refreshing = F::refreshing,
               .each_restored = F::each_restored,
-              .drawing_alpha = F::drawing_alpha};
+              .drawing_alpha = F::drawing_alpha,
+              .grow = F::grow};
 }
 
 }  // namespace fettle::module

@@ -127,6 +127,7 @@ void PhysicsModule::step(double dt) {
     hosting().joints.connect();
     hosting().report_strays();
     std::exception_ptr thrown;
+    std::int64_t contacts = 0;
     for (std::uint32_t n = first_world; n < max_worlds; ++n) {
         HostedWorld* hosted = hosting().world_at(n);
         if (hosted == nullptr || !hosted->placed) continue;
@@ -143,8 +144,11 @@ void PhysicsModule::step(double dt) {
         } catch (...) {
             if (!thrown) thrown = std::current_exception();
         }
-        if (makes_step && hosting().world_at(n) == hosted) hosted->unreported = true;
+        if (hosting().world_at(n) != hosted) continue;
+        if (makes_step) hosted->unreported = true;
+        contacts += hosted->world.statistics().contacts;
     }
+    hosting().weigh_contacts(contacts);
     if (thrown) std::rethrow_exception(thrown);
 }
 

@@ -159,6 +159,16 @@ TEST_CASE("a module makes and destroys rows with their instances") {
     CHECK(game.tree.get(again, "height") == Value(100.0));
 }
 
+TEST_CASE("the estimated memory of a game includes what its modules need") {
+    Game game;
+    const auto before = game.tree.weight();
+    const Handle cloud = game.tree.create(game.tree.class_named("Cloud"), game.tree.root());
+    CHECK(game.tree.weight() > before + 25000);  // of the class, and what the module adds
+    game.tree.destroy(cloud);
+    game.tree.barrier();
+    CHECK(game.tree.weight() < before + 1000);
+}
+
 // --- Faulty modules
 
 TEST_CASE("a file that is not a module is refused with a description") {
@@ -170,9 +180,9 @@ TEST_CASE("a file that is not a module is refused with a description") {
     };
     says("nothing", "there is no such file");
     says("without_entry", "function fettle_module_open, found a shared object without it");
-    says("newer_major", "expected a module for version 1.5");
+    says("newer_major", "expected a module for version 1.6");
     says("newer_major", "found one for 2.3");
-    says("newer_minor", "found one for 1.6");
+    says("newer_minor", "found one for 1.7");
     says("bad_name", "found \"two words\"");
     says("missing_symbol", "it needs the symbol function_of_another_program");
     says("crash_when_opened", "crashed (Segmentation fault) while it was opened");

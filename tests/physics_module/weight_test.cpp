@@ -42,6 +42,8 @@ TEST_CASE("the estimated memory of bodies is close to their real memory") {
                [](Game& g, int i) { g.body("Box", Vec2(3 * i, 0), "static"); }},
         Sample{"a row of boxes that touch", 5000,
                [](Game& g, int i) { g.body("Box", Vec2(1.0 * i, 0)); }},
+        Sample{"boxes that touch on all sides", 5000,
+               [](Game& g, int i) { g.body("Box", Vec2(1.0 * (i % 70), 1.0 * (i / 70))); }},
         Sample{"chains", 5,
                [](Game& g, int i) {
                    const Handle body = g.make("Body", g.world(),

@@ -154,6 +154,7 @@ fettle_property described(Tree::State& tree, const Property& p, Texts& texts) {
     c.derives_from = texts.list(p.derives_from);
     c.reference_class = p.reference_class.empty() ? nullptr : p.reference_class.c_str();
     c.element = static_cast<std::uint32_t>(p.element);
+    c.element_weight = p.element_weight;
     const Binding& binding = p.binding;
     if (binding.kind == BindingKind::stored) return c;
     GuestProperty& kept = tree.properties.emplace_back();
@@ -234,6 +235,7 @@ void export_class(Tree::State& tree, const property::ClassDescriptor& descriptor
     c.methods = Texts::array_of(methods);
     c.events = Texts::array_of(events);
     c.context = &kept;
+    c.weight = descriptor.weight;
     const property::Lifecycle& lifecycle = descriptor.lifecycle;
     if (lifecycle.create) c.create = create;
     if (lifecycle.place) c.place = place;

@@ -307,6 +307,11 @@ std::weak_ptr<const Tree*> Tree::lifetime() const {
 
 void end_class(Tree&, const Class&) {}
 
+void Tree::add_weight(std::int64_t bytes) {
+    const State& s = *state_;
+    s.host->grow(s.host->self, bytes);
+}
+
 void Tree::refreshing(SnapshotPart&, std::uint64_t what) {
     const State& s = *state_;
     s.host->refreshing(s.host->self, what);

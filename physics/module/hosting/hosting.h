@@ -192,6 +192,8 @@ class Hosting {
     /// there, once for each kind: bodies, fields and joints below no world, shapes on no body,
     /// joints that connect nothing. Also joints with a lower limit above the upper one.
     void report_strays();
+    /// Adds the memory of the contacts of all worlds to the weight of the tree.
+    void weigh_contacts(std::int64_t contacts);
     /// Adds a joint to those that `report_strays` checks.
     void add_placed_joint(Handle self);
     std::function<void(const std::string&)> on_problem;
@@ -283,6 +285,7 @@ class Hosting {
         "destroy the instance instead"};
     std::array<std::unique_ptr<HostedWorld>, max_worlds> worlds_;
     int edit_depth_ = 0;  // number of living `EditScope`
+    std::int64_t weight_of_contacts_ = 0;
     struct Postponed {
         std::uint32_t world;
         std::function<void()> destroy;

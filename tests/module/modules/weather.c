@@ -147,12 +147,14 @@ static fettle_status create(void* context, fettle_handle self, fettle_row* row) 
     clouds[*row].water = dry;
     clouds[*row].self = self;
     clouds[*row].used = 1;
+    host->grow(host->self, 20000);
     return FETTLE_OK;
 }
 
 static void destroy(void* context, fettle_handle self, fettle_row row) {
     (void)context, (void)self;
     clouds[row].used = 0;
+    host->grow(host->self, -20000);
 }
 
 static void draw(void* context, fettle_handle self, fettle_row row, const fettle_painter* painter,
@@ -244,6 +246,7 @@ static fettle_status attach(void* context) {
     cloud.properties = (fettle_array)FETTLE_ARRAY(properties);
     cloud.methods = (fettle_array)FETTLE_ARRAY(methods);
     cloud.events = (fettle_array)FETTLE_ARRAY(events);
+    cloud.weight = 5000;
     cloud.create = create;
     cloud.destroy = destroy;
     cloud.draw = draw;

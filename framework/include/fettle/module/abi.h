@@ -28,7 +28,7 @@ extern "C" {
 
 /* A module runs in programs of the same major number and of the same or a later minor one. */
 #define FETTLE_ABI_MAJOR 1
-#define FETTLE_ABI_MINOR 5
+#define FETTLE_ABI_MINOR 6
 #define FETTLE_ABI ((uint32_t)FETTLE_ABI_MAJOR << 16 | FETTLE_ABI_MINOR)
 
 typedef enum fettle_status {
@@ -158,6 +158,10 @@ typedef struct fettle_property {
     uint32_t (*overridden)(void* context, fettle_row row);
     /* Optional, called after a write: marks derived data as out of date, wakes sleeping objects. */
     void (*invalidate)(void* context, fettle_row row);
+    /* Since 1.6. Bytes of memory that the module needs for each element of a list, estimated. The
+       limits of memory count them. */
+    uint32_t element_weight;
+    uint32_t reserved;
 } fettle_property;
 
 /* A field of an event, or a parameter or a result of a method. */
@@ -297,6 +301,10 @@ typedef struct fettle_class {
     /* Since 1.5. Optional: where the instance is drawn, as a map from its coordinates to those of
        the world; for `matrix` see fettle_painter. */
     void (*pose)(void* context, fettle_handle self, fettle_row row, double alpha, double* matrix);
+    /* Since 1.6. Bytes of memory that the module needs for an instance, estimated; 0: those of the
+       base class. The limits of memory count them. */
+    uint32_t weight;
+    uint32_t reserved;
 } fettle_class;
 
 /* ---- The host -------------------------------------------------------------------------------- */
@@ -376,6 +384,9 @@ typedef struct fettle_host {
     /* Since 1.3. Position of the current drawing between the last two steps, 0 to 1; 1 outside of
        drawing. */
     double (*drawing_alpha)(void* self);
+    /* Since 1.6. Memory that the module has allocated beside that of its instances; negative: that
+       it has freed. The limits of memory count it. */
+    void (*grow)(void* self, int64_t bytes);
 } fettle_host;
 
 /* ---- The module ------------------------------------------------------------------------------ */
