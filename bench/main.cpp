@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands/commands.h"
@@ -12,6 +14,54 @@
 namespace {
 
 using namespace fettle::bench;
+
+/// The command line: each table is a subcommand.
+class Tables {
+  public:
+    Tables() { app_.require_subcommand(1); }
+
+    /// `print` prints the table and returns the exit status.
+    template <class Options>
+    std::pair<CLI::App*, Options&> add(const char* name, const char* what,
+                                       int (*print)(const Options&)) {
+        const auto options = std::make_shared<Options>();
+        CLI::App* command = app_.add_subcommand(name, what);
+        command->callback([this, options, print] { status_ = print(*options); });
+        return {command, *options};
+    }
+
+    /// Returns the exit status; 2 for wrong arguments or an error.
+    int run(int argc, char** argv) {
+        const std::string name = argc > 1 ? argv[1] : "";
+        if (!name.empty() && name[0] != '-' && !has(name)) {
+            std::cerr << "fettle-bench: \"" << name << "\" is not a subcommand; there are";
+            for (const CLI::App* each : app_.get_subcommands({}))
+                std::cerr << " " << each->get_name();
+            std::cerr << "\n";
+            return 2;
+        }
+        try {
+            app_.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            return app_.exit(error) == 0 ? 0 : 2;
+        } catch (const std::exception& error) {
+            std::cerr << "fettle-bench: " << error.what() << "\n";
+            return 2;
+        }
+        return status_;
+    }
+
+  private:
+    bool has(const std::string& name) const {
+        for (const CLI::App* each : app_.get_subcommands({}))
+            if (each->get_name() == name) return true;
+        return false;
+    }
+
+    CLI::App app_{"The costs of Fettle compared with engines that Debian has as packages.",
+                  "fettle-bench"};
+    int status_ = 0;
+};
 
 void add_json(CLI::App& command, bool& json) {
     command.add_flag("--json", json, "Print a JSON object a line instead of a table");
@@ -38,9 +88,9 @@ void add_steps(CLI::App& command, int& steps) {
         ->check(CLI::Range(2, 1000000));
 }
 
-void add_scenes(CLI::App& app, ScenesOptions& options) {
-    CLI::App* command =
-        app.add_subcommand("scenes", "Step time of the same scenes in every engine");
+void add_scenes(Tables& tables) {
+    const auto [command, options] =
+        tables.add("scenes", "Step time of the same scenes in every engine", run_scenes);
     add_scene_names(*command, options.scenes);
     command->add_option("--engine", options.engines, "Only this engine (repeatable)")
         ->type_name("fettle|hosted|box2d|chipmunk");
@@ -54,8 +104,9 @@ void add_scenes(CLI::App& app, ScenesOptions& options) {
     add_output(*command, options.output);
 }
 
-void add_threads(CLI::App& app, ThreadsOptions& options) {
-    CLI::App* command = app.add_subcommand("threads", "The speedup of a step by several threads");
+void add_threads(Tables& tables) {
+    const auto [command, options] =
+        tables.add("threads", "The speedup of a step by several threads", run_threads);
     add_scene_names(*command, options.scenes);
     command->add_option("--threads", options.threads, "Threads that are compared with one")
         ->check(CLI::Range(2, 64))
@@ -65,9 +116,18 @@ void add_threads(CLI::App& app, ThreadsOptions& options) {
     add_json(*command, options.json);
 }
 
-void add_tree(CLI::App& app, TreeOptions& options) {
-    CLI::App* command =
-        app.add_subcommand("tree", "The cost of reads and writes in the property tree");
+#ifdef FETTLE_BENCH_GOOGLE
+constexpr auto print_tree = run_tree;
+#else
+int print_tree(const TreeOptions&) {
+    throw std::runtime_error(
+        "the costs of the tree are not built in; install libbenchmark-dev and build again");
+}
+#endif
+
+void add_tree(Tables& tables) {
+    const auto [command, options] =
+        tables.add("tree", "The cost of reads and writes in the property tree", print_tree);
     command
         ->add_option("--repetitions", options.repetitions,
                      "Repetitions; the table has their median")
@@ -78,9 +138,10 @@ void add_tree(CLI::App& app, TreeOptions& options) {
     add_output(*command, options.output);
 }
 
-void add_hosting(CLI::App& app, HostingOptions& options) {
-    CLI::App* command = app.add_subcommand(
-        "hosting", "The cost of a world in the property tree compared with the bare library");
+void add_hosting(Tables& tables) {
+    const auto [command, options] = tables.add(
+        "hosting", "The cost of a world in the property tree compared with the bare library",
+        run_hosting);
     command->add_option("--bodies", options.bodies, "Moving bodies, in hundreds")
         ->check(CLI::Range(100, 1000000))
         ->capture_default_str();
@@ -96,8 +157,9 @@ void add_hosting(CLI::App& app, HostingOptions& options) {
 }
 
 /// Internal: `hosting` runs this command under valgrind.
-void add_hosted_steps(CLI::App& app, HostedStepsOptions& options) {
-    CLI::App* command = app.add_subcommand("hosted-steps", "Steps for valgrind to count");
+void add_hosted_steps(Tables& tables) {
+    const auto [command, options] =
+        tables.add("hosted-steps", "Steps for valgrind to count", run_hosted_steps);
     command->group("");
     command->add_option("--engine", options.engine);
     command->add_option("--watched", options.watched);
@@ -106,17 +168,18 @@ void add_hosted_steps(CLI::App& app, HostedStepsOptions& options) {
 }
 
 #ifdef FETTLE_BENCH_GAMES
-void add_games(CLI::App& app, GamesOptions& options) {
-    CLI::App* command = app.add_subcommand("games", "The cost of games: steps, frames, loading");
+void add_games(Tables& tables) {
+    const auto [command, options] =
+        tables.add("games", "The cost of games: steps, frames, loading", run_games);
     command->add_option("--only", options.only, "Only rows with this text in their names")
         ->type_name("TEXT");
     add_json(*command, options.json);
 }
 #endif
 
-void add_console(CLI::App& app, ConsoleOptions& options) {
-    CLI::App* command =
-        app.add_subcommand("console", "The cost of the console in a frame of large games");
+void add_console(Tables& tables) {
+    const auto [command, options] =
+        tables.add("console", "The cost of the console in a frame of large games", run_console);
     command->add_option("--bodies", options.bodies, "Bodies of a game (repeatable)")
         ->check(CLI::Range(1, 1000000));
     command->add_option("--frames", options.frames, "Frames; the table has their median")
@@ -125,9 +188,9 @@ void add_console(CLI::App& app, ConsoleOptions& options) {
     add_json(*command, options.json);
 }
 
-void add_past(CLI::App& app, PastOptions& options) {
-    CLI::App* command = app.add_subcommand(
-        "past", "The cost of storing the past of a game, and of going back to it");
+void add_past(Tables& tables) {
+    const auto [command, options] = tables.add(
+        "past", "The cost of storing the past of a game, and of going back to it", run_past);
     command->add_option("--bodies", options.bodies, "Moving bodies, in hundreds")
         ->check(CLI::Range(100, 1000000))
         ->capture_default_str();
@@ -137,40 +200,42 @@ void add_past(CLI::App& app, PastOptions& options) {
     add_json(*command, options.json);
 }
 
-void add_stability(CLI::App& app, StabilityOptions& options) {
-    CLI::App* command = app.add_subcommand("stability", "How well stacks stand, in every engine");
+void add_stability(Tables& tables) {
+    const auto [command, options] =
+        tables.add("stability", "How well stacks stand, in every engine", run_stability);
     add_scene_names(*command, options.scenes);
     command->add_option("--engine", options.engines, "Only this engine (repeatable)")
         ->type_name("fettle|box2d|chipmunk");
     add_output(*command, options.output);
 }
 
-void add_shapes(CLI::App& app, ShapesOptions& options) {
-    CLI::App* command =
-        app.add_subcommand("shapes", "The cost of a contact by the number of vertices");
+void add_shapes(Tables& tables) {
+    const auto [command, options] =
+        tables.add("shapes", "The cost of a contact by the number of vertices", run_shapes);
     add_runs(*command, options.runs);
     add_json(*command, options.json);
 }
 
-void add_growth(CLI::App& app, GrowthOptions& options) {
-    CLI::App* command = app.add_subcommand(
-        "growth", "The cost of a body in small and in large worlds, in time and in memory");
+void add_growth(Tables& tables) {
+    const auto [command, options] = tables.add(
+        "growth", "The cost of a body in small and in large worlds, in time and in memory",
+        run_growth);
     add_runs(*command, options.runs);
     add_json(*command, options.output.json);
 }
 
-void add_solvers(CLI::App& app, SolversOptions& options) {
-    CLI::App* command = app.add_subcommand(
-        "solvers", "Stability and speed of the three solvers in the same scenes");
+void add_solvers(Tables& tables) {
+    const auto [command, options] = tables.add(
+        "solvers", "Stability and speed of the three solvers in the same scenes", run_solvers);
     add_scene_names(*command, options.scenes, "Only this stability scene (repeatable)");
     add_json(*command, options.json);
     command->add_option("--plots", options.plots, "Also write curves into this folder")
         ->type_name("DIR");
 }
 
-void add_wild(CLI::App& app, WildOptions& options) {
-    CLI::App* command =
-        app.add_subcommand("wild", "Random worlds, and the invariants that they violate");
+void add_wild(Tables& tables) {
+    const auto [command, options] =
+        tables.add("wild", "Random worlds, and the invariants that they violate", run_wild);
     command
         ->add_option("--seed", options.seed,
                      "Seed of the first world; each later world has the next seed")
@@ -190,12 +255,6 @@ void add_wild(CLI::App& app, WildOptions& options) {
     add_json(*command, options.json);
 }
 
-bool has_table(const CLI::App& app, const std::string& name) {
-    for (const CLI::App* each : app.get_subcommands({}))
-        if (each->get_name() == name) return true;
-    return false;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -204,74 +263,21 @@ int main(int argc, char** argv) {
                  "nothing.\nBuild it with -DCMAKE_BUILD_TYPE=Release, or by ./play --build.\n";
     return 2;
 #endif
-    CLI::App app("The costs of Fettle compared with engines that Debian has as packages.",
-                 "fettle-bench");
-    app.require_subcommand(1);
-    ScenesOptions scenes;
-    TreeOptions tree;
-    HostingOptions hosting;
-    HostedStepsOptions hosted_steps;
-    PastOptions past;
-    add_past(app, past);
-    ConsoleOptions console;
-    add_console(app, console);
+    Tables tables;
+    add_past(tables);
+    add_console(tables);
 #ifdef FETTLE_BENCH_GAMES
-    GamesOptions games;
-    add_games(app, games);
+    add_games(tables);
 #endif
-    StabilityOptions stability;
-    add_scenes(app, scenes);
-    ThreadsOptions threads;
-    add_threads(app, threads);
-    add_tree(app, tree);
-    add_hosting(app, hosting);
-    add_hosted_steps(app, hosted_steps);
-    ShapesOptions shapes;
-    add_stability(app, stability);
-    add_shapes(app, shapes);
-    SolversOptions solvers;
-    add_solvers(app, solvers);
-    GrowthOptions growth;
-    add_growth(app, growth);
-    WildOptions wild;
-    add_wild(app, wild);
-    const std::string command = argc > 1 ? argv[1] : "";
-    if (!command.empty() && command[0] != '-' && !has_table(app, command)) {
-        std::cerr << "fettle-bench: \"" << command << "\" is not a subcommand; there are";
-        for (const CLI::App* each : app.get_subcommands({})) std::cerr << " " << each->get_name();
-        std::cerr << "\n";
-        return 2;
-    }
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    try {
-        if (app.got_subcommand("scenes")) return run_scenes(scenes);
-        if (app.got_subcommand("threads")) return run_threads(threads);
-#ifdef FETTLE_BENCH_GOOGLE
-        if (app.got_subcommand("tree")) return run_tree(tree);
-#else
-        if (app.got_subcommand("tree"))
-            throw std::runtime_error(
-                "the costs of the tree are not built in; install libbenchmark-dev and build again");
-#endif
-        if (app.got_subcommand("hosting")) return run_hosting(hosting);
-        if (app.got_subcommand("hosted-steps")) return run_hosted_steps(hosted_steps);
-        if (app.got_subcommand("console")) return run_console(console);
-        if (app.got_subcommand("past")) return run_past(past);
-#ifdef FETTLE_BENCH_GAMES
-        if (app.got_subcommand("games")) return run_games(games);
-#endif
-        if (app.got_subcommand("stability")) return run_stability(stability);
-        if (app.got_subcommand("shapes")) return run_shapes(shapes);
-        if (app.got_subcommand("growth")) return run_growth(growth);
-        if (app.got_subcommand("solvers")) return run_solvers(solvers);
-        if (app.got_subcommand("wild")) return run_wild(wild);
-    } catch (const std::exception& error) {
-        std::cerr << "fettle-bench: " << error.what() << "\n";
-        return 2;
-    }
-    return 0;
+    add_scenes(tables);
+    add_threads(tables);
+    add_tree(tables);
+    add_hosting(tables);
+    add_hosted_steps(tables);
+    add_stability(tables);
+    add_shapes(tables);
+    add_solvers(tables);
+    add_growth(tables);
+    add_wild(tables);
+    return tables.run(argc, argv);
 }
