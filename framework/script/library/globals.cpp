@@ -17,6 +17,7 @@
 #include <lua/stack.h>
 #include <objects/hints.h>
 #include <reference/language.h>
+#include <sandbox/sandbox.h>
 #include <text/bare_words.h>
 #include <text/foreign_classes.h>
 #include <text/other_languages.h>

@@ -9,6 +9,7 @@
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
+#include <lua/sources.h>
 #include <objects/hints.h>
 #include <text/command_words.h>
 #include <text/synonyms.h>
