@@ -168,7 +168,6 @@ class Session {
         bool stepped = false;  // the modules have made a step, which is not delivered yet
         bool failed = false;
         bool ending = false;
-        bool followed = false;     // a file has changed
         std::string renewed;       // the changed file that is being read
         std::string interruption;  // the last message about stopped scripts
     };
