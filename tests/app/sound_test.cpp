@@ -285,6 +285,7 @@ TEST_CASE("errors name the value and the nearest name") {
     fails("Synth { frequency = 1e300 }", "from 1 to 20000 Hz");
     fails("Synth { attack = 0/0 }", "Synth.attack");
     fails("Synth { wave = 'sqare' }", "did you mean \"square\"");
+    fails("Synth {}:preset('laser')", "there is no preset \"laser\"; there are coin, jump, ");
     fails("Synth {}:preset('coyn')", "there is no preset \"coyn\" (did you mean \"coin\"?)");
     fails("Synth {}:play { pich = 2 }", "there is no argument \"pich\" (did you mean \"pitch\"?)");
     fails("Synth {}:play { pitch = 0 }", "from 0.01 to 100");
