@@ -250,6 +250,26 @@ TEST_CASE("a file that is missing from the beginning is told over the game") {
     CHECK(game.eventually([&] { return !error_is_shown(); }));
 }
 
+TEST_CASE("settings in error keep a game from beginning again and the window stays") {
+    if (skipped()) return;
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "main.lua") << "x = = 1\n";
+    GameWindow game(folder.path);
+    REQUIRE(game.prints("main.lua:1: "));
+    const auto change = [&](const char* name, const std::string& text) {
+        std::ofstream(game.folder() / "game" / "new") << text;
+        fs::rename(game.folder() / "game" / "new", game.folder() / "game" / name);
+    };
+    change("game.json", R"({ "nam": "Stay" })");
+    game.key("r");
+    CHECK(game.prints("game.json:1:3: nam: there is no such setting"));
+    change("main.lua", "print('it begins')\n");
+    CHECK(game.running());
+    change("game.json", R"({ "name": "Stay" })");
+    CHECK(game.prints("it begins"));
+    CHECK(game.running());
+}
+
 TEST_CASE("an effect changes the picture and follows its uniforms") {
     if (skipped()) return;
     const TemporaryFolder folder;
