@@ -78,8 +78,8 @@ TEST_CASE("a button that is bound to an action shows all of its keys") {
         game.all = Button { bind = "input.actions.walk" }
         game.one = Button { bind = "input.actions.walk[1][2]" }
     )");
-    CHECK(s.get("all.text").text() == "a d s w, gamepad left, left shift");
-    CHECK(s.get("one.text").text() == "d");
+    CHECK(s.get("game.all.text").text() == "a d s w, gamepad left, left shift");
+    CHECK(s.get("game.one.text").text() == "d");
 }
 
 TEST_CASE("an invalid bind is reported once with the nearest name") {
