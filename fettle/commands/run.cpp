@@ -112,7 +112,7 @@ class WindowRun {
         for (bool last = false; !last;) {
             last = frame();
             limit_.turn_ends(session_->loop().steps_made());
-            if (reload_) start();
+            if (reload_ && may_start()) start();
         }
         return finish(*session_, options_, &window());
     }
@@ -121,6 +121,31 @@ class WindowRun {
     using Clock = std::chrono::steady_clock;
 
     app::Window& window() { return game_window_.screen(); }
+
+    void show_over(const script::ScriptError& error) {
+        if (!error_screen_.error()) return error_screen_.show_over(error);
+        // A later error replaces the one that stopped the game.
+        error_screen_.hide();
+        error_screen_.show(error);
+    }
+
+    /// False, with a message, if the settings of the game have an error. Then the window stays open
+    /// and shows what it showed before.
+    bool may_start() {
+        try {
+            (void)read_settings(options_.game);
+            return true;
+        } catch (const std::exception& error) {
+            reload_ = false;
+            options_.game = game_;
+            script::ScriptError report;
+            report.message = property::exception_text(error);
+            report.context = "files";
+            session_->report_error(report);
+            show_over(report);
+            return false;
+        }
+    }
 
     void start() {
         reload_ = false;
@@ -143,10 +168,7 @@ class WindowRun {
             session_->note("this run is recorded in " + options_.record.string());
         session_->on_error_over([this](const script::ScriptError* error) {
             if (error == nullptr) return error_screen_.hide();
-            if (!error_screen_.error()) return error_screen_.show_over(*error);
-            // The new session replaces the error that stopped the game.
-            error_screen_.hide();
-            error_screen_.show(*error);
+            show_over(*error);
         });
         if (in_gallery()) {
             gallery_->connect(*session_);

@@ -56,7 +56,6 @@ Session::Followed Session::apply_changes(const std::vector<fs::path>& changed) {
     if (!run_.loaded) return Followed::restart;
     const auto begin = std::chrono::steady_clock::now();
     const fs::path folder = fs::absolute(folder_of(options_.game)).lexically_normal();
-    run_.followed = true;
     problems_.erase("");
     std::vector<std::string> names, read;
     std::map<std::string, std::size_t> scenes;  // how often each was read
@@ -160,7 +159,7 @@ void Session::report_file_problem(const std::string& problem, const std::string&
     report.message = problem;
     report.context = "files";
     report_error(report);
-    if (!run_.followed) return;
+    if (!follows_files()) return;
     problems_.try_emplace(file, report);
     show_problems();
 }

@@ -107,6 +107,8 @@ class Session {
     void on_error_over(std::function<void(const script::ScriptError*)> sink) {
         receivers_.error_over = std::move(sink);
     }
+    /// Reports an error where those of the game are reported.
+    void report_error(const script::ScriptError& error);
     /// Why the recording of the run is incomplete; "" if it is complete or if there is none.
     std::string recording_problem() const;
 
@@ -149,7 +151,6 @@ class Session {
     std::unique_ptr<property::Store> new_store(KeptFile which, const std::filesystem::path& folder);
     void make_recorder();
     void fail(const script::ScriptError& error);
-    void report_error(const script::ScriptError& error);
     void report_repeated_errors();
 
     /// Functions that receive the messages of the session.
@@ -168,7 +169,6 @@ class Session {
         bool stepped = false;  // the modules have made a step, which is not delivered yet
         bool failed = false;
         bool ending = false;
-        bool followed = false;     // a file has changed
         std::string renewed;       // the changed file that is being read
         std::string interruption;  // the last message about stopped scripts
     };

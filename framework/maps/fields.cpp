@@ -135,6 +135,12 @@ Properties Place::properties() const {
     return all;
 }
 
+std::optional<Color> Place::transparent_color() const {
+    const std::string written = text("transparentcolor");
+    if (written.empty()) return std::nullopt;
+    return parse_color(*this, written);
+}
+
 Color parse_color(const Place& place, const std::string& text) {
     const std::string digits = text.starts_with('#') ? text.substr(1) : text;
     std::uint32_t bits = 0;

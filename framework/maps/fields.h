@@ -3,6 +3,7 @@
 // Numbers and booleans may be texts, as they are in XML.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <fettle/maps/map.h>
@@ -29,6 +30,8 @@ struct Place {
     bool boolean(const char* key, bool default_value) const;
     std::string text(const char* key, const std::string& default_value = {}) const;
     property::Color color(const char* key, property::Color default_value) const;
+    /// The color of the pixels of an image that are not seen.
+    std::optional<property::Color> transparent_color() const;
     /// An empty list if there is none. Throws if the member is not a list.
     const Json& list(const char* key) const;
     Properties properties() const;

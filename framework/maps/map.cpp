@@ -1,6 +1,7 @@
 #include <fettle/maps/map.h>
 
 #include <filesystem>
+#include <set>
 
 #include "cells.h"
 #include "reader.h"
@@ -8,6 +9,35 @@
 namespace fettle::maps {
 
 using property::Vec2;
+
+namespace {
+
+/// Layers are found by their ids. Maps of early versions of the editor and of other programs have
+/// none, or the same twice; such layers get ids that are free.
+class LayerIds {
+  public:
+    void complete(std::vector<Layer>& layers) {
+        collect(layers);
+        for (Layer* layer : without_) {
+            while (!used_.insert(next_).second) ++next_;
+            layer->id = next_;
+        }
+    }
+
+  private:
+    void collect(std::vector<Layer>& layers) {
+        for (Layer& layer : layers) {
+            if (layer.id == 0 || !used_.insert(layer.id).second) without_.push_back(&layer);
+            collect(layer.layers);
+        }
+    }
+
+    std::set<std::int64_t> used_;
+    std::vector<Layer*> without_;
+    std::int64_t next_ = 1;
+};
+
+}  // namespace
 
 const Tileset* Map::tileset_of(std::uint32_t gid) const {
     for (const Tileset& set : tilesets)
@@ -61,6 +91,7 @@ Map Reader::map() {
         map_.tilesets.push_back(tileset(place.at(one), file_));
     end_of_tilesets();
     for (const Json& one : place.list("layers")) map_.layers.push_back(layer(place.at(one), 0));
+    LayerIds().complete(map_.layers);
     return std::move(map_);
 }
 
@@ -90,6 +121,7 @@ Layer Reader::layer(const Place& outer, int depth) {
         layer.kind = LayerKind::image;
         if (const std::string image = place.text("image"); !image.empty())
             layer.image = beside(file_, image);
+        layer.transparent = place.transparent_color();
         layer.repeat_x = place.boolean("repeatx", false);
         layer.repeat_y = place.boolean("repeaty", false);
     } else if (type == "group") {

@@ -34,7 +34,6 @@ class Reader {
     // --- tilesets.cpp
     Tileset tileset(const Place& place, const std::string& in);
     void end_of_tilesets();
-    static void complete(Tileset& set);
     Tile tile(const Place& place);
 
     // --- objects.cpp

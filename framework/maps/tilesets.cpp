@@ -6,17 +6,18 @@ namespace fettle::maps {
 
 using property::Vec2;
 
-/// Files of early versions of the editor do not have these two numbers, but the size of the image.
-void Reader::complete(Tileset& set) {
-    const auto fit = [&](double pixels, int tile) {
-        const double apart = tile + set.spacing;
-        const double room = pixels - 2 * set.margin + set.spacing;
+/// Files of early versions of the editor have neither of these numbers.
+void Tileset::count_tiles() {
+    if (image.empty()) return;
+    const auto fit = [this](double pixels, int tile) {
+        const double apart = tile + spacing;
+        const double room = pixels - 2 * margin + spacing;
         return room >= apart && apart > 0 ? static_cast<int>(std::min(room / apart, 1e6)) : 0;
     };
-    if (set.columns == 0 && !set.image.empty()) set.columns = fit(set.image_size.x, set.tile_width);
-    if (set.count == 0 && !set.image.empty())
-        set.count = static_cast<int>(std::min<std::int64_t>(
-            std::int64_t{set.columns} * fit(set.image_size.y, set.tile_height), max_tiles));
+    if (columns == 0) columns = fit(image_size.x, tile_width);
+    if (count == 0)
+        count = static_cast<int>(std::min<std::int64_t>(
+            std::int64_t{columns} * fit(image_size.y, tile_height), max_tiles));
 }
 
 /// Tilesets that templates add get the numbers after those of the map's own.
@@ -64,7 +65,8 @@ Tileset Reader::tileset(const Place& outer, const std::string& in) {
         set.offset = Vec2(offset.number("x", 0), offset.number("y", 0));
     }
     set.properties = place.properties();
-    complete(set);
+    set.transparent = place.transparent_color();
+    set.count_tiles();
     for (const Json& one : place.list("tiles")) {
         const Place of_tile = place.at(one);
         if (!one.is_object()) place.fail("a tile is not an object");

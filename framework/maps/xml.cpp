@@ -53,6 +53,8 @@ class Converter {
             add_data(all, child);
         } else if (name == "image") {
             all["image"] = child.attribute("source").value();
+            if (const pugi::xml_attribute color = child.attribute("trans"))
+                all["transparentcolor"] = color.value();
             for (const char* const side : {"width", "height"})
                 if (const pugi::xml_attribute length = child.attribute(side))
                     all[std::string("image") + side] = length.value();

@@ -60,6 +60,7 @@ class GameMedia : public property::Media {
         for (double& x : places) x *= style.size;
         return places;
     }
+    bool right_to_left(std::string_view text) override { return Layout::right_to_left(text); }
     void text(property::Painter& painter, const property::Vec2& position, std::string_view text,
               const property::TextStyle& style) override {
         const Layout layout = layout_of(text, style);

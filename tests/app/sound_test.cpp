@@ -255,6 +255,13 @@ TEST_CASE("the loudness of a sound on each side depends on its position") {
     CHECK((heard().left == 0 && heard().right == 0));
     game.run("audio.voices[1].position = vec(-5, 0)");
     CHECK((heard().left == 1 && heard().right == 1));
+    // At the right edge of the picture, with the range that a sound has at first.
+    game.run(
+        "ship.gun.range = 50 audio.voices[1].position = vec(-5 + 10 * view.screen.x / "
+        "view.screen.y, 0)");
+    CHECK(heard().right > 0.4f);
+    CHECK(heard().left == Approx(heard().right / 2));
+    game.run("ship.gun.range = 10");
     // What is above is seen on the right, when the view is turned to the left.
     game.run("audio.voices[1].position = vec(-5, 5) view.angle = math.pi / 2");
     CHECK(heard().right == 0.25f);
@@ -285,6 +292,7 @@ TEST_CASE("errors name the value and the nearest name") {
     fails("Synth { frequency = 1e300 }", "from 1 to 20000 Hz");
     fails("Synth { attack = 0/0 }", "Synth.attack");
     fails("Synth { wave = 'sqare' }", "did you mean \"square\"");
+    fails("Synth {}:preset('laser')", "there is no preset \"laser\"; there are coin, jump, ");
     fails("Synth {}:preset('coyn')", "there is no preset \"coyn\" (did you mean \"coin\"?)");
     fails("Synth {}:play { pich = 2 }", "there is no argument \"pich\" (did you mean \"pitch\"?)");
     fails("Synth {}:play { pitch = 0 }", "from 0.01 to 100");

@@ -42,12 +42,23 @@ TEST_CASE(
         {"Sound { src = 'a.ogg' }", "file"},
         {"Text { caption = 'a' }", "text"},
         {"Emitter { life = 2 }", "lifetime"},
+        {"Sprite { file = 'a.png' }", "image"},
+        {"Tilemap { file = 'a.tmj' }", "map"},
+        {"Panel { background = 'red' }", "color"},
+        {"input.mouse.x", "\"world\""},
     }));
     const Folder folder;
     const std::string game = folder.write("main.lua", "game.made = " + wrong);
     const Outcome run = fettle(folder, {"run", game, "--headless", "--steps", "1"});
     CHECK(run.status == 1);
     CHECK(contains(run.err, "(did you mean " + meant + "?)"));
+}
+
+TEST_CASE("one color where a list of colors is needed is reported with the list") {
+    const Folder folder;
+    const std::string main = folder.write("main.lua", "Emitter { color = 'red' }");
+    CHECK(contains(fettle(folder, {"run", main, "--headless", "--steps", "1"}).err,
+                   "got text \"red\" (write {\"red\"})"));
 }
 
 TEST_CASE("chunks run in the order they were given") {

@@ -55,6 +55,29 @@ TEST_CASE("pairs visits the store in order and table functions change its lists"
           "9}}\t4+9\n{}\n");
 }
 
+TEST_CASE("a component of a vec or a color in the store can be assigned") {
+    const Folder folder;
+    const Outcome outcome = run(folder, R"(
+        store.at = vec(1, 2) store.levels = { { at = vec(3, 4), paint = color('red') } }
+        store.at.x = 7 store.levels[1].at.y = 8 store.levels[1].paint.g = 1
+        print(store.at, store.levels[1].at, store.levels[1].paint)
+        for _, level in ipairs(store.levels) do level.at.x = 0 end
+        for name, value in pairs(store) do if name == "at" then value.y = 0 end end -- a note
+        local kept, copy = store.at, vec(store.at)
+        store.at.x = 5 copy.x = 9
+        kept.y = 6
+        print(store.at, store.levels[1].at, kept, copy)
+        store.at = 1
+        print(pcall(function() kept.x = 2 end))
+    )");
+    CHECK(outcome.out ==
+          "vec(7, 2)\tvec(3, 8)\tcolor(\"#ffff00\")\n"
+          "vec(5, 6)\tvec(0, 8)\tvec(5, 6)\tvec(9, 0)\n"
+          "false\teval:12: store.at: is not a vec any more\n");
+    CHECK_THAT(outcome.err,
+               Catch::Matchers::Contains("so value.y = ... writes store.at; vec(value) is a copy"));
+}
+
 TEST_CASE("assigning a table copies it and reading gives the table in the store") {
     const Folder folder;
     CHECK(run(folder, R"(

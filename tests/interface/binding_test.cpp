@@ -72,6 +72,16 @@ TEST_CASE("toggles text fields lists and labels are bound") {
     CHECK(s.problems.empty());
 }
 
+TEST_CASE("a button that is bound to an action shows all of its keys") {
+    Screen s(R"(
+        input.actions.walk = { { "a", "d", "s", "w" }, "gamepad.left", "left_shift" }
+        game.keys = Button { bind = "input.actions.walk" }
+        game.one = Button { bind = "input.actions.walk[1][2]" }
+    )");
+    CHECK(s.get("game.keys.text").text() == "a d s w, gamepad left, left shift");
+    CHECK(s.get("game.one.text").text() == "d");
+}
+
 TEST_CASE("an invalid bind is reported once with the nearest name") {
     Screen s("game.s = Slider { bind = 'audio.volum' }");
     s.turn(3);

@@ -122,6 +122,24 @@ TEST_CASE("a label without spaces wraps where its language allows it") {
     CHECK(s.draw().letters == 30);  // nothing is cut
 }
 
+TEST_CASE("each line of a wrapped text runs in the direction of its paragraph") {
+    // Wide enough for the first word, and for the rest.
+    Placed s(R"(game.l = Label { size = vec(120, 0), font_size = 20 })");
+    const auto drawn = [&](const char* text) {
+        s.set("l.text", Value(text));
+        return s.draw().pictures;
+    };
+    const char* const right_to_left = "\u200f";
+    const char* const left_to_right = "\u200e";
+    // The second line begins with Latin letters, which are at its right end.
+    const auto hebrew = drawn("אבגדהוזחט ab אב");
+    CHECK(hebrew == drawn((std::string("אבגדהוזחט\n") + right_to_left + "ab אב").c_str()));
+    CHECK(hebrew != drawn("אבגדהוזחט\nab אב"));  // a paragraph of its own
+    const auto latin = drawn("abcdefghijk אב ab");
+    CHECK(latin == drawn((std::string("abcdefghijk\n") + left_to_right + "אב ab").c_str()));
+    CHECK(latin != drawn("abcdefghijk\nאב ab"));
+}
+
 TEST_CASE("a button or a toggle that wraps its text is as high as its lines") {
     Placed s(R"(game.p = Column { size = vec(200, 0), align = "start",
         Button { size = vec(200, 0), text = "one two three four five six seven eight nine ten" },

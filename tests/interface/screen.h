@@ -33,10 +33,11 @@ class Paper : public Painter {
     void line(const Vec2& a, const Vec2& b, Color, float) override { note(a), note(b); }
     void point(const Vec2& at, Color, float) override { note(at); }
     void text(const Vec2& at, std::string_view, double, Color, TextAlign) override { note(at); }
-    void picture(const property::Picture&, const PictureArea&, const Vec2& lower, const Vec2&,
-                 Color, bool) override {
+    void picture(const property::Picture& picture, const PictureArea&, const Vec2& lower,
+                 const Vec2&, Color, bool) override {
         note(lower);
         ++letters;
+        pictures.push_back({&picture, transform()(lower)});
     }
     void part_of(std::uint64_t) override {}
     bool shows(Overlay) const override { return false; }
@@ -48,6 +49,12 @@ class Paper : public Painter {
     int drawn = 0, letters = 0;
     bool finite = true;
     std::vector<Paint> polygons{};  // boxes, and rings around widgets
+    struct Placed {
+        const property::Picture* picture;
+        Vec2 lower;
+        bool operator==(const Placed&) const = default;
+    };
+    std::vector<Placed> pictures{};  // the letters, too
 
   private:
     void note(const Vec2& at) {

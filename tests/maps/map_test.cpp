@@ -186,6 +186,20 @@ TEST_CASE("a map has layers and tilesets and objects with their properties") {
     }
 }
 
+TEST_CASE("layers of a map without ids can be told apart") {
+    std::string text = json;
+    for (const char* id : {R"("id":1,"name":"ground")", R"("id":3,"name":"enemies")"})
+        text.erase(text.find(id), 7);
+    text.replace(text.find(R"("id":4,"name":"sky")"), 6, R"("id":2)");  // that of another layer
+    const Map map =
+        read({{"levels/one.tmj", text}, {"tiles/ground.tsj", tileset}}, "levels/one.tmj");
+    REQUIRE(map.layers.size() == 3);
+    CHECK(map.layers[0].id == 1);
+    CHECK(map.layers[1].id == 2);
+    CHECK(map.layers[1].layers.at(0).id == 3);
+    CHECK(map.layers[2].id == 4);
+}
+
 TEST_CASE("cells may be compressed and in chunks") {
     // The cells 1 2 3 4, plain and compressed.
     const std::string plain = R"("encoding":"base64","data":" AQAAAAIAAAADAAAABAAAAA==\n ")";

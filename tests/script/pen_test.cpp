@@ -62,6 +62,7 @@ struct CutImage : fettle::property::Media {
     std::vector<double> carets(std::string_view, const fettle::property::TextStyle&) override {
         return {0};
     }
+    bool right_to_left(std::string_view) override { return false; }
     void text(fettle::property::Painter&, const stage::Vec2&, std::string_view,
               const fettle::property::TextStyle& style) override {
         wraps.push_back(style.wrap);

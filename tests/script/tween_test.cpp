@@ -116,6 +116,15 @@ TEST_CASE("an added property takes numbers between integers") {
     CHECK(s.get("world.ball.glow") == Value(1));
 }
 
+TEST_CASE("an added color takes the name of a color") {
+    Game s;
+    s.run("ball.paint = color('black') tween(ball, 'paint', 'white', 1)");
+    s.step(60);
+    CHECK(s.prints("print(ball.paint)") == "color(\"#ffffff\")");
+    CHECK_THAT(s.fails("tween(ball, 'paint', 'whiter', 1)"),
+               contains("there are no values between"));
+}
+
 TEST_CASE("every ease begins at 0 and ends at 1") {
     Game s;
     const std::string names = s.prints(

@@ -77,6 +77,8 @@ TEST_CASE_METHOD(Shaped, "lines of a text from right to left are divided in the 
     const double three = width("אבג דה");
     tree.set(text, "wrap", Value(three + 0.01));
     CHECK(seen("אבג דה וא בג", hebrew) == "הדגבא/גבאו");
+    // A line that begins with Latin letters has the direction of the paragraph as well.
+    CHECK(seen("אבג דה abc וא", hebrew) == "הדגבא/אוabc");
     // Spaces at the end of a line are not seen: both lines end at the same place.
     tree.set(text, "align", Value("right"));
     const auto edge = [&](double above) {

@@ -343,6 +343,39 @@ TEST_CASE_METHOD(Land, "tiles are drawn where they are") {
     CHECK(draw().empty());
 }
 
+TEST_CASE_METHOD(Land, "pixels of the transparent color of a tileset or an image are not seen") {
+    // Two tiles of one pixel: red and green.
+    std::string image = tga(2, 1);
+    REQUIRE(image.size() >= 26);
+    image.replace(18, 8, std::string("\0\0\xff\xff\0\xff\0\xff", 8));
+    write("dots.tga", image);
+    write("sky.tga", image);
+    const auto level_of = [](const std::string& tileset, const std::string& layer) {
+        return R"(<map version="1.0" orientation="orthogonal" width="1" height="1" tilewidth="1" tileheight="1">
+            <tileset firstgid="1" name="dots" tilewidth="1" tileheight="1"><image source="dots.tga")" +
+               tileset + R"(/></tileset><layer name="ground" width="1" height="1">
+            <data encoding="csv">2</data></layer><imagelayer name="sky"><image source="sky.tga")" +
+               layer + "/></imagelayer></map>";
+    };
+    const auto opaque = [&](const char* name) {
+        const Picture& picture = visuals.media().picture([] { return std::string("test"); }, name);
+        return std::pair(picture.rgba().at(3) == 255, picture.rgba().at(7) == 255);
+    };
+    write("level.tmx", level_of("", R"( trans="#00ff00")"));
+    const Handle made = map("level.tmx");
+    const auto drawn = draw();
+    CHECK(opaque("dots.tga") == std::pair(true, true));
+    CHECK(opaque("sky.tga") == std::pair(true, false));
+    // The file does not say how large the image is; the second tile is its right half.
+    REQUIRE_FALSE(drawn.empty());
+    CHECK(drawn.front().area.left == 1);
+    CHECK(drawn.front().area.width == 1);
+    write("level.tmx", level_of(R"( trans="ff0000")", ""));
+    call(made, "reload", {});
+    CHECK(opaque("dots.tga") == std::pair(false, true));
+    CHECK(opaque("sky.tga") == std::pair(true, true));
+}
+
 TEST_CASE_METHOD(Land, "a layer with parallax moves with the view") {
     write("level.tmj", level("0,0,0,0, 0,0,0,0, 2,0,0,0"));
     tree.set(find(map(), "ground"), "parallax", Value(Vec2(0, 1)));

@@ -63,7 +63,9 @@ Stereo Audio::State::loudness(Handle voice, Handle source) const {
         const double range = number(source, *of_source.range);
         const double near = std::max(0.0, 1 - offset.length() / range);
         level *= near * near;
-        const double pan = offset.x / range;
+        // At the edge of the picture, half as loud in the far ear, also if it can be heard from
+        // much farther away.
+        const double pan = offset.x / std::min(range, 0.75 * view.width());
         (pan > 0 ? left : right) = far_side(std::abs(pan));
     }
     return {static_cast<float>(level * left), static_cast<float>(level * right)};

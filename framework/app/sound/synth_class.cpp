@@ -242,8 +242,12 @@ void set_preset(Audio::State& state, Handle synth, const std::string& name) {
     if (found == presets().end()) {
         std::vector<std::string> names;
         for (const Preset& each : presets()) names.emplace_back(each.name);
-        throw std::invalid_argument("there is no preset \"" + name + "\"" +
-                                    property::suggestion(name, names));
+        std::string hint = property::suggestion(name, names);
+        if (hint.empty()) {
+            hint = "; there are";
+            for (const std::string& each : names) hint += (&each == &names[0] ? " " : ", ") + each;
+        }
+        throw std::invalid_argument("there is no preset \"" + name + "\"" + hint);
     }
     state.tree.set(synth, *state.of_synth.wave,
                    wave_names[static_cast<std::size_t>(found->values.wave)]);

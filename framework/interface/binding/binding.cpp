@@ -25,13 +25,15 @@ std::string readable(std::string name) {
     return name;
 }
 
-/// The names of the keys and buttons of an action.
-std::string keys_text(const Value& target) {
+/// The names of the keys and buttons of an action. The four keys of a direction belong together.
+std::string keys_text(const Value& target, const char* separator = ", ") {
     if (target.is(Type::text)) return readable(target.text());
     std::string all;
     if (target.is(Type::list))
-        for (const Value& each : target.list())
-            if (each.is(Type::text)) all += (all.empty() ? "" : ", ") + readable(each.text());
+        for (const Value& each : target.list()) {
+            const std::string keys = keys_text(each, " ");
+            if (!keys.empty()) all += (all.empty() ? "" : separator) + keys;
+        }
     return all;
 }
 

@@ -38,6 +38,16 @@ void wrap_line(property::Media& media, const Lettering& lettering, const std::st
     to.push_back(now);
 }
 
+/// The lines from number `first` on, which are a paragraph, go on in its direction: a line alone
+/// would have that of its own first letter. Unicode has invisible marks for this.
+void keep_direction(property::Media& media, const std::string& paragraph, std::size_t first,
+                    std::vector<std::string>& lines) {
+    const bool right_to_left = media.right_to_left(paragraph);
+    for (std::size_t i = first + 1; i < lines.size(); ++i)
+        if (media.right_to_left(lines[i]) != right_to_left)
+            lines[i].insert(0, right_to_left ? "\u200f" : "\u200e");
+}
+
 }  // namespace
 
 Lettering Lettering::of(const Widget& widget) {
@@ -76,12 +86,15 @@ std::vector<std::string> fitted(property::Media& media, const Lettering& letteri
     while (at <= text.size() && !text.empty() && lines.size() < most) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
         const std::string line = text.substr(at, end - at);
-        if (lettering.width(media, line) <= width)
+        if (lettering.width(media, line) <= width) {
             lines.push_back(line);
-        else if (wrap)
+        } else if (wrap) {
+            const std::size_t first = lines.size();
             wrap_line(media, lettering, line, width, lines);
-        else
+            keep_direction(media, line, first, lines);
+        } else {
             lines.push_back(cut(media, lettering, line, width));
+        }
         at = end + 1;
     }
     return lines;

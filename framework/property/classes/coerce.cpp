@@ -142,9 +142,12 @@ class Coercion {
         }
         const Type wanted = in_list() ? property_.element : property_.type;
         const bool named = wanted == Type::text && !property_.enumerators.empty();
+        Color parsed;
         const bool lone_element =
             wanted == Type::list && (value.is(property_.element) ||
-                                     (property_.element == Type::number && value.is_numeric()));
+                                     (property_.element == Type::number && value.is_numeric()) ||
+                                     (property_.element == Type::color && value.is(Type::text) &&
+                                      parse_color(value.text(), parsed)));
         fail(ErrorKind::wrong_type, "expected " + expected() + ", got " + got +
                                         (lone_element ? " (write {" + shown(value) + "})"
                                          : named      ? ""

@@ -98,9 +98,20 @@ void Tweens::require_valid(Handle made) const {
                                tree.class_of(made).name());
 }
 
+/// The end of a tween. A property that was added to its instance has any type, so a text may name a
+/// color only if its value is one.
+Value Tweens::end_of(const Plan& plan) const {
+    const Tree& tree = machine_.tree;
+    property::Color named;
+    if (plan.to.is(property::Type::text) && property::parse_color(plan.to.text(), named) &&
+        tree.get(plan.target, tree.property(plan.target, plan.property)).is(property::Type::color))
+        return Value(named);
+    return plan.to;
+}
+
 Handle Tweens::add(const Plan& plan) {
     Tree& tree = machine_.tree;
-    const Value to = require_possible(plan.target, plan.property, {}, plan.to, "tween");
+    const Value to = require_possible(plan.target, plan.property, {}, end_of(plan), "tween");
     const Handle made = make(classes_.tween);
     tree.set(made, classes_.target, plan.target);
     tree.set(made, classes_.property, plan.property);

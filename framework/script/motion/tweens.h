@@ -54,6 +54,7 @@ class Tweens {
   private:
     Handle holder();
     Handle make(const Class& of);
+    Value end_of(const Plan& plan) const;
     Value require_possible(Handle target, const std::string& name, const Value& from,
                            const Value& to, const std::string& who) const;
     bool run_those(double dt, bool pausing);

@@ -7,6 +7,7 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <values/short_text.h>
+#include <values/store_type.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -99,7 +100,10 @@ int color_newindex(lua_State* L) {
         if (now.is(Type::color)) box->color = now.color();
         return 0;
     }
-    *value = checked_channel(check_number(L, 3, "color"), key);
+    const float number = checked_channel(check_number(L, 3, "color"), key);
+    const bool stored = refresh_stored(L);
+    *value = number;
+    if (stored) write_stored(L);
     return 0;
 }
 

@@ -49,9 +49,25 @@ int release_store(lua_State* L) {
     return 0;
 }
 
-void push_entry(lua_State* L, const Store::Entry& entry) {
+/// Pushes a vector or a color with the table at `table` and the key at `key` from which it is read,
+/// so that assigning a component writes there.
+void push_stored(lua_State* L, const Value& value, int table, int key) {
+    if (value.is(property::Type::vec2))
+        push_vec(L, value.vec2(), 2);
+    else
+        push_color(L, value.color(), 2);
+    lua_pushvalue(L, table);
+    lua_setiuservalue(L, -2, 1);
+    lua_pushvalue(L, key);
+    lua_setiuservalue(L, -2, 2);
+}
+
+/// The entry with the key at `key` in the table of the store at `table`.
+void push_entry(lua_State* L, const Store::Entry& entry, int table, int key) {
     if (entry.content)
         push_table(L, entry.table, entry.content);
+    else if (entry.value.is(property::Type::vec2) || entry.value.is(property::Type::color))
+        push_stored(L, entry.value, table, key);
     else
         push_value(L, entry.value);
 }
@@ -213,7 +229,7 @@ int store_index(lua_State* L) {
     if (entry == nullptr) {
         lua_pushnil(L);
     } else {
-        push_entry(L, *entry);
+        push_entry(L, *entry, 1, 2);
     }
     return 1;
 }
@@ -278,7 +294,7 @@ int next_stored(lua_State* L) {
         lua_pop(L, 1);
         if (lua_rawgeti(L, lua_upvalueindex(1), place) == LUA_TNIL) return 1;
         if (const Store::Entry* entry = find_in(store_of(L), self, key_at(L, -1, "pairs"))) {
-            push_entry(L, *entry);
+            push_entry(L, *entry, 1, lua_gettop(L));
             return 2;
         }
         lua_pop(L, 1);  // removed meanwhile
@@ -306,6 +322,45 @@ int store_pairs(lua_State* L) {
 }
 
 }  // namespace
+
+bool refresh_stored(lua_State* L) {
+    if (lua_getiuservalue(L, 1, 1) != LUA_TUSERDATA) {
+        lua_pop(L, 1);
+        return false;
+    }
+    lua_getiuservalue(L, 1, 2);
+    lua_gettable(L, -2);
+    auto *vec = vec_at(L, 1), *now = vec_at(L, -1);
+    auto *color = color_at(L, 1), *color_now = color_at(L, -1);
+    if (vec != nullptr && now != nullptr) {
+        vec->x = now->x;
+        vec->y = now->y;
+    } else if (color != nullptr && color_now != nullptr) {
+        color->color = color_now->color;
+    } else {
+        throw Error(ErrorKind::rejected, stored_path(L) + ": is not a " +
+                                             (vec != nullptr ? "vec" : "color") + " any more");
+    }
+    lua_pop(L, 2);
+    return true;
+}
+
+void write_stored(lua_State* L) {
+    lua_getiuservalue(L, 1, 1);
+    lua_getiuservalue(L, 1, 2);
+    lua_pushvalue(L, 1);
+    lua_settable(L, -3);
+    lua_pop(L, 1);
+}
+
+std::string stored_path(lua_State* L) {
+    lua_getiuservalue(L, 1, 1);
+    lua_getiuservalue(L, 1, 2);
+    const Store::Table table = store_at(L, -2)->table;
+    const Store::Key key = key_at(L, -1, "store");
+    lua_pop(L, 2);
+    return store_of(L).path(table, key);
+}
 
 std::string stored_text(Machine& machine, const StoreBox& box) {
     constexpr std::size_t longest = 200;

@@ -23,6 +23,12 @@ inline StoreBox* store_at(lua_State* L, int index) {
     return box_at<StoreBox>(L, index, Tag::store);
 }
 
+/// If the vector or color at 1 was read from the store, gives it the value that is there now, and
+/// returns true. Then `write_stored` puts it back, and `stored_path` names its place.
+bool refresh_stored(lua_State* L);
+void write_stored(lua_State* L);
+std::string stored_path(lua_State* L);
+
 /// The entries of a table of the store on one line: `{best = 3, levels = {1, 2}}`.
 std::string stored_text(Machine& machine, const StoreBox& box);
 

@@ -21,8 +21,8 @@ namespace fettle::script {
 namespace {
 
 template <class Box>
-Box* new_box(lua_State* L, std::size_t size, int meta) {
-    void* memory = lua_newuserdatauv(L, size, 0);
+Box* new_box(lua_State* L, std::size_t size, int meta, int user_values = 0) {
+    void* memory = lua_newuserdatauv(L, size, user_values);
     push_registry(L, meta);
     lua_setmetatable(L, -2);
     return static_cast<Box*>(memory);
@@ -30,8 +30,8 @@ Box* new_box(lua_State* L, std::size_t size, int meta) {
 
 }  // namespace
 
-void push_vec(lua_State* L, const Vec2& v) {
-    auto* box = new_box<VecBox>(L, offsetof(VecBox, origin), machine_of(L).boxes.vec);
+void push_vec(lua_State* L, const Vec2& v, int user_values) {
+    auto* box = new_box<VecBox>(L, offsetof(VecBox, origin), machine_of(L).boxes.vec, user_values);
     box->tag = Tag::vec;
     box->has_origin = false;
     box->x = v.x;
@@ -58,8 +58,9 @@ void push_vec(lua_State* L, const Vec2& v, Handle instance, const Property& prop
     box->origin.depth = 0;  // the other members are read only if depth > 0 or `property` is null
 }
 
-void push_color(lua_State* L, property::Color color) {
-    auto* box = new_box<ColorBox>(L, offsetof(ColorBox, origin), machine_of(L).boxes.color);
+void push_color(lua_State* L, property::Color color, int user_values) {
+    auto* box =
+        new_box<ColorBox>(L, offsetof(ColorBox, origin), machine_of(L).boxes.color, user_values);
     box->tag = Tag::color;
     box->has_origin = false;
     box->color = color;

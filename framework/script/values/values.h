@@ -140,12 +140,13 @@ int push_method(lua_State* L, const std::string& noun, std::vector<std::string> 
 [[noreturn]] void refuse_argument(lua_State* L, int index, const std::string& method,
                                   std::string_view needed);
 
-void push_vec(lua_State* L, const property::Vec2& v);
+/// `user_values`: how many values of Lua it can carry (see `push_stored`).
+void push_vec(lua_State* L, const property::Vec2& v, int user_values = 0);
 void push_vec(lua_State* L, const property::Vec2& v, const Origin& origin);
 /// A vector read from a property: the most frequent case.
 void push_vec(lua_State* L, const property::Vec2& v, property::Handle instance,
               const property::Property& property);
-void push_color(lua_State* L, property::Color color);
+void push_color(lua_State* L, property::Color color, int user_values = 0);
 void push_color(lua_State* L, property::Color color, const Origin& origin);
 /// Pushes the proxy of the instance; each has exactly one. Pushes nil for the null handle.
 void push_instance(lua_State* L, property::Handle handle);

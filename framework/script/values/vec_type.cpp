@@ -9,6 +9,7 @@
 #include <text/columns.h>
 #include <values/declarations.h>
 #include <values/short_text.h>
+#include <values/store_type.h>
 #include <values/values.h>
 #include <values/writes.h>
 
@@ -185,15 +186,16 @@ std::string variable_with_vec(lua_State* L) {
 }
 
 /// Gives a note once, when a component of a variable's vector is written: the vector stays
-/// connected with the property that it was read from, while other engines make copies.
-void note_connected(lua_State* L, Machine& machine, const VecBox& v, char component) {
+/// connected with the place that it was read from, while other engines make copies.
+template <class Path>
+void note_connected(lua_State* L, Machine& machine, Path path_of, char component) {
     int& left = machine.boxes.checked_writes;
     if (left <= 0) return;
     --left;
     const std::string name = variable_with_vec(L);
     if (name.empty()) return;
     left = 0;
-    const std::string path = origin_path(machine.tree, v.origin);
+    const std::string path = path_of();
     if (const auto sink = machine.host.on_note)
         sink(position(L) + name + " was read from " + path + " and stays connected with it, so " +
              name + "." + component + " = ... writes " + path + "; vec(" + name + ") is a copy");
@@ -213,7 +215,8 @@ int vec_newindex(lua_State* L) {
         if (lua_type(L, 3) != LUA_TNUMBER)
             refuse_type(L, 3,
                         origin_path(machine.tree, v->origin) + "." + key + ": needs a number");
-        note_connected(L, machine, *v, key[0]);
+        note_connected(
+            L, machine, [&] { return origin_path(machine.tree, v->origin); }, key[0]);
         const double number = lua_tonumber(L, 3);
         if (v->origin.depth == 0) {
             write_component(machine, *v, key[0], number);
@@ -227,7 +230,14 @@ int vec_newindex(lua_State* L) {
         }
         return 0;
     }
-    (key[0] == 'x' ? v->x : v->y) = check_number(L, 3, "vec");
+    const double number = check_number(L, 3, "vec");
+    const bool stored = refresh_stored(L);
+    (key[0] == 'x' ? v->x : v->y) = number;
+    if (stored) {
+        note_connected(
+            L, machine_of(L), [L] { return stored_path(L); }, key[0]);
+        write_stored(L);
+    }
     return 0;
 }
 

@@ -6,11 +6,16 @@
 #include <string_view>
 #include <vector>
 
+#include <fettle/property/value.h>
+
 namespace fettle::visuals {
 
 struct Pixels {
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint8_t> rgba{};
+
+    /// Makes the pixels of a color transparent.
+    void clear(property::Color color);
 };
 
 /// Decodes a PNG, JPEG, BMP or TGA file. Throws std::runtime_error with the reason.

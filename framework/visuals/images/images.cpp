@@ -9,6 +9,9 @@
 #include <images/decoding.h>
 
 namespace fettle::visuals {
+
+using property::Color;
+
 namespace {
 
 constexpr std::array<std::string_view, 6> endings{".png", ".jpg", ".jpeg", ".bmp", ".tga", ".json"};
@@ -58,11 +61,25 @@ void Images::read(Sheet& into, const std::string& what, const std::string& name)
         throw std::runtime_error("is too large: the images of this game would have " +
                                  std::to_string(all >> 20) + " MB of pixels, and may have " +
                                  std::to_string(most_bytes >> 20) + " MB");
+    if (const auto color = transparent_.find(image); color != transparent_.end())
+        pixels.clear(color->second);
     put(into, std::move(pixels));
     into.frames = std::move(found.frames);
     into.animations = std::move(found.animations);
     into.image = image;
     into.found = true;
+}
+
+void Images::make_transparent(const std::string& name, const std::optional<Color>& color) {
+    const auto known = transparent_.find(name);
+    if (color ? known != transparent_.end() && known->second == *color
+              : known == transparent_.end())
+        return;
+    if (color)
+        transparent_[name] = *color;
+    else
+        transparent_.erase(known);
+    renew(name);
 }
 
 void Images::renew(const std::string& name) {

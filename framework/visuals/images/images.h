@@ -22,6 +22,8 @@ class Images {
 
     /// The file of that name; the checkerboard if it is missing or cannot be read.
     std::shared_ptr<const Sheet> get(const property::FileUser& user, const std::string& name);
+    /// From now on, the pixels of a file that have this color are not seen; nullopt: all are.
+    void make_transparent(const std::string& name, const std::optional<property::Color>& color);
     /// Gives the picture of a saved game, which `get` returns for "save:SLOT".
     using SavedPicture = std::function<property::Thumbnail(const std::string& slot)>;
     void saved_pictures(SavedPicture of) { saved_ = std::move(of); }
@@ -44,7 +46,8 @@ class Images {
 
     property::Assets* assets_;
     std::map<std::string, std::shared_ptr<Sheet>> sheets_;
-    std::map<std::string, std::string> reported_;  // the problem of each key
+    std::map<std::string, property::Color> transparent_;  // by file
+    std::map<std::string, std::string> reported_;         // the problem of each key
     std::function<void(const std::string&)> report_;
     SavedPicture saved_;
 };

@@ -1,5 +1,8 @@
 // Decodes image files with stb_image. Its code is in this source only.
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
@@ -74,6 +77,16 @@ Pixels decode(std::string_view file) {
     image.rgba.assign(read.get(), read.get() + std::size_t{image.width} * image.height * 4);
     spread_colors(image);
     return image;
+}
+
+void Pixels::clear(property::Color color) {
+    const auto byte = [](float share) {
+        return static_cast<std::uint8_t>(std::lround(255 * share));
+    };
+    const std::array<std::uint8_t, 3> wanted{byte(color.r), byte(color.g), byte(color.b)};
+    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4)
+        if (std::equal(wanted.begin(), wanted.end(), rgba.begin() + static_cast<std::ptrdiff_t>(i)))
+            std::fill_n(rgba.begin() + static_cast<std::ptrdiff_t>(i), 4, std::uint8_t{0});
 }
 
 Pixels checkerboard() {

@@ -75,6 +75,12 @@ class Divider {
     Line shorter_;  // it up to the last place where it may end
 };
 
+std::u32string first_paragraph(std::string_view utf8) {
+    std::u32string text = property::decode_utf8(utf8.substr(0, 4 * Layout::most_letters));
+    text.resize(std::min({text.size(), text.find(U'\n'), Layout::most_letters}));
+    return text;
+}
+
 /// Calls `visit(letter, x)` for the letters of a line from left to right.
 template <class Visit>
 void walk(const Paragraph& paragraph, const Line& line, Visit visit) {
@@ -140,9 +146,12 @@ Layout Layout::of(std::string_view utf8, const Family& family, Align align, doub
     return made;
 }
 
+bool Layout::right_to_left(std::string_view utf8) {
+    return runs_right_to_left(first_paragraph(utf8));
+}
+
 std::vector<double> Layout::carets(std::string_view utf8, const Family& family) {
-    std::u32string text = property::decode_utf8(utf8.substr(0, 4 * most_letters));
-    text.resize(std::min({text.size(), text.find(U'\n'), most_letters}));
+    const std::u32string text = first_paragraph(utf8);
     std::vector<double> places(text.size() + 1, 0);
     if (family.empty() || text.empty()) return places;
     Paragraph paragraph = shaped(text, family);

@@ -24,6 +24,9 @@ struct Layout {
     /// first `most_letters` are left out.
     static Layout of(std::string_view utf8, const Family& family, Align align, double wrap);
 
+    /// Whether the first paragraph of a text runs from right to left.
+    static bool right_to_left(std::string_view utf8);
+
     /// Where a caret stands in the first line of a text: before each letter and at the end, from
     /// the left end of the line.
     static std::vector<double> carets(std::string_view utf8, const Family& family);

@@ -34,11 +34,13 @@ constexpr std::array with_shapes{
     Range{0x1e800, 0x1efff}   // African scripts, Arabic for mathematics
 };
 
-bool has_shapes(char32_t c) {
-    return c >= with_shapes.front().first &&
-           std::ranges::any_of(with_shapes, [c](const Range& range) {
-               return c >= range.first && c <= range.last;
-           });
+bool has_shapes(std::u32string_view text) {
+    return std::ranges::any_of(text, [](char32_t c) {
+        return c >= with_shapes.front().first &&
+               std::ranges::any_of(with_shapes, [c](const Range& range) {
+                   return c >= range.first && c <= range.last;
+               });
+    });
 }
 
 /// Each letter by itself, with kerning.
@@ -141,8 +143,11 @@ Paragraph joined(std::u32string_view text, const Family& family) {
 }  // namespace
 
 Paragraph shaped(std::u32string_view text, const Family& family) {
-    return std::ranges::any_of(text, has_shapes) ? joined(text, family)
-                                                 : letter_by_letter(text, family);
+    return has_shapes(text) ? joined(text, family) : letter_by_letter(text, family);
+}
+
+bool runs_right_to_left(std::u32string_view paragraph) {
+    return has_shapes(paragraph) && Order(paragraph).right_to_left();
 }
 
 }  // namespace fettle::visuals

@@ -31,6 +31,9 @@ struct Paragraph {
     std::optional<Order> order;       // without: from left to right
 };
 
+/// Whether a paragraph, which has no line breaks in it, runs from right to left.
+bool runs_right_to_left(std::u32string_view paragraph);
+
 /// `text` has no line breaks.
 Paragraph shaped(std::u32string_view text, const Family& family);
 

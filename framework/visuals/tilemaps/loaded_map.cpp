@@ -69,11 +69,34 @@ Vec2 size_of(const Tileset& set, const maps::Tile* tile) {
 
 LoadedMap::LoadedMap(maps::Map map, std::string user, Images& images)
     : map_(std::move(map)), user_(std::move(user)), images_(images) {
+    prepare_images();
     for (const Tileset& set : map_.tilesets) {
         Vec2 largest(set.tile_width, set.tile_height);
         for (const auto& [number, tile] : set.tiles) largest = largest.max(size_of(set, &tile));
         reach_ = reach_.max(largest + set.offset.abs());
         add_shapes(set);
+    }
+}
+
+void LoadedMap::prepare_images() {
+    for (Tileset& set : map_.tilesets) {
+        if (set.image.empty()) continue;
+        images_.make_transparent(set.image, set.transparent);
+        if (set.columns > 0) continue;
+        const auto sheet = images_.get([this] { return user_; }, set.image);
+        if (!sheet->found) continue;
+        set.image_size = Vec2(sheet->picture.width(), sheet->picture.height());
+        const int described = std::exchange(set.count, 0);
+        set.count_tiles();
+        set.count = std::max(set.count, described);
+    }
+    prepare_images(map_.layers);
+}
+
+void LoadedMap::prepare_images(const std::vector<maps::Layer>& layers) {
+    for (const maps::Layer& layer : layers) {
+        if (!layer.image.empty()) images_.make_transparent(layer.image, layer.transparent);
+        prepare_images(layer.layers);
     }
 }
 

@@ -58,6 +58,9 @@ class LoadedMap {
 
   private:
     TileLook make_look(std::uint32_t tile) const;
+    /// Transparent colors, and the numbers of tiles of files that do not say them.
+    void prepare_images();
+    void prepare_images(const std::vector<maps::Layer>& layers);
     void add_shapes(const maps::Tileset& set);
 
     maps::Map map_;

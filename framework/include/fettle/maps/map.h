@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,11 +71,14 @@ struct Tileset {
     int spacing = 0, margin = 0;      // px between tiles; px around all tiles
     std::string image{};              // relative to the folder of the game, as all files of a map
     property::Vec2 image_size{0, 0};  // px; 0 if the file does not say it
-    property::Vec2 offset{0, 0};      // px, added to the position of each drawn tile
-    std::string alignment{};          // of tile objects: "topleft", "center", ...
-    std::map<std::uint32_t, Tile> tiles{};  // by number in the tileset
+    std::optional<property::Color> transparent{};  // pixels of the image of this color are not seen
+    property::Vec2 offset{0, 0};                   // px, added to the position of each drawn tile
+    std::string alignment{};                       // of tile objects: "topleft", "center", ...
+    std::map<std::uint32_t, Tile> tiles{};         // by number in the tileset
     Properties properties{};
 
+    /// Counts the tiles by the size of the image, if the file does not say how many there are.
+    void count_tiles();
     bool contains(std::uint32_t gid) const {
         return gid >= first_gid && gid - first_gid < static_cast<std::uint32_t>(count);
     }
@@ -101,8 +105,9 @@ struct Layer {
     std::vector<Cells> cells{};     // several in an infinite map
     std::vector<Object> objects{};
     std::string image{};
-    bool repeat_x = false, repeat_y = false;  // of an image
-    std::vector<Layer> layers{};              // of a group
+    std::optional<property::Color> transparent{};  // as of a tileset
+    bool repeat_x = false, repeat_y = false;       // of an image
+    std::vector<Layer> layers{};                   // of a group
     Properties properties{};
 };
 

@@ -57,6 +57,9 @@ class Media {
     /// Where a caret stands in a text of one line: before each character and at the end, from the
     /// left end of the text. They descend where the text runs from right to left.
     virtual std::vector<double> carets(std::string_view text, const TextStyle& style) = 0;
+    /// Whether the first paragraph of a text, up to its first line break, runs from right to left:
+    /// its first letter with a direction decides that.
+    virtual bool right_to_left(std::string_view text) = 0;
     /// `position`: in the middle of the height, at the beginning, middle or end of each line.
     virtual void text(Painter& painter, const Vec2& position, std::string_view text,
                       const TextStyle& style) = 0;
