@@ -93,6 +93,9 @@ void check_bodies(const WorldState& w, Findings& findings) {
         findings.require(edges_end(joint_lists, body.lists.first_joint, w.joints),
                          "the joints of a body");
     }
+    for (size_t i = 0; i < w.stays.size(); ++i)
+        findings.require(w.stays[i].body < n && (i == 0 || w.stays[i - 1].body < w.stays[i].body),
+                         "the stay of a body");
     findings.require(free_list_ends(w.body_slots, w.bodies), "free bodies");
     findings.require(free_list_ends(w.trait_slots, w.traits), "free traits of bodies");
     for (const BodyTraits& traits : w.traits)

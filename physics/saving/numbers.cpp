@@ -218,8 +218,13 @@ void check_all(const WorldState& w) {
     for (size_t i = 0; i < w.joints.size(); ++i)
         if (w.joint_generations[i] != 0) check(w.joints[i], i);
     for (const FieldRecord& field : w.fields) check(field.def);
+    for (const Stay& stay : w.stays)
+        require(stay.center.is_finite() && are_finite(stay.angle) && is_amount(stay.time) &&
+                    is_amount(stay.far) && is_amount(stay.back) && is_amount(stay.fastest),
+                "the stay of body", stay.body);
     require(are_finite(w.last_substep, w.last_length, w.long_substep) && w.last_substep >= 0.0f &&
-                w.last_length >= 0.0f && w.long_substep >= 0.0f && w.last_substeps >= 0,
+                w.last_length >= 0.0f && w.long_substep >= 0.0f && w.last_substeps >= 0 &&
+                is_amount(w.since_search),
             "the last step", 0);
 }
 

@@ -18,6 +18,13 @@ inline constexpr float usual_extent = 0.07f;
 /// speed, and on average it is slower than `mean` times that speed.
 inline constexpr float jerk = 6.0f, mean = 0.4f;
 
+/// A body that is slower is at rest, m/s. A small body that moves through its own size in the delay
+/// is not. `sleep_speed`: that of the body or the world, m/s.
+inline float rest_speed(float sleep_speed, const BodyRecord& body) {
+    const float size = min(body.extent / usual_extent, 1.0f);
+    return sleep_speed * size * size;
+}
+
 /// True if a body at rest tips over: it turns faster and faster, so it has turned less than it
 /// would have at its present speed. `turned`: the distance that its fastest point has moved around
 /// the center of mass since it came to rest, m; `turning`: the present speed of this point, m/s;
@@ -36,9 +43,8 @@ inline bool tips_over(float sleep_speed, float sleep_delay, float turned, float 
 /// m/s.
 inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, RestPose& rest,
                        float angle, float speed, float turning, float dt) {
-    // A small body that moves through its own size in the delay is not at rest.
     const float size = min(body.extent / usual_extent, 1.0f);
-    const float slow = sleep_speed * size * size;
+    const float slow = rest_speed(sleep_speed, body);
     const bool jerks = speed >= slow && speed < jerk * slow && body.lists.touching > 0;
     if (speed >= slow && !jerks) {
         body.sleep_time = 0.0f;

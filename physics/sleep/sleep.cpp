@@ -1,5 +1,7 @@
 #include <geometry/growth.h>
 #include <partition/union_find.h>
+#include <sleep/rest.h>
+#include <sleep/rocking.h>
 #include <sleep/sleep.h>
 
 #include <algorithm>
@@ -260,28 +262,98 @@ bool carried_by_belt(const ObjectState& objects, const Columns& columns,
     return std::fabs(slip) < 0.5f * std::fabs(contact.surface_speed);
 }
 
+/// Why a body does not rest, as bits: it moves by itself, or something drives it, however slow it
+/// is. 0: it rests.
+constexpr uint8_t by_itself = 1, driven = 2;
+
+/// An island of the awake bodies.
+struct AwakeIsland {
+    uint8_t unrest = 0;                         ///< of all its bodies
+    uint32_t slow_bodies = 0, fast_bodies = 0;  ///< now
+    bool rocks = true;                          ///< what is fast rocks in place
+    bool rocks_for_long = true;                 ///< what does not rest rocks so
+};
+
+float rest_speed_of(const ObjectState& objects, const WorldDef& settings, uint32_t body) {
+    const BodyRecord& record = objects.bodies[body];
+    return rest_speed(objects.sleep_speed_of(settings, record), record);
+}
+
+void continue_stays(const ObjectState& objects, const Columns& columns, ActiveLists& active,
+                    const WorldDef& settings, float passed) {
+    std::erase_if(active.stays, [&](Stay& stay) {
+        const BodyRecord& body = objects.bodies[stay.body];
+        return body.solver_index == 0 || body.mobility != Mobility::dynamic ||
+               !continue_stay(stay, body, columns.states[stay.body],
+                              rest_speed_of(objects, settings, stay.body), passed);
+    });
+}
+
+/// Slows down what rocks in place among bodies that are slow, and may soon rest.
+void calm_rocking(const ObjectState& objects, Columns& columns, ActiveLists& active,
+                  const WorldDef& settings, float passed, UnionFind& sets,
+                  std::span<const uint8_t> unrest, std::vector<AwakeIsland>& islands) {
+    std::vector<uint32_t> rocking;
+    std::vector<Stay> begun;
+    for (uint32_t i = 0; i < unrest.size(); ++i) {
+        if (unrest[i] != by_itself) continue;
+        AwakeIsland& island = islands[sets.find(i)];
+        if (island.unrest != by_itself) continue;
+        const uint32_t slot = active.awake_bodies[i];
+        const BodyRecord& body = objects.bodies[slot];
+        const Stay* const stay = stay_of(active.stays, slot);
+        if (stay != nullptr) {
+            const float slow = rest_speed_of(objects, settings, slot);
+            island.rocks &= rocks(*stay, slow);
+            island.rocks_for_long &= rocks_for_long(*stay, slow);
+            rocking.push_back(i);
+            continue;
+        }
+        island.rocks_for_long = false;
+        if (!is_fast(body, columns.states[slot], rest_speed_of(objects, settings, slot))) continue;
+        island.rocks = false;
+        if (island.fast_bodies <= island.slow_bodies)
+            begun.push_back(begun_stay(slot, body, columns.states[slot]));
+    }
+    for (const uint32_t i : rocking) {
+        AwakeIsland& island = islands[sets.find(i)];
+        if (!island.rocks) continue;
+        calm(columns.states[active.awake_bodies[i]], passed);
+        if (island.rocks_for_long) island.unrest = 0;
+    }
+    active.stays.insert(active.stays.end(), begun.begin(), begun.end());
+    std::ranges::sort(active.stays, {}, &Stay::body);
+}
+
 }  // namespace
 
 void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
-                           const WorldDef& settings, uint32_t candidates, uint64_t step) {
+                           const WorldDef& settings, uint32_t candidates, uint64_t step,
+                           float& since_search) {
     ObjectState& objects = activity.objects;
     Columns& columns = activity.columns;
     ActiveLists& active = activity.active;
-    if (!settings.sleeping || candidates == 0 || step % search_interval != 0) return;
+    if (step % search_interval != 0) return;
+    const float passed = std::exchange(since_search, 0.0f);
+    continue_stays(objects, columns, active, settings, passed);
+    if (!settings.sleeping) active.stays.clear();
+    if (!settings.sleeping || (candidates == 0 && active.stays.empty())) return;
     const size_t count = active.awake_bodies.size();
     UnionFind sets;
     sets.reset(count);
-    std::vector<uint8_t> restless(count, 0);
+    std::vector<uint8_t> unrest(count, 0);
     for (size_t i = 0; i < count; ++i) {
         const BodyRecord& record = objects.bodies[active.awake_bodies[i]];
-        restless[i] = !record.flags.can_sleep || record.sleep_time < settings.sleep_delay ||
-                      (record.mobility != Mobility::dynamic &&
-                       in_motion(objects, columns, active.awake_bodies[i]));
+        const bool alone = record.mobility == Mobility::dynamic && record.lists.first_joint == none;
+        if (record.sleep_time < settings.sleep_delay) unrest[i] = alone ? by_itself : driven;
+        if (!record.flags.can_sleep || (record.mobility != Mobility::dynamic &&
+                                        in_motion(objects, columns, active.awake_bodies[i])))
+            unrest[i] = driven;
     }
     const auto disturb = [&](uint32_t body) {
         const BodyRecord& record = objects.bodies[body];
         if (record.solver_index != 0 && record.mobility == Mobility::dynamic)
-            restless[record.solver_index - 1] = 1;
+            unrest[record.solver_index - 1] = driven;
     };
     for (const JointArray& array : joints.joint_arrays) {
         for (size_t i = 0; i < array.joints.size(); ++i) {
@@ -298,9 +370,9 @@ void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
         if (moves_a && moves_b)
             sets.unite(a - 1, b - 1);
         else if (moves_a && in_motion(objects, columns, body_b))
-            restless[a - 1] = 1;  // a moving body carries it
+            unrest[a - 1] = driven;  // a moving body carries it
         else if (moves_b && in_motion(objects, columns, body_a))
-            restless[b - 1] = 1;
+            unrest[b - 1] = driven;
     };
     for (uint32_t slot : active.awake_contacts) {
         const ContactRecord& c = objects.contacts[slot];
@@ -314,13 +386,21 @@ void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
         for (uint32_t joint : list)
             link(objects.joints[joint].bodies[0], objects.joints[joint].bodies[1]);
     }
-    std::vector<uint8_t> island_restless(count, 0);
-    for (uint32_t i = 0; i < count; ++i) island_restless[sets.find(i)] |= restless[i];
+    std::vector<AwakeIsland> islands(count);
+    for (uint32_t i = 0; i < count; ++i) {
+        AwakeIsland& island = islands[sets.find(i)];
+        island.unrest |= unrest[i];
+        const uint32_t slot = active.awake_bodies[i];
+        const bool fast = unrest[i] != 0 && is_fast(objects.bodies[slot], columns.states[slot],
+                                                    rest_speed_of(objects, settings, slot));
+        ++(fast ? island.fast_bodies : island.slow_bodies);
+    }
+    calm_rocking(objects, columns, active, settings, passed, sets, unrest, islands);
     std::vector<std::vector<uint32_t>> groups;
     std::vector<uint32_t> group_of(count, none);
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t root = sets.find(i);
-        if (island_restless[root]) continue;
+        if (islands[root].unrest != 0) continue;
         if (group_of[root] == none) {
             group_of[root] = uint32_t(groups.size());
             groups.emplace_back();

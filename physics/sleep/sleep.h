@@ -1,6 +1,7 @@
 #pragma once
 
 #include <fettle/physics/events.h>
+#include <sleep/rocking.h>
 #include <state/active_lists.h>
 #include <state/step_scratch.h>
 #include <state/world_state.h>
@@ -23,10 +24,12 @@ struct Activity {
 void wake_sleeping(const Activity& activity, uint32_t body);  ///< with its island
 inline void wake_body(const Activity& activity, uint32_t body) {
     BodyRecord& record = activity.objects.bodies[body];
-    if (record.asleep())
+    if (record.asleep()) {
         wake_sleeping(activity, body);
-    else
+    } else {
         record.sleep_time = 0.0f;
+        end_stay(activity.active.stays, body);
+    }
 }
 /// Wakes the bodies that the body touches or has a joint with.
 void wake_touching(const Activity& activity, uint32_t body);
@@ -44,7 +47,8 @@ void put_group_to_sleep(const Activity& activity, uint32_t body);
 /// not rest, however slow it is: a kinematic body with a velocity, a body that a motor moves, and a
 /// body that a belt carries.
 void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
-                           const WorldDef& settings, uint32_t candidates, uint64_t step);
+                           const WorldDef& settings, uint32_t candidates, uint64_t step,
+                           float& since_search);
 /// For solvers that correct positions without velocities: a body is not at rest if it
 /// moved faster than its sleep speed in the step of `dt` (s), whatever its velocity is.
 void keep_pushed_awake(ObjectState& objects, const ActiveLists& active, const BodyScratch& bodies,

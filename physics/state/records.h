@@ -152,6 +152,17 @@ struct RestPose {
     float angle = 0.0f;
 };
 
+/// Where an awake body has stayed for some time: sleep/rocking.h.
+struct Stay {
+    uint32_t body = none;
+    float angle = 0.0f;    ///< at the beginning, rad
+    Position center;       ///< center of mass at the beginning, world
+    float time = 0.0f;     ///< s
+    float far = 0.0f;      ///< the greatest distance from the beginning, m
+    float back = 0.0f;     ///< the greatest distance from which it has come back, m
+    float fastest = 0.0f;  ///< m/s
+};
+
 /// Data of a shape for the narrow phase, packed.
 struct ShapeForm {
     uint32_t begin = 0;  ///< in the vertex pool

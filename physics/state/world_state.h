@@ -238,10 +238,13 @@ struct ActiveLists {
     std::vector<uint32_t> awake_contacts;
     std::array<std::vector<uint32_t>, joint_type_count> awake_joints;  ///< by type
     std::vector<uint32_t> edited_bodies, edited_shapes;                ///< to refresh
+    /// Bodies that move in place among bodies at rest, by slot: sleep/rocking.h.
+    std::vector<Stay> stays;
 
     static void members(auto& io, auto& s) {
-        list_members<ActiveLists>(io, named("lists", s.awake_bodies, s.awake_contacts,
-                                            s.awake_joints, s.edited_bodies, s.edited_shapes));
+        list_members<ActiveLists>(
+            io, named("lists", s.awake_bodies, s.awake_contacts, s.awake_joints, s.edited_bodies,
+                      s.edited_shapes, s.stays));
     }
 };
 
@@ -254,6 +257,7 @@ struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
     float last_length = 0.0f;   ///< s; of the last step, with the usual number of its sub-steps
     int last_substeps = 0;      ///< number of the sub-steps of the last step
     float long_substep = 0.0f;  ///< s; the longest of about the last second, for the stiffness
+    float since_search = 0.0f;  ///< s since the last search for resting islands
     uint64_t steps = 0;
     uint32_t sleep_candidates = 0;  ///< bodies that rested long enough in the last step
     Events events;                  ///< of the last step
@@ -264,7 +268,7 @@ struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
         list_members<WorldState, Columns>(
             io,
             named("", s.settings, s.strips, s.last_substep, s.last_length, s.last_substeps,
-                  s.long_substep, s.steps, s.sleep_candidates, s.statistics),
+                  s.long_substep, s.since_search, s.steps, s.sleep_candidates, s.statistics),
             named("bodies", s.states, s.previous, s.body_generations),
             named("shapes", s.shape_generations), named("joints", s.joint_generations),
             named("", part<ObjectState>(s), part<BroadPhaseState>(s), part<ActiveLists>(s)),

@@ -135,7 +135,9 @@ void WorldData::step(float dt) {
     clear_ends(active(), body_scratch());
     statistics.finish_ms = clock.lap();
     ++steps;
-    sleep_resting_islands(activity(), joint_scratch(), settings, sleep_candidates, steps);
+    since_search += dt;
+    sleep_resting_islands(activity(), joint_scratch(), settings, sleep_candidates, steps,
+                          since_search);
     statistics.sleep_ms = clock.lap();
     statistics.total_ms = total.lap();
     end_step();
