@@ -42,7 +42,8 @@ bool continue_stay(Stay& stay, const BodyRecord& body, const BodyState& state, f
     const float speed = speed_of(body, state);
     const float moved =
         length(body.center - stay.center) + std::fabs(state.angle - stay.angle) * body.extent;
-    if (moved > mean * slow * longest_time || speed > sudden * max(stay.fastest, slow))
+    const bool bounces = body.lists.touching == 0;
+    if (bounces || moved > mean * slow * longest_time || speed > sudden * max(stay.fastest, slow))
         return false;
     stay.time += passed;
     stay.fastest = max(stay.fastest, speed);
