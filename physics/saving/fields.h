@@ -101,7 +101,7 @@ void fields(auto& io, Some<RestPose> auto& s) {
     fields_of<RestPose>(io, s.center, s.angle);
 }
 void fields(auto& io, Some<Stay> auto& s) {
-    fields_of<Stay>(io, s.body, s.angle, s.center, s.time, s.far, s.back, s.fastest);
+    fields_of<Stay>(io, s.body, s.returns, s.angle, s.center, s.time, s.far, s.back, s.fastest);
 }
 void fields(auto& io, Some<Load> auto& s) {
     fields_of<Load>(io, s.force, s.torque);

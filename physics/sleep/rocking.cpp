@@ -1,4 +1,3 @@
-#include <sleep/rest.h>
 #include <sleep/rocking.h>
 
 #include <algorithm>
@@ -7,8 +6,14 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// A body rocks in place from this time on, s. After the longest time, it must rest.
-constexpr float least_time = 4.0f, longest_time = 16.0f;
+/// A body is followed for this time, s; then it begins again from where it is.
+constexpr float watch = 4.0f;
+/// A body that gets farther than this has left: m for each m/s of its speed of rest. A body that
+/// goes no farther than a quarter of it may fall asleep while it still moves.
+constexpr float reach = 12.8f, short_reach = 0.25f * reach;
+
+/// Less than this is no way: m for each m/s.
+constexpr float unnoticed = 0.3f;
 
 /// A body that is this many times as fast as ever before in its stay was hit or pushed.
 constexpr float sudden = 1.5f;
@@ -23,10 +28,6 @@ float speed_of(const BodyRecord& body, const BodyState& state) {
     return max(length(state.velocity), std::fabs(state.angular_velocity) * body.extent);
 }
 
-bool comes_back(const Stay& stay) {
-    return stay.back >= most_of_way * stay.far;
-}
-
 }  // namespace
 
 bool is_fast(const BodyRecord& body, const BodyState& state, float slow) {
@@ -34,7 +35,7 @@ bool is_fast(const BodyRecord& body, const BodyState& state, float slow) {
 }
 
 Stay begun_stay(uint32_t slot, const BodyRecord& body, const BodyState& state) {
-    return {slot, state.angle, body.center, 0.0f, 0.0f, 0.0f, speed_of(body, state)};
+    return {slot, 0, state.angle, body.center, 0.0f, 0.0f, 0.0f, speed_of(body, state)};
 }
 
 bool continue_stay(Stay& stay, const BodyRecord& body, const BodyState& state, float slow,
@@ -43,26 +44,25 @@ bool continue_stay(Stay& stay, const BodyRecord& body, const BodyState& state, f
     const float moved =
         length(body.center - stay.center) + std::fabs(state.angle - stay.angle) * body.extent;
     const bool bounces = body.lists.touching == 0;
-    if (bounces || moved > mean * slow * longest_time || speed > sudden * max(stay.fastest, slow))
-        return false;
+    if (bounces || moved > reach * slow || speed > sudden * max(stay.fastest, slow)) return false;
     stay.time += passed;
     stay.fastest = max(stay.fastest, speed);
     stay.far = max(stay.far, moved);
     if (moved < 0.5f * stay.far) stay.back = stay.far;
-    return stay.time < least_time || comes_back(stay);
+    if (stay.time < watch) return true;
+    // What swings as often as it is looked at is always found at the same place.
+    if (stay.back < most_of_way * stay.far && stay.far > unnoticed * slow) return false;
+    const uint32_t returns = stay.far <= short_reach * slow ? stay.returns + 1 : 1;
+    stay = {stay.body, returns, state.angle, body.center, 0.0f, 0.0f, 0.0f, stay.fastest};
+    return true;
 }
 
-/// How long a body must stay until it rocks, s.
-float time_to_rock(const Stay& stay, float slow) {
-    return max(least_time, stay.far / (mean * slow));
+bool rocks(const Stay& stay) {
+    return stay.returns > 0;
 }
 
-bool rocks(const Stay& stay, float slow) {
-    return stay.time >= time_to_rock(stay, slow) && comes_back(stay);
-}
-
-bool rocks_for_long(const Stay& stay, float slow) {
-    return stay.time >= 2.0f * time_to_rock(stay, slow) && comes_back(stay);
+bool rocks_for_long(const Stay& stay) {
+    return stay.returns > 1;
 }
 
 void calm(BodyState& state, float passed) {
@@ -72,7 +72,9 @@ void calm(BodyState& state, float passed) {
 }
 
 Stay* stay_of(std::vector<Stay>& stays, uint32_t body) {
-    const auto place = std::ranges::lower_bound(stays, body, {}, &Stay::body);
+    const auto place =
+        std::lower_bound(stays.begin(), stays.end(), body,
+                         [](const Stay& stay, uint32_t slot) { return stay.body < slot; });
     return place != stays.end() && place->body == body ? &*place : nullptr;
 }
 

@@ -11,9 +11,9 @@
 // least as many bodies rest, a body that has rocked in place for some seconds is slowed down until
 // it rests, too.
 //
-// Only a way to and fro counts. Who stays within 0.02 m/s · t of a place for a time t is on average
-// slower than the sleep speed, as bodies are that fall asleep, but a body that begins to roll or to
-// tip over is slow at first as well: it does not come back.
+// Only a way to and fro within some decimeters counts. A body that rolls away or tips over may be
+// slow for long, but it does not come back. A body that something drives is not followed: one with
+// a joint or on a belt, or what a kinematic body carries.
 
 namespace fettle::physics::detail {
 
@@ -26,10 +26,9 @@ Stay begun_stay(uint32_t slot, const BodyRecord& body, const BodyState& state);
 /// left, does not come back, or was pushed. `slow`: its speed of rest, m/s.
 bool continue_stay(Stay& stay, const BodyRecord& body, const BodyState& state, float slow,
                    float passed);
-/// True if the body has rocked in place for some time.
-bool rocks(const Stay& stay, float slow);
-/// True if it has done so for so long that the solver must give it energy.
-bool rocks_for_long(const Stay& stay, float slow);
+bool rocks(const Stay& stay);
+/// True if it has been slowed down for some time already: then the solver gives it energy.
+bool rocks_for_long(const Stay& stay);
 /// Takes a part of its motion away.
 void calm(BodyState& state, float passed);
 

@@ -266,6 +266,9 @@ bool carried_by_belt(const ObjectState& objects, const Columns& columns,
 /// is. 0: it rests.
 constexpr uint8_t by_itself = 1, driven = 2;
 
+/// A body that rocks alone, or among few others, costs little and may go on.
+constexpr uint32_t kept_awake = 8;
+
 /// An island of the awake bodies.
 struct AwakeIsland {
     uint8_t unrest = 0;                         ///< of all its bodies
@@ -303,16 +306,15 @@ void calm_rocking(const ObjectState& objects, Columns& columns, ActiveLists& act
         const BodyRecord& body = objects.bodies[slot];
         const Stay* const stay = stay_of(active.stays, slot);
         if (stay != nullptr) {
-            const float slow = rest_speed_of(objects, settings, slot);
-            island.rocks &= rocks(*stay, slow);
-            island.rocks_for_long &= rocks_for_long(*stay, slow);
+            island.rocks &= rocks(*stay);
+            island.rocks_for_long &= rocks_for_long(*stay);
             rocking.push_back(i);
             continue;
         }
         island.rocks_for_long = false;
         if (!is_fast(body, columns.states[slot], rest_speed_of(objects, settings, slot))) continue;
         island.rocks = false;
-        if (island.fast_bodies <= island.slow_bodies)
+        if (kept_awake * island.fast_bodies <= island.slow_bodies)
             begun.push_back(begun_stay(slot, body, columns.states[slot]));
     }
     for (const uint32_t i : rocking) {
@@ -322,7 +324,8 @@ void calm_rocking(const ObjectState& objects, Columns& columns, ActiveLists& act
         if (island.rocks_for_long) island.unrest = 0;
     }
     active.stays.insert(active.stays.end(), begun.begin(), begun.end());
-    std::ranges::sort(active.stays, {}, &Stay::body);
+    std::sort(active.stays.begin(), active.stays.end(),
+              [](const Stay& a, const Stay& b) { return a.body < b.body; });
 }
 
 }  // namespace

@@ -152,13 +152,14 @@ struct RestPose {
     float angle = 0.0f;
 };
 
-/// Where an awake body has stayed for some time: sleep/rocking.h.
+/// How an awake body moves in place: sleep/rocking.h.
 struct Stay {
     uint32_t body = none;
+    uint32_t returns = 0;  ///< how often it came back; at most 1 after a long way
     float angle = 0.0f;    ///< at the beginning, rad
     Position center;       ///< center of mass at the beginning, world
-    float time = 0.0f;     ///< s
-    float far = 0.0f;      ///< the greatest distance from the beginning, m
+    float time = 0.0f;     ///< s since then
+    float far = 0.0f;      ///< the greatest distance since then, m
     float back = 0.0f;     ///< the greatest distance from which it has come back, m
     float fastest = 0.0f;  ///< m/s
 };
