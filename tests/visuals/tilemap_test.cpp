@@ -472,6 +472,23 @@ TEST_CASE_METHOD(Land, "objects become instances of their class") {
     CHECK(problems.empty());
 }
 
+TEST_CASE_METHOD(Land, "a tile as an object is cut out of its image as the tiles of cells are") {
+    // Tiles of 4 pixels with a distance of 1; the image has room for two and a half.
+    write("dots.tga", tga(13, 6));
+    write("level.tmx",
+          R"(<map orientation="orthogonal" width="1" height="1" tilewidth="4" tileheight="4">
+        <tileset firstgid="1" name="dots" tilewidth="4" tileheight="4" spacing="1" margin="1" columns="2" tilecount="2">
+        <image source="dots.tga" width="13" height="6"/></tileset>
+        <objectgroup name="things"><object id="1" gid="2" x="0" y="4" width="4" height="4"/></objectgroup></map>)");
+    map("level.tmx");
+    const auto drawn = draw();
+    REQUIRE(drawn.size() == 1);
+    CHECK(drawn[0].area.left == 6);
+    CHECK(drawn[0].area.top == 1);
+    CHECK(drawn[0].area.width == 4);
+    CHECK(problems.empty());
+}
+
 TEST_CASE_METHOD(Land, "an object that cannot be made is reported with its place") {
     write("level.tmj", level(floor_cells, R"(, {"type": "objectgroup", "id": 9, "name": "things",
         "objects": [
