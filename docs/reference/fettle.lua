@@ -1602,11 +1602,13 @@ Attractor = {}
 ---@field flip_y boolean Mirrors the image, top and bottom. · true or false · default false
 ---@field frame integer The frame that is shown, from 1, within the animation. Beyond the last one, counting begins again at the first. · 1 to 1e6 · default 1 · simulated
 ---@field frame_count integer Number of frames of the animation. · any integer · read-only
+---@field frame_size vec? Width and height of a frame. nil: those of the image, divided by columns and rows; otherwise there are as many frames as the image has room for, and columns and rows do not matter. · px · 1 to 100000 · default nil · may be nil
 ---@field frames_per_second number Speed of the animation. 0: the times in the Aseprite file, or no motion. · 1/s · 0 to 1000 · default 0
 ---@field image string An image file in the game's folder (PNG, JPEG, BMP, TGA), or a JSON file that Aseprite exported. A checkerboard is drawn for a file that is missing. · any text · default ""
 ---@field image_height integer Height of the image file, or of the checkerboard. · px · any integer · read-only
 ---@field image_width integer Width of the image file, or of the checkerboard. · px · any integer · read-only
 ---@field loop boolean Whether the animation begins again at its end. · true or false · default true
+---@field margin number Distance of the frames from the edges of the image. · px · 0 to 100000 · default 0
 ---@field origin vec The point of the image that is at its position, around which it turns: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1e6 to 1e6 · default vec(0.5, 0.5)
 ---@field pixels_per_unit number Pixels of the image in a meter, where `size` is nil. In a layer on the screen a pixel of the image is a pixel. · px/m · 0.001 to 1e6 · default 32
 ---@field playing boolean Whether the animation goes on. At its end without `loop` it stays at the last frame until `animation` changes; `frame` = 1 plays it again. · true or false · default true
@@ -1616,6 +1618,7 @@ Attractor = {}
 ---@field sheet integer[] Columns and rows in one value: { columns, rows }. The sheet that Aseprite exported is given by its JSON file as `image`. · 1 to 10000 · default computed · not saved
 ---@field size vec? Width and height; nil: those of the image, by pixels_per_unit. Pixels in a layer on the screen. · m · 0 to 1e9 · default nil · may be nil
 ---@field smooth boolean Whether pixels are mixed when the image is enlarged; otherwise each is a square. · true or false · default true
+---@field spacing number Distance of two frames in the image. · px · 0 to 100000 · default 0
 ---@field tint color The colors of the image are multiplied by it. · 0 to 1 · default color("#ffffff")
 ---@field visible boolean Whether it is drawn. · true or false · default true
 local fettle_Sprite = {}

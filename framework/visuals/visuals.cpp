@@ -39,13 +39,12 @@ class GameMedia : public property::Media {
                                  const property::ImageFrame& asked) override {
         const auto sheet = images_.get(user, name);
         const bool exported = !sheet->frames.empty();
-        const std::int64_t count = exported        ? static_cast<std::int64_t>(sheet->frames.size())
-                                   : !sheet->found ? 1
-                                                   : asked.columns * asked.rows;
+        if (!exported && !sheet->found) return sheet->whole();
+        const std::int64_t count =
+            exported ? static_cast<std::int64_t>(sheet->frames.size()) : asked.columns * asked.rows;
         const auto index = static_cast<std::size_t>((asked.frame - 1) % count);
-        return exported ? sheet->frames[index]
-                        : sheet->part(index, count == 1 ? 1 : asked.columns,
-                                      count == 1 ? 1 : asked.rows);
+        if (exported) return sheet->frames[index];
+        return FrameGrid::divided(sheet->picture, asked.columns, asked.rows).at(index);
     }
     void load_font(const property::FileUser& user, const std::string& font) override {
         (void)fonts_.get(user, font);

@@ -89,6 +89,38 @@ TEST_CASE_METHOD(Pictures, "a camera follows an instance") {
     CHECK(near(draw()[1].pixel, {640 - 40, 400}));  // it stays
 }
 
+TEST_CASE_METHOD(Pictures, "functions that draw convert points as they are seen") {
+    runtime.run(R"(
+        game.place = Object { position = vec(0, 0) }
+        function step() game.place.position = game.place.position + vec(1, 0) end
+        view.follow, game.camera.follow = game.place, game.place
+        game.camera.follow_damping = 0.1
+        game.camera.visible = true
+        view:shake(0.5, 10)
+        local seen, within
+        function Dot:draw(pen)
+            pen.circle(self.at, 1)
+            seen, within = view:to_screen(self.at), game.camera:to_screen(self.at)
+            assert((view:to_world(seen) - self.at):length() < 0.001)
+            assert((game.camera:to_world(within) - self.at):length() < 0.001)
+        end
+        function keep() game.kept = Object { props = { seen = seen, within = within } } end
+    )",
+                "t");
+    loop.frame(3.5 * tick);
+    loop.draw(screen, 0);
+    CHECK(errors.empty());
+    runtime.run("keep()", "t");
+    const auto& circles = screen.noted.circles;
+    REQUIRE(circles.size() == 2);
+    CHECK(near(circles[0].pixel, get("kept.seen").vec2()));
+    CHECK(near(circles[1].pixel, get("kept.within").vec2()));
+    // Elsewhere, as after the last step.
+    runtime.run("print(view:to_screen(view.center), game.camera:to_screen(game.camera.center))",
+                "t");
+    CHECK(new_output() == "vec(640, 400)\tvec(640, 400)");
+}
+
 TEST_CASE_METHOD(Pictures, "a camera follows with a delay and within limits as the view does") {
     runtime.run(R"(
         game.place = Object { position = vec(8, 3) }

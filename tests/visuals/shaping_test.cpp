@@ -120,6 +120,13 @@ TEST_CASE_METHOD(Shaped, "vowel signs of Hindi stand where they are read") {
     CHECK(drawn("क्ष").size() == 1);  // three code points, one form
 }
 
+TEST_CASE_METHOD(Shaped, "a space after an emoji is as wide as after a letter") {
+    if (!there(sans_file) || !there("/usr/share/fonts/truetype/noto/NotoColorEmoji.ttf")) return;
+    const double space = width("a a") - width("aa");
+    CHECK(width("🙂 a") - width("🙂a") == Approx(space).margin(0.01));
+    CHECK(width("🙂 א") - width("🙂א") == Approx(space).margin(0.01));
+}
+
 TEST_CASE_METHOD(Shaped, "accents that are code points of their own lie on their letters") {
     if (!there(sans_file)) return;
     CHECK(width("e\u0301") == Approx(width("e")));

@@ -150,6 +150,28 @@ TEST_CASE_METHOD(Gallery, "a missing image is a checkerboard and one error") {
     CHECK(tree.get(s, "image_height") == Value(4));
 }
 
+TEST_CASE_METHOD(Gallery, "frames may have a distance from each other and from the edge") {
+    write("sheet.tga", tga(30, 22));  // 3 x 2 frames of 8 pixels, and some pixels more
+    const Handle s = make("Sprite", {{"image", "sheet.tga"},
+                                     {"frame_size", Vec2(8, 8)},
+                                     {"spacing", 1.0},
+                                     {"margin", 2.0},
+                                     {"frame", 6}});
+    const auto area = [&] {
+        const PictureArea drawn = draw().at(0).area;
+        return std::vector{drawn.left, drawn.top, drawn.width, drawn.height};
+    };
+    CHECK(tree.get(s, "frame_count") == Value(6));
+    CHECK(area() == std::vector<double>{20, 11, 8, 8});
+    tree.set(s, "frame", Value(2));
+    CHECK(area() == std::vector<double>{11, 2, 8, 8});
+    tree.set(s, "frame_size", Value());
+    tree.set(s, "sheet", Value(List{Value(5), Value(1)}));
+    CHECK(area() == std::vector<double>{2 + 5.4, 2, 4.4, 18});
+    tree.set(s, "frame_size", Value(Vec2(1000, 1000)));  // at least one frame
+    CHECK(tree.get(s, "frame_count") == Value(1));
+}
+
 TEST_CASE_METHOD(Gallery, "columns and rows can be set as one value") {
     const Handle s = make("Sprite", hero);
     tree.set(s, "sheet", Value(List{Value(4), Value(2)}));

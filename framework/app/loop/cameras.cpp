@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <fettle/property/drawing.h>
 #include <fettle/property/pose.h>
 
 #include <loop/following.h>
@@ -120,14 +121,14 @@ void Cameras::define(property::Tree& tree) {
                    [](void* context, property::Tree&, Handle self, property::Row,
                       std::span<const Value> given) -> property::Result {
                        const auto& cameras = *static_cast<Cameras*>(context);
-                       const CameraPicture p = cameras.picture(self, cameras.view_.picture(), 1);
+                       const CameraPicture p = cameras.seen(self);
                        return Value(p.view.to_world(given[0].vec2() - p.lower));
                    }),
             method("to_screen", world, pixels, "Where it shows a point of the world.",
                    [](void* context, property::Tree&, Handle self, property::Row,
                       std::span<const Value> given) -> property::Result {
                        const auto& cameras = *static_cast<Cameras*>(context);
-                       const CameraPicture p = cameras.picture(self, cameras.view_.picture(), 1);
+                       const CameraPicture p = cameras.seen(self);
                        return Value(Vec2(p.lower + p.view.to_screen(given[0].vec2())));
                    })}};
     described.methods.push_back(shake_method());
@@ -209,6 +210,12 @@ CameraPicture Cameras::drawn(Handle camera, const Vec2& screen, double alpha, do
     return made;
 }
 
+CameraPicture Cameras::seen(Handle camera) const {
+    const Vec2 screen = view_.picture();
+    return drawn_at_ ? drawn(camera, screen, property::Drawing::alpha(), *drawn_at_)
+                     : picture(camera, screen, 1);
+}
+
 double Cameras::zoom(property::Row row) const {
     return picture(rows_[row].self, view_.picture(), 1).view.zoom();
 }
@@ -244,9 +251,14 @@ void Cameras::advance(Row& row, double dt) {
 }
 
 void Cameras::draw(property::Painter& painter, const View& view, double alpha, double now,
-                   const std::function<void(property::Painter&)>& game) const {
+                   const std::function<void(property::Painter&)>& game) {
     const std::vector<Handle> cameras = shown();
     if (cameras.empty()) return game(painter);
+    drawn_at_ = now;
+    const struct End {
+        std::optional<double>& at;
+        ~End() { at.reset(); }
+    } end{drawn_at_};
     {
         CameraPainter world(painter, CameraPainter::Part::world);
         game(world);

@@ -2,6 +2,7 @@
 // The class Camera: another picture of the world in a part of the screen.
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <fettle/app/view.h>
@@ -23,7 +24,7 @@ class Cameras {
     /// screen. `game` draws all of it with a painter; without cameras it is called once. `alpha`:
     /// position between the last two steps, 0 to 1; `now`: s, simulation time.
     void draw(property::Painter& painter, const View& view, double alpha, double now,
-              const std::function<void(property::Painter&)>& game) const;
+              const std::function<void(property::Painter&)>& game);
 
   private:
     /// The data of a camera that the tree does not store.
@@ -50,6 +51,8 @@ class Cameras {
     /// The same between the last two steps, and shaken.
     CameraPicture drawn(property::Handle camera, const property::Vec2& screen, double alpha,
                         double now) const;
+    /// The picture that is being drawn; otherwise that after the last step.
+    CameraPicture seen(property::Handle camera) const;
     double zoom(property::Row row) const;
     void set_zoom(property::Row row, double zoom);
     void advance(Row& row, double dt);
@@ -58,6 +61,7 @@ class Cameras {
     const View& view_;
     Properties of_{};
     std::vector<Row> rows_{};
+    std::optional<double> drawn_at_{};     // s, while pictures are drawn: the simulation time
     std::vector<property::Handle> all_{};  // in the order in which they were made
 };
 

@@ -34,6 +34,17 @@ Color contrasting(Color background, float opacity) {
     return {shade, shade, shade, opacity};
 }
 
+/// While it lives, a picture of `drawn` is drawn.
+class Shown {
+  public:
+    Shown(View& view, const View& drawn) : view_(view) { view.shown = &drawn; }
+    ~Shown() { view_.shown = nullptr; }
+    Shown(const Shown&) = delete;
+
+  private:
+    View& view_;
+};
+
 /// Draws a grid. The lines are a power of ten of meters apart, which is 20 to 200 pixels.
 void draw_grid(property::Painter& painter, const View& view) {
     const double spacing = std::pow(10, std::ceil(std::log10(20 / view.zoom())));
@@ -146,6 +157,7 @@ void Loop::draw(Screen& screen, double seconds) {
     const property::Drawing drawing(clock.alpha);
     screen.begin(view.background);
     const View drawn = view.drawn(clock.alpha, clock.now);
+    const Shown shown(view, drawn);
     property::Painter& painter = screen.painter(drawn);
     if (view.show.grid) draw_grid(painter, drawn);
     std::optional<Blame> blame;

@@ -299,8 +299,10 @@ std::vector<Property> overlays(Show& show) {
     };
 }
 
+/// In `draw`, points are converted as they are seen, as `drawn_position` of a body is.
 const View& view_of(void* context) {
-    return *static_cast<View*>(context);
+    const View& view = *static_cast<View*>(context);
+    return view.shown != nullptr ? *view.shown : view;
 }
 
 std::vector<property::Method> conversions(View& view) {

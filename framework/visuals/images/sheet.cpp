@@ -170,15 +170,35 @@ Export read(const Part& from) {
 
 }  // namespace
 
-Frame Sheet::part(std::size_t index, std::int64_t columns, std::int64_t rows) const {
+FrameGrid FrameGrid::divided(const property::Picture& picture, std::int64_t columns,
+                             std::int64_t rows, double margin, double spacing) {
+    const auto share = [&](double pixels, std::int64_t count) {
+        const auto frames = static_cast<double>(count);
+        return std::max(0.0, (pixels - 2 * margin - (frames - 1) * spacing) / frames);
+    };
+    return {columns,
+            rows,
+            margin,
+            spacing,
+            {share(picture.width(), columns), share(picture.height(), rows)}};
+}
+
+FrameGrid FrameGrid::filled(const property::Picture& picture, const property::Vec2& size,
+                            double margin, double spacing) {
+    const auto fit = [&](double pixels, double frame) {
+        const double all = (pixels - 2 * margin + spacing) / (frame + spacing);
+        return static_cast<std::int64_t>(std::clamp(all, 1.0, 10'000.0));
+    };
+    return {fit(picture.width(), size.x), fit(picture.height(), size.y), margin, spacing, size};
+}
+
+property::PictureFrame FrameGrid::at(std::size_t index) const {
     const auto across = static_cast<std::size_t>(columns);
-    const double width = picture.width() / static_cast<double>(columns);
-    const double height = picture.height() / static_cast<double>(rows);
-    Frame made;
-    made.area = {width * static_cast<double>(index % across),
-                 height * static_cast<double>(index / across), width, height};
-    made.size = {width, height};
-    return made;
+    const auto column = static_cast<double>(index % across);
+    const auto row = static_cast<double>(index / across);
+    return {.area = {margin + column * (size.x + spacing), margin + row * (size.y + spacing),
+                     size.x, size.y},
+            .size = size};
 }
 
 const Animation* Sheet::animation(std::string_view name) const {

@@ -161,6 +161,10 @@ Font::Font(std::string file, int index) : file_(std::move(file)), data_(std::mak
 
 Font::~Font() = default;
 
+bool Font::of_pictures() const {
+    return FT_HAS_COLOR(data_->face) != 0;
+}
+
 const Font::Glyph& Font::known(char32_t letter) const {
     const auto [at, added] = glyphs_.try_emplace(letter, Glyph{});
     Glyph& found = at->second;

@@ -46,6 +46,9 @@ class Font {
     Font(const Font&) = delete;
     Font& operator=(const Font&) = delete;
 
+    /// Whether its glyphs are pictures, such as emoji. A space of such a font is as wide as they
+    /// are.
+    bool of_pictures() const;
     bool has(char32_t letter) const { return glyph(letter) != 0; }
     /// The glyph of the letter by itself; 0 if the font lacks it.
     unsigned glyph(char32_t letter) const { return known(letter).index; }

@@ -114,7 +114,8 @@ class Runs {
         if (font == nullptr) return false;
         const bool controls = (c >= 0x200b && c <= 0x200f) || (c >= 0x202a && c <= 0x202e) ||
                               (c >= 0x2066 && c <= 0x2069) || c == 0x061c || c < 0x20;
-        return controls || ((script == HB_SCRIPT_INHERITED || c == U' ') && font->has(c));
+        const bool is_space = c == U' ' && !font->of_pictures();
+        return controls || ((script == HB_SCRIPT_INHERITED || is_space) && font->has(c));
     }
 
     std::u32string_view text_;

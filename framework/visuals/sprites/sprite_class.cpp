@@ -89,6 +89,26 @@ std::vector<Property> Sprites::frame_properties() {
          .default_value = 1,
          .range = {1, 10'000},
          .doc = "Number of rows of frames in the image."},
+        {.name = "frame_size",
+         .type = Type::vec2,
+         .unit = "px",
+         .range = {1, 100'000},
+         .doc = "Width and height of a frame. nil: those of the image, divided by columns and "
+                "rows; otherwise there are as many frames as the image has room for, and columns "
+                "and rows do not matter.",
+         .nullable = true},
+        {.name = "margin",
+         .type = Type::number,
+         .default_value = 0.0,
+         .unit = "px",
+         .range = {0, 100'000},
+         .doc = "Distance of the frames from the edges of the image."},
+        {.name = "spacing",
+         .type = Type::number,
+         .default_value = 0.0,
+         .unit = "px",
+         .range = {0, 100'000},
+         .doc = "Distance of two frames in the image."},
         // After columns and rows in the order of names, so a constructor may give any of them.
         {.name = "sheet",
          .type = Type::list,
@@ -202,7 +222,7 @@ std::vector<Property> Sprites::derived_properties() {
                                                           ? std::int64_t{0}
                                                           : s.playing(r, *sheet, read).count);
                                      })},
-                {"image", "columns", "rows", "animation"}),
+                {"image", "columns", "rows", "animation", "frame_size", "margin", "spacing"}),
     };
 }
 
@@ -257,7 +277,10 @@ void Sprites::define(property::Tree& tree) {
            of("blend"),
            of("visible"),
            of("smooth"),
-           of("pixels_per_unit")};
+           of("pixels_per_unit"),
+           of("frame_size"),
+           of("margin"),
+           of("spacing")};
     finished_ = made.event("finished");
 }
 

@@ -54,7 +54,19 @@ const Sheet* Sprites::sheet(Row& row, const Reader& read) {
 std::int64_t Sprites::frames_in(const Sheet& sheet, const Reader& read) const {
     if (!sheet.frames.empty()) return static_cast<std::int64_t>(sheet.frames.size());
     if (!sheet.found) return 1;
-    return read.integer(of_.columns) * read.integer(of_.rows);
+    // Most images have only one frame.
+    if (read.in_place(of_.frame_size).is_nil())
+        return read.integer(of_.columns) * read.integer(of_.rows);
+    const FrameGrid all = grid(sheet, read);
+    return all.columns * all.rows;
+}
+
+FrameGrid Sprites::grid(const Sheet& sheet, const Reader& read) const {
+    const double margin = read.number(of_.margin), spacing = read.number(of_.spacing);
+    const Value& size = read.in_place(of_.frame_size);
+    return size.is_nil() ? FrameGrid::divided(sheet.picture, read.integer(of_.columns),
+                                              read.integer(of_.rows), margin, spacing)
+                         : FrameGrid::filled(sheet.picture, size.vec2(), margin, spacing);
 }
 
 Sprites::Playing Sprites::playing(const Row& row, const Sheet& sheet, const Reader& read) const {
@@ -76,14 +88,13 @@ Sprites::Playing Sprites::playing(const Row& row, const Sheet& sheet, const Read
 /// The frame that is shown.
 Frame Sprites::frame(const Row& row, const Reader& read) const {
     const Sheet& sheet = *row.sheet;
-    // Most images have only one frame.
-    if (sheet.frames.empty() && frames_in(sheet, read) == 1) return sheet.part(0, 1, 1);
+    if (sheet.frames.empty() && frames_in(sheet, read) == 1) return sheet.whole();
     const Playing plays = playing(row, sheet, read);
     const auto n = static_cast<std::size_t>(row.frame % plays.count);
     const std::size_t index =
         plays.animation ? plays.animation->frames[n] : static_cast<std::size_t>(plays.first) + n;
     if (!sheet.frames.empty()) return sheet.frames[index];
-    return sheet.part(index, read.integer(of_.columns), read.integer(of_.rows));
+    return {grid(sheet, read).at(index)};
 }
 
 /// Time of the current frame; 0 if it does not go on.

@@ -37,7 +37,7 @@ class Sprites {
     struct Properties {
         const property::Property *image, *position, *angle, *size, *scale, *origin, *flip_x,
             *flip_y, *tint, *columns, *rows, *animation, *frames_per_second, *loop, *playing,
-            *blend, *visible, *smooth, *pixels_per_unit;
+            *blend, *visible, *smooth, *pixels_per_unit, *frame_size, *margin, *spacing;
     };
     /// The frames that are played: those of an animation, or all.
     struct Playing {
@@ -53,6 +53,7 @@ class Sprites {
     // `read`: the properties of the sprite of the row.
     const Sheet* sheet(Row& row, const Reader& read);
     std::int64_t frames_in(const Sheet& sheet, const Reader& read) const;
+    FrameGrid grid(const Sheet& sheet, const Reader& read) const;
     Playing playing(const Row& row, const Sheet& sheet, const Reader& read) const;
     Frame frame(const Row& row, const Reader& read) const;
     double seconds_of(const Row& row, const Sheet& sheet, const Playing& playing,

@@ -140,15 +140,12 @@ class ObjectMaker {
         const maps::Tile* const tile = tile_of(object);
         if (tile != nullptr && !tile->image.empty()) {
             make_.set(made, "image", Value(tile->image));
-        } else if (set->columns > 0 && set->margin == 0 && set->spacing == 0) {
-            make_.set(made, "image", Value(set->image));
-            make_.set(made, "columns", Value(set->columns));
-            make_.set(made, "rows", Value((set->count + set->columns - 1) / set->columns));
-            make_.set(made, "frame", Value(std::int64_t{object.tile.gid - set->first_gid} + 1));
         } else {
-            return make_.report(
-                "a tile of an image with spaces between its tiles cannot be shown "
-                "as an object");
+            make_.set(made, "image", Value(set->image));
+            make_.set(made, "frame_size", Value(Vec2(set->tile_width, set->tile_height)));
+            make_.set(made, "margin", Value(double(set->margin)));
+            make_.set(made, "spacing", Value(double(set->spacing)));
+            make_.set(made, "frame", Value(std::int64_t{object.tile.gid - set->first_gid} + 1));
         }
         make_.set(made, "flip_x", Value(object.tile.flip_x));
         make_.set(made, "flip_y", Value(object.tile.flip_y));

@@ -64,6 +64,8 @@ struct View {
     /// The view as it is drawn between the last two steps. `now`: s, simulation time.
     View drawn(double alpha, double now) const;
 
+    const View* shown = nullptr;  // while a picture is drawn: the view that it shows
+
     std::string effect{};  // file of a shader; empty: none
     Fit fit = Fit::expand;
     property::Vec2 design{1280, 800};  // px, for letterbox and pixel
