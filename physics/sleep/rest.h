@@ -45,8 +45,7 @@ inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, R
                        float angle, float speed, float turning, float dt) {
     const float size = min(body.extent / usual_extent, 1.0f);
     const float slow = rest_speed(sleep_speed, body);
-    const bool jerks =
-        speed >= slow && speed < jerk * sleep_speed * size && body.lists.touching > 0;
+    const bool jerks = speed >= slow && speed < jerk * slow && body.lists.touching > 0;
     if (speed >= slow && !jerks) {
         body.sleep_time = 0.0f;
         return;
@@ -54,7 +53,7 @@ inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, R
     const bool begins = body.sleep_time == 0.0f;
     const auto turned = [&] { return (angle - rest.angle) * body.extent; };
     const auto moved = [&] { return length(body.center - rest.center) + std::fabs(turned()); };
-    if (begins || (jerks && moved() > mean * slow * sleep_delay)) {
+    if (begins || (jerks && moved() > mean * slow * size * sleep_delay)) {
         rest = {body.center, angle};
         body.sleep_time = 0.0f;
     }

@@ -10,7 +10,7 @@ namespace {
 constexpr float watch = 4.0f;
 /// A body that gets farther than this has left: m for each m/s of its speed of rest. A body that
 /// goes no farther than a quarter of it may fall asleep while it still moves.
-constexpr float reach = 12.8f, short_reach = 0.25f * reach;
+constexpr float farthest = 12.8f, narrow = 0.25f * farthest;
 
 /// Less than this is no way: m for each m/s.
 constexpr float unnoticed = 0.3f;
@@ -24,27 +24,26 @@ constexpr float most_of_way = 0.8f;
 /// The part of the velocity that a second takes away is 1 - 1 / (1 + calming).
 constexpr float calming = 2.0f;
 
-float speed_of(const BodyRecord& body, const BodyState& state) {
+float fastest_speed(const BodyRecord& body, const BodyState& state) {
     return max(length(state.velocity), std::fabs(state.angular_velocity) * body.extent);
 }
 
 }  // namespace
 
 bool is_fast(const BodyRecord& body, const BodyState& state, float slow) {
-    return speed_of(body, state) >= slow;
+    return fastest_speed(body, state) >= slow;
 }
 
 Stay begun_stay(uint32_t slot, const BodyRecord& body, const BodyState& state) {
-    return {slot, 0, state.angle, body.center, 0.0f, 0.0f, 0.0f, speed_of(body, state)};
+    return {slot, 0, state.angle, body.center, 0.0f, 0.0f, 0.0f, fastest_speed(body, state)};
 }
 
 bool continue_stay(Stay& stay, const BodyRecord& body, const BodyState& state, float slow,
                    float passed) {
-    const float speed = speed_of(body, state);
+    const float speed = fastest_speed(body, state);
     const float moved =
         length(body.center - stay.center) + std::fabs(state.angle - stay.angle) * body.extent;
-    const bool bounces = body.lists.touching == 0;
-    if (bounces || moved > reach * slow || speed > sudden * max(stay.fastest, slow)) return false;
+    if (moved > farthest * slow || speed > sudden * max(stay.fastest, slow)) return false;
     stay.time += passed;
     stay.fastest = max(stay.fastest, speed);
     stay.far = max(stay.far, moved);
@@ -52,7 +51,7 @@ bool continue_stay(Stay& stay, const BodyRecord& body, const BodyState& state, f
     if (stay.time < watch) return true;
     // What swings as often as it is looked at is always found at the same place.
     if (stay.back < most_of_way * stay.far && stay.far > unnoticed * slow) return false;
-    const uint32_t returns = stay.far <= short_reach * slow ? stay.returns + 1 : 1;
+    const uint32_t returns = stay.far <= narrow * slow ? stay.returns + 1 : 1;
     stay = {stay.body, returns, state.angle, body.center, 0.0f, 0.0f, 0.0f, stay.fastest};
     return true;
 }
