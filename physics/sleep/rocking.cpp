@@ -21,7 +21,7 @@ constexpr float sudden = 1.5f;
 /// A body must have come back from this part of its greatest distance.
 constexpr float most_of_way = 0.8f;
 
-/// The part of the velocity that a second takes away is 1 - 1 / (1 + calming).
+/// Damping of the velocity, 1/s.
 constexpr float calming = 2.0f;
 
 float fastest_speed(const BodyRecord& body, const BodyState& state) {
