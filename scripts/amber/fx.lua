@@ -1,5 +1,4 @@
 -- Sparks, the trail of the ball and what else is only seen. It is not in the tree, so it goes on while time goes back.
-
 local things = require("things")
 local fx = { squash = 0, tide = 0 }          -- how flat the ball is; how thick the veil over a world that goes back is
 local bits, trail, pops = {}, {}, {}

@@ -1,5 +1,4 @@
 -- Cut ropes and turn back time to bring a drop of amber home. Time turns back for everything but the drop.
-
 local rewind, things, fx = require("rewind"), require("things"), require("fx")
 local sound, screens = require("sound"), require("screens")
 

@@ -1,7 +1,6 @@
 -- Going back in time while the ball goes on. In each frame the whole tree is taken to an earlier step, and then the ball is put
 -- back to where it was. For the step that follows, all other bodies are driven backwards along their way, so they push the ball
 -- and carry it. What must not be undone is kept here and in `restored`, and not in the tree.
-
 local rewind = { active = false, first = 0, restored = function() end }
 local target, seen = 0, 0       -- the step to go to, the step that the game was in after the last restore
 local kept                      -- of the ball, from before the restore

@@ -1,5 +1,4 @@
 -- The menus, which are widgets, and what is written during play. While a menu is open, the game gets neither keys nor clicks.
-
 local things, sound = require("things"), require("sound")
 local screens = { name = "title", back = "title", age = 0, game = { count = 12, level = 0, sparks = 0, tries = 0, still = 0 } }
 local ink, gold, cream, dim, faded = things.ink, things.gold, things.cream, color("#a99bc9"), things.faded
@@ -42,9 +41,7 @@ local function item(text, action)
     end }
 end
 
-local function paint(item, look)
-    if item and item:alive() and item:is_a(Item) then item.look = look end
-end
+local function paint(item, look) if item and item:alive() and item:is_a(Item) then item.look = look end end
 
 -- The item that has the keyboard is golden.
 interface:watch("focus", function(now, before)
@@ -92,12 +89,9 @@ local function volume(text, bus)
 end
 
 local function erase(button)
-    if button.text == "Really erase?" then
-        store:clear()
-        screens.open("settings")
-    else
-        button.text = "Really erase?"
-    end
+    if button.text ~= "Really erase?" then button.text = "Really erase?" return end
+    store:clear()
+    screens.open("settings")
 end
 
 function menus.settings()

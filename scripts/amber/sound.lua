@@ -1,6 +1,5 @@
 -- Sounds and music. A voice is state, so going back in time would end it: those that the player hears while time goes back are
 -- kept here, and are begun again after each restore at the place where they were.
-
 local sound = {}
 local heard = {}                -- what was begun lately
 local lasting = {}              -- time, volume and pitch of the two voices that never end

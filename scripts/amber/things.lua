@@ -1,5 +1,4 @@
 -- What levels consist of. Everything teal obeys time; what is of amber does not.
-
 local things = {
     gold = color("#ffb52e"), cream = color("#ffe9b8"), teal = color("#3c9a98"), pale = color("#a5ece0"), ink = color("#1d1230"),
     taken = {},                 -- names of the sparks that the ball has collected: nothing undoes that

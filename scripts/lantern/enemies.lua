@@ -43,8 +43,7 @@ function enemies.spawn_due(dt)                   -- those whose waves say that t
 end
 
 function Enemy:step(dt)
-    local at = self.position
-    local to = bodies.hero_at - at
+    local at, to = self.position, bodies.hero_at - self.position
     local far = to:length() + 0.01
     local want = to * (self.speed / far)
     if not night.running then                    -- they dance round the light

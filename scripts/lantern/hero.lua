@@ -1,6 +1,5 @@
 -- The keeper of the lantern: walks, dashes, collects, is hurt.
 local bodies, effects = require "bodies", require "effects"
-
 Hero = class("Hero", Body) { hp = 100.0, max_hp = 100.0, mercy = 0.0, dash = 0.0, wait = 0.0, xp = 0, level = 1, way = vec(1, 0),
     locked_rotation = true }
 

@@ -10,7 +10,6 @@ local bodies, effects, arenas, enemies = require "bodies", require "effects", re
 require "hero"
 require "weapons"
 local play_music, menu = require "music", require "menus"
-
 input.actions.dash = { "space", "left_shift", "mouse.right", "gamepad.a", "gamepad.right_trigger" }
 input.actions.pause = { "escape", "p", "gamepad.start" }
 
@@ -63,8 +62,7 @@ function Night:finish(won)                       -- keeps the eight best scores
     self.running, self.won, self.rank, self.menu = false, won, 1, ""
     while rows[self.rank] and rows[self.rank].score >= self.score do self.rank = self.rank + 1 end
     table.insert(rows, self.rank, mine)
-    rows[9] = nil
-    store.scores = rows
+    rows[9], store.scores = nil, rows
     after(1.4, function() night.menu = "over" end)
 end
 

@@ -1,7 +1,6 @@
 -- The music: one sixteenth of it every `tempo` steps. The sounds are in sounds.json.
 local arenas = require "arenas"
 game:add(scene.load("sounds.json"), "sounds")
-
 -- Four chords of a minor key, in semitones; a note of the lead for each sixteenth, by its place in the chord.
 local chords = { { 0, 3, 7, 10 }, { -4, 0, 3, 7 }, { -7, -4, 0, 3 }, { -2, 2, 5, 8 } }
 local melody = { 1, 0, 3, 0, 4, 0, 3, 2, 0, 3, 0, 4, 2, 0, 3, 0 }

@@ -1,7 +1,6 @@
 -- Weapons and gifts. A weapon fires by itself; its function returns the seconds until it fires again.
 local bodies, effects = require "bodies", require "effects"
 arms = {}
-
 function arms.level(name) return world.arms[name].level end
 local function hurt(enemy, damage, from, push)
     enemy:hurt(damage * (1 + 0.16 * arms.level("might")), (enemy.position - from):normalized() * push)
