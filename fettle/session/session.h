@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <fettle/app/layer.h>
@@ -82,8 +83,8 @@ class Session {
     float covered_below() const;
     /// The part of the window, in pixels, that the console does not cover.
     app::ClipRectangle free_area(const app::ClipRectangle& whole) const;
-    /// Whether a restart of the game was requested.
-    bool restart_requested() const { return run_.restart; }
+    /// Whether a restart of the game was requested since the last call.
+    bool restart_requested() { return std::exchange(run_.restart, false); }
     /// Whether the game is at an earlier step than the newest.
     bool viewing_past() const;
     /// Goes forward by `steps` in the kept past (below 0: back), at the next barrier.
