@@ -131,6 +131,13 @@ TEST_CASE("a command of the console is one step of undo") {
     s.console("world.ball.position = vec(5, 6)");
     s.step(5);
     CHECK_THAT(s.console("who('world.ball.position')"), !contains("later steps"));
+    {
+        const fettle::property::Tree::CauseScope loading(*s.tree, fettle::property::Writer::load);
+        s.tree->set(s.tree->child(s.world, "ball"), "position", fettle::property::Vec2(7, 8));
+    }
+    s.step(5);
+    CHECK_THAT(s.console("who('world.ball.position')"),
+               contains("load, step") && contains("; later steps may have"));
 }
 
 TEST_CASE("an error that goes through many formulas names the last one and where it began") {

@@ -116,13 +116,14 @@ Place place_at(lua_State* L, const char* what) {
             check_text(L, 1, std::string(what) + ": needs a path like \"world.ball.mass\"")));
 }
 
-/// Of writes of scripts and modules it is not known which value they left, so it cannot be said
+/// Of writes of scripts, modules and loading it is not known which value they left, so it cannot be said
 /// whether a later step has changed what the simulation may change.
 std::string writer_text(const property::Tree& tree, const Place& place) {
     const property::Provenance written = tree.last_writer(place.instance, *place.property);
     if (!written.known) return "no recent write is known";
     const bool by_code = written.cause.writer == property::Writer::script ||
-                         written.cause.writer == property::Writer::module;
+                         written.cause.writer == property::Writer::module ||
+                         written.cause.writer == property::Writer::load;
     const bool may_move = place.property->simulated && place.property->derives_from.empty();
     if (!by_code || !may_move || written.cause.step + 1 >= tree.step()) return written.cause.text();
     return written.cause.text() + "; later steps may have changed it";
