@@ -96,6 +96,17 @@ std::vector<std::string> Breaks::check() {
     return lines;
 }
 
+void Breaks::begin_again() {
+    for (Break& each : all_) {
+        try {
+            each.condition.compute_formulas();
+            each.last = each.condition.value();
+        } catch (const std::exception&) {
+            // `check` reports it.
+        }
+    }
+}
+
 std::string Breaks::text_of(const Value& value) const {
     if (value.is(Type::number))
         return tree_.text(value, property::shortest_precision(value.number()));

@@ -32,6 +32,9 @@ class Breaks {
     /// Computes all conditions. Returns lines for the log about those that have become true (or,
     /// for a value that is not a boolean, have changed) since the last call.
     std::vector<std::string> check();
+    /// From now on, `check` compares with the present values: the last ones are of a future that
+    /// was left.
+    void begin_again();
 
   private:
     struct Break {

@@ -304,10 +304,12 @@ void Console::State::look_at_step(std::uint64_t step) {
 void Console::State::go_to_write(const property::Cause& cause, const std::string& path) {
     const auto [file, line] = script_place(cause.where);
     if (file.empty()) {
-        if (cause.writer == property::Writer::simulation)
-            run("why " + path);
-        else
+        const bool by_person = cause.writer == property::Writer::console ||
+                               cause.writer == property::Writer::inspector;
+        if (by_person)
             look_at_step(cause.step);
+        else
+            run((cause.writer == property::Writer::simulation ? "why " : "who ") + path);
         return;
     }
     std::string text;

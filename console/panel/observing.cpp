@@ -143,6 +143,7 @@ std::string Observing::command_of_key(const std::string& key) const {
 void Observing::follow_branch(std::int64_t next) {
     const std::optional<std::int64_t> common = branch_.left_after();
     if (!common) return;
+    breaks_.begin_again();
     for (auto* all : {&pins_, &plots_})
         for (Trace& trace : *all) {
             trace.forget_after(*common);

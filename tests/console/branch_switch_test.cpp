@@ -138,4 +138,20 @@ TEST_CASE_METHOD(
     CHECK(reads == before + 4);  // by the skins and the traces, once for each change
 }
 
+TEST_CASE_METHOD(BranchedRig, "a break compares with values of the present branch only") {
+    step_to(50);
+    script::Observed mass;
+    mass.text = mass.path = "world.ball.mass";
+    mass.value = [this] { return property::get(tree, "world.ball.mass"); };
+    (void)state().observing.functions().break_when(mass);
+    property::set(tree, "world.ball.mass", Value(9.0));
+    step_to(51);
+    CHECK(logged("break at step 51"));
+    property::set(tree, "world.ball.mass", Value(1.0));  // as it was at the fork
+    has_parted = true;
+    become("left", fork);
+    step_to(45);
+    CHECK_FALSE(logged("break at step 4"));
+}
+
 }  // namespace branch_switch_test

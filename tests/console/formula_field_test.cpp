@@ -222,6 +222,19 @@ TEST_CASE("the gutter leads to the step in which the console wrote a value") {
     CHECK(rig.text().find("why world.ball.speed") != std::string::npos);
 }
 
+TEST_CASE("the gutter prints who wrote a value if that was neither a person nor the simulation") {
+    FormulaRig rig;
+    rig.tree.set_step(412);
+    {
+        const property::Tree::CauseScope cause(rig.tree, property::Writer::load);
+        rig.tree.set(rig.ball, "mass", Value(3.0));
+    }
+    rig.scroll_to("mass");
+    rig.click(rig.editor().gutter_rect(rig.property("mass")).middle());
+    CHECK(rig.text().find("who world.ball.mass") != std::string::npos);
+    CHECK(rig.text().find("time:go_to") == std::string::npos);
+}
+
 TEST_CASE("the last writer has short names") {
     using console::writer_text;
     using property::Writer;
