@@ -116,8 +116,8 @@ Place place_at(lua_State* L, const char* what) {
             check_text(L, 1, std::string(what) + ": needs a path like \"world.ball.mass\"")));
 }
 
-/// Of writes of scripts, modules and loading it is not known which value they left, so it cannot be said
-/// whether a later step has changed what the simulation may change.
+/// Of writes of scripts, modules and loading it is not known which value they left, so it cannot be
+/// said whether a later step has changed what the simulation may change.
 std::string writer_text(const property::Tree& tree, const Place& place) {
     const property::Provenance written = tree.last_writer(place.instance, *place.property);
     if (!written.known) return "no recent write is known";

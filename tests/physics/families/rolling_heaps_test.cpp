@@ -1,5 +1,5 @@
-// Bodies that roll to and fro without loss do not keep the heap awake in which they lie. A ball that
-// rolls or bounces among few others goes on.
+// Bodies that roll to and fro without loss do not keep the heap awake in which they lie. A ball
+// that rolls or bounces among few others goes on.
 
 #include <fettle/physics/physics.h>
 
