@@ -29,6 +29,10 @@ void ReferencePicker::take_candidates(const property::Property& property) {
     std::vector<std::pair<int, Handle>> found;  // how well each fits
     tree_.each_below(tree_.root(), [&](Handle instance) {
         if (of != nullptr && !tree_.class_of(instance).is_a(*of)) return;
+        if (search_.empty()) {  // all fit, in the order of the tree
+            if (found.size() < max_candidates) found.emplace_back(0, instance);
+            return;
+        }
         const auto by_name = script::fuzzy_score(search_, tree_.name(instance));
         const auto by_path = script::fuzzy_score(search_, tree_.path(instance));
         if (by_name || by_path)

@@ -28,13 +28,17 @@ std::vector<std::string> paths_in(const property::Tree& tree, std::string_view e
     return found;
 }
 
+Value Breaks::Break::compute() {
+    condition.compute_formulas();
+    return condition.value();
+}
+
 Breaks::Added Breaks::add(script::Observed condition) {
     remove(condition.text);
     Break added{std::move(condition), {}, false};
     Added result{.message = "breaks when " + added.condition.text, .problem = {}};
     try {
-        added.condition.compute_formulas();
-        added.last = added.condition.value();
+        added.last = added.compute();
         result.message +=
             added.last.is(Type::boolean) ? " becomes true; it is " : " changes; it is ";
         result.message += text_of(added.last);
@@ -78,8 +82,7 @@ std::vector<std::string> Breaks::check() {
     for (Break& each : all_) {
         Value now;
         try {
-            each.condition.compute_formulas();
-            now = each.condition.value();
+            now = each.compute();
             each.failed = false;
         } catch (const std::exception& error) {
             if (!each.failed)
@@ -99,8 +102,7 @@ std::vector<std::string> Breaks::check() {
 void Breaks::begin_again() {
     for (Break& each : all_) {
         try {
-            each.condition.compute_formulas();
-            each.last = each.condition.value();
+            each.last = each.compute();
         } catch (const std::exception&) {
             // `check` reports it.
         }

@@ -41,6 +41,8 @@ class Breaks {
         script::Observed condition;
         property::Value last;
         bool failed = false;
+
+        property::Value compute();  ///< the present value; throws what the condition throws
     };
     std::string text_of(const property::Value& value) const;
     void describe(const Break& broken, const property::Value& before,

@@ -8,8 +8,8 @@
 // Bodies that rock in place among bodies at rest. A round body on a heap rolls to and fro without
 // loss, since rolling takes no energy away; a body that is wedged between two others may even get
 // the energy back that it loses. One such body would keep a heap of hundreds awake. So where at
-// least as many bodies rest, a body that has rocked in place for some seconds is slowed down until
-// it rests, too.
+// least eight times as many bodies are slow, a body that has rocked in place for some seconds is
+// slowed down until it rests, too.
 //
 // Only a way to and fro within some decimeters counts. A body that rolls away or tips over may be
 // slow for long, but it does not come back. A body that something drives is not followed: one with

@@ -338,9 +338,9 @@ void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
     ActiveLists& active = activity.active;
     if (step % search_interval != 0) return;
     const float passed = std::exchange(since_search, 0.0f);
+    if (!settings.sleeping) return active.stays.clear();
     continue_stays(objects, columns, active, settings, passed);
-    if (!settings.sleeping) active.stays.clear();
-    if (!settings.sleeping || (candidates == 0 && active.stays.empty())) return;
+    if (candidates == 0 && active.stays.empty()) return;
     const size_t count = active.awake_bodies.size();
     UnionFind sets;
     sets.reset(count);

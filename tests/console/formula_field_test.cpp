@@ -78,6 +78,16 @@ struct FormulaRig {
         key("enter");
         show();
     }
+    /// A click on the writer of the mass, after `writer` wrote it in step 412.
+    void click_writer_of_mass(property::Writer writer) {
+        tree.set_step(412);
+        {
+            const property::Tree::CauseScope cause(tree, writer);
+            tree.set(ball, "mass", Value(3.0));
+        }
+        scroll_to("mass");
+        click(editor().gutter_rect(property("mass")).middle());
+    }
     std::string source(const char* name) {
         const property::Formula* formula = tree.formula(ball, property(name));
         return formula == nullptr ? "" : formula->source;
@@ -205,13 +215,7 @@ TEST_CASE("the gutter leads to the line of the script that wrote a value") {
 
 TEST_CASE("the gutter leads to the step in which the console wrote a value") {
     FormulaRig rig;
-    rig.tree.set_step(412);
-    {
-        const property::Tree::CauseScope cause(rig.tree, property::Writer::console);
-        rig.tree.set(rig.ball, "mass", Value(3.0));
-    }
-    rig.scroll_to("mass");
-    rig.click(rig.editor().gutter_rect(rig.property("mass")).middle());
+    rig.click_writer_of_mass(property::Writer::console);
     CHECK(rig.text().find("time:go_to(412)") != std::string::npos);
     CHECK(rig.tree.get(rig.tree.child(rig.tree.root(), "time"), "paused") == Value(true));
     const console::Rect simulated = [&] {
@@ -224,13 +228,7 @@ TEST_CASE("the gutter leads to the step in which the console wrote a value") {
 
 TEST_CASE("the gutter prints who wrote a value if that was neither a person nor the simulation") {
     FormulaRig rig;
-    rig.tree.set_step(412);
-    {
-        const property::Tree::CauseScope cause(rig.tree, property::Writer::load);
-        rig.tree.set(rig.ball, "mass", Value(3.0));
-    }
-    rig.scroll_to("mass");
-    rig.click(rig.editor().gutter_rect(rig.property("mass")).middle());
+    rig.click_writer_of_mass(property::Writer::load);
     CHECK(rig.text().find("who world.ball.mass") != std::string::npos);
     CHECK(rig.text().find("time:go_to") == std::string::npos);
 }

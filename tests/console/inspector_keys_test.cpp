@@ -20,6 +20,14 @@ struct OpenRig : Rig {
     }
     Handle at(const char* name) { return tree.child(tree.child(tree.root(), "world"), name); }
     Handle selected() { return state().inspector.selected(); }
+    /// The field of a property of the ball gets the keyboard.
+    void begin_typing(const char* property) {
+        console.select(at("ball"));
+        draw(3);
+        const ImVec2 place = widget(property);
+        click(place.x, place.y);
+        draw(2);
+    }
     void keys(std::initializer_list<const char*> all) {
         for (const char* each : all) {
             key(each);
@@ -146,11 +154,7 @@ TEST_CASE("Tab goes from the search to the properties and from field to field") 
 
 TEST_CASE("Space switches a check box that Tab has reached, and other keys go to the prompt") {
     OpenRig rig;
-    rig.console.select(rig.at("ball"));
-    rig.draw(3);
-    const ImVec2 place = rig.widget("lives");  // the one before
-    rig.click(place.x, place.y);
-    rig.draw(2);
+    rig.begin_typing("lives");  // the one before
     const auto press_space = [&] {
         rig.press("space");
         rig.character(U' ');
@@ -171,11 +175,7 @@ TEST_CASE("Space switches a check box that Tab has reached, and other keys go to
 
 TEST_CASE("Tab stops at colors, references and lists") {
     OpenRig rig;
-    rig.console.select(rig.at("ball"));
-    rig.draw(3);
-    const ImVec2 place = rig.widget("label");  // the one before
-    rig.click(place.x, place.y);
-    rig.draw(2);
+    rig.begin_typing("label");  // the one before
     rig.keys({"tab"});
     rig.key("ctrl+a");
     rig.type("#00ff00");
@@ -237,11 +237,7 @@ TEST_CASE("Shift and Tab go back, from the first field to the search") {
 
 TEST_CASE("Tab does not leave a field whose value is refused") {
     OpenRig rig;
-    rig.console.select(rig.at("ball"));
-    rig.draw(3);
-    const ImVec2 place = rig.widget("mass");
-    rig.click(place.x, place.y);
-    rig.draw(2);
+    rig.begin_typing("mass");
     rig.key("ctrl+a");
     rig.type("heavy");
     rig.keys({"tab"});
