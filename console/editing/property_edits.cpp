@@ -33,6 +33,7 @@ void PropertyEditor::attempt(const Target& target, const std::function<void()>& 
 
 void PropertyEditor::define_formula(const Target& target, const std::string& expression) {
     if (!define) return;
+    const property::Tree::CauseScope cause(tree_, property::Writer::inspector);
     std::string refused;
     edit_all(target, "formula of " + target.property->name, [&](Handle to, const Property& its) {
         const std::string why = define(tree_.path(to, its), expression);

@@ -169,6 +169,7 @@ void Console::State::connect_lists() {
 /// The time bar, plots, and the figures of frames.
 void Console::State::connect_time() {
     views.time_bar.run = views.plot_view.run = context_menu.run;
+    views.time_bar.report = [this](const std::string& problem) { log.error(problem); };
     if (options.record) views.time_bar.records = options.records;
     views.time_bar.insert = [this](const std::string& before, const std::string& after) {
         TextEdit& edit = prompt.edit();

@@ -203,6 +203,10 @@ void Console::State::prompt_key(const InputEvent& event) {
         if (listed && printed) settings.set("tweaks", property::Value(false));
         return;
     }
+    if (key.control && key.name == "o") {
+        if (const auto line = log.unfold_last()) views.log_view.scroll_to(*line);
+        return;
+    }
     if (key.name == "page_up" || key.name == "page_down")
         views.log_view.scroll_pages(key.name == "page_up" ? -1.0f : 1.0f);
     else if (key.name == "escape" && views.log_view.selecting())

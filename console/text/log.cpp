@@ -275,4 +275,14 @@ void Log::unfold(std::size_t index) {
     ++rearranged_;
 }
 
+std::optional<std::uint64_t> Log::unfold_last() {
+    for (std::size_t i = lines_.size(); i-- > 0;) {
+        if (lines_[i].kind != LineKind::fold) continue;
+        const std::uint64_t number = dropped_ + i;
+        unfold(i);
+        return number;
+    }
+    return std::nullopt;
+}
+
 }  // namespace fettle::console

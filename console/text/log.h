@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -84,6 +85,9 @@ class Log {
     void put_first(const std::deque<LogLine>& earlier);
     /// Puts the hidden lines in the place of the fold at that index of `lines`.
     void unfold(std::size_t index);
+    /// Opens the fold nearest to the end. Returns the number of its first line; nothing if there is
+    /// no fold.
+    std::optional<std::uint64_t> unfold_last();
 
     const std::deque<LogLine>& lines() const { return lines_; }
     /// Number of lines dropped so far: line i of `lines` has number `dropped() + i`.

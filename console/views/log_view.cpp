@@ -211,6 +211,11 @@ void LogView::scroll(float line_height) {
             std::clamp(ImGui::GetScrollY() + pages_ * page, 0.0f, ImGui::GetScrollMaxY()));
         stick_ = false;
         pages_ = 0;
+    } else if (top_line_) {
+        const auto row = std::ranges::find(rows_, *top_line_, &Row::line);
+        ImGui::SetScrollY(static_cast<float>(row - rows_.begin()) * line_height);
+        top_line_.reset();
+        stick_ = false;
     } else if (stick_) {
         ImGui::SetScrollHereY(1.0f);
         stick_ = false;
@@ -386,6 +391,7 @@ void LogView::mouse(ImVec2 origin, float line_height, float cell) {
         }
         if (found != nullptr && found->kind == LineKind::fold) {
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+            ImGui::SetTooltip("A click opens it; Ctrl+O opens the last one of the log");
             if (ImGui::IsMouseClicked(0) && unfold)
                 return unfold(static_cast<std::size_t>(point.line - log_.dropped()));
         }

@@ -38,6 +38,8 @@ class LogView {
     void filter(std::string_view text);
     void scroll_pages(float pages) { pages_ += pages; }
     void scroll_to_end() { stick_ = true; }
+    /// Makes the line with this number the topmost one, as far as the lines below it allow.
+    void scroll_to(std::uint64_t line) { top_line_ = line; }
 
     bool selecting() const { return selection_ && selection_->from != selection_->to; }
     void clear_selection() { selection_.reset(); }
@@ -95,6 +97,7 @@ class LogView {
     bool dragging_ = false;
     float pages_ = 0;
     bool stick_ = true;
+    std::optional<std::uint64_t> top_line_;
     float cell_ = 0, line_height_ = 0, scrolled_ = 0;
     ImVec2 text_end_{0, 0};
     // The link under the mouse.

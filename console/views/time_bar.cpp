@@ -101,8 +101,15 @@ void TimeBar::follow_branch() {
 void TimeBar::go_to(std::int64_t step) {
     if (step == requested_) return;
     requested_ = step;
+    const bool paused = times().paused;
     set_time_flag(tree_, "paused", true);
-    if (interpreter_.evaluate) interpreter_.evaluate("time:go_to(" + std::to_string(step) + ")");
+    if (!interpreter_.evaluate) return;
+    const script::Evaluation result =
+        interpreter_.evaluate("time:go_to(" + std::to_string(step) + ")");
+    if (!result.error) return;
+    requested_ = -1;
+    set_time_flag(tree_, "paused", paused);
+    if (report) report(result.error->message);
 }
 
 // --- Appearance

@@ -29,6 +29,8 @@ class TimeBar {
     /// the two parts.
     std::function<void(const std::string& command)> run{};
     std::function<void(const std::string& before, const std::string& after)> insert{};
+    /// Says why the game cannot go to a step.
+    std::function<void(const std::string& problem)> report{};
     /// Whether the run is being recorded into a file; without this function there is no button.
     std::function<bool()> records{};
 
@@ -50,7 +52,7 @@ class TimeBar {
     /// Pixels above it where its tooltips are.
     float tip_room() const { return tip_room_; }
     void hide() { rect_ = {}; }
-    /// Pauses the game and goes to a step.
+    /// Pauses the game and goes to a step. If the past does not contain it, nothing changes.
     void go_to(std::int64_t step);
     /// Plays the last seconds up to the newest step; in the past, the steps after the present one.
     /// At the newest step the game goes on, unless it was paused before.

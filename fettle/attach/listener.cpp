@@ -172,16 +172,14 @@ void Listener::drop_ungreeted() {
 /// Removes one at least, and as many as the time of the frame allows: closing a socket takes time,
 /// since the system frees the bytes that the terminal has not read.
 void Listener::remove_gone() {
-    std::size_t removed = 0, terminals = 0;
+    std::size_t removed = 0;
     std::erase_if(connections_, [&](const Connection& each) {
         const bool ends = each.gone || (each.ending && each.out.empty());
         if (!ends || (removed > 0 && is_late())) return false;
         ::close(each.socket);
         ++removed;
-        if (each.greeted) ++terminals;
         return true;
     });
-    for (; terminals > 0; --terminals) callbacks_.note("a terminal is no longer attached");
 }
 
 // --- Requests

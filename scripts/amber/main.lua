@@ -72,6 +72,7 @@ function rewind.restored()
     for name in pairs(amber_cuts) do world.level[name].enabled = false end
     if screens.name == "home" then fly_home() end
 end
+function reloaded() rewind.begin() rewind.restored() end     -- the level goes on, though variables have their first values again
 
 function Ball:contact_hit(hit)
     if hit.speed < 1.5 or not playing() then return end

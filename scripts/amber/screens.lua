@@ -1,6 +1,6 @@
 -- The menus, which are widgets, and what is written during play. While a menu is open, the game gets neither keys nor clicks.
 local things, sound = require("things"), require("sound")
-local screens = { name = "title", back = "title", age = 0, game = { count = 12, level = 0, sparks = 0, tries = 0, still = 0 } }
+local screens = { name = "title", back = "title", age = 0, pauses = false, game = { count = 12, level = 0, sparks = 0, tries = 0, still = 0 } }
 local ink, gold, cream, dim, faded = things.ink, things.gold, things.cream, color("#a99bc9"), things.faded
 local full, missing = color("white"), color("#564880")      -- the tints of sparks
 local menus, left = {}, {}                                  -- by name: functions that make them, and what led out of them
@@ -15,7 +15,8 @@ function screens.in_level() return not menus[screens.name] end                  
 function screens.open(name, back)
     if game:has("menu") then game.menu:delete() end
     screens.name, screens.back, screens.age = name, back or screens.back, 0
-    time.paused = name == "pause" or screens.back == "pause" and (name == "settings" or name == "levels")
+    local pauses = name == "pause" or screens.back == "pause" and (name == "settings" or name == "levels")
+    if pauses ~= screens.pauses then screens.pauses, time.paused = pauses, pauses end     -- a pause from elsewhere stays
     if screens.in_level() then return end
     local menu, first = menus[name](screens.game)
     game:add(menu, "menu")

@@ -47,7 +47,8 @@ TEST_CASE("several terminals send commands and receive what the game prints") {
     { const Client goes = std::move(one); }
     game.frames();
     CHECK(game.listener().connections() == 1);
-    CHECK(game.notes.back() == "a terminal is no longer attached");
+    // Of many short commands from terminals, the log shows the same line, and so only their number.
+    CHECK(game.notes.size() == 2);
 }
 
 TEST_CASE("only this user can read the token and enter the folder") {

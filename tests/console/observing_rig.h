@@ -35,6 +35,9 @@ class ObservingRig : public Rig {
         go_to.context = this;
         go_to.call = [](void* self, property::Tree&, property::Handle, property::Row,
                         std::span<const Value> arguments) -> property::Result {
+            if (arguments[0].integer() < 0)
+                throw property::Error(property::ErrorKind::out_of_range,
+                                      "the past has no step below 0");
             static_cast<ObservingRig*>(self)->went_to = arguments[0].integer();
             return Value();
         };

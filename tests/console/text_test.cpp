@@ -184,6 +184,10 @@ TEST_CASE("long output of a command is folded and can be opened") {
     CHECK(log.lines()[99].text == "line 99");
     CHECK(log.lines()[100].text == "after it");
     CHECK(log.rearranged() != before);
+    CHECK_FALSE(log.unfold_last());
+    log.output(evaluation);
+    CHECK(log.unfold_last() == 101 + Log::shown_of_folded);
+    CHECK(log.lines().size() == 201);
     log.clear();
     evaluation.lines.resize(Log::max_unfolded);
     log.output(evaluation);

@@ -132,7 +132,19 @@ TEST_CASE("undo and redo print how values changed") {
     s.console("world.ball.label = 'x'");
     CHECK_THAT(s.console("undo"), contains("world.ball.label: \"x\" → nil"));
     s.console("for i = 1, 30 do world.ball['n' .. i] = i end");
-    CHECK_THAT(s.console("undo"), contains("… 10 more changes"));
+    CHECK_THAT(s.console("undo"), contains("… 10 more (30 changes)"));
+}
+
+TEST_CASE("the changes of an edit and of its undoing that are not shown can be opened") {
+    TwoBodies s;
+    for (const char* command : {"for i = 1, 30 do world.ball['n' .. i] = i end", "undo", "redo"}) {
+        INFO(command);
+        const fettle::script::Evaluation typed = s.runtime->evaluate(command);
+        REQUIRE(typed.folded.size() == 1);
+        CHECK(typed.lines.at(typed.folded[0].line) == "… 10 more (30 changes)");
+        REQUIRE(typed.folded[0].lines.size() == 10);
+        CHECK_THAT(typed.folded[0].lines[0], contains("world.ball.n"));
+    }
 }
 
 TEST_CASE("undo and redo name the instances that they make and delete and rename") {
@@ -150,7 +162,7 @@ TEST_CASE("undo and redo name the instances that they make and delete and rename
     s.console("for i = 1, 30 do world['n' .. i] = Body {} end world.stone.mass = 7");
     const std::string undone = s.console("undo");
     CHECK_THAT(undone, contains("|  world.n20: deleted"));
-    CHECK_THAT(undone, contains("… 11 more changes"));
+    CHECK_THAT(undone, contains("… 11 more (31 changes)"));
 }
 
 TEST_CASE("the history begins with the latest edit") {
@@ -167,7 +179,7 @@ TEST_CASE("lines beyond the limit of a command are counted as lines") {
     CHECK_THAT(s.console("for i = 1, 2001 do print(i) end"), contains("|… 1 more line"));
     const std::string both =
         s.console("for i = 1, 2005 do print(i) end for i = 1, 23 do world.ball['n' .. i] = i end");
-    CHECK_THAT(both, contains("|… 5 more lines|") && contains("… 3 more changes"));
+    CHECK_THAT(both, contains("|… 5 more lines|") && contains("… 3 more (23 changes)"));
 }
 
 TEST_CASE("help of a callback that the game defines is its documentation") {

@@ -31,6 +31,7 @@
 #include <reference/language.h>
 #include <text/columns.h>
 #include <text/command_words.h>
+#include <text/folded_rows.h>
 #include <text/other_languages.h>
 #include <text/words.h>
 #include <values/recording.h>
@@ -146,37 +147,38 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
     }
 }
 
+/// Old and new value of an edit, or what else it did.
+std::string echo(Machine& machine, const Recording::Edit& edit, bool same) {
+    const bool added = !edit.added.empty() && machine.tree.alive(edit.instance);
+    const std::string hint =
+        added ? machine.hints.of_added(edit.instance, edit.added) : std::string();
+    if (!edit.note.empty()) return edit.path + ": " + edit.note + hint;
+    std::string line = edit.path + ": ";
+    if (!same) line += cut(machine.tree.text(edit.before, edit.precision), 60) + " → ";
+    line += cut(machine.tree.text(edit.after, edit.precision), 60);
+    if (!edit.unit.empty()) line += " " + edit.unit;
+    if (edit.replaced)
+        line += " (replaces its formula)";
+    else if (same)
+        line += " (unchanged)";
+    return line + hint;
+}
+
 void add_echoes(Machine& machine, Evaluation& evaluation) {
-    auto& edits = machine.recording.edits;
-    std::size_t shown = 0, changed = 0;
+    const auto& edits = machine.recording.edits;
+    std::vector<std::string> lines;
     for (const auto& edit : edits) {
         const bool same = edit.note.empty() && edit.before == edit.after && !edit.replaced;
-        if (same && edits.size() > 1) continue;
-        ++changed;
-        if (shown >= max_echoes) continue;
-        ++shown;
-        const bool added = !edit.added.empty() && machine.tree.alive(edit.instance);
-        const std::string hint =
-            added ? machine.hints.of_added(edit.instance, edit.added) : std::string();
-        if (!edit.note.empty()) {
-            evaluation.lines.push_back(edit.path + ": " + edit.note + hint);
-            continue;
-        }
-        std::string line = edit.path + ": ";
-        if (!same) line += cut(machine.tree.text(edit.before, edit.precision), 60) + " → ";
-        line += cut(machine.tree.text(edit.after, edit.precision), 60);
-        if (!edit.unit.empty()) line += " " + edit.unit;
-        if (edit.replaced)
-            line += " (replaces its formula)";
-        else if (same)
-            line += " (unchanged)";
-        line += hint;
-        evaluation.lines.push_back(std::move(line));
+        if (!same || edits.size() == 1) lines.push_back(echo(machine, edit, same));
     }
-    changed += machine.recording.dropped;
-    if (changed > shown)
-        evaluation.lines.push_back("… " + std::to_string(changed - shown) +
-                                   (changed == shown + 1 ? " more change" : " more changes"));
+    FoldedLines folded;
+    fold_rows(
+        lines,
+        {.shown = max_echoes, .total = lines.size() + machine.recording.dropped, .what = "changes"},
+        folded);
+    folded.line += evaluation.lines.size();
+    if (!folded.lines.empty()) evaluation.folded.push_back(std::move(folded));
+    std::ranges::move(lines, std::back_inserter(evaluation.lines));
 }
 
 enum class Compiled { expression, statements, incomplete, wrong };
@@ -431,13 +433,17 @@ class Session {
   public:
     Session(Machine& machine, std::string_view command)
         : machine_(machine), edits_(machine.tree.changeable()) {
+        // A formula that is typed into a field of the inspector is run as a command, too.
+        const property::Writer writer = machine.tree.cause().writer == property::Writer::inspector
+                                            ? property::Writer::inspector
+                                            : property::Writer::console;
         if (edits_) {
-            const property::Tree::CauseScope scope(machine.tree, property::Writer::console);
+            const property::Tree::CauseScope scope(machine.tree, writer);
             machine.tree.begin_edit(cut(one_line(command), 80));
         }
         machine.recording = {};
         machine.recording.active = true;
-        machine.recording.writer = property::Writer::console;
+        machine.recording.writer = writer;
     }
     ~Session() {
         machine_.recording.writer = property::Writer::script;

@@ -10,7 +10,6 @@
 #include <fettle/property/spelling.h>
 
 #include <console/find.h>
-#include <console/folded_rows.h>
 #include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
@@ -21,6 +20,7 @@
 #include <reference/signature.h>
 #include <sandbox/sandbox.h>
 #include <text/columns.h>
+#include <text/folded_rows.h>
 #include <text/foreign_classes.h>
 #include <text/words.h>
 #include <values/values.h>
@@ -121,15 +121,6 @@ std::vector<std::string> lines_of(const property::Tree& tree, const std::vector<
     for (std::size_t i = 0; i < std::min(found.size(), max_lines + max_folded); ++i)
         rows.push_back({"  " + tree.path(found[i]), tree.class_of(found[i]).name()});
     return found_lines(rows, found.size(), folded);
-}
-
-/// Prints lines, one of which stands for folded ones.
-void print_folded(Machine& machine, std::vector<std::string> lines, FoldedLines folded) {
-    Recording& recording = machine.recording;
-    folded.line += recording.lines.size();
-    for (std::string& line : lines) print_line(machine, std::move(line));
-    if (recording.active && !folded.lines.empty() && folded.line < recording.lines.size())
-        recording.folded.push_back(std::move(folded));
 }
 
 int search(lua_State* L) {

@@ -6,13 +6,13 @@
 #include <fettle/property/spelling.h>
 #include <fettle/script/cells.h>
 
-#include <console/folded_rows.h>
 #include <console/long_text.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/instance_set.h>
 #include <reference/reference_facts.h>
 #include <text/columns.h>
+#include <text/folded_rows.h>
 #include <text/foreign_classes.h>
 #include <text/words.h>
 #include <values/description.h>

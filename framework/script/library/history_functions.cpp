@@ -11,6 +11,7 @@
 #include <lua/stack.h>
 #include <sandbox/sandbox.h>
 #include <text/columns.h>
+#include <text/folded_rows.h>
 #include <text/words.h>
 #include <values/values.h>
 
@@ -34,14 +35,19 @@ std::string memory_hint(const Machine& machine) {
 
 void report(Machine& machine, const char* what, const property::UndoResult& result) {
     if (!result.done) return print_line(machine, std::string("nothing to ") + what);
-    print_line(machine, std::string(what) + ": " + result.name);
+    std::vector<std::string> lines = {std::string(what) + ": " + result.name};
     for (const property::UndoChange& change : result.changes)
-        print_line(machine, "  " + change.path + ": " +
-                                (change.from.empty() ? "" : cut(change.from, 60) + " → ") +
-                                cut(change.to, 60));
-    if (result.more_changes > 0)
-        print_line(machine, "  … " + std::to_string(result.more_changes) +
-                                (result.more_changes == 1 ? " more change" : " more changes"));
+        lines.push_back("  " + change.path + ": " +
+                        (change.from.empty() ? "" : cut(change.from, 60) + " → ") +
+                        cut(change.to, 60));
+    FoldedLines folded;
+    fold_rows(lines,
+              {.before = 1,
+               .shown = 20,
+               .total = result.changes.size() + result.more_changes,
+               .what = "changes"},
+              folded);
+    print_folded(machine, std::move(lines), std::move(folded));
     for (const std::string& note : result.notes) print_line(machine, "  " + note);
     if (const std::string hint = result.too_large ? memory_hint(machine) : ""; !hint.empty())
         print_line(machine, "  " + hint);
@@ -171,11 +177,12 @@ int why(lua_State* L) {
                                                " is an instance; name one of its properties");
     const Explanation explanation = machine.tree.why(place.instance, *place.property);
     explain(machine, explanation, "");
-    // Values that a module explains often have no writer; then no line about it is printed.
-    if (explanation.source.empty() &&
-        (explanation.from.empty() ||
-         machine.tree.last_writer(place.instance, *place.property).known))
-        who(L);
+    if (!explanation.source.empty()) return 0;
+    // What a module has explained needs no line that names the simulation, which does not even move
+    // a static body.
+    const property::Provenance writer = machine.tree.last_writer(place.instance, *place.property);
+    const bool says_more = writer.known && writer.cause.writer != property::Writer::simulation;
+    if (explanation.from.empty() || says_more) who(L);
     return 0;
 }
 

@@ -98,6 +98,14 @@ void print_line(Machine& machine, std::string text) {
     } while (start != std::string::npos);
 }
 
+void print_folded(Machine& machine, std::vector<std::string> lines, FoldedLines folded) {
+    Recording& recording = machine.recording;
+    folded.line += recording.lines.size();
+    for (std::string& line : lines) print_line(machine, std::move(line));
+    if (recording.active && !folded.lines.empty() && folded.line < recording.lines.size())
+        recording.folded.push_back(std::move(folded));
+}
+
 namespace {
 
 int to_text(lua_State* L) {

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include <fettle/script/runtime.h>
+
 #include <lua/lua_api.h>
 
 namespace fettle::script {
@@ -22,6 +24,8 @@ void open_require(lua_State* L);
 
 /// Prints a line: into the result of a console command, or to the host.
 void print_line(Machine& machine, std::string text);
+/// Prints lines, one of which stands for folded ones.
+void print_folded(Machine& machine, std::vector<std::string> lines, FoldedLines folded);
 /// Pushes the text of any value. The only script function that it calls is a `__tostring`.
 void push_tostring(lua_State* L, int index);
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include <console/folded_rows.h>
+#include <text/folded_rows.h>
 
 namespace fettle::script {
 
