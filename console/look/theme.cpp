@@ -108,6 +108,8 @@ ImU32 token_color(Token token) {
             return palette::path;
         case Token::arrow:
             return palette::accent;
+        case Token::problem:
+            return palette::error;
         case Token::symbol:
             return palette::dim;
         case Token::plain:

@@ -54,6 +54,10 @@ class Lexer {
             return Token::comment;
         }
         if (output_ && begins_file()) return file();
+        if (output_ && line_.substr(at_).starts_with("in error: ")) {
+            at_ = line_.size();
+            return Token::problem;
+        }
         if (peek() == '"' || (!output_ && peek() == '\'')) return quoted();
         if (digit(peek()) || (peek() == '.' && digit(peek(1)))) return number();
         if (letter(peek())) return word();

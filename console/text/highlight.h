@@ -14,8 +14,9 @@ enum class Token {
     number,
     string,
     comment,
-    path,   // `world.ball.mass`, `print`
-    arrow,  // between old and new value
+    path,     // `world.ball.mass`, `print`
+    arrow,    // between old and new value
+    problem,  // why a formula has no value: from "in error: " to the end of the line
     symbol
 };
 
@@ -26,7 +27,7 @@ struct Span {
 
 /// Tokens of a line of Lua as typed; only blanks lie between them. Accepts any text.
 std::vector<Span> highlight_command(std::string_view line);
-/// Tokens of a printed line: numbers, quoted strings, paths, arrows; other text is plain.
+/// Tokens of a printed line: numbers, quoted strings, paths, arrows, problems; other text is plain.
 std::vector<Span> highlight_output(std::string_view line);
 
 /// The probable position of an error in a source line: the name that the message quotes, the last

@@ -96,8 +96,14 @@ Session::Followed Session::apply_changes(const std::vector<fs::path>& changed) {
         note("reloaded " + joined(read) + " in " + std::to_string(std::lround(lasted.count())) +
              " ms");
     run_.failed = false;
-    if (loop_->halted() && loop_->retry())
-        note("step " + std::to_string(services_->clock.step + 1) + " runs again");
+    if (loop_->halted()) {
+        const bool back = loop_->retry();
+        const std::string next = "step " + std::to_string(services_->clock.step + 1);
+        if (back)
+            note(next + " runs again");
+        else if (services_->clock.step < services_->clock.newest && !services_->clock.paused)
+            note("the game goes on with " + next);
+    }
     show_problems();
     return Followed::changed;
 }

@@ -71,6 +71,15 @@ TEST_CASE("the path of a file is one piece without colors") {
     CHECK(has("6 / 2 /", highlight_output("6 / 2 /"), "2", Token::number));
 }
 
+TEST_CASE("the reason why a formula has no value has the color of errors") {
+    const std::string line =
+        "world.a.mass: is world.b.heat * 2, in error: world.b.heat: no such name";
+    const auto spans = highlight_output(line);
+    CHECK(has(line, spans, "world.a.mass", Token::path));
+    CHECK(has(line, spans, "in error: world.b.heat: no such name", Token::problem));
+    CHECK(spans.back().end == line.size());
+}
+
 TEST_CASE("coloring accepts any bytes") {
     for (std::string_view line : {"\"unclosed", "world[", "world[\"", "a.", "\\", "\xff\xfe", "[[",
                                   "world[\"x\\", "1e+", "'\\"})

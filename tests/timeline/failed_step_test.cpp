@@ -92,6 +92,29 @@ TEST_CASE_METHOD(Failing, "the past before a failed step can be shown and contin
     CHECK(loop->hash() == hash_of_good_run(60));
 }
 
+TEST_CASE_METHOD(Failing,
+                 "a game that an error has stopped runs on from the step it was taken back to") {
+    fail_at_40();
+    // As the time bar does.
+    tree.set(tree.child(tree.root(), "time"), "paused", true);
+    time().go_to(20);
+    loop->retry();
+    loop->turn();
+    CHECK(services.clock.step == 21);
+    CHECK_FALSE(services.clock.paused);
+}
+
+TEST_CASE_METHOD(Failing, "a game that was paused when it failed stays paused") {
+    fail_at_40();
+    loop->resume();
+    tree.set(tree.child(tree.root(), "time"), "paused", true);
+    loop->halt();
+    time().go_to(20);
+    loop->retry();
+    loop->turn();
+    CHECK(services.clock.step == 20);
+}
+
 TEST_CASE("a step whose handler failed is made again") {
     Failing game(
         "world.ball:on('contact_begin', function() if bad then error('hit') end "

@@ -439,12 +439,15 @@ void Loop::end_frame(const Stopwatch& watch, double seconds, double total) {
 
 void Loop::halt() {
     halted_ = true;
+    halt_ = {.step = services_.clock.step, .paused = services_.clock.paused};
     timeline_.note_failure();
 }
 
 bool Loop::retry() {
     const Pin pin(*this, "retry");
+    const bool elsewhere = services_.clock.step != halt_.step;
     const bool back = timeline_.go_before_failure();
+    if (elsewhere && !halt_.paused) tree_.set(time_, "paused", false);
     resume();
     return back;
 }

@@ -114,8 +114,9 @@ class Loop {
     void halt();
     void resume();
     /// As `resume`; but if a script failed within a step, goes back to before this step, so that it
-    /// is made again (`Timeline::go_before_failure`). Returns true if it went back. To be called
-    /// between frames.
+    /// is made again (`Timeline::go_before_failure`). A game that ran when it was halted, and that
+    /// has gone to an earlier step since, runs on from there, although going back paused it.
+    /// Returns true if it went back. To be called between frames.
     bool retry();
     bool halted() const { return halted_; }
     /// True if the loop is halted, the game has called quit(), or its runtime is destroyed.
@@ -181,6 +182,11 @@ class Loop {
     std::uint64_t steps_made_ = 0;
     std::uint64_t announced_ = 0;
     bool halted_ = false;
+    struct Halt {
+        std::int64_t step = 0;
+        bool paused = false;
+    };
+    Halt halt_;  // where the game was halted, and whether it was paused
     bool closing_ = false;
 };
 
