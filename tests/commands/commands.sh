@@ -7,6 +7,7 @@ set -euo pipefail
 repository=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
+export TMPDIR=$work  # the logs of an apt that fails stay there
 project="$work/a project"
 fakes=$work/fakes
 calls=$work/calls
