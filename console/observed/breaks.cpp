@@ -33,23 +33,22 @@ Value Breaks::Break::compute() {
     return condition.value();
 }
 
-Breaks::Added Breaks::add(script::Observed condition) {
+std::string Breaks::add(script::Observed condition) {
     remove(condition.text);
     Break added{std::move(condition), {}, false};
-    Added result{.message = "breaks when " + added.condition.text, .problem = {}};
+    std::string message = "breaks when " + added.condition.text;
     try {
         added.last = added.compute();
-        result.message +=
-            added.last.is(Type::boolean) ? " becomes true; it is " : " changes; it is ";
-        result.message += text_of(added.last);
-        if (!added.condition.unit.empty()) result.message += " " + added.condition.unit;
+        message += added.last.is(Type::boolean) ? " becomes true; it is " : " changes; it is ";
+        message += text_of(added.last);
+        if (!added.condition.unit.empty()) message += " " + added.condition.unit;
     } catch (const std::exception& error) {
         added.failed = true;  // it may have a value later
-        result.message += " becomes true or changes; it has no value yet";
-        result.problem = property::exception_text(error);
+        message +=
+            " becomes true or changes; it has no value yet: " + property::exception_text(error);
     }
     all_.push_back(std::move(added));
-    return result;
+    return message;
 }
 
 std::size_t Breaks::remove(const std::string& text) {

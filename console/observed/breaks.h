@@ -13,12 +13,9 @@ class Breaks {
   public:
     explicit Breaks(property::Tree& tree) : tree_(tree) {}
 
-    struct Added {
-        std::string message;  // what it waits for, and the present value
-        std::string problem;  // why the condition cannot be computed now; "" if it can
-    };
-    /// Adds a condition; one with the same text is replaced.
-    Added add(script::Observed condition);
+    /// Adds a condition; one with the same text is replaced. Returns what it waits for, and the
+    /// present value or why there is none.
+    std::string add(script::Observed condition);
     /// Returns how many were removed; "" is all of them.
     std::size_t remove(const std::string& text);
     std::size_t size() const { return all_.size(); }

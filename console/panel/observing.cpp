@@ -107,9 +107,7 @@ std::string Observing::break_when(script::Observed condition) {
         breaks_.remove("");
         return "no break is set any more";
     }
-    const Breaks::Added added = breaks_.add(std::move(condition));
-    note_problem("break_when", added.problem);
-    return added.message;
+    return breaks_.add(std::move(condition));
 }
 
 /// It may be a wrong name, or the name of something that the game has not made yet.

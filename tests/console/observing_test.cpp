@@ -28,8 +28,9 @@ TEST_CASE("observing an unknown name is an error with the nearest name") {
           std::string::npos);
     CHECK(rig.text().find("plot: world.ball.positon: no such name (did you mean \"position\"?)") !=
           std::string::npos);
-    CHECK(rig.text().find("break_when: world.boll: no such name (did you mean \"ball\"?)") !=
-          std::string::npos);
+    CHECK(
+        rig.text().find("it has no value yet: world.boll: no such name (did you mean \"ball\"?)") !=
+        std::string::npos);
     REQUIRE(rig.pins().size() == 1);  // it may be made later
     CHECK(rig.pins().front().problem().starts_with("world.ball.mss"));
 }
