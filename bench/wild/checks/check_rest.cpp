@@ -1,7 +1,7 @@
 // A body that can rest comes to rest in time.
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "report/table.h"
 #include "wild/checks/check.h"
@@ -14,29 +14,27 @@ namespace {
 /// some tens. A fall from the height of the grammar takes 1.7 s.
 constexpr double allowed = 8;  // s after the last edit
 
-/// How long round bodies may roll: rolling resistance of coefficient c slows a disc by 2/3 c g.
-double rolling_time(const WorldPlan& plan) {
-    double longest = 0;
-    for (const BodyPlan& body : plan.bodies)
-        for (const ShapePlan& shape : body.shapes) {
-            if (shape.def.rolling_resistance <= 0) continue;
-            const double speed =
-                body.def.velocity.length() + reach_of(body) * std::abs(body.def.angular_velocity);
-            longest = std::max(longest, speed / (6.7 * shape.def.rolling_resistance));
-        }
-    return longest;
+/// How long round bodies may still roll: rolling resistance of coefficient c slows a disc by 2/3 c
+/// g.
+double rolling_time(const Moment& moment) {
+    double longest = 0, to_sleep = 1;  // s
+    for (std::size_t i = 0; i < moment.after.size(); ++i)
+        for (const ShapePlan& shape : moment.plan.bodies[i].shapes)
+            if (moment.after[i].exists && shape.def.rolling_resistance > 0)
+                longest = std::max(longest, double(moment.after[i].velocity.length()) /
+                                                (6.7 * double(shape.def.rolling_resistance)));
+    return longest > 0 ? longest + to_sleep : 0;
 }
 
 class Rest : public Check {
   public:
     std::optional<std::string> violation(const Moment& moment) override {
-        if (moment.step == 0) {
-            judged_ = can_rest(moment.plan);
-            allowed_ = allowed + rolling_time(moment.plan);
-        }
+        if (moment.step == 0) judged_ = can_rest(moment.plan);
         if (!judged_) return {};
         time_ = moment.step <= moment.plan.last_edit() ? 0 : time_ + moment.dt;
-        if (time_ <= allowed_) return {};
+        if (time_ <= allowed) return {};
+        if (!rolling_) rolling_ = rolling_time(moment);
+        if (time_ <= allowed + *rolling_) return {};
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
             const BodyNow& body = moment.after[i];
             // A body that fell off the ground falls forever.
@@ -51,7 +49,7 @@ class Rest : public Check {
 
   private:
     bool judged_ = false;
-    double allowed_ = allowed;
+    std::optional<double> rolling_;  // s that bodies may roll after the time allowed
     double time_ = 0;
 };
 

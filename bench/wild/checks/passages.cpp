@@ -140,10 +140,12 @@ void Passages::add_passages(const Pair& pair, const Moment& moment,
         cross(from, to, on_way);
         from = to;
     }
-    // How a body that was carried slid along the obstacle is not known. If it left the obstacle
-    // again, and the straight way does not cross it, it slid past an end.
+    // How a body slid along an obstacle that carried it or struck it is not known: between the ends
+    // of the step its way may be an arc. If it left the obstacle again, and the straight way, as
+    // seen from the obstacle, does not cross it, it went round.
     cross(first, last, straight);
-    if (carried && straight.empty() && on_way.size() % 2 == 0) return;
+    const bool commanded = o1.type == BodyType::kinematic_body;
+    if (commanded && straight.empty() && on_way.size() % 2 == 0) return;
     found.insert(found.end(), on_way.begin(), on_way.end());
 }
 
