@@ -22,6 +22,8 @@ struct JointStep {
     Softness rigid;              ///< softness of rigid rows
     /// A wider gap is closed as fast as this one, m.
     float greatest_gap = 1e30f;
+    /// The same for rows whose length or limit may be set in each step, as that of a winch, m.
+    float greatest_length_gap = 1e30f;
     /// A gap that is wider than this, m, is closed by moving the bodies. Impacts hardly make such
     /// gaps, but edits do.
     float wide_gap = 1e30f;
@@ -32,13 +34,17 @@ struct JointStep {
     /// the row yields are scaled alike: this limits the speed, and the force is still in proportion
     /// to the gap. If only the speed were limited, a greater force would pull the joint apart
     /// without end.
-    Softness softness(float gap) const {
+    Softness softness(float gap) const { return softness_up_to(greatest_gap, gap); }
+    Softness softness(Vec2 gap) const { return softness(max(std::abs(gap.x), std::abs(gap.y))); }
+    Softness length_softness(float gap) const { return softness_up_to(greatest_length_gap, gap); }
+
+  private:
+    Softness softness_up_to(float greatest, float gap) const {
         gap = std::abs(gap);
-        if (gap <= greatest_gap) return rigid;
-        const float share = greatest_gap / gap;
+        if (gap <= greatest) return rigid;
+        const float share = greatest / gap;
         return {share * rigid.bias_rate, rigid.mass_scale, share * rigid.impulse_scale};
     }
-    Softness softness(Vec2 gap) const { return softness(max(std::abs(gap.x), std::abs(gap.y))); }
 };
 
 /// Rotates a vector by an angle in the Cayley form, c = (1-t²)/(1+t²), s = 2t/(1+t²) with t =
@@ -102,6 +108,11 @@ struct JointEnds {
         body_a.shift = body_a.shift + by_a;
         body_b.shift = body_b.shift - by_b;
         return gap - (by_a + by_b);
+    }
+    /// The same for a gap along a direction.
+    float close_wide_gap(SolverBody& body_a, SolverBody& body_b, Vec2 direction, float gap,
+                         const JointStep& step) const {
+        return dot(direction, close_wide_gap(body_a, body_b, gap * direction, step));
     }
     float inverse_along(Vec2 d) const { return detail::inverse_along(d, inverse_a, inverse_b); }
 

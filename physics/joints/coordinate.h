@@ -71,6 +71,8 @@ struct Limits {
     bool any() const { return lower > -infinity || upper < infinity; }
     /// If the limits cross, the upper one is used.
     Limits in_order() const { return {min(lower, upper), upper}; }
+    /// The value itself, if it is within the limits, which are in order.
+    float nearest(float value) const { return clamp(value, lower, upper); }
     /// How far a value is outside of the limits; if they cross, the upper one is used.
     float beyond(float value) const {
         return max(0.0f, max(min(lower, upper) - value, value - upper));

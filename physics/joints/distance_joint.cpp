@@ -146,18 +146,20 @@ struct DistanceConstraint {
     }
 
   private:
-    /// The length may be set in each step, as that of a winch. So a rod closes a gap eight times as
-    /// fast as other joints do at most.
     template <bool biased>
     void hold(SolverBody& a, SolverBody& b, float error, const JointStep& step) {
-        if (biased)
-            error = dot(line.direction, ends.close_wide_gap(a, b, error * line.direction, step));
+        if (biased) error = ends.close_wide_gap(a, b, line.direction, error, step);
         line.push(ends, a, b,
                   push_rigid<biased>(impulses.along, line.mass, line.velocity(a, b), error,
-                                     step.softness(0.125f * error)));
+                                     step.length_softness(error)));
     }
     template <bool biased>
     void limit(SolverBody& a, SolverBody& b, float distance, const JointStep& step) {
+        if (biased) {
+            const float allowed = limits.nearest(distance);
+            distance =
+                allowed + ends.close_wide_gap(a, b, line.direction, distance - allowed, step);
+        }
         solve_limits<biased>(
             limits, impulses.limits, line.mass, distance, step, [&] { return line.velocity(a, b); },
             [&](float p) { line.push(ends, a, b, p); });

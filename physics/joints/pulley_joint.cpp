@@ -50,9 +50,11 @@ struct PulleyConstraint {
             if (length > 1e-6f) direction = (1.0f / length) * rope;
             lever = cross(anchor_lever, direction);
         }
+        float inverse_without_turn(Vec2 inverse_mass) const {
+            return dot(direction, scaled(inverse_mass, direction));
+        }
         float inverse(Vec2 inverse_mass, const SolverBody& body) const {
-            return dot(direction, scaled(inverse_mass, direction)) +
-                   body.inverse_inertia * lever * lever;
+            return inverse_without_turn(inverse_mass) + body.inverse_inertia * lever * lever;
         }
         void pull(Vec2 inverse_mass, SolverBody& body, float p) const {
             body.velocity = body.velocity - p * scaled(inverse_mass, direction);
@@ -90,6 +92,7 @@ struct PulleyConstraint {
     template <bool biased>
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
         follow(a, b);
+        if (biased) close_wide_gap(a, b, step);
         const float velocity = -side_a.lengthening(a) - ratio * side_b.lengthening(b);
         pull(a, b, push_limit<biased>(impulses.tension, mass, velocity, room(), step));
     }
@@ -109,6 +112,17 @@ struct PulleyConstraint {
         side_b.follow(ends.lever_b, b);
         mass = inverse_or_zero(side_a.inverse(ends.inverse_a, a) +
                                ratio * ratio * side_b.inverse(ends.inverse_b, b));
+    }
+    /// As `JointEnds::close_wide_gap`: moves the bodies towards their wheels.
+    void close_wide_gap(SolverBody& a, SolverBody& b, const JointStep& step) {
+        const float excess = -room() - step.wide_gap;
+        if (excess <= 0.0f) return;
+        const float both = side_a.inverse_without_turn(ends.inverse_a) +
+                           ratio * ratio * side_b.inverse_without_turn(ends.inverse_b);
+        const float pull = step.wide_share * excess * inverse_or_zero(both);
+        a.shift = a.shift - pull * scaled(ends.inverse_a, side_a.direction);
+        b.shift = b.shift - ratio * pull * scaled(ends.inverse_b, side_b.direction);
+        follow(a, b);
     }
     float room() const { return length - side_a.length - ratio * side_b.length; }
     void pull(SolverBody& a, SolverBody& b, float tension) const {

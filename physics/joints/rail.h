@@ -69,8 +69,9 @@ struct Rail {
     void solve_along(RailImpulses& impulses, const JointEnds& ends, SolverBody& a, SolverBody& b,
                      const JointStep& step) const {
         if (!(biased ? coordinate.acts_biased() : coordinate.acts_relaxed())) return;
+        const float place = biased ? close_beyond_limits(ends, a, b, step) : translation;
         coordinate.solve<biased>(
-            impulses.along, along.mass, translation, step, [&] { return along.velocity(a, b); },
+            impulses.along, along.mass, place, step, [&] { return along.velocity(a, b); },
             [&](float p) { along.push(ends, a, b, p); });
     }
     template <bool biased>
@@ -84,7 +85,13 @@ struct Rail {
     /// Closes a wide gap across the axis; returns the remaining offset.
     float close_wide_gap(const JointEnds& ends, SolverBody& a, SolverBody& b,
                          const JointStep& step) const {
-        return dot(across.direction, ends.close_wide_gap(a, b, offset * across.direction, step));
+        return ends.close_wide_gap(a, b, across.direction, offset, step);
+    }
+    /// The same along the axis, if b is far beyond a limit; returns the remaining translation.
+    float close_beyond_limits(const JointEnds& ends, SolverBody& a, SolverBody& b,
+                              const JointStep& step) const {
+        const float allowed = coordinate.limits.nearest(translation);
+        return allowed + ends.close_wide_gap(a, b, along.direction, translation - allowed, step);
     }
     void write_rows(RailImpulses& impulses, const JointEnds& ends, RowWriter& rows) const {
         coordinate.write_rows(impulses.along, along.mass, translation, along.jacobian(ends), rows);

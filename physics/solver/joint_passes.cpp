@@ -38,6 +38,10 @@ constexpr LoadSettings settings_of_load[JointScratch::loads] = {{0.0f, 60.0f, 0.
                                                                 {10.0f, 120.0f, 0.5f, 4, 16.0f},
                                                                 {100.0f, 240.0f, 1.0f, 16, 64.0f}};
 
+/// The speed at which a rod, a rope or a limit closes a gap, m/s, if the load allows no greater
+/// one.
+constexpr float least_length_speed = 16.0f;
+
 /// Wider gaps, m, come from edits. Their excess is removed at this rate, 1/s.
 constexpr float least_wide_gap = 0.5f, wide_rate = 60.0f;
 
@@ -46,6 +50,7 @@ void use_load_settings(size_t load, JointStep& step) {
     const LoadSettings& settings = settings_of_load[load];
     step.rigid = make_softness(min(settings.hertz, settings.share / step.h), 2.0f, step.h);
     step.greatest_gap = settings.speed / step.rigid.bias_rate;
+    step.greatest_length_gap = max(settings.speed, least_length_speed) / step.rigid.bias_rate;
     step.wide_gap = max(least_wide_gap, step.greatest_gap);
     step.wide_share = min(wide_rate * step.h, 0.5f);
 }
@@ -252,7 +257,7 @@ void sweep_tuned(JointPass pass, JointScratch& joints, std::span<SolverBody> bod
         JointArray& array = joints.joint_arrays[JointScratch::tuned * joint_type_count + type];
         if (array.softness.empty()) continue;
         JointStep own = step;
-        own.greatest_gap = infinity;
+        own.greatest_gap = own.greatest_length_gap = infinity;
         own.wide_share = 0.0f;
 
         for (size_t i = array.nodes.begin(nodes); i < array.nodes.end(nodes); ++i) {
