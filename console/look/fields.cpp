@@ -59,8 +59,8 @@ void draw_number_frame(ImVec2 low, ImVec2 high, double value, const NumberLook& 
     float room = high.x - style.FramePadding.x - at.x;
     const float unit = look.unit.empty() ? 0 : text_width(" ") + text_width(look.unit);
     std::string shown = look.integer ? digits : short_number(value);
-    for (int precision = 3; precision > 0 && text_width(shown) + unit > room; --precision)
-        shown = short_number(value, precision);
+    for (int precision = 4; precision > 0 && text_width(shown) + unit > room; --precision)
+        shown = narrow_number(value, precision);
     draw_text_fit(list, at, with_alpha(palette::text, alpha), shown, std::max(1.0f, room - unit));
     const float used = std::min(text_width(shown), room - unit) + text_width(" ");
     if (!look.unit.empty())

@@ -191,6 +191,23 @@ bool low_button(const char* label) {
     return pressed;
 }
 
+bool small_button(const char* id, const char* sign, const char* tip) {
+    float side = ImGui::GetFrameHeight();
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    bool pressed = ImGui::InvisibleButton(id, ImVec2(side, side));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    bool hovered = ImGui::IsItemHovered();
+    if (hovered) {
+        list.AddRectFilled(at, ImVec2(at.x + side, at.y + side), palette::hover,
+                           ImGui::GetStyle().FrameRounding);
+        ImGui::SetTooltip("%s", tip);
+    }
+    ImVec2 middle(at.x + (side - text_width(sign)) / 2,
+                  at.y + (side - ImGui::GetTextLineHeight()) / 2);
+    draw_text(list, middle, hovered ? palette::accent : palette::dim, sign);
+    return pressed;
+}
+
 std::string wrapped(std::string_view text, float width) {
     std::string out;
     std::size_t line = 0;  // its begin in `out`
@@ -226,16 +243,16 @@ void draw_path_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view pa
     draw_text(list, at, color, path);
 }
 
-void draw_text_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width) {
-    if (text_width(text) <= width) {
-        draw_text(list, at, color, text);
-        return;
-    }
-    float room = width - text_width("…");
+std::string shortened(std::string_view text, float width) {
+    if (text_width(text) <= width) return std::string(text);
+    const float room = width - text_width("…");
     std::size_t end = text.size();
     while (end > 0 && text_width(text.substr(0, end)) > room) end = previous_code_point(text, end);
-    float used = draw_text(list, at, color, text.substr(0, end));
-    if (room >= 0) draw_text(list, ImVec2(at.x + used, at.y), color, "…");
+    return std::string(text.substr(0, end)) + (room >= 0 ? "…" : "");
+}
+
+void draw_text_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width) {
+    draw_text(list, at, color, shortened(text, width));
 }
 
 }  // namespace fettle::console

@@ -70,9 +70,11 @@ ImVec4 vector(ImU32 color);
 
 /// Draws a text and returns its width.
 float draw_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text);
-/// The same, shortened with an ellipsis to `width`.
+/// The text, shortened with an ellipsis to `width`.
+std::string shortened(std::string_view text, float width);
+/// Draws a text, shortened with an ellipsis to `width`.
 void draw_text_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width);
-/// The same for a path: its end matters most, so the ellipsis is in front.
+/// The same for a path, whose end matters most: the ellipsis is in front.
 void draw_path_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view path, float width);
 float text_width(std::string_view text);
 /// A text for a widget of Dear ImGui, which otherwise lacks characters (ExtraGlyphs).
@@ -83,6 +85,8 @@ void text_line(std::string_view text);
 float button_height();
 /// A button that fits between lines of text.
 bool low_button(const char* label);
+/// A square button with a sign and a tooltip; it has no background until the mouse is over it.
+bool small_button(const char* id, const char* sign, const char* tip);
 /// The text with line breaks in place of blanks, so that it fits into `width` if possible. Dear
 /// ImGui itself also breaks lines at dots, inside of numbers and paths.
 std::string wrapped(std::string_view text, float width);

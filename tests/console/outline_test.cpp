@@ -89,6 +89,7 @@ TEST_CASE_METHOD(Haunted, "an instance has an outline while the mouse is over it
 
 TEST_CASE_METHOD(Haunted, "the outline of the selected instance is where the instance is drawn") {
     const double alpha = GENERATE(0.0, 0.5, 1.0);
+    state().settings.set("inspector_width", property::Value(300));  // it covers none of them
     {
         const property::Drawing drawing(alpha);
         draw(3);
