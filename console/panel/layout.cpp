@@ -242,11 +242,16 @@ void Console::State::draw_time_bar(float right) {
 void Console::State::draw_in_game() {
     if (!options.to_pixels || (options.game_covered && options.game_covered())) return;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    app::ClipRectangle free{0, 0, screen.width, screen.height};
+    if (options.free_of_others) free = options.free_of_others(free);
+    list.PushClipRect(ImVec2(free.left, free.top),
+                      ImVec2(free.left + free.width, free.top + free.height));
     ghosts.update(static_cast<double>(settings.number("ghost_time")));
     ghosts.draw(list, options.to_pixels);
     if (tree.alive(inspector.selected()) && shows("onion_skins"))
         onion_skins.draw(list, options.to_pixels);
     draw_outlines();
+    list.PopClipRect();
 }
 
 /// Draws two runs between the panel and the views at the lower edge. They have all of the width,

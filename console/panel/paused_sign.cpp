@@ -57,7 +57,9 @@ void Console::State::draw_paused_sign(app::Surface& surface) {
     const float room = surface.width() - 2 * (pad + pad) - bars - pad;
     // In a narrow window the sign says less.
     const std::string_view shown = wide(text) <= room ? text : std::string_view(text).substr(0, 6);
-    const float tall = size + 2 * pad, left = pad, top = surface.height() - pad - tall;
+    app::ClipRectangle free{0, 0, surface.width(), surface.height()};
+    if (options.free_of_others) free = options.free_of_others(free);
+    const float tall = size + 2 * pad, left = pad, top = free.top + free.height - pad - tall;
     screen.paused_sign = {ImVec2(left, top),
                           ImVec2(left + 3 * pad + bars + wide(shown), top + tall)};
     fill_box(surface, screen.paused_sign, panel_color);

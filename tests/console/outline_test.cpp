@@ -309,4 +309,14 @@ TEST_CASE("no outline is drawn over what covers the game") {
     CHECK(triangles() > without + 20);
 }
 
+TEST_CASE_METHOD(Haunted, "no outline is drawn over what another layer covers") {
+    draw(3);
+    REQUIRE(lined({5, -2}));
+    state().options.free_of_others = [](const app::ClipRectangle& whole) {
+        return app::ClipRectangle{0, 0, whole.width, 0.5f * whole.height};
+    };
+    draw(3);
+    CHECK_FALSE(lined({5, -2}));
+}
+
 }  // namespace outline_test
