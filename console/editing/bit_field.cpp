@@ -47,8 +47,7 @@ std::optional<std::int64_t> bit_field(std::int64_t value, float width) {
     const float room = width - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
     const bool open =
         ImGui::BeginCombo("##value", shortened(text, room).c_str(), ImGuiComboFlags_HeightLargest);
-    if (!open && ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s\n%lld", text.c_str(), static_cast<long long>(value));
+    if (!open && ImGui::IsItemHovered()) show_tip(text + "\n" + std::to_string(value));
     if (!open) return changed;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const ImVec2 box(2 * ImGui::GetFontSize(), ImGui::GetFrameHeight());

@@ -157,7 +157,7 @@ void PropertyEditor::mixed_line(const Target& target, float start, float indent,
     draw_text_fit(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), palette::dim, text,
                   room);
     ImGui::Dummy(ImVec2(std::max(1.0f, room), ImGui::GetTextLineHeight()));
-    if (ImGui::IsItemHovered() && text_width(text) > room) ImGui::SetTooltip("%s", text.c_str());
+    if (ImGui::IsItemHovered() && text_width(text) > room) show_tip(text);
     offer_menu(target);
 }
 
@@ -273,8 +273,7 @@ void PropertyEditor::enumerator(const Target& target, const Value& value, float 
     const float room = width - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
     const std::string shown = shortened(value.text(), room);
     if (!ImGui::BeginCombo("##value", widget_text(shown).c_str())) {
-        if (shown != value.text() && ImGui::IsItemHovered())
-            ImGui::SetTooltip("%s", widget_text(value.text()).c_str());
+        if (shown != value.text() && ImGui::IsItemHovered()) show_tip(value.text());
         const std::vector<std::string>& all = target.property->enumerators;
         if (!fields_.focus_stop("##value")) return;
         const auto now = std::ranges::find(all, value.text());

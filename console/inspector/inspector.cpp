@@ -311,7 +311,8 @@ void Inspector::draw_splitter() {
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + thickness + ImGui::GetStyle().ItemSpacing.y));
     bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
     if (hot) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
-    if (ImGui::IsItemActive()) {
+    // The motion before the press does not count.
+    if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) {
         float whole = std::max(1.0f, ImGui::GetWindowHeight());
         outline_share_ =
             std::clamp(outline_share_ + ImGui::GetIO().MouseDelta.y / whole, 0.1f, 0.85f);
@@ -371,8 +372,8 @@ void Inspector::draw_several(ImFont* bold) {
     for (const int axis : {0, 1}) {
         if (button(axis == 0 ? "Align x" : "Align y")) align(tree_, selection(), axis);
         if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("Gives all the mean of their positions along %c",
-                              axis == 0 ? 'x' : 'y');
+            show_tip(std::string("Gives all the mean of their positions along ") +
+                     (axis == 0 ? "x" : "y"));
     }
 }
 

@@ -67,8 +67,7 @@ void draw_number_frame(ImVec2 low, ImVec2 high, double value, const NumberLook& 
         draw_text(list, ImVec2(at.x + used, at.y), with_alpha(palette::dim, alpha), look.unit);
     // While the user types, and in the tooltip, all digits are shown.
     if (shown != digits && ImGui::IsItemHovered() && !ImGui::IsItemActive())
-        ImGui::SetTooltip("%s%s%.*s", digits.c_str(), look.unit.empty() ? "" : " ",
-                          static_cast<int>(look.unit.size()), look.unit.data());
+        show_tip(look.unit.empty() ? digits : digits + " " + std::string(look.unit));
 }
 
 /// The part of a motion of the mouse that a drag follows.

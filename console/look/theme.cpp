@@ -177,6 +177,32 @@ float text_width(std::string_view whole) {
     return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }
 
+std::string tip_lines(std::string_view text) {
+    constexpr float widest = 36;  // ems
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float room = ImGui::GetIO().DisplaySize.x - 2 * style.WindowPadding.x - 8;
+    return wrapped(text, std::min(widest * ImGui::GetFontSize(), room));
+}
+
+void show_tip(std::string_view text) {
+    ImGui::SetTooltip("%s", widget_text(tip_lines(text)).c_str());
+}
+
+void show_tip_beside(std::string_view text) {
+    constexpr float gap = 4;
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding, screen = ImGui::GetIO().DisplaySize;
+    const ImVec2 lines = ImGui::CalcTextSize(tip_lines(text).c_str());
+    const float wide = lines.x + 2 * padding.x, tall = lines.y + 2 * padding.y;
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const float y = std::min(ImGui::GetItemRectMin().y, screen.y - gap - tall);
+    const float right = low.x + size.x + gap;
+    if (right + wide <= screen.x)
+        ImGui::SetNextWindowPos(ImVec2(right, y));
+    else if (low.x - gap >= wide)
+        ImGui::SetNextWindowPos(ImVec2(low.x - gap - wide, y));
+    show_tip(text);
+}
+
 float button_height() {
     constexpr float least = 16;
     return std::max(least, std::ceil(ImGui::GetTextLineHeight()) + 2);
@@ -200,7 +226,7 @@ bool small_button(const char* id, const char* sign, const char* tip) {
     if (hovered) {
         list.AddRectFilled(at, ImVec2(at.x + side, at.y + side), palette::hover,
                            ImGui::GetStyle().FrameRounding);
-        ImGui::SetTooltip("%s", tip);
+        show_tip(tip);
     }
     ImVec2 middle(at.x + (side - text_width(sign)) / 2,
                   at.y + (side - ImGui::GetTextLineHeight()) / 2);

@@ -81,6 +81,12 @@ float text_width(std::string_view text);
 std::string widget_text(std::string_view text);
 /// An item of that text, as ImGui::TextUnformatted makes one.
 void text_line(std::string_view text);
+/// A tooltip, with line breaks where it would be too wide. `show_tip_beside` draws it beside the
+/// present window, a menu, so that it covers no other entry.
+void show_tip(std::string_view text);
+void show_tip_beside(std::string_view text);
+/// The text as a tooltip breaks its lines.
+std::string tip_lines(std::string_view text);
 /// The height of low buttons in pixels: that of a line, but enough to click on them.
 float button_height();
 /// A button that fits between lines of text.

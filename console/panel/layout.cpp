@@ -209,7 +209,11 @@ float Console::State::legend_room() const {
 }
 
 app::ClipRectangle Console::State::free_area(const app::ClipRectangle& whole) const {
-    if (!status.was_open) return whole;
+    if (!status.was_open) {
+        const Rect& sign = screen.paused_sign;
+        if (sign.empty()) return whole;
+        return {whole.left, whole.top, whole.width, std::max(0.0f, sign.low.y - whole.top)};
+    }
     const Rect& side = screen.inspector_rect;
     const bool is_beside = side.low.y < screen.panel_rect.high.y;
     const float top = std::max({whole.top, screen.panel_rect.high.y, is_beside ? 0 : side.high.y});

@@ -211,7 +211,7 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
         if (ImGui::IsWindowHovered() && line.contains(mouse.x, mouse.y))
             tip = trace.what().text + "\n" + (fails ? trace.problem() : tree.text(shown));
     }
-    if (!tip.empty()) ImGui::SetTooltip("%s", widget_text(tip).c_str());
+    if (!tip.empty()) show_tip(tip);
     if (!run) return;  // a picture of the plot has no button
     ImGui::SetCursorScreenPos(ImVec2(right + em, at.y));
     const bool pressed = ImGui::InvisibleButton("close", ImVec2(side, side));
@@ -219,7 +219,7 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
     const bool hot = ImGui::IsItemHovered();
     draw_text(list, ImVec2(close_.low.x + (side - text_width("×")) / 2, at.y),
               hot ? palette::accent : palette::dim, "×");
-    if (hot) ImGui::SetTooltip("end the plot");
+    if (hot) show_tip("end the plot");
     if (pressed) run("plot()");
 }
 

@@ -346,10 +346,7 @@ void PromptView::draw_candidate(std::size_t index, float width, float label_widt
     const bool label_fits = columns(label) * cell <= label_width;
     if (hovered &&
         (shown != candidate.completion.detail || text_width(shown) > room || !label_fits))
-        ImGui::SetTooltip("%s", widget_text(wrapped((label_fits ? "" : label + "\n") +
-                                                        candidate.completion.detail,
-                                                    48 * cell))
-                                    .c_str());
+        show_tip((label_fits ? "" : label + "\n") + candidate.completion.detail);
     if (clicked) prompt_.accept_candidate(index);
 }
 

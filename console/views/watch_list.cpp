@@ -109,7 +109,7 @@ void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float wid
         list.AddRectFilled(at, ImVec2(at.x + width - side, at.y + height), palette::hover,
                            ImGui::GetStyle().FrameRounding);
         const std::string now = pin.problem().empty() ? tree.text(pin.value()) : pin.problem();
-        ImGui::SetTooltip("%s", widget_text(pin.what().text + "\n" + now).c_str());
+        show_tip(pin.what().text + "\n" + now);
     }
     if (path && ImGui::IsItemClicked(0) && follow) follow(pin.what().path);
     if (path && ImGui::IsItemClicked(1) && menu) menu(pin.what().path);
@@ -128,7 +128,7 @@ void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float wid
     const bool hot = ImGui::IsItemHovered();
     draw_text(list, ImVec2(corner.x + (side - text_width("×")) / 2, y),
               hot ? palette::accent : palette::dim, "×");
-    if (hot) ImGui::SetTooltip("unpin");
+    if (hot) show_tip("unpin");
 }
 
 void WatchList::draw(ImVec2 corner, float width, float room, const property::Tree& tree,

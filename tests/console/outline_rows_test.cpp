@@ -90,4 +90,28 @@ TEST_CASE("the row of the selected instance is shown after it got another parent
     CHECK(shown.row_of(ball) == shown.row_of(crate) + 1);
 }
 
+TEST_CASE("a motion before the press on the line below the tree does not move the line") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    const auto height_of_tree = [] {
+        for (const ImGuiWindow* each : ImGui::GetCurrentContext()->Windows)
+            if (std::string_view(each->Name).find("/outline_") != std::string_view::npos)
+                return each->Size.y;
+        return 0.0f;
+    };
+    const float before = height_of_tree();
+    const console::Rect inspector = rig.state().screen.inspector_rect;
+    const float line = inspector.low.y + 0.36f * (inspector.high.y - inspector.low.y) + 26;
+    rig.move(inspector.middle().x, inspector.high.y - 20);
+    rig.draw(2);
+    for (float y = line - 16; y < line + 16; y += 4) {
+        rig.move(inspector.middle().x, inspector.high.y - 20);
+        rig.draw();
+        rig.click(inspector.middle().x, y);
+        rig.draw(2);
+    }
+    CHECK(height_of_tree() == before);
+}
+
 }  // namespace outline_rows_test

@@ -40,7 +40,9 @@ TEST_CASE("a game that was paused with the console shows that while the console 
     CHECK(rig.state().screen.paused_sign.empty());  // the time bar says it
     rig.key("grave");
     CHECK(shows_sign(rig));
-    const ImVec2 sign = rig.state().screen.paused_sign.middle();
+    const console::Rect place = rig.state().screen.paused_sign;
+    CHECK(rig.console.free_area({0, 0, 1280, 720}).height <= place.low.y);
+    const ImVec2 sign = place.middle();
     rig.move(sign.x, sign.y);
     CHECK(rig.button(true, sign.x, sign.y));  // the game does not get the click
     CHECK(rig.button(false, sign.x, sign.y));
