@@ -390,8 +390,11 @@ TEST_CASE("the tooltip of an entry of a menu covers no entry and is inside of th
     rig.lua.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));
     rig.show();
     auto& state = rig.lua.state();
+    state.inspector.select(rig.lua.selected(), "mass");  // scrolls to it
+    rig.show();
+    rig.show();
     rig.click_at(state.inspector.editor()
-                     .widget_rect(rig.tree.property(rig.lua.selected(), "type"))
+                     .widget_rect(rig.tree.property(rig.lua.selected(), "mass"))
                      .middle(),
                  "right");
     rig.show();
