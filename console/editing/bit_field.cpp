@@ -43,9 +43,11 @@ std::optional<std::int64_t> bit_field(std::int64_t value, float width) {
     std::optional<std::int64_t> changed;
     const auto become = [&](std::uint64_t now) { changed = static_cast<std::int64_t>(now); };
     ImGui::SetNextItemWidth(width);
+    const std::string text = bits_text(value);
+    const float room = width - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
     const bool open =
-        ImGui::BeginCombo("##value", bits_text(value).c_str(), ImGuiComboFlags_HeightLargest);
-    if (!open && ImGui::IsItemHovered()) ImGui::SetTooltip("%lld", static_cast<long long>(value));
+        ImGui::BeginCombo("##value", shortened(text, room).c_str(), ImGuiComboFlags_HeightLargest);
+    if (!open && ImGui::IsItemHovered()) show_tip(text + "\n" + std::to_string(value));
     if (!open) return changed;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const ImVec2 box(2 * ImGui::GetFontSize(), ImGui::GetFrameHeight());

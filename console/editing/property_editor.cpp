@@ -20,11 +20,7 @@ using property::Type;
 using property::Value;
 using property::Vec2;
 
-namespace {
-
-constexpr int visible_elements = 12;
-
-Value zero_of(Type type) {
+Value PropertyEditor::zero_of(Type type) {
     switch (type) {
         case Type::boolean:
             return Value(false);
@@ -44,37 +40,6 @@ Value zero_of(Type type) {
             return Value();
     }
 }
-
-bool small_button(const char* id, const char* sign, const char* tip) {
-    float side = ImGui::GetFrameHeight();
-    ImVec2 at = ImGui::GetCursorScreenPos();
-    bool pressed = ImGui::InvisibleButton(id, ImVec2(side, side));
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    bool hovered = ImGui::IsItemHovered();
-    if (hovered) {
-        list.AddRectFilled(at, ImVec2(at.x + side, at.y + side), palette::hover,
-                           ImGui::GetStyle().FrameRounding);
-        ImGui::SetTooltip("%s", tip);
-    }
-    ImVec2 middle(at.x + (side - text_width(sign)) / 2,
-                  at.y + (side - ImGui::GetTextLineHeight()) / 2);
-    draw_text(list, middle, hovered ? palette::accent : palette::dim, sign);
-    return pressed;
-}
-
-/// A value to begin with after the others. A point is half a side away from the last one, and
-/// bends to the left: a polygon drops a point that it has already, or that lies on a side.
-Value added_to(const List& elements, Type type) {
-    if (elements.empty()) return zero_of(type == Type::nil ? Type::number : type);
-    const Value& last = elements.back();
-    if (!last.is(Type::vec2)) return last;
-    const bool some = elements.size() > 1 && elements[elements.size() - 2].is(Type::vec2);
-    Vec2 side = some ? last.vec2() - elements[elements.size() - 2].vec2() : Vec2(0, 0);
-    if (side == Vec2(0, 0)) side = Vec2(1, 0);
-    return Value(last.vec2() + 0.35 * Vec2(side.x - side.y, side.x + side.y));
-}
-
-}  // namespace
 
 Rect PropertyEditor::widget_rect(const Property& property) const {
     auto found = widgets_.find(&property);
@@ -104,14 +69,14 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     bool plain = !tall && mixed_.others().empty() && !problems_.contains(&property) &&
                  tree_.formula_count() == 0 && !fields_.typing() && !fields_.widget_has_focus() &&
                  !fields_.moves_focus();
-    if (plain && !ImGui::IsRectVisible(ImVec2(whole, ImGui::GetFrameHeight()))) {
-        ImGui::Dummy(ImVec2(whole, ImGui::GetFrameHeight()));
+    const RowLayout::Row row = layout_.row_of(property, available);
+    if (plain && !ImGui::IsRectVisible(ImVec2(whole, row.height))) {
+        ImGui::Dummy(ImVec2(whole, row.height));
         return false;
     }
     ImGui::PushID(&property);
     float start = ImGui::GetCursorPosX();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float label_width = std::floor(label_column(available));
     bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
     const property::Formula* formula = tree_.formula(instance, property);
     std::string source = formula != nullptr ? formula->source : std::string();
@@ -127,17 +92,16 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     std::string mixed;
     gutter(target, ImVec2(corner.x + available, corner.y), whole - available);
     ImGui::SetCursorScreenPos(corner);
-    label(target, label_width, resettable, formula != nullptr, bold);
-    ImGui::SameLine(start + label_width);
+    label(target, row.name, resettable, formula != nullptr, bold);
+    if (!row.name_above) ImGui::SameLine();
+    ImGui::SetCursorPosX(start + row.value);
     try {
         // If a formula fails, its last valid value is shown, and the error below it.
         Value value =
             formula != nullptr ? tree_.peek(instance, property) : tree_.get(instance, property);
         mixed = mixed_.text(tree_, property, value);
-        const float button = button_width();
         ImGui::BeginGroup();
-        if (!formula_line(target, source, available - label_width - button))
-            widget(target, value, available - label_width - button);
+        if (!formula_line(target, source, row.width)) widget(target, value, row.width, row.value);
         ImGui::EndGroup();
         widgets_[&property] = item_rect();
         offer_menu(target);
@@ -158,13 +122,13 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         problems_.erase(&property);  // typing ended with the value that there was
     }
     if (!gone) {
-        mixed_line(target, start, label_width, mixed);
+        mixed_line(target, start, row.value, mixed);
         if (formula_of_ != &property) {
-            remark(start + label_width, palette::note, source.empty() ? source : "is " + source);
+            remark(start + row.value, palette::note, source.empty() ? source : "is " + source);
             if (!source.empty() && ImGui::IsItemClicked(0)) begin_formula(property);
         }
-        remark(start + label_width, palette::error, wrong);
-        remark(start + label_width, palette::error, problem(property));
+        remark(start + row.value, palette::error, wrong);
+        remark(start + row.value, palette::error, problem(property));
     }
     ImGui::PopID();
     return edited_;
@@ -193,7 +157,7 @@ void PropertyEditor::mixed_line(const Target& target, float start, float indent,
     draw_text_fit(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), palette::dim, text,
                   room);
     ImGui::Dummy(ImVec2(std::max(1.0f, room), ImGui::GetTextLineHeight()));
-    if (ImGui::IsItemHovered() && text_width(text) > room) ImGui::SetTooltip("%s", text.c_str());
+    if (ImGui::IsItemHovered() && text_width(text) > room) show_tip(text);
     offer_menu(target);
 }
 
@@ -224,7 +188,8 @@ bool PropertyEditor::reset_button(const Target& target) {
 
 // --- Widgets
 
-void PropertyEditor::widget(const Target& target, const Value& value, float width) {
+/// `before`: the room in front of the widget.
+void PropertyEditor::widget(const Target& target, const Value& value, float width, float before) {
     Type type = value.is_nil() || target.property->any_type ? value.type() : target.property->type;
     // References can be followed even if they are read-only.
     bool greyed = target.property->read_only && type != Type::reference && type != Type::list;
@@ -256,7 +221,7 @@ void PropertyEditor::widget(const Target& target, const Value& value, float widt
             editable_reference(target, value.reference(), width);
             break;
         case Type::list:
-            list(target, value, width);
+            list(target, value, width, before);
             break;
     }
     ImGui::EndDisabled();
@@ -305,7 +270,10 @@ void PropertyEditor::text(const Target& target, const Value& value, float width)
 
 void PropertyEditor::enumerator(const Target& target, const Value& value, float width) {
     ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo("##value", widget_text(value.text()).c_str())) {
+    const float room = width - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+    const std::string shown = shortened(value.text(), room);
+    if (!ImGui::BeginCombo("##value", widget_text(shown).c_str())) {
+        if (shown != value.text() && ImGui::IsItemHovered()) show_tip(value.text());
         const std::vector<std::string>& all = target.property->enumerators;
         if (!fields_.focus_stop("##value")) return;
         const auto now = std::ranges::find(all, value.text());
@@ -320,13 +288,12 @@ void PropertyEditor::enumerator(const Target& target, const Value& value, float 
     ImGui::EndCombo();
 }
 
-std::optional<Vec2> PropertyEditor::vector_fields(const Target& target, Vec2 value, float width,
-                                                  bool one_row) {
+std::optional<Vec2> PropertyEditor::vector_fields(const Target& target, Vec2 value, float width) {
     NumberLook look = look_of(*target.property);
     look.unit = {};
     float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     float half = std::floor((width - gap) / 2);
-    const bool beside = one_row || half >= component_width();
+    const bool beside = RowLayout::fits_two(width);
     look.label = "x";
     auto x = fields_.number("##x", value.x, look, beside ? half : width);
     if (beside) ImGui::SameLine(0, gap);
@@ -337,8 +304,7 @@ std::optional<Vec2> PropertyEditor::vector_fields(const Target& target, Vec2 val
 }
 
 void PropertyEditor::vector(const Target& target, const Value& value, float width) {
-    if (auto changed = vector_fields(target, value.vec2(), width, false))
-        write(target, Value(*changed));
+    if (auto changed = vector_fields(target, value.vec2(), width)) write(target, Value(*changed));
 }
 
 /// A square that opens the picker, and the color as text: "#e9ecef", a name, or "is" and a formula.
@@ -379,7 +345,7 @@ void PropertyEditor::editable_reference(const Target& target, Handle to, float w
         reference(to, width);
         return;
     }
-    reference(to, width - button_width());
+    reference(to, width - RowLayout::button_width());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     const auto chosen = references_.draw(*target.property, to);
     if (fields_.focus_stop("##choose")) compat::press("##choose");
@@ -399,85 +365,6 @@ void PropertyEditor::nil(const Target& target, float width) {
     if (width <= 0) return;
     const bool set = low_button("set");
     if (fields_.focus_stop("set") || set) write(target, zero_of(type));
-}
-
-// --- Lists
-
-void PropertyEditor::list(const Target& target, const Value& value, float width) {
-    const List& elements = value.list();
-    std::string head =
-        elements.size() == 1 ? "1 value" : std::to_string(elements.size()) + " values";
-    int flags = ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_FramePadding |
-                ImGuiTreeNodeFlags_SpanAvailWidth;
-    const bool open = ImGui::TreeNodeEx("##list", flags, "%s", head.c_str());
-    if (fields_.focus_stop("##list"))
-        ImGui::GetStateStorage()->SetBool(ImGui::GetID("##list"), !open);
-    if (!open) return;
-    float row = ImGui::GetFrameHeightWithSpacing();
-    auto count = static_cast<int>(elements.size());
-    ImGui::BeginChild("elements",
-                      ImVec2(width, row * static_cast<float>(std::min(count, visible_elements))));
-    float inner = ImGui::GetContentRegionAvail().x;
-    ImGuiListClipper clipper;
-    clipper.Begin(count, row);
-    while (clipper.Step())
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            ImGui::PushID(i);
-            element(target, elements, static_cast<std::size_t>(i), inner);
-            ImGui::PopID();
-        }
-    ImGui::EndChild();
-    if (target.property->read_only) return;
-    if (low_button("+ add")) {
-        List longer = elements;
-        longer.push_back(added_to(elements, target.property->element));
-        write(target, Value(std::move(longer)));
-    }
-}
-
-void PropertyEditor::element(const Target& target, const List& elements, std::size_t index,
-                             float width) {
-    bool fixed = target.property->read_only;
-    float remove = fixed ? 0 : ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
-    std::string number = std::to_string(index + 1);
-    float digits = text_width(std::to_string(elements.size())) + ImGui::GetStyle().ItemSpacing.x;
-    float start = ImGui::GetCursorPosX();
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", number.c_str());
-    ImGui::SameLine(start + digits);
-    float room = width - digits - remove;
-    const Value& old = elements[index];
-    std::optional<Value> changed;
-    bool gone = false;
-    if (old.is(Type::reference)) {
-        reference(old.reference(), room);
-    } else {
-        ImGui::BeginDisabled(fixed);
-        if (old.is(Type::vec2)) {
-            if (auto v = vector_fields(target, old.vec2(), room, true)) changed = Value(*v);
-        } else if (old.is_numeric()) {
-            NumberLook look = look_of(*target.property);
-            look.integer = old.is(Type::integer);
-            if (auto v = fields_.number("##value", old.as_double(), look, room))
-                changed = look.integer ? Value(static_cast<std::int64_t>(*v)) : Value(*v);
-        } else if (old.is(Type::text)) {
-            if (auto v = fields_.text("##value", old.text(), room)) changed = Value(*v);
-        } else {
-            text_line(tree_.text(old, target.property->precision()));
-        }
-        ImGui::EndDisabled();
-    }
-    if (!fixed) {
-        ImGui::SameLine(start + width - ImGui::GetFrameHeight());
-        gone = small_button("remove", "×", "remove this value");
-    }
-    if (!changed && !gone) return;
-    List edited = elements;
-    if (gone)
-        edited.erase(edited.begin() + static_cast<std::ptrdiff_t>(index));
-    else
-        edited[index] = *changed;
-    write(target, Value(std::move(edited)));
 }
 
 }  // namespace fettle::console

@@ -15,6 +15,7 @@
 
 #include <editing/mixed_values.h>
 #include <editing/reference_picker.h>
+#include <editing/row_layout.h>
 #include <look/fields.h>
 #include <look/rect.h>
 
@@ -47,7 +48,9 @@ class PropertyEditor {
     }
     /// Must be called before the rows of an instance, with all of them: makes their column of names
     /// wide enough for the longest one, as far as the values leave room.
-    void fit_labels(const std::vector<const property::Property*>& properties);
+    void fit_labels(const std::vector<const property::Property*>& properties) {
+        layout_.fit(properties);
+    }
     /// True if something was edited; then other properties may not exist any more.
     bool draw(property::Handle instance, const property::Property& property, ImFont* bold);
     /// Must be called once per frame, before all rows, and `end_frame` after them.
@@ -85,14 +88,6 @@ class PropertyEditor {
     bool reset_button(const Target& target);
     /// Draws a line of text below the widget.
     void remark(float left, ImU32 color, const std::string& text);
-    /// The width that the name of a property needs, with its marks.
-    static float name_width(const property::Property& property);
-    /// The width of the column of names in a row with so much room.
-    float label_column(float available) const;
-    /// The least width of a field of a vector that has another one beside it.
-    static float component_width();
-    /// Width of a small button after a value.
-    static float button_width();
     bool written_by_simulation(property::Handle instance, const property::Property& property) const;
     void mixed_line(const Target& target, float start, float indent, const std::string& text);
     void offer_menu(const Target& target);
@@ -100,7 +95,7 @@ class PropertyEditor {
     static float gutter_width(float available);
     static constexpr float wide_enough = 40;  // font heights
     void gutter(const Target& target, ImVec2 at, float width);
-    void widget(const Target& target, const property::Value& value, float width);
+    void widget(const Target& target, const property::Value& value, float width, float before);
     /// The line for a formula, in place of the widget. False if no formula is typed here.
     bool formula_line(const Target& target, const std::string& source, float width);
     /// Defines a formula for the instance and the other selected ones.
@@ -115,13 +110,16 @@ class PropertyEditor {
     void reference(property::Handle to, float width);
     void editable_reference(const Target& target, property::Handle to, float width);
     void nil(const Target& target, float width);
-    void list(const Target& target, const property::Value& value, float width);
+    /// Its elements may begin `before` pixels further left, where they need more than `width`.
+    void list(const Target& target, const property::Value& value, float width, float before);
     void element(const Target& target, const property::List& elements, std::size_t index,
                  float width);
     /// The new vector if one of its two fields changed. Where both do not fit side by side, they
-    /// are one above the other, unless they must be in `one_row`.
+    /// are one above the other.
     std::optional<property::Vec2> vector_fields(const Target& target, property::Vec2 value,
-                                                float width, bool one_row);
+                                                float width);
+    /// The value that a property of that type gets first.
+    static property::Value zero_of(property::Type type);
     static NumberLook look_of(const property::Property& property);
     void write(const Target& target, const property::Value& value);
     /// Runs an edit; the text of its exception is shown below the row.
@@ -135,8 +133,7 @@ class PropertyEditor {
                            const property::Value& before, const property::Value& after) const;
 
     property::Tree& tree_;
-    std::vector<const property::Property*> fitted_;  // whose names `widest_label_` is for
-    float fitted_size_ = 0, widest_label_ = 0;
+    RowLayout layout_;
     MixedValues mixed_;
     Fields fields_;
     ReferencePicker references_;

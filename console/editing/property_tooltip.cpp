@@ -20,7 +20,7 @@ void PropertyEditor::tooltip(const Target& target, ImFont* bold) {
     ImGui::PopStyleColor();
     if (!target.property->doc.empty()) {
         const FontScope font(fonts().sans);
-        text_line(target.property->doc);
+        text_line(script::shown_doc(target.property->doc));
     }
     std::string sources;  // a mass has many
     for (const std::string& source : target.property->derives_from)

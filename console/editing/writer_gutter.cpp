@@ -60,7 +60,7 @@ void PropertyEditor::gutter(const Target& target, ImVec2 at, float width) {
         list.AddRectFilled(ImVec2(middle - 1.5f, at.y + 0.2f * height),
                            ImVec2(middle + 1.5f, at.y + 0.8f * height), color, 1.5f);
     }
-    if (hovered) ImGui::SetTooltip("written last by %s", written.cause.text().c_str());
+    if (hovered) show_tip("written last by " + written.cause.text());
     if (clicked && go_to_write)
         go_to_write(written.cause, tree_.path(target.instance, *target.property));
 }

@@ -21,7 +21,7 @@ bool can_be_plotted(const property::Property& property) {
 bool ContextMenu::item(const char* label, const char* tip) {
     const bool chosen = ImGui::MenuItem(label);
     drawn_.emplace_back(label, item_rect());
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+    if (ImGui::IsItemHovered()) show_tip_beside(tip);
     return chosen;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <fettle/property/natural_order.h>
+#include <fettle/script/reference.h>
 
 #include <inspector/several.h>
 #include <look/imgui_compat.h>
@@ -149,9 +150,29 @@ bool Inspector::tab(bool back) {
     return true;
 }
 
-void Inspector::draw(ImFont* bold) {
+/// Shows the row of the selected instance again after it, or an instance above it, got another
+/// parent.
+void Inspector::follow_selected() {
+    if (!tree_.alive(selected())) return;
+    std::string path = tree_.path(selected());
+    if (path == last_path_) return;
+    last_path_ = std::move(path);
+    outline_.reveal(selected());
+    scroll_to_selected_ = true;
+}
+
+float Inspector::height_without_selection(float whole) const {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float above = style.WindowPadding.y + ImGui::GetFrameHeight() + style.ItemSpacing.y;
+    const float below = 4 * style.ItemSpacing.y + 2 * ImGui::GetTextLineHeight();  // the hint
+    const float available = whole - above - style.WindowPadding.y;
+    return std::min(whole, above + available * outline_share_ + button_height() + below);
+}
+
+void Inspector::draw(ImFont* bold, float left_out) {
     editor_.begin_frame();
     pointed_ = {};
+    follow_selected();
     draw_search();
     if (!outline_.problem().empty()) {
         ImGui::PushTextWrapPos(0);
@@ -160,23 +181,18 @@ void Inspector::draw(ImFont* bold) {
         ImGui::PopStyleColor();
         ImGui::PopTextWrapPos();
     }
-    float available = ImGui::GetContentRegionAvail().y;
-    bool alone = !tree_.alive(selected());
-    const std::string instead =
-        selected() ? last_path_ + " was deleted" : "Click a body in the game, or a name above.";
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float below = ImGui::CalcTextSize(instead.c_str(), nullptr, false, width).y +
-                        3 * ImGui::GetStyle().ItemSpacing.y;
-    draw_outline(
-        std::max(1.0f, std::floor(alone ? available - below : available * outline_share_)));
-    if (!alone) draw_splitter();
+    // Whether or not something is selected, so that a selection moves nothing.
+    const float available = ImGui::GetContentRegionAvail().y + left_out;
+    draw_outline(std::max(1.0f, std::floor(available * outline_share_)));
+    draw_splitter();
     if (!tree_.alive(selected())) {
+        const std::string instead =
+            selected() ? last_path_ + " was deleted" : "Click a body in the game, or a name above.";
         ImGui::Spacing();
         ImGui::PushTextWrapPos(0);
         ImGui::TextDisabled("%s", instead.c_str());
         ImGui::PopTextWrapPos();
     } else {
-        last_path_ = tree_.path(selected());
         selection_.drop_deleted();
         editor_.also_edit(selection_.others(), selection_.revision());
         if (selection_.others().empty())
@@ -295,7 +311,8 @@ void Inspector::draw_splitter() {
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + thickness + ImGui::GetStyle().ItemSpacing.y));
     bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
     if (hot) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
-    if (ImGui::IsItemActive()) {
+    // The motion before the press does not count.
+    if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) {
         float whole = std::max(1.0f, ImGui::GetWindowHeight());
         outline_share_ =
             std::clamp(outline_share_ + ImGui::GetIO().MouseDelta.y / whole, 0.1f, 0.85f);
@@ -355,8 +372,8 @@ void Inspector::draw_several(ImFont* bold) {
     for (const int axis : {0, 1}) {
         if (button(axis == 0 ? "Align x" : "Align y")) align(tree_, selection(), axis);
         if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("Gives all the mean of their positions along %c",
-                              axis == 0 ? 'x' : 'y');
+            show_tip(std::string("Gives all the mean of their positions along ") +
+                     (axis == 0 ? "x" : "y"));
     }
 }
 
@@ -442,7 +459,7 @@ void Inspector::draw_methods() {
         if (ImGui::IsItemHovered() && !method->doc.empty()) {
             ImGui::BeginTooltip();
             ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
-            text_line(method->doc);
+            text_line(script::shown_doc(method->doc));
             ImGui::PopTextWrapPos();
             ImGui::EndTooltip();
         }

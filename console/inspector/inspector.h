@@ -56,8 +56,12 @@ class Inspector {
     /// Scrolls to a property of the selected instance.
     void show(const property::Property& property) { scroll_to_property_ = property.name; }
 
-    /// Draws into the current ImGui window.
-    void draw(ImFont* bold);
+    /// Draws into the current ImGui window. `left_out`: how much higher the window is with a
+    /// selection, in pixels.
+    void draw(ImFont* bold, float left_out = 0);
+    /// The height that the search, the tree and a hint need in a window whose height is `whole`
+    /// with a selection: the tree stays as it is when something is selected.
+    float height_without_selection(float whole) const;
     bool about_to_type() const { return frames_to_search_ > 0 || editor_.about_to_type(); }
     /// The search field gets the keyboard in the next frames.
     void begin_search() { frames_to_search_ = 4; }
@@ -72,6 +76,7 @@ class Inspector {
     PropertyEditor& editor() { return editor_; }
 
   private:
+    void follow_selected();
     void draw_search();
     void move_through_rows();
     void choose_focused_row();

@@ -34,6 +34,7 @@ void InstanceTree::fold(Handle instance, bool unfolded) {
 void InstanceTree::reveal(Handle instance) {
     for (Handle above = tree_.parent(instance); above; above = tree_.parent(above))
         if (!unfolded(above)) fold(above, true);
+    stale_ = true;  // it may have been moved there
 }
 
 void InstanceTree::search(std::string_view text) {

@@ -59,16 +59,15 @@ void draw_number_frame(ImVec2 low, ImVec2 high, double value, const NumberLook& 
     float room = high.x - style.FramePadding.x - at.x;
     const float unit = look.unit.empty() ? 0 : text_width(" ") + text_width(look.unit);
     std::string shown = look.integer ? digits : short_number(value);
-    for (int precision = 3; precision > 0 && text_width(shown) + unit > room; --precision)
-        shown = short_number(value, precision);
+    for (int precision = 4; precision > 0 && text_width(shown) + unit > room; --precision)
+        shown = narrow_number(value, precision);
     draw_text_fit(list, at, with_alpha(palette::text, alpha), shown, std::max(1.0f, room - unit));
     const float used = std::min(text_width(shown), room - unit) + text_width(" ");
     if (!look.unit.empty())
         draw_text(list, ImVec2(at.x + used, at.y), with_alpha(palette::dim, alpha), look.unit);
     // While the user types, and in the tooltip, all digits are shown.
     if (shown != digits && ImGui::IsItemHovered() && !ImGui::IsItemActive())
-        ImGui::SetTooltip("%s%s%.*s", digits.c_str(), look.unit.empty() ? "" : " ",
-                          static_cast<int>(look.unit.size()), look.unit.data());
+        show_tip(look.unit.empty() ? digits : digits + " " + std::string(look.unit));
 }
 
 /// The part of a motion of the mouse that a drag follows.

@@ -179,6 +179,32 @@ float text_width(std::string_view whole) {
     return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }
 
+std::string tip_lines(std::string_view text) {
+    constexpr float widest = 36;  // ems
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float room = ImGui::GetIO().DisplaySize.x - 2 * style.WindowPadding.x - 8;
+    return wrapped(text, std::min(widest * ImGui::GetFontSize(), room));
+}
+
+void show_tip(std::string_view text) {
+    ImGui::SetTooltip("%s", widget_text(tip_lines(text)).c_str());
+}
+
+void show_tip_beside(std::string_view text) {
+    constexpr float gap = 4;
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding, screen = ImGui::GetIO().DisplaySize;
+    const ImVec2 lines = ImGui::CalcTextSize(tip_lines(text).c_str());
+    const float wide = lines.x + 2 * padding.x, tall = lines.y + 2 * padding.y;
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const float y = std::min(ImGui::GetItemRectMin().y, screen.y - gap - tall);
+    const float right = low.x + size.x + gap;
+    if (right + wide <= screen.x)
+        ImGui::SetNextWindowPos(ImVec2(right, y));
+    else if (low.x - gap >= wide)
+        ImGui::SetNextWindowPos(ImVec2(low.x - gap - wide, y));
+    show_tip(text);
+}
+
 float button_height() {
     constexpr float least = 16;
     return std::max(least, std::ceil(ImGui::GetTextLineHeight()) + 2);
@@ -190,6 +216,23 @@ bool low_button(const char* label) {
                         ImVec2(ImGui::GetStyle().FramePadding.x, padding));
     const bool pressed = ImGui::Button(label);
     ImGui::PopStyleVar();
+    return pressed;
+}
+
+bool small_button(const char* id, const char* sign, const char* tip) {
+    float side = ImGui::GetFrameHeight();
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    bool pressed = ImGui::InvisibleButton(id, ImVec2(side, side));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    bool hovered = ImGui::IsItemHovered();
+    if (hovered) {
+        list.AddRectFilled(at, ImVec2(at.x + side, at.y + side), palette::hover,
+                           ImGui::GetStyle().FrameRounding);
+        show_tip(tip);
+    }
+    ImVec2 middle(at.x + (side - text_width(sign)) / 2,
+                  at.y + (side - ImGui::GetTextLineHeight()) / 2);
+    draw_text(list, middle, hovered ? palette::accent : palette::dim, sign);
     return pressed;
 }
 
@@ -228,16 +271,16 @@ void draw_path_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view pa
     draw_text(list, at, color, path);
 }
 
-void draw_text_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width) {
-    if (text_width(text) <= width) {
-        draw_text(list, at, color, text);
-        return;
-    }
-    float room = width - text_width("…");
+std::string shortened(std::string_view text, float width) {
+    if (text_width(text) <= width) return std::string(text);
+    const float room = width - text_width("…");
     std::size_t end = text.size();
     while (end > 0 && text_width(text.substr(0, end)) > room) end = previous_code_point(text, end);
-    float used = draw_text(list, at, color, text.substr(0, end));
-    if (room >= 0) draw_text(list, ImVec2(at.x + used, at.y), color, "…");
+    return std::string(text.substr(0, end)) + (room >= 0 ? "…" : "");
+}
+
+void draw_text_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width) {
+    draw_text(list, at, color, shortened(text, width));
 }
 
 }  // namespace fettle::console

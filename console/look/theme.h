@@ -70,19 +70,29 @@ ImVec4 vector(ImU32 color);
 
 /// Draws a text and returns its width.
 float draw_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text);
-/// The same, shortened with an ellipsis to `width`.
+/// The text, shortened with an ellipsis to `width`.
+std::string shortened(std::string_view text, float width);
+/// Draws a text, shortened with an ellipsis to `width`.
 void draw_text_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width);
-/// The same for a path: its end matters most, so the ellipsis is in front.
+/// The same for a path, whose end matters most: the ellipsis is in front.
 void draw_path_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view path, float width);
 float text_width(std::string_view text);
 /// A text for a widget of Dear ImGui, which otherwise lacks characters (ExtraGlyphs).
 std::string widget_text(std::string_view text);
 /// An item of that text, as ImGui::TextUnformatted makes one.
 void text_line(std::string_view text);
+/// A tooltip, with line breaks where it would be too wide. `show_tip_beside` draws it beside the
+/// present window, a menu, so that it covers no other entry.
+void show_tip(std::string_view text);
+void show_tip_beside(std::string_view text);
+/// The text as a tooltip breaks its lines.
+std::string tip_lines(std::string_view text);
 /// The height of low buttons in pixels: that of a line, but enough to click on them.
 float button_height();
 /// A button that fits between lines of text.
 bool low_button(const char* label);
+/// A square button with a sign and a tooltip; it has no background until the mouse is over it.
+bool small_button(const char* id, const char* sign, const char* tip);
 /// The text with line breaks in place of blanks, so that it fits into `width` if possible. Dear
 /// ImGui itself also breaks lines at dots, inside of numbers and paths.
 std::string wrapped(std::string_view text, float width);

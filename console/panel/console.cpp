@@ -220,6 +220,7 @@ void Console::State::open(bool opened) {
 /// Any code may set `console.open` and `console.pauses`, so the settings are read every time.
 void Console::State::follow_settings() {
     bool opened = is_open();
+    status.used = status.used || opened;
     if (opened && !status.was_open && !status.greeted) {
         status.greeted = true;
         log.note("any Lua · Tab completes · path? explains · click a body to edit it");
@@ -407,7 +408,8 @@ void Console::draw(app::Surface& surface, double seconds) {
     s.screen.height = std::min(surface.height(), largest);
     s.follow_settings();
     s.views.time_bar.play_on(seconds);
-    if (!s.status.was_open) return;
+    if (!s.status.was_open) return s.draw_paused_sign(surface);
+    s.screen.paused_sign = {};
     s.frame(seconds);
     s.ui.draw(surface);
 }

@@ -114,6 +114,7 @@ bool Console::State::run_key(const InputEvent& event) {
     const std::string command = observing.command_of_key(event.name);
     if (command.empty() || input.keys.held_by_game(event.name)) return false;
     input.keys.press(event.name, HeldKeys::Owner::console);
+    status.used = true;
     if (!event.repeated) run(command);
     input.swallow_text = !status.was_open;  // the character that the key types
     return true;
@@ -253,6 +254,10 @@ bool Console::State::mouse(const InputEvent& event) {
             if (over) {
                 input.buttons.press(event.name, HeldKeys::Owner::console);
                 feed(event);
+                return true;
+            }
+            if (click_paused_sign(event)) {
+                input.buttons.press(event.name, HeldKeys::Owner::console);
                 return true;
             }
             if (status.was_open && (event.name == "left" || event.name == "right") &&

@@ -209,7 +209,11 @@ float Console::State::legend_room() const {
 }
 
 app::ClipRectangle Console::State::free_area(const app::ClipRectangle& whole) const {
-    if (!status.was_open) return whole;
+    if (!status.was_open) {
+        const Rect& sign = screen.paused_sign;
+        if (sign.empty()) return whole;
+        return {whole.left, whole.top, whole.width, std::max(0.0f, sign.low.y - whole.top)};
+    }
     const Rect& side = screen.inspector_rect;
     const bool is_beside = side.low.y < screen.panel_rect.high.y;
     const float top = std::max({whole.top, screen.panel_rect.high.y, is_beside ? 0 : side.high.y});
@@ -229,7 +233,7 @@ float Console::State::free_above() const {
 }
 
 /// Draws the time bar along the lower edge. Its width leaves room for the inspector even while that
-/// does not reach down so far, so that a selection moves nothing.
+/// does not reach down so far.
 void Console::State::draw_time_bar(float right) {
     if (!settings.flag("time_bar") || !views.time_bar.available()) return views.time_bar.hide();
     const float low = screen.height - margin;
@@ -242,16 +246,20 @@ void Console::State::draw_time_bar(float right) {
 void Console::State::draw_in_game() {
     if (!options.to_pixels || (options.game_covered && options.game_covered())) return;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    app::ClipRectangle free{0, 0, screen.width, screen.height};
+    if (options.free_of_others) free = options.free_of_others(free);
+    list.PushClipRect(ImVec2(free.left, free.top),
+                      ImVec2(free.left + free.width, free.top + free.height));
     ghosts.update(static_cast<double>(settings.number("ghost_time")));
     ghosts.draw(list, options.to_pixels);
     if (tree.alive(inspector.selected()) && shows("onion_skins"))
         onion_skins.draw(list, options.to_pixels);
     draw_outlines();
+    list.PopClipRect();
 }
 
 /// Draws two runs between the panel and the views at the lower edge. They have all of the width,
-/// because the inspector beside the panel then ends where the panel ends, so that a selection moves
-/// nothing.
+/// because the inspector beside the panel then ends where the panel ends.
 void Console::State::draw_comparison(double seconds) {
     if (!comparison.shown() || !options.to_world) return views.compare_view.hide();
     const float top = screen.panel_rect.high.y + margin;
@@ -385,10 +393,8 @@ void Console::State::draw_height_handle() {
 
 void Console::State::draw_inspector(float left, float inspector_width) {
     ImGui::SetNextWindowPos(ImVec2(left, margin));
-    // If nothing is selected, there is only the outline, and the game is visible below it. Two runs
-    // are below it whether something is selected or not.
-    const bool whole = tree.alive(inspector.selected()) && comparison_height() == 0;
-    const float tall = whole ? screen.height - 2 * margin : panel_height();
+    // Two runs are below it. It is as high without a selection, so that a selection moves nothing.
+    const float tall = comparison_height() == 0 ? screen.height - 2 * margin : panel_height();
     ImGui::SetNextWindowSize(ImVec2(inspector_width, tall));
     ImGui::SetNextWindowBgAlpha(settings.number("opacity"));
     ImGui::Begin("##inspector", nullptr, panel_flags);
@@ -399,23 +405,24 @@ void Console::State::draw_inspector(float left, float inspector_width) {
 }
 
 /// Draws the inspector in the room between the panel and the views at the lower edge, if there is
-/// enough. If nothing is selected, the game is visible in the lower half.
+/// enough. If nothing is selected, the game is visible below the tree, so that it can be clicked.
 void Console::State::draw_inspector_below() {
     const float least = least_inspector * ImGui::GetFontSize();
     const Rect& runs = views.compare_view.rect();
     const float top = (runs.empty() ? screen.panel_rect : runs).high.y + margin;
     const float room = free_above() - legend_room() - top;
-    const float tall = tree.alive(inspector.selected()) ? room : std::max(least, room / 2);
     if (!settings.flag("inspector") || room < least) {
         screen.inspector_rect = {};
         return inspector.editor().end_drag();
     }
     ImGui::SetNextWindowPos(ImVec2(margin, top));
+    const bool whole = tree.alive(inspector.selected());
+    const float tall = whole ? room : inspector.height_without_selection(room);
     ImGui::SetNextWindowSize(ImVec2(screen.width - 2 * margin, tall));
     ImGui::SetNextWindowBgAlpha(settings.number("opacity"));
     ImGui::Begin("##inspector", nullptr, panel_flags);
     screen.inspector_rect = window_rect();
-    inspector.draw(ui.bold());
+    inspector.draw(ui.bold(), room - tall);
     ImGui::End();
 }
 

@@ -83,6 +83,7 @@ struct Screen {
     Rect panel_rect, inspector_rect, filter_rect;
     Rect height_edge, width_edge;  // of the panel and of the inspector, to be dragged
     Rect plot_edge;                // the upper edge of the plot
+    Rect paused_sign;              // while the console is closed
     bool popup_open = false;
     bool building = false;     // a frame is being built; no other may begin inside it
     std::string part_problem;  // the last one in the log
@@ -92,6 +93,7 @@ struct Screen {
 struct Status {
     bool was_open = false;
     bool greeted = false;
+    bool used = false;     // the player has opened it, or has pressed a key that has a command
     bool pausing = false;  // the console has paused the game's time
     bool time_was_paused = false;
     bool restored = false;               // what was pinned and plotted in earlier runs
@@ -183,6 +185,11 @@ struct Console::State {
     void look_at_step(std::uint64_t step);
     void follow_link(std::string_view path, bool insert);
     bool is_link(std::string_view path) const;
+
+    // --- While it is closed (paused_sign.cpp)
+    bool hides_pause() const;
+    void draw_paused_sign(app::Surface& surface);
+    bool click_paused_sign(const app::InputEvent& event);
 
     // --- Appearance (layout.cpp, title.cpp)
     void frame(double seconds);

@@ -72,7 +72,7 @@ property::ClassDescriptor console_class() {
                         "Factor of the size of the text, and of what is measured by it."));
     list.push_back(number_property("height", 0.45, {0.15, 1}, "",
                                    "Height of the console as a share of the window."));
-    list.push_back(number_property("inspector_width", 380, {200, 2000}, "px",
+    list.push_back(number_property("inspector_width", 420, {200, 2000}, "px",
                                    "Width of the inspector at a scale of 1."));
     list.push_back(number_property("plot_height", 0, {0, 4000}, "px",
                                    "Height of the curves of a plot at a scale of 1, as far as the "

@@ -6,6 +6,13 @@
 
 namespace fettle::console {
 
+bool is_keyword(std::string_view word) {
+    static constexpr std::array<std::string_view, 20> keywords = {
+        "and", "break", "do", "else", "elseif", "end",    "for",    "function", "goto",  "if",
+        "in",  "local", "is", "not",  "or",     "repeat", "return", "then",     "until", "while"};
+    return std::ranges::find(keywords, word) != keywords.end();
+}
+
 namespace {
 
 bool digit(char c) {
@@ -17,10 +24,6 @@ bool letter(char c) {
 bool blank(char c) {
     return c == ' ' || c == '\t' || c == '\n';
 }
-
-constexpr std::array<std::string_view, 20> keywords = {
-    "and", "break", "do", "else", "elseif", "end",    "for",    "function", "goto",  "if",
-    "in",  "local", "is", "not",  "or",     "repeat", "return", "then",     "until", "while"};
 
 class Lexer {
   public:
@@ -115,8 +118,7 @@ class Lexer {
             return Token::constant;
         bool simple = true;
         while (take_path_part()) simple = false;
-        if (simple && std::find(keywords.begin(), keywords.end(), first) != keywords.end())
-            return output_ ? Token::plain : Token::keyword;
+        if (simple && is_keyword(first)) return output_ ? Token::plain : Token::keyword;
         return output_ && simple ? Token::plain : Token::path;
     }
 

@@ -25,6 +25,9 @@ struct Span {
     Token token;
 };
 
+/// Whether it is a word of Lua, which is no name.
+bool is_keyword(std::string_view word);
+
 /// Tokens of a line of Lua as typed; only blanks lie between them. Accepts any text.
 std::vector<Span> highlight_command(std::string_view line);
 /// Tokens of a printed line: numbers, quoted strings, paths, arrows, problems; other text is plain.

@@ -13,41 +13,57 @@
 
 namespace fettle::console {
 
+namespace {
+
+/// The exponent of a number without zeros and plus in front: "1.5e-6".
+std::string with_short_exponent(std::string shown) {
+    const std::size_t exponent = shown.find('e') + 1;
+    if (exponent == 0) return shown;
+    const std::size_t sign = shown[exponent] == '-' ? 1 : 0;
+    const std::size_t first = shown.find_first_not_of("+-0", exponent);
+    return shown.erase(exponent + sign, first - exponent - sign);
+}
+
+std::string printed(const char* format, int digits, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, digits, value);
+    return text;
+}
+
+}  // namespace
+
 std::string short_number(double value, int digits) {
     if (!std::isfinite(value)) return property::number_text(value);
     if (std::abs(value) < 1e-6) return "0";
     const double size = std::abs(value);
-    char text[64];
-    if (digits == 1 && size < 1e-2) {  // "3e-4" is shorter than "0.0003"
-        std::snprintf(text, sizeof text, "%.0e", value);
-        std::string shown = text;
-        return shown.erase(shown.find("-0") + 1, 1);
-    }
-    if (size >= 1e7 || size < 1e-3) {
-        std::snprintf(text, sizeof text, "%.*g", digits, value);
-        return text;
-    }
+    if (size >= 1e7 || size < 1e-3) return with_short_exponent(printed("%.*g", digits, value));
     const int before = std::max(0, static_cast<int>(std::floor(std::log10(size))) + 1);
     const int leading = size < 1 ? -static_cast<int>(std::floor(std::log10(size))) - 1 : 0;
     const int decimals = std::max(0, digits - before + leading);
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    std::string shown = text;
+    std::string shown = printed("%.*f", decimals, value);
     if (shown.find('.') == std::string::npos) return shown;
     while (shown.back() == '0') shown.pop_back();
     if (shown.back() == '.') shown.pop_back();
     return shown;
 }
 
+std::string narrow_number(double value, int digits) {
+    const std::string usual = short_number(value, digits);
+    if (!std::isfinite(value) || usual == "0") return usual;
+    const std::string other = with_short_exponent(printed("%.*e", digits - 1, value));
+    return other.size() < usual.size() ? other : usual;
+}
+
 std::string aligned_number(double value, double largest, int digits) {
     const auto shown = static_cast<std::size_t>(digits);
     std::size_t beside = 3;  // a sign, and "0."
     if (largest >= 1e-6 && largest < 1e-3)
-        beside = 6;  // a sign, a point, and "e-05"
+        beside = 5;  // a sign, a point, and "e-5"
     else if (largest >= 1e-3 && largest < 1e-1)
         beside += static_cast<std::size_t>(-std::floor(std::log10(largest))) - 1;
     const std::size_t width = std::max(shown + beside, short_number(-largest, digits).size());
     std::string text = short_number(value, digits);
-    while (text.size() > width && --digits > 0) text = short_number(value, digits);
+    for (; text.size() > width && digits > 0; --digits) text = narrow_number(value, digits);
     return std::string(width - std::min(width, text.size()), ' ') + text;
 }
 

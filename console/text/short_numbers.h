@@ -11,6 +11,9 @@ namespace fettle::console {
 /// A number for people: `digits` significant digits, but all digits before the point; 0 below 1e-6.
 std::string short_number(double value, int digits = 4);
 
+/// The same for a narrow place: 0.0001235 becomes 1.235e-4.
+std::string narrow_number(double value, int digits = 4);
+
 /// A short number for a place whose width stays the same while the number changes: blanks stand
 /// before it. The place has room for numbers up to the size of `largest` with a sign; a number that
 /// is far smaller has fewer digits.

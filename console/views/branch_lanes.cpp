@@ -71,7 +71,7 @@ void TimeBar::draw_lane(const Times& now, const OtherBranch& branch, const Rect&
 bool TimeBar::entry(const char* label, const char* tip_text) {
     const bool chosen = ImGui::MenuItem(label);
     entries_.emplace_back(label, item_rect());
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip_text);
+    if (ImGui::IsItemHovered()) show_tip_beside(tip_text);
     return chosen;
 }
 

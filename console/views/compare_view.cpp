@@ -109,7 +109,7 @@ void CompareView::draw_title(const Rect& place, const std::string& name, const s
     const Rect bar{place.low, ImVec2(place.high.x - 1.4f * em, place.low.y + 1.4f * em)};
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (text_width(what) > room && ImGui::IsWindowHovered() && bar.contains(mouse.x, mouse.y))
-        ImGui::SetTooltip("%s", widget_text(what).c_str());
+        show_tip(what);
 }
 
 /// Says at the lower edge of a run what its picture lacks.
@@ -256,7 +256,7 @@ void CompareView::draw(const Rect& place, const property::Tree& tree, const Comp
     draw_text(*ImGui::GetWindowDrawList(),
               ImVec2(close_.low.x + 0.4f * em, close_.low.y + 0.2f * em),
               ImGui::IsItemHovered() ? palette::accent : palette::dim, "×");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("end the comparison");
+    if (ImGui::IsItemHovered()) show_tip("end the comparison");
     if (pressed && close) close();
     ImGui::End();
 }

@@ -84,8 +84,7 @@ void draw_box(ImDrawList& list, const Rect& place, ImU32 color, const std::strin
     if (text_width(label) <= room)
         draw_text(list, ImVec2(place.low.x + 4, place.low.y + 1), ink, label);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (ImGui::IsWindowHovered() && place.contains(mouse.x, mouse.y))
-        ImGui::SetTooltip("%s", whole.c_str());
+    if (ImGui::IsWindowHovered() && place.contains(mouse.x, mouse.y)) show_tip(whole);
 }
 
 }  // namespace
@@ -131,7 +130,7 @@ Rect FrameView::draw_buttons(const app::FrameLog& log) {
     const auto [pressed, place] = button("worst", label, close_place.low.x - pad, palette::accent);
     worst_ = place;
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("pause, and go to the step of the frame that worked longest");
+        show_tip("pause, and go to the step of the frame that worked longest");
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + side + 4));
     if (pressed && worst) choose(*worst, log);
     if (closed && close) close();

@@ -383,10 +383,10 @@ void LogView::mouse(ImVec2 origin, float line_height, float cell) {
         if (found != nullptr)
             for (const ShortNumber& number : found->numbers)
                 if (point.offset >= number.begin && point.offset < number.end)
-                    ImGui::SetTooltip("%s", number.whole.c_str());
+                    show_tip(number.whole);
         if (found != nullptr && !found->file.empty()) {
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-            ImGui::SetTooltip("A click copies the path of the file");
+            show_tip("A click copies the path of the file");
             if (ImGui::IsMouseClicked(0) && take_file) return take_file(std::string(found->file));
         }
         if (found != nullptr && found->kind == LineKind::fold) {

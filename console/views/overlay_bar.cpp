@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <fettle/script/reference.h>
+
 #include <look/theme.h>
 
 namespace fettle::console {
@@ -157,7 +159,7 @@ bool OverlayBar::draw_button(const Property& property, bool on, bool worded) {
     if (worded)
         draw_text(list, ImVec2(place.low.x + 2 * pad + 2 * icon, place.low.y + 2), color,
                   label_of(property));
-    if (hovered) ImGui::SetTooltip("view.show.%s\n%s", property.name.c_str(), property.doc.c_str());
+    if (hovered) show_tip("view.show." + property.name + "\n" + script::shown_doc(property.doc));
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     return pressed;
 }

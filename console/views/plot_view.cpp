@@ -187,8 +187,8 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
                     : shown.is(property::Type::boolean) ? property::Value(s->x != 0)
                                                         : property::Value(s->x);
         const bool fails = !trace.problem().empty();
-        const std::string value =
-            fails ? trace.problem()
+        const ObservedText value =
+            fails ? ObservedText{trace.problem()}
                   : observed_text(tree, shown, trace.what().unit, trace.largest());
         const float y = at.y + static_cast<float>(i) * legend_line();
         float x = at.x;
@@ -199,19 +199,19 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
                                color_of(plots, i, true));
         x += em * 1.1f;
         // A long error leaves half of the line for the name.
-        const float width = std::min(text_width(value), fails ? (right - x) / 2 : right - x);
+        const float width = std::min(value.place(), fails ? (right - x) / 2 : right - x);
         const float name =
             std::max(em, std::min(text_width(trace.what().text), right - x - width - em));
         draw_path_fit(list, ImVec2(x, y), palette::text, trace.what().text, name);
         x += name + em * 0.5f;
-        draw_text_fit(list, ImVec2(x, y), fails ? palette::error : palette::number, value,
+        draw_text_fit(list, ImVec2(x, y), fails ? palette::error : palette::number, value.text,
                       std::max(1.0f, right - x));
         const Rect line{ImVec2(at.x, y), ImVec2(right, y + legend_line())};
-        legend_.push_back({line, name, value});
+        legend_.push_back({line, name, value.text});
         if (ImGui::IsWindowHovered() && line.contains(mouse.x, mouse.y))
             tip = trace.what().text + "\n" + (fails ? trace.problem() : tree.text(shown));
     }
-    if (!tip.empty()) ImGui::SetTooltip("%s", widget_text(tip).c_str());
+    if (!tip.empty()) show_tip(tip);
     if (!run) return;  // a picture of the plot has no button
     ImGui::SetCursorScreenPos(ImVec2(right + em, at.y));
     const bool pressed = ImGui::InvisibleButton("close", ImVec2(side, side));
@@ -219,7 +219,7 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
     const bool hot = ImGui::IsItemHovered();
     draw_text(list, ImVec2(close_.low.x + (side - text_width("×")) / 2, at.y),
               hot ? palette::accent : palette::dim, "×");
-    if (hot) ImGui::SetTooltip("end the plot");
+    if (hot) show_tip("end the plot");
     if (pressed) run("plot()");
 }
 

@@ -259,7 +259,8 @@ void PromptView::draw_signature() {
     if (!shown) return;
     const ImGuiStyle& style = ImGui::GetStyle();
     const float widest = ImGui::GetIO().DisplaySize.x - 16;
-    const std::string text = wrapped(shown->text, widest - 2 * style.WindowPadding.x);
+    const float room = widest - 2 * style.WindowPadding.x;
+    const std::string text = wrapped(shown->text, room);
     std::vector<ParameterRange> lines;
     float width = 0;
     for (std::size_t begin = 0; begin <= text.size(); begin = lines.back().end + 1) {
@@ -268,7 +269,10 @@ void PromptView::draw_signature() {
             std::string_view(text).substr(begin, lines.back().end - begin);
         width = std::max(width, text_width(line));
     }
-    width = std::min(width + 2 * style.WindowPadding.x, widest);
+    const std::string doc =
+        wrapped(shown->doc, std::min(room, std::max(width, 40 * text_width("M"))));
+    width = std::min(
+        std::max(width, ImGui::CalcTextSize(doc.c_str()).x) + 2 * style.WindowPadding.x, widest);
     ImGui::SetNextWindowPos(
         ImVec2(std::clamp(signature_anchor_.x, 8.0f, std::max(8.0f, widest + 8 - width)),
                signature_anchor_.y));
@@ -298,6 +302,11 @@ void PromptView::draw_signature() {
         draw(marked, after, palette::accent);
         draw(after, line.end, palette::dim);
         y += high;
+    }
+    if (!doc.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette::faint);
+        text_line(doc);
+        ImGui::PopStyleColor();
     }
     signature_rect_ = window_rect();
     ImGui::End();
@@ -337,10 +346,7 @@ void PromptView::draw_candidate(std::size_t index, float width, float label_widt
     const bool label_fits = columns(label) * cell <= label_width;
     if (hovered &&
         (shown != candidate.completion.detail || text_width(shown) > room || !label_fits))
-        ImGui::SetTooltip("%s", widget_text(wrapped((label_fits ? "" : label + "\n") +
-                                                        candidate.completion.detail,
-                                                    48 * cell))
-                                    .c_str());
+        show_tip((label_fits ? "" : label + "\n") + candidate.completion.detail);
     if (clicked) prompt_.accept_candidate(index);
 }
 

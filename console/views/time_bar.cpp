@@ -168,10 +168,10 @@ void TimeBar::draw(ImVec2 corner, float width, float opacity, ImFont* bold) {
 
 /// Draws a tooltip above the bar, because below it would cover the bar.
 void TimeBar::tip(const std::string& text) const {
-    const float half = text_width(text) / 2 + ImGui::GetStyle().WindowPadding.x;
+    const float half = text_width(tip_lines(text)) / 2 + ImGui::GetStyle().WindowPadding.x;
     const float x = std::max(ImGui::GetIO().MousePos.x, rect_.low.x + half);
     ImGui::SetNextWindowPos(ImVec2(x, rect_.low.y - tip_gap), ImGuiCond_Always, ImVec2(0.5f, 1));
-    ImGui::SetTooltip("%s", widget_text(text).c_str());
+    show_tip(text);
 }
 
 /// Of a branch: high enough to be hit.

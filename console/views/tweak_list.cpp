@@ -43,7 +43,7 @@ void fitted(ImU32 color, const std::string& text, float width, Draw draw = draw_
     ImGui::Dummy(ImVec2(std::max(1.0f, std::min(whole, width)), ImGui::GetTextLineHeight()));
     if (all.empty()) all = text;
     if ((whole > width || all != text) && ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", widget_text(std::string_view(all).substr(0, 4000)).c_str());
+        show_tip(std::string_view(all).substr(0, 4000));
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ bool TweakList::small_button(int row, const char* label, const char* hint) {
     ImGui::PopID();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     drawn_.push_back({row, label, {low, high}});
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint);
+    if (ImGui::IsItemHovered()) show_tip(hint);
     return pressed;
 }
 

@@ -22,21 +22,36 @@ constexpr std::size_t longest_text = 60;  // code points
 
 }  // namespace
 
-std::string observed_text(const property::Tree& tree, const property::Value& value,
-                          const std::string& unit, double largest, int digits) {
-    const auto number = [&](double n) { return aligned_number(n, largest, digits); };
-    std::string text;
-    if (value.is(Type::vec2))
-        text = "(" + number(value.vec2().x) + ", " + number(value.vec2().y) + ")";
-    else if (value.is(Type::number))
+float ObservedText::place() const {
+    return text_width(text) + static_cast<float>(spare) * text_width(" ");
+}
+
+ObservedText observed_text(const property::Tree& tree, const property::Value& value,
+                           const std::string& unit, double largest, int digits) {
+    ObservedText made;
+    const auto number = [&](double n) {
+        const std::string aligned = aligned_number(n, largest, digits);
+        const std::size_t blanks = aligned.find_first_not_of(' ');
+        made.spare += blanks;
+        return aligned.substr(blanks);
+    };
+    std::string& text = made.text;
+    if (value.is(Type::vec2)) {
+        text = "(" + number(value.vec2().x);
+        text += ", " + number(value.vec2().y) + ")";
+    } else if (value.is(Type::number)) {
         text = number(value.number());
-    else
+    } else {
         text = tree.text(value);
-    if (value.is(Type::integer))
-        text.insert(0, std::max(number(0).size(), text.size()) - text.size(), ' ');
+    }
+    if (value.is(Type::integer)) {
+        const std::size_t place = aligned_number(0, largest, digits).size();
+        made.spare = std::max(place, text.size()) - text.size();
+    }
     if (!unit.empty() && !value.is_nil()) text += " " + unit;
-    if (code_point_count(text) <= longest_text) return text;
-    return text.substr(0, code_point_offset(text, longest_text)) + "…";
+    if (code_point_count(text) > longest_text)
+        text = text.substr(0, code_point_offset(text, longest_text)) + "…";
+    return made;
 }
 
 void draw_sparkline(ImDrawList& list, const Rect& rect, const Trace& trace) {
@@ -77,13 +92,14 @@ void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float wid
     const float room = width - side - spark - em;
     const float widest = room * 0.65f;
     const double largest = pin.largest(sparkline_samples);
-    std::string value = pin.problem();
+    ObservedText value{pin.problem()};
     // A value keeps its unit and its second component, rather than its last digits.
     for (int digits = 4; pin.problem().empty() && digits >= 2; --digits) {
         value = observed_text(tree, pin.value(), pin.what().unit, largest, digits);
-        if (text_width(value) <= widest) break;
+        if (value.place() <= widest) break;
     }
-    const float value_width = std::min(text_width(value), widest);
+    const float value_width = std::min(value.place(), widest);
+    const float shown = std::min(text_width(value.text), value_width);
     const float path_room = room - value_width - em;
 
     ImGui::InvisibleButton("text", ImVec2(std::max(1.0f, width - side), height));
@@ -93,14 +109,14 @@ void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float wid
         list.AddRectFilled(at, ImVec2(at.x + width - side, at.y + height), palette::hover,
                            ImGui::GetStyle().FrameRounding);
         const std::string now = pin.problem().empty() ? tree.text(pin.value()) : pin.problem();
-        ImGui::SetTooltip("%s", widget_text(pin.what().text + "\n" + now).c_str());
+        show_tip(pin.what().text + "\n" + now);
     }
     if (path && ImGui::IsItemClicked(0) && follow) follow(pin.what().path);
     if (path && ImGui::IsItemClicked(1) && menu) menu(pin.what().path);
     draw_path_fit(list, ImVec2(at.x + em * 0.3f, y), path ? palette::path : palette::text,
                   pin.what().text, path_room);
-    draw_text_fit(list, ImVec2(at.x + room - value_width, y),
-                  pin.problem().empty() ? palette::number : palette::error, value, value_width);
+    draw_text_fit(list, ImVec2(at.x + room - shown, y),
+                  pin.problem().empty() ? palette::number : palette::error, value.text, shown);
     draw_sparkline(
         list,
         {ImVec2(at.x + room + em * 0.5f, at.y + 3), ImVec2(at.x + room + spark, at.y + height - 3)},
@@ -112,7 +128,7 @@ void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float wid
     const bool hot = ImGui::IsItemHovered();
     draw_text(list, ImVec2(corner.x + (side - text_width("×")) / 2, y),
               hot ? palette::accent : palette::dim, "×");
-    if (hot) ImGui::SetTooltip("unpin");
+    if (hot) show_tip("unpin");
 }
 
 void WatchList::draw(ImVec2 corner, float width, float room, const property::Tree& tree,

@@ -14,10 +14,17 @@
 
 namespace fettle::console {
 
-/// An observed value for people: numbers of `digits` digits, with the unit. Its numbers stand in
-/// columns that have room for what is `largest`, so the text does not move while they change.
-std::string observed_text(const property::Tree& tree, const property::Value& value,
-                          const std::string& unit, double largest, int digits = 4);
+/// An observed value for people.
+struct ObservedText {
+    std::string text;
+    std::size_t spare = 0;  // letters that a longer value needs more than this one
+
+    /// The width of a place that stays the same while the value changes, in pixels.
+    float place() const;
+};
+/// The value with numbers of `digits` digits, and with the unit. `largest`: see `aligned_number`.
+ObservedText observed_text(const property::Tree& tree, const property::Value& value,
+                           const std::string& unit, double largest, int digits = 4);
 
 class WatchList {
   public:

@@ -284,6 +284,10 @@ void Session::make_console(app::Clipboard* clipboard) {
                         float y) { return view.to_world(property::Vec2(x, y) - view.corner()); },
         .to_pixels = [&view](property::Vec2 world) { return view.to_window(world); },
         .game_covered = [this] { return loop_->halted() && !viewing_past(); },
+        .free_of_others =
+            [this](const app::ClipRectangle& whole) {
+                return loop_->free_area(whole, console_.get());
+            },
         .tweaks = tweaks_.get(),
         .review = [this](std::int64_t from, std::int64_t to,
                          const auto& visit) { loop_->timeline().review(from, to, visit); },

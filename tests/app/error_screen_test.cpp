@@ -98,10 +98,16 @@ TEST_CASE("a long error of changed files takes several lines of its strip") {
     CHECK(surface.line_with("word0 ") > surface.top);
     CHECK(surface.line_with("word39 ") > surface.line_with("word0 "));
     CHECK(surface.line_with("word39 ") < 800 - 17);
+    // Marks of other layers are above it, and nothing of the game shines through.
+    const app::ClipRectangle free = screen.free_area({0, 0, 1280, 800});
+    CHECK(free.height == surface.top);
+    REQUIRE_FALSE(surface.fills.empty());
+    CHECK(surface.fills.front().a == 255);
     screen.hide();
     NotingSurface after;
     screen.draw(after, 0);
     CHECK(after.lines.empty());
+    CHECK(screen.free_area({0, 0, 1280, 800}).height == 800);
 }
 
 TEST_CASE("the caret is below the row of a wrapped line that has the error") {

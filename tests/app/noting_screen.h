@@ -31,6 +31,8 @@ class NotingSurface : public Surface {
             low = std::max(low, vertex.y);
             right = std::max(right, vertex.x);
         }
+        if (!vertices.empty())
+            fills.push_back({vertices[0].r, vertices[0].g, vertices[0].b, vertices[0].a});
     }
     float text(float, float y, std::string_view line, float size, SurfaceColor color,
                Face) override {
@@ -44,6 +46,7 @@ class NotingSurface : public Surface {
         return -1;
     }
     std::vector<std::pair<std::string, float>> lines;
+    std::vector<SurfaceColor> fills;      // in the order in which they were drawn
     float top = 800, low = 0, right = 0;  // px
 };
 

@@ -2,6 +2,9 @@
 
 #include <catch.h>
 
+#include <array>
+#include <set>
+
 #include <loop/blame.h>
 #include <loop/tint_painter.h>
 #include <loop/wires.h>
@@ -169,6 +172,26 @@ TEST_CASE("the legend of writers is in the part of the screen that layers leave 
     CHECK(part.right <= 300);
     layer.free = {40, 300, 260, 40};
     CHECK(drawn().lines.empty());
+}
+
+TEST_CASE("two writers in the legend of blame never have one color") {
+    Game game("game.old = Object {}\ngame.old.position = vec(1, 2)\ngame.old.awake = true");
+    game.set("view.show.blame", true);
+    for (int i = 0; i < 70; ++i) game.loop.turn();
+    for (int line = 1; line <= 14; ++line) {
+        const std::string name = "b" + std::to_string(line);
+        game.runtime.run(std::string(static_cast<std::size_t>(line - 1), '\n') + "game." + name +
+                             " = Object {} " + name + ".position = vec(1, 2)",
+                         "main.lua");
+    }
+    app::NotingSurface screen;
+    app::Blame(game.tree, app::tick).draw_legend(screen, {0, 0, 1280, 800});
+    CHECK(screen.line_with("physics   1") > 0);
+    CHECK(screen.line_with("others   4") > 0);
+    std::set<std::array<int, 3>> colors;
+    for (const app::SurfaceColor& c : screen.fills) colors.insert({c.r, c.g, c.b});
+    CHECK(screen.fills.size() == screen.lines.size() + 1);  // one is the background
+    CHECK(colors.size() == screen.fills.size());
 }
 
 TEST_CASE("a wire leads from what a formula reads to what it writes") {

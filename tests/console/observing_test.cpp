@@ -9,6 +9,8 @@
 
 #include "catch.h"
 #include "observing_rig.h"
+
+#include <imgui_internal.h>
 #include "temporary_folder.h"
 
 namespace observing_test {
@@ -409,6 +411,36 @@ TEST_CASE("the menu of an instance lists who moved it and adds a break on its mo
     CHECK(rig.text().find("break_when world.ball.position") != std::string::npos);
     choose("Keep");
     CHECK(rig.text().find("keep(\"world.ball\")") != std::string::npos);
+}
+
+TEST_CASE("the tooltip of an entry of a menu covers no entry and is inside of the window") {
+    ObservingRig rig;
+    rig.lua.state().settings.set("scale", Value(GENERATE(1.0, 2.0)));
+    rig.lua.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));
+    rig.show();
+    auto& state = rig.lua.state();
+    state.inspector.select(rig.lua.selected(), "mass");  // scrolls to it
+    rig.show();
+    rig.show();
+    rig.click_at(state.inspector.editor()
+                     .widget_rect(rig.tree.property(rig.lua.selected(), "mass"))
+                     .middle(),
+                 "right");
+    rig.show();
+    const console::Rect entry = state.context_menu.entry("Keep");
+    REQUIRE_FALSE(entry.empty());
+    app::InputEvent event;
+    event.kind = app::EventKind::mouse_moved;
+    event.x = entry.middle().x;
+    event.y = entry.middle().y;
+    rig.lua.handle(event);
+    rig.show();
+    const ImGuiWindow* const tip = ImGui::FindWindowByName("##Tooltip_00");
+    REQUIRE(tip != nullptr);
+    REQUIRE(tip->Active);
+    CHECK((tip->Pos.x >= entry.high.x || tip->Pos.x + tip->Size.x <= entry.low.x));
+    CHECK(tip->Pos.y + tip->Size.y <= rig.surface.height());
+    CHECK(tip->Pos.x + tip->Size.x <= rig.surface.width());
 }
 
 TEST_CASE("the menu of a property pins and plots and copies its path") {

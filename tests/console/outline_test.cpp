@@ -89,6 +89,7 @@ TEST_CASE_METHOD(Haunted, "an instance has an outline while the mouse is over it
 
 TEST_CASE_METHOD(Haunted, "the outline of the selected instance is where the instance is drawn") {
     const double alpha = GENERATE(0.0, 0.5, 1.0);
+    state().settings.set("inspector_width", property::Value(300));  // it covers none of them
     {
         const property::Drawing drawing(alpha);
         draw(3);
@@ -306,6 +307,16 @@ TEST_CASE("no outline is drawn over what covers the game") {
     const std::size_t without = triangles();
     covered = false;
     CHECK(triangles() > without + 20);
+}
+
+TEST_CASE_METHOD(Haunted, "no outline is drawn over what another layer covers") {
+    draw(3);
+    REQUIRE(lined({5, -2}));
+    state().options.free_of_others = [](const app::ClipRectangle& whole) {
+        return app::ClipRectangle{0, 0, whole.width, 0.5f * whole.height};
+    };
+    draw(3);
+    CHECK_FALSE(lined({5, -2}));
 }
 
 }  // namespace outline_test

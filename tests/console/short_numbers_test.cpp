@@ -20,7 +20,7 @@ using property::Value;
 TEST_CASE("printed values have four significant digits") {
     const auto shown = [](std::string_view line) { return with_short_numbers(line).text; };
     CHECK(shown("18.095575 kg") == "18.1 kg");
-    CHECK(shown("vec(-1.23456789, 0.000012345678) m") == "vec(-1.235, 1.235e-05) m");
+    CHECK(shown("vec(-1.23456789, 0.000012345678) m") == "vec(-1.235, 1.235e-5) m");
     CHECK(shown("-1.5e-9") == "0");
     CHECK(shown("vec(-2.98e-08, 4)") == "vec(0, 4)");
     CHECK(shown("a - 1.23456") == "a - 1.235");

@@ -40,6 +40,34 @@ TEST_CASE("the open call at the cursor is found") {
     CHECK(open_call("f(1, 2)", 3)->argument == 0);
 }
 
+TEST_CASE("a constructor is an open call whose keys are found") {
+    const auto at_end = [](std::string_view text) {
+        const auto call = open_call(text, text.size());
+        return call ? std::string(call->callee) + " " + std::string(call->key) : "none";
+    };
+    CHECK(at_end("Body{") == "Body ");
+    CHECK(at_end("Body {") == "Body ");
+    CHECK(at_end("world.ball = Body { mass = 2, position = ") == "Body position");
+    CHECK(at_end("Body({ mass = 2, friction = ") == "Body friction");
+    CHECK(at_end("Body { mass = 2, Box { width = ") == "Box width");
+    CHECK(at_end("Body { mass = 2, Box { width = 3 }, ") == "Body ");
+    CHECK(at_end("Polygon { vertices = { vec(1, 2), ") == "Polygon vertices");
+    CHECK(at_end("Body { mass = vec(1, ") == "vec ");
+    CHECK(at_end("Body { mass == ") == "Body ");
+    for (const char* const text : {"return {", "a = {", "return {1, ", "Body { mass = 2 }"})
+        CHECK(at_end(text) == "none");
+}
+
+TEST_CASE("the properties in the text of a constructor are found") {
+    const std::string_view text = "Body { type, position, angle, … }";
+    const auto found = [&](std::string_view name) {
+        const auto range = console::property_in(text, name);
+        return std::string(text.substr(range.begin, range.end - range.begin));
+    };
+    for (const char* const name : {"type", "position", "angle"}) CHECK(found(name) == name);
+    for (const char* const name : {"posit", "mass", "Body", "", "…x"}) CHECK(found(name).empty());
+}
+
 TEST_CASE("the parameters of a signature are found") {
     const std::string_view text = "f(a: number, b?: fun(x: number, y: text), ...: any): text";
     CHECK(parameter(text, 0) == "a: number");
@@ -49,6 +77,40 @@ TEST_CASE("the parameters of a signature are found") {
     CHECK(parameter("f(a)", 1).empty());
     CHECK(parameter("f()", 0).empty());
     CHECK(parameter("number", 0).empty());
+}
+
+TEST_CASE("a constructor shows its class with the first sentence and the main properties") {
+    property::Tree tree;
+    property::ClassDescriptor shape;
+    shape.name = "Shape";
+    shape.properties = {{.name = "density", .default_value = 1.0}};
+    tree.define(shape);
+    property::ClassDescriptor box;
+    box.name = "Box";
+    box.base = "Shape";
+    box.doc = "A box around `position`. More is said later.";
+    box.properties = {{.name = "width", .default_value = 1.0},
+                      {.name = "area", .default_value = 1.0, .read_only = true}};
+    tree.define(box);
+    script::Runtime runtime(tree, {});
+    console::Console lua(tree, runtime);
+    lua.open();
+    console::test::RasterSurface window(1280, 720);
+    for (const char* const text : {"Box(", "Box{", "x = Box { "}) {
+        CAPTURE(text);
+        lua.state().prompt.edit().assign(text);
+        const auto shown = lua.state().prompt.signature();
+        REQUIRE(shown);
+        CHECK(shown->text == "Box { width, density }");
+        CHECK(shown->doc == "A box around position.");
+        for (int i = 0; i < 2; ++i) lua.draw(window, 1.0 / 60);
+        CHECK_FALSE(lua.state().views.prompt_view.signature_rect().empty());
+    }
+    lua.state().prompt.edit().assign("Box { width = 2, density = ");
+    const auto shown = lua.state().prompt.signature();
+    REQUIRE(shown);
+    CHECK(shown->text.substr(shown->parameter.begin,
+                             shown->parameter.end - shown->parameter.begin) == "density");
 }
 
 TEST_CASE("a long signature has several lines in a narrow window") {

@@ -117,15 +117,17 @@ TEST_CASE("numbers are shown with four significant digits") {
     CHECK(short_number(0.000123456) == "0.0001235");
     CHECK(short_number(-2.9e-11) == "0");
     CHECK(short_number(9.9e-7) == "0");
-    CHECK(short_number(1.5e-6) == "1.5e-06");
+    CHECK(short_number(1.5e-6) == "1.5e-6");
     CHECK(short_number(0.05) == "0.05");
-    CHECK(short_number(-0.00031234, 1) == "-3e-4");  // in narrow fields
-    CHECK(short_number(-0.0512, 1) == "-0.05");
+    CHECK(console::narrow_number(-0.00031234, 1) == "-3e-4");
+    CHECK(console::narrow_number(-0.0512, 1) == "-0.05");
+    CHECK(console::narrow_number(-0.000123456) == "-1.235e-4");
+    CHECK(console::narrow_number(-12345678.9) == "-1.235e7");
     CHECK(short_number(0.7853982) == "0.7854");
     CHECK(short_number(12.5) == "12.5");
     CHECK(short_number(-123.456) == "-123.5");
     CHECK(short_number(1234567.8) == "1234568");
-    CHECK(short_number(1.5e9) == "1.5e+09");
+    CHECK(short_number(1.5e9) == "1.5e9");
     CHECK(short_number(2) == "2");
     CHECK(short_number(0) == "0");
     CHECK(short_number(std::numeric_limits<double>::infinity()) == "inf");

@@ -189,11 +189,11 @@ TEST_CASE("the text grows by a factor") {
     const auto wide = [&] {
         return rig.state().screen.inspector_rect.high.x - rig.state().screen.inspector_rect.low.x;
     };
-    CHECK(wide() == Approx(1.25 * 380).margin(2));
+    CHECK(wide() == Approx(1.25 * 420).margin(2));
     const float edge = rig.state().screen.inspector_rect.low.x;
     rig.drag(edge + 2, 200, edge + 52, 200);
     rig.draw(2);
-    CHECK(wide() == Approx(1.25 * 380 - 50).margin(4));
+    CHECK(wide() == Approx(1.25 * 420 - 50).margin(4));
     property::set(rig.tree, "console.scale", Value(4.0));
     property::set(rig.tree, "console.font_size", Value(48.0));
     rig.draw(3);

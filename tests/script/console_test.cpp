@@ -284,6 +284,27 @@ TEST_CASE("documentation is printed with a question mark or help") {
     CHECK(s.console("find rewimd") == "nothing has \"rewimd\" (did you mean \"rewind\"?)");
 }
 
+TEST_CASE("documentation in the console has no marks of code") {
+    Stage s;
+    s.run(
+        "Ball = class('Ball', Object) { lives = 3, name_of = '`a`', "
+        "doc = { 'Has `lives`.', lives = 'See `name_of` and ` alone.' } } game.ball = Ball {}");
+    for (const char* const command :
+         {"Ball?", "help(Ball)", "ball?", "ball.lives?", "Ball.lives?", "find lives"}) {
+        CAPTURE(command);
+        CHECK_THAT(s.console(command), contains("See name_of and ` alone."));
+    }
+    CHECK_THAT(s.console("find 'Has lives'"), contains("Ball"));
+    for (const char* const command : {"help()", "help(world)", "vec?", "after?", "find timers"}) {
+        CAPTURE(command);
+        CHECK(s.console(command).find('`') == std::string::npos);
+    }
+    const auto found = s.runtime->complete("ball.live", 9);
+    REQUIRE_FALSE(found.empty());
+    CHECK(found[0].doc == "See name_of and ` alone.");
+    CHECK(s.console("ball.name_of") == "\"`a`\"");  // values stay as they are
+}
+
 TEST_CASE("it is the selected instance") {
     Stage s;
     s.run("world.ball = Body {}");

@@ -23,15 +23,17 @@ using property::Writer;
 namespace {
 
 constexpr Color physics_color{0.55f, 0.6f, 0.7f, 1};
-constexpr Color unknown_color{0.35f, 0.35f, 0.38f, 1};
-constexpr std::array<Color, 8> colors{{{0.95f, 0.45f, 0.35f, 1},
-                                       {0.3f, 0.75f, 1.0f, 1},
-                                       {0.98f, 0.8f, 0.3f, 1},
-                                       {0.5f, 0.85f, 0.45f, 1},
-                                       {0.85f, 0.5f, 0.95f, 1},
-                                       {1.0f, 0.6f, 0.75f, 1},
-                                       {0.35f, 0.9f, 0.8f, 1},
-                                       {0.85f, 0.65f, 0.45f, 1}}};
+constexpr Color unknown_color{0.3f, 0.3f, 0.32f, 1}, others_color{0.85f, 0.85f, 0.85f, 1};
+constexpr std::array<Color, 10> colors{{{0.95f, 0.45f, 0.35f, 1},
+                                        {0.3f, 0.75f, 1.0f, 1},
+                                        {0.98f, 0.8f, 0.3f, 1},
+                                        {0.5f, 0.85f, 0.45f, 1},
+                                        {0.85f, 0.5f, 0.95f, 1},
+                                        {1.0f, 0.6f, 0.75f, 1},
+                                        {0.35f, 0.9f, 0.8f, 1},
+                                        {0.85f, 0.65f, 0.45f, 1},
+                                        {0.4f, 0.45f, 1.0f, 1},
+                                        {0.6f, 0.62f, 0.15f, 1}}};
 constexpr std::string_view physics = "physics", unknown = "unknown", others = "others";
 
 /// Sets `latest` to the last write of the properties of an instance, unless `latest` is later.
@@ -81,7 +83,7 @@ Legend legend_of(const std::vector<InstanceWriter>& all) {
     return legend;
 }
 
-/// Colors belong to writers, not to their rank, as long as there are enough colors.
+/// Colors belong to writers, not to their rank. Writers beyond the number of colors have none.
 std::map<std::string, Color> colors_of(const Legend& legend) {
     std::map<std::string, Color> found;
     std::array<bool, colors.size()> used{};
@@ -94,10 +96,7 @@ std::map<std::string, Color> colors_of(const Legend& legend) {
         for (const char c : writer) at = at * 31 + static_cast<unsigned char>(c);
         std::size_t tries = 0;
         while (tries < colors.size() && used[(at + tries) % colors.size()]) ++tries;
-        if (tries == colors.size()) {
-            found[writer] = unknown_color;
-            continue;
-        }
+        if (tries == colors.size()) continue;  // one of the others
         used[(at + tries) % colors.size()] = true;
         found[writer] = colors[(at + tries) % colors.size()];
     }
@@ -122,11 +121,33 @@ std::vector<InstanceWriter> instance_writers(const Tree& tree, double dt) {
     return all;
 }
 
+namespace {
+
+/// Counts all writers without a color together, as the last ones.
+void join_others(Legend& legend, const std::map<std::string, Color>& colored) {
+    std::size_t rest = 0;
+    std::erase_if(legend, [&](const auto& each) {
+        const bool other = !colored.contains(each.first);
+        if (other) rest += each.second;
+        return other;
+    });
+    if (rest > 0) legend.emplace_back(others, rest);
+}
+
+}  // namespace
+
 Blame::Blame(const Tree& tree, double dt)
     : tree_(tree),
       all_(instance_writers(tree, dt)),
       legend_(legend_of(all_)),
-      color_(colors_of(legend_)) {}
+      color_(colors_of(legend_)) {
+    join_others(legend_, color_);
+}
+
+Color Blame::color_of(const std::string& writer) const {
+    const auto found = color_.find(writer);
+    return found == color_.end() ? others_color : found->second;
+}
 
 namespace {
 
@@ -160,7 +181,7 @@ void Blame::draw(property::Painter& painter, double alpha) const {
     TintPainter tinted(painter, unknown_color);
     Tints tints(tree_, tinted);
     for (const InstanceWriter& each : all_) {
-        Color tint = color_.at(each.writer);
+        Color tint = color_of(each.writer);
         tint.a = 0.75f;
         tints.add(each.instance, tint);
     }
@@ -175,7 +196,8 @@ void Blame::draw_legend(Surface& surface, const ClipRectangle& room) const {
     const float rows = std::floor((room.height - 4 * margin) / row);
     const float text_room = room.width - 4 * margin - square - gap;
     if (rows < 1 || text_room <= 0) return;
-    const std::size_t most = std::min(std::size_t{11}, static_cast<std::size_t>(rows));
+    // Each color has a row as far as there is room: those of scripts, physics, unknown and others.
+    const std::size_t most = std::min(colors.size() + 3, static_cast<std::size_t>(rows));
     const bool all = legend_.size() <= most;
     const auto named = static_cast<std::ptrdiff_t>(all ? legend_.size() : most - 1);
     Legend shown(legend_.begin(), legend_.begin() + named);
@@ -203,8 +225,7 @@ void Blame::draw_legend(Surface& surface, const ClipRectangle& room) const {
     fill(surface, left - margin, y - margin, widest + square + gap + 2 * margin,
          row * static_cast<float>(shown.size()) + 2 * margin, {15, 18, 26, 217});
     for (std::size_t i = 0; i < shown.size(); ++i, y += row) {
-        const auto found = color_.find(shown[i].first);
-        const Color color = found == color_.end() ? unknown_color : found->second;
+        const Color color = color_of(shown[i].first);
         const auto byte = [](float part) {
             return static_cast<std::uint8_t>(std::lround(part * 255));
         };

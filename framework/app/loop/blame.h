@@ -34,10 +34,12 @@ class Blame {
     void draw_legend(Surface& surface, const ClipRectangle& room) const;
 
   private:
+    property::Color color_of(const std::string& writer) const;
+
     const property::Tree& tree_;
     std::vector<InstanceWriter> all_;
     std::vector<std::pair<std::string, std::size_t>> legend_;  // writers, by number of instances
-    std::map<std::string, property::Color> color_;
+    std::map<std::string, property::Color> color_;             // of each writer but the others
 };
 
 }  // namespace fettle::app

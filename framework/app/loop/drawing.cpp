@@ -149,6 +149,12 @@ void draw_timings(Surface& surface, const Clock& clock) {
 
 }  // namespace
 
+ClipRectangle Loop::free_area(ClipRectangle whole, const Layer* except) const {
+    for (const Layer* layer : layers_)
+        if (layer != except) whole = layer->free_area(whole);
+    return whole;
+}
+
 void Loop::draw(Screen& screen, double seconds) {
     const Pin pin(*this, "draw");
     const auto start = std::chrono::steady_clock::now();
@@ -183,9 +189,8 @@ void Loop::draw(Screen& screen, double seconds) {
     if (const Effect* const effect = services_.effects().now(clock.now))
         services_.effects().drawn(screen.apply(*effect));
     if (blame) {
-        ClipRectangle room{0, 0, screen.surface().width(), screen.surface().height()};
-        for (const Layer* layer : layers_) room = layer->free_area(room);
-        blame->draw_legend(screen.surface(), room);
+        const Surface& surface = screen.surface();
+        blame->draw_legend(screen.surface(), free_area({0, 0, surface.width(), surface.height()}));
     }
     if (view.show.timings) draw_timings(screen.surface(), clock);
     for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->draw(screen.surface(), seconds);

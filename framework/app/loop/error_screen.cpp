@@ -265,16 +265,25 @@ bool ErrorScreen::handle(const InputEvent& event) {
 void ErrorScreen::draw(Surface& surface, double) {
     const float width = surface.width(), height = surface.height();
     const float low = height - (actions_.covered_below ? actions_.covered_below() : 0);
+    strip_top_ = std::numeric_limits<float>::infinity();
     if (!visible()) {
-        if (over_) draw_over(surface, low);
+        if (over_) strip_top_ = draw_over(surface, low);
         return;
     }
-    if (!running_ && actions_.viewing_past && actions_.viewing_past())
-        return draw_strip(surface, low);
+    if (!running_ && actions_.viewing_past && actions_.viewing_past()) {
+        strip_top_ = draw_strip(surface, low);
+        return;
+    }
     fill(surface, 0, 0, width, height, {18, 20, 26, 238});
     fill(surface, 0, 0, 5, height, running_ ? amber : red);
     draw_text(surface, low - keys_height);
     draw_keys(surface, low - keys_height);
+}
+
+/// What is above the strip at the lower edge.
+ClipRectangle ErrorScreen::free_area(const ClipRectangle& whole) const {
+    const float low = std::min(whole.top + whole.height, strip_top_);
+    return {whole.left, whole.top, whole.width, std::max(0.0f, low - whole.top)};
 }
 
 /// The part of the surface that no other layer covers.
@@ -316,7 +325,7 @@ void ErrorScreen::draw_keys(Surface& surface, float bottom) const {
 }
 
 /// Draws the error that does not stop the game at the lower edge.
-void ErrorScreen::draw_over(Surface& surface, float bottom) const {
+float ErrorScreen::draw_over(Surface& surface, float bottom) const {
     const script::ScriptError& e = *over_;
     std::vector<Line> all = {
         {.text = heading_over_, .size = 14, .color = pale},
@@ -327,7 +336,7 @@ void ErrorScreen::draw_over(Surface& surface, float bottom) const {
     float needed = 24;
     for (const Line& line : lines) needed += line.above + 1.32f * line.size;
     const float top = std::max(0.0f, bottom - needed);
-    fill(surface, 0, top, surface.width(), bottom - top, {18, 20, 26, 232});
+    fill(surface, 0, top, surface.width(), bottom - top, {18, 20, 26, 255});
     fill(surface, 0, top, 5, bottom - top, red);
     float y = top + 12;
     for (const Line& line : lines) {
@@ -335,10 +344,11 @@ void ErrorScreen::draw_over(Surface& surface, float bottom) const {
         surface.text(margin, y, line.text, line.size, line.color, line.face);
         y += 1.32f * line.size;
     }
+    return top;
 }
 
 /// Draws the first line of the error and the keys; the game stays visible above.
-void ErrorScreen::draw_strip(Surface& surface, float bottom) const {
+float ErrorScreen::draw_strip(Surface& surface, float bottom) const {
     const float top = bottom - keys_height - 34;
     fill(surface, 0, top, surface.width(), 38, {18, 20, 26, 255});
     fill(surface, 0, top, 5, 38 + keys_height, red);
@@ -348,6 +358,7 @@ void ErrorScreen::draw_strip(Surface& surface, float bottom) const {
                  message.substr(0, fitting(surface, message, room, 16, Face::bold)), 16, red,
                  Face::bold);
     draw_keys(surface, bottom - keys_height);
+    return top;
 }
 
 }  // namespace fettle::app

@@ -14,6 +14,7 @@
 
 #include <fettle/property/natural_order.h>
 #include <fettle/script/fuzzy.h>
+#include <fettle/script/reference.h>
 #include <fettle/script/runtime.h>
 
 namespace fettle::script {
@@ -85,6 +86,7 @@ class Candidates {
                            .doc = {},
                            .replace_from = entry.from});
             if (entry.describe) entry.describe(taken);
+            taken.doc = shown_doc(taken.doc);
         }
         return result;
     }

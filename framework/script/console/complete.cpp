@@ -223,7 +223,7 @@ void describe_global(lua_State* L, Machine& machine, Completion& candidate) {
         candidate.detail = shown_name(*doc);
         candidate.doc = doc->doc;
     } else if (const Class* of = machine.tree.find_class(candidate.label)) {
-        candidate.detail = "class";
+        candidate.detail = of->creatable() ? constructor_text(*of) : "class";
         candidate.doc = of->doc();
     } else {
         const Property* read = nullptr;

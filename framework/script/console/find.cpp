@@ -46,7 +46,8 @@ class Search {
   public:
     explicit Search(std::string_view word) : word_(lower(word)) {}
 
-    void look(const std::string& name, const std::string& shown, const std::string& doc) {
+    void look(const std::string& name, const std::string& shown, const std::string& written) {
+        const std::string doc = shown_doc(written);
         known_.insert(name);
         const bool by_name = lower(name).find(word_) != std::string::npos;
         if (!by_name && lower(doc).find(word_) == std::string::npos) return;

@@ -31,7 +31,7 @@ std::vector<std::string> property_help(const property::Tree& tree, const Propert
     std::vector<std::string> lines = {
         (property.owner ? property.owner->name() + "." : std::string()) + property.name + " · " +
         property_facts(tree, property)};
-    if (!property.doc.empty()) lines.push_back("  " + property.doc);
+    if (!property.doc.empty()) lines.push_back("  " + shown_doc(property.doc));
     if (!property.derives_from.empty()) {
         std::string sources;
         for (const std::string& source : property.derives_from)
@@ -57,7 +57,7 @@ std::string fields_text(const std::vector<property::Field>& fields) {
 
 std::vector<std::string> method_help(const Method& method) {
     std::vector<std::string> lines = {":" + signature(method)};
-    if (!method.doc.empty()) lines.push_back("  " + method.doc);
+    if (!method.doc.empty()) lines.push_back("  " + shown_doc(method.doc));
     if (!method.parameters.empty())
         lines.push_back("  parameters: " + fields_text(method.parameters));
     if (!method.returns.empty()) lines.push_back("  returns: " + fields_text(method.returns));
@@ -70,17 +70,17 @@ void add_members(Machine& machine, const Class& of, std::vector<std::string>& li
     std::vector<std::vector<std::string>> rows;
     for (const Property* property : of.properties()) {
         if (property->hidden) continue;
-        rows.push_back(
-            {"  ." + property->name, property_facts(machine.tree, *property), property->doc});
+        rows.push_back({"  ." + property->name, property_facts(machine.tree, *property),
+                        shown_doc(property->doc)});
     }
     std::sort(rows.begin(), rows.end(), property::NaturalOrder{});
     std::vector<std::vector<std::string>> methods;
     for (const Method* method : of.methods())
-        methods.push_back({"  :" + signature(*method), method->doc});
+        methods.push_back({"  :" + signature(*method), shown_doc(method->doc)});
     std::sort(methods.begin(), methods.end(), property::NaturalOrder{});
     std::vector<std::vector<std::string>> events;
     for (const property::Event* event : of.events())
-        events.push_back({"  " + event->name, event->doc});
+        events.push_back({"  " + event->name, shown_doc(event->doc)});
     std::sort(events.begin(), events.end(), property::NaturalOrder{});
     const auto add = [&](const char* title, const std::vector<std::vector<std::string>>& part) {
         if (part.empty()) return;
@@ -104,7 +104,7 @@ std::vector<std::string> class_help(Machine& machine, const Class& of) {
     std::string head = of.name();
     for (const Class* base = of.base(); base; base = base->base()) head += " < " + base->name();
     std::vector<std::string> lines = {head};
-    if (!of.doc().empty()) lines.push_back("  " + of.doc());
+    if (!of.doc().empty()) lines.push_back("  " + shown_doc(of.doc()));
     if (of.creatable()) lines.push_back("  make one with " + of.name() + " { ... }");
     add_members(machine, of, lines);
     return lines;
@@ -115,7 +115,7 @@ namespace {
 std::vector<std::string> instance_help(Machine& machine, Handle instance) {
     const Class& of = machine.tree.class_of(instance);
     std::vector<std::string> lines = {machine.tree.path(instance) + " · " + of.name()};
-    if (!of.doc().empty()) lines.push_back("  " + of.doc());
+    if (!of.doc().empty()) lines.push_back("  " + shown_doc(of.doc()));
     add_members(machine, of, lines);
     return lines;
 }
@@ -126,7 +126,7 @@ std::vector<std::string> function_lines(std::string_view prefix, std::string_vie
     std::vector<std::string> lines;
     for (const Signature& each : parse_signatures(signatures))
         lines.push_back(std::string(prefix) + typed(each));
-    lines.push_back("  " + std::string(doc));
+    lines.push_back("  " + shown_doc(doc));
     return lines;
 }
 
@@ -135,14 +135,14 @@ std::vector<std::string> generic_help(const GlobalDoc& method) {
 }
 
 std::vector<std::string> type_help(const TypeDoc& type) {
-    std::vector<std::string> lines = {std::string("  ") + type.doc};
+    std::vector<std::string> lines = {"  " + shown_doc(type.doc)};
     std::vector<std::vector<std::string>> rows;
     for (const MemberDoc& member : type.members) {
         const std::string separator = member.is_function() && !type.by_dot ? ":" : ".";
         rows.push_back({"  " + separator +
                             (member.is_function() ? plain_signatures(member.signature)
                                                   : std::string(member.name)),
-                        std::string(member.doc)});
+                        shown_doc(member.doc)});
     }
     for (std::string& line : columns(rows)) lines.push_back(std::move(line));
     return lines;
@@ -153,7 +153,7 @@ std::vector<std::string> global_help(const GlobalDoc& doc) {
     std::vector<std::string> lines =
         function ? function_lines("", doc.signature, doc.doc)
                  : std::vector<std::string>{std::string(doc.name) + ": " + doc.signature,
-                                            "  " + std::string(doc.doc)};
+                                            "  " + shown_doc(doc.doc)};
     if (const TypeDoc* type = type_doc(doc.name))
         for (std::string& line : type_help(*type)) lines.push_back(std::move(line));
     return lines;
@@ -174,7 +174,7 @@ std::vector<std::string> value_help(std::string path) {
         if (path.compare(cut_at + 1, std::string::npos, member.name) != 0) continue;
         if (member.is_function())
             return function_lines(type->by_dot ? "." : ":", member.signature, member.doc);
-        return {path + ": " + member.signature, "  " + std::string(member.doc)};
+        return {path + ": " + member.signature, "  " + shown_doc(member.doc)};
     }
     return {};
 }
@@ -185,7 +185,7 @@ std::vector<std::string> member_help(Machine& machine, const Class& of, std::str
     if (const Method* method = of.method(name)) return method_help(*method);
     if (const property::Event* event = of.event(name)) {
         std::vector<std::string> lines = {"event " + event->name + " of " + of.name()};
-        if (!event->doc.empty()) lines.push_back("  " + event->doc);
+        if (!event->doc.empty()) lines.push_back("  " + shown_doc(event->doc));
         if (!event->fields.empty()) lines.push_back("  tells: " + fields_text(event->fields));
         return lines;
     }
@@ -311,7 +311,7 @@ std::vector<std::string> members_called(const property::Tree& tree, const std::s
         if (const Method* method = of->method(name); method != nullptr && method->owner == of)
             add(method_help(*method), of->name());
         if (const property::Event* event = of->event(name); event != nullptr && event->owner == of)
-            add({of->name() + " event " + name, "  " + event->doc});
+            add({of->name() + " event " + name, "  " + shown_doc(event->doc)});
     }
     return lines;
 }
@@ -362,7 +362,7 @@ int help(lua_State* L) {
                    "the same; find(\"word\") searches.");
         std::vector<std::vector<std::string>> rows;
         for (const GlobalDoc& doc : global_docs())
-            rows.push_back({"  " + shown_name(doc), doc.doc});
+            rows.push_back({"  " + shown_name(doc), shown_doc(doc.doc)});
         for (std::string& line : columns(rows)) print_line(machine, std::move(line));
         std::string classes = "classes:";
         for (const Class* of : machine.tree.classes())

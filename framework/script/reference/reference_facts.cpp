@@ -120,6 +120,31 @@ std::string property_facts(const property::Tree& tree, const Property& property)
     return text;
 }
 
+std::string shown_doc(std::string_view doc) {
+    std::string shown;
+    for (std::size_t at = 0; at < doc.size();) {
+        const std::size_t open = doc.find('`', at);
+        const std::size_t close = open == doc.npos ? open : doc.find('`', open + 1);
+        if (close == doc.npos) return shown.append(doc.substr(at));
+        shown.append(doc.substr(at, open - at)).append(doc.substr(open + 1, close - open - 1));
+        at = close + 1;
+    }
+    return shown;
+}
+
+std::string constructor_text(const Class& of) {
+    constexpr std::size_t most = 8;
+    std::vector<std::string> names;
+    // Its own properties say most; each instance has those of Object.
+    for (const Class* at = &of; at->base() != nullptr; at = at->base())
+        for (const Property* each : of.properties())
+            if (each->owner == at && !each->hidden && !each->read_only) names.push_back(each->name);
+    std::string text = of.name() + " {";
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+        text += (i > 0 ? ", " : " ") + names[i];
+    return text + (names.size() > most ? ", … }" : " }");
+}
+
 std::string signature(const property::Method& method) {
     Signature shown{.name = method.name, .parameters = {}, .returns = {}};
     for (std::size_t i = 0; i < method.parameters.size(); ++i)

@@ -24,6 +24,9 @@ bool has_range(const property::Property& property);
 bool is_computed(const property::Property& property);
 /// "1"; "computed" for a read-only property; "nil".
 std::string default_text(const property::Tree& tree, const property::Property& property);
+/// "Box { width, height, radius, … }": the properties that a constructor sets, those of the class
+/// itself first.
+std::string constructor_text(const property::Class& of);
 /// "raycast(from, to [, filter])"
 std::string signature(const property::Method& method);
 /// "read-only, simulated, not saved"; "" if there are no flags.

@@ -48,6 +48,9 @@ struct Options {
     /// Whether something covers the picture of the game, such as an error: then no marks are drawn
     /// over it.
     std::function<bool()> game_covered{};
+    /// The part of the window that other layers leave free, such as an error at the lower edge.
+    /// Marks are drawn there only.
+    std::function<app::ClipRectangle(const app::ClipRectangle& whole)> free_of_others{};
     /// Tweaks to list, keep and drop; null: nothing of them is shown.
     property::Tweaks* tweaks = nullptr;
     /// Shows the kept past: calls `visit` after each step from `from` to `to`, which may be later

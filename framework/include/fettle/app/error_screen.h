@@ -3,6 +3,7 @@
 // reason and the values to the author of the script.
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +62,7 @@ class ErrorScreen : public Layer {
 
     bool handle(const InputEvent& event) override;
     void draw(Surface& surface, double seconds) override;
+    ClipRectangle free_area(const ClipRectangle& whole) const override;
 
   private:
     struct FETTLE_APP_PRIVATE Line;
@@ -71,8 +73,9 @@ class ErrorScreen : public Layer {
     ClipRectangle free_part(const Surface& surface) const;
     void draw_text(Surface& surface, float bottom);
     void draw_keys(Surface& surface, float bottom) const;
-    void draw_strip(Surface& surface, float bottom) const;
-    void draw_over(Surface& surface, float bottom) const;
+    /// These two return the upper edge of what they have drawn.
+    float draw_strip(Surface& surface, float bottom) const;
+    float draw_over(Surface& surface, float bottom) const;
 
     Actions actions_;
     std::optional<script::ScriptError> error_;
@@ -83,6 +86,8 @@ class ErrorScreen : public Layer {
     bool stop_wanted_ = false;
     bool waits_ = false;  // the user has chosen to wait, and gets no more messages
     int scroll_ = 0;      // lines
+    // What was drawn at the lower edge, in pixels; infinite: nothing.
+    float strip_top_ = std::numeric_limits<float>::infinity();
 };
 
 /// The error as it is written to stderr: message, place, source line, traceback, local variables.

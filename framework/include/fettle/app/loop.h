@@ -73,6 +73,8 @@ class Loop {
     void add(SteppedModule module);
     /// The last added layer gets events first and is drawn last. Not owned.
     void add(Layer& layer);
+    /// The part of `whole` that all layers leave free, except for one.
+    ClipRectangle free_area(ClipRectangle whole, const Layer* except = nullptr) const;
     /// Called before the callbacks of the `n`th step of this run, from 1. It is called once for
     /// each `n`, which counts as `steps_made` does and does not depend on `time.step`. A headless
     /// run counts turns, so that a paused game can be resumed.

@@ -4,6 +4,7 @@
 // property. All of it is generated.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fettle/property/tree.h>
@@ -19,6 +20,10 @@ std::string annotations(const property::Tree& tree);
 
 /// The descriptor in one line: "number · kg · 0 to inf · default 1 · read-only".
 std::string property_facts(const property::Tree& tree, const property::Property& property);
+
+/// Documentation as a terminal and the console show it: without the marks of code that the pages
+/// have.
+std::string shown_doc(std::string_view doc);
 
 struct ReferencePage {
     std::string file;  // "README.md", "classes/Body.md"
