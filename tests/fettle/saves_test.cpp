@@ -116,6 +116,26 @@ function later() world.box = Body {} after(3, function() print("once") end)
     CHECK(run("save_game('b')", "load_game('b')").err == "");
 }
 
+TEST_CASE("loading a game reports which coroutines its file could not hold") {
+    const Folder folder;
+    const std::string file = folder.write("main.lua", R"lua(
+game:run(function() while true do wait(1) end end)
+function later() world.lift = Body {}
+    world.lift:run(function(lift) while true do wait(1) end end) end
+)lua");
+    const auto run = [&](const char* second, const char* fourth) {
+        return fettle(folder, {"run", file, "--headless", "--steps", "9", "--at",
+                               std::string("2:") + second, "--at", std::string("4:") + fourth});
+    };
+    const std::string told =
+        "the saved game \"a\": 1 coroutine that waited when the game was saved did not go back, "
+        "since a file holds no functions; what has begun in this run goes on where it was: "
+        "main.lua:4";
+    CHECK(contains(run("later() save_game('a')", "load_game('a')").err, told));
+    CHECK(contains(run("print()", "load_game('a')").err, told));
+    CHECK(run("save_game('b')", "load_game('b')").err == "");
+}
+
 TEST_CASE("a variable of a saved game that has another type now stays and is reported") {
     const Folder folder;
     const std::string file = folder.write("main.lua", "state('best', 3) best = 7");

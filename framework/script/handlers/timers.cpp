@@ -105,12 +105,14 @@ void Timers::wait(lua_State* L, double seconds) {
     // A coroutine that belongs to neither a timer nor an instance is the scene's whose `enter` made
     // it wait.
     const Lifetime lifetime =
-        lifetimes_.try_emplace(L, Lifetime{{}, machine_.globals.entering, id, false}).first->second;
+        lifetimes_.try_emplace(L, Lifetime{{}, machine_.globals.entering, id, false, noting_top_})
+            .first->second;
     Timer timer{.interval = -1,
                 .function = {},
                 .thread = luaL_ref(L, LUA_REGISTRYINDEX),
                 .owner = lifetime.owner,
                 .scene = lifetime.scene,
+                .top = lifetime.top,
                 .begun = lifetime.begun,
                 .real = lifetime.real};
     if (lifetime.real) {
@@ -224,6 +226,7 @@ void Timers::clear() {
     for (const Parked& parked : parked_)
         luaL_unref(machine_.lua.main, LUA_REGISTRYINDEX, parked.timer.thread);
     parked_.clear();
+    ended_.clear();
     retired_.clear();
     queue_.clear();
     due_.clear();
@@ -335,7 +338,7 @@ void Timers::start(lua_State* L, Handle owner) {
     lua_insert(L, -2);
     push_instance(L, owner);
     lua_xmove(L, thread, 2);
-    resume(L, thread, 1, {owner, machine_.globals.entering, next_id_, false});
+    resume(L, thread, 1, {owner, machine_.globals.entering, next_id_, false, noting_top_});
 }
 
 // Runs a function as a coroutine, so that it can wait.
@@ -350,7 +353,12 @@ bool Timers::fire(const Timer& timer) {
             lua_State* thread = lua_tothread(L, -1);
             luaL_unref(L, LUA_REGISTRYINDEX, timer.thread);
             waiting_.erase(thread);
-            resume(L, thread, 0, {timer.owner, timer.scene, timer.begun, timer.real});
+            resume(L, thread, 0, {timer.owner, timer.scene, timer.begun, timer.real, timer.top});
+            if (!waiting_.contains(thread) && !timer.real) {
+                constexpr std::size_t most_ended = 1000;
+                ended_.push_back({timer.begun, now});
+                if (ended_.size() > most_ended) ended_.pop_front();
+            }
             return;
         }
         const int reference = idle_thread();
@@ -362,7 +370,8 @@ bool Timers::fire(const Timer& timer) {
         lua_xmove(L, thread, 1 + arguments);
         // A thread that waits or failed is left to the garbage collector; a finished one is reused.
         try {
-            resume(L, thread, arguments, {timer.owner, timer.scene, next_id_, timer.real});
+            resume(L, thread, arguments,
+                   {timer.owner, timer.scene, next_id_, timer.real, timer.top});
         } catch (...) {
             luaL_unref(L, LUA_REGISTRYINDEX, reference);
             throw;

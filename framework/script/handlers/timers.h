@@ -2,9 +2,11 @@
 // Timers in simulation time: functions given to `after` and `every`, and coroutines in `wait`.
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -69,8 +71,9 @@ class Timers {
     /// Makes the timers of `from` those of `to`.
     void change_owner(property::Handle from, property::Handle to);
 
-    // Snapshots. Functions are restored. A waiting coroutine keeps its current state and its
-    // remaining time; one that began later than the restored step does not continue.
+    // Snapshots. Functions are restored. A coroutine that has waited since the restored step waits
+    // on, until the same time; one that has run since keeps its current state and its remaining
+    // time; one that began later does not continue.
     struct Timer {
         double interval = -1;
         std::shared_ptr<FunctionRef> function;  // null: a waiting thread
@@ -105,13 +108,15 @@ class Timers {
     /// the game, and coroutines, continue for the rest of their time, and other timers end.
     void restore_from_file(double to);
     Changes take_changes();
-    /// Timers that `restore_from_file` would end: their number, and where the functions of the
-    /// first few of them are defined.
-    struct Ending {
+    /// How many there are, and where the functions of the first few of them are defined.
+    struct Places {
         std::uint64_t count = 0;
         std::vector<std::string> places{};
     };
-    Ending ending() const;
+    /// Timers that `restore_from_file` would end.
+    Places ending() const;
+    /// Waiting coroutines that the top level of the game has not begun: no file contains them.
+    Places coroutines() const;
     /// Estimated bytes, without the functions; these are counted where they were added.
     static std::size_t bytes_of(const Queue& image);
     static std::size_t bytes_of(const Changes& changes);
@@ -122,12 +127,17 @@ class Timers {
     /// return to a later step. The next step continues the coroutine if it had begun at the current
     /// step, and ends it otherwise.
     struct Parked {
-        double rest = 0;  // s
+        double due = 0, rest = 0;  // s: the simulation time for which it waits, and how long still
         std::uint64_t id = 0;
         Timer timer;
     };
     void park();
     void unpark();
+    /// Notes, once, which coroutines could not go back in time: those that go on where they were,
+    /// and the number of those that had ended since.
+    void tell_of_coroutines(const Places& running, std::uint64_t ended);
+    void add_place(Places& to, std::string place) const;
+    std::string place_of(const Timer& timer) const;
     /// A timer or a waiting coroutine in real time.
     struct Real {
         double rest = 0;  // s
@@ -141,6 +151,13 @@ class Timers {
         property::Handle scene{};
         std::uint64_t begun = 0;
         bool real = false;
+        bool top = false;
+    };
+    /// A coroutine that has waited and ended: the number of the next timer when it began, and the
+    /// simulation time of its end.
+    struct Ended {
+        std::uint64_t begun = 0;
+        double at = 0;
     };
 
     Timer made(lua_State* L, double interval, property::Handle owner);
@@ -169,6 +186,10 @@ class Timers {
     std::unordered_map<lua_State*, Lifetime> lifetimes_;  // of threads that run or wait
     std::unordered_set<std::uint64_t> retired_;
     std::vector<Parked> parked_;
+    std::deque<Ended> ended_;  // the last ones
+    bool from_file_ = false;   // its simulation time is that of another run
+    bool returned_ = false;  // the game is in the state of another step, and has made no step there
+    bool told_ = false;
     Reals real_;
     double parked_until_ = 0;        // s, simulation time of the restored step
     std::uint64_t parked_from_ = 0;  // the number of the next timer at the restored step

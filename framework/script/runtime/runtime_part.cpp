@@ -4,7 +4,6 @@
 #include <classes/script_classes.h>
 #include <classes/unplaced.h>
 #include <handlers/connections.h>
-#include <handlers/timers.h>
 #include <library/globals.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -38,6 +37,33 @@ struct Changes : Held {
 
 }  // namespace
 
+namespace {
+
+void put(const Timers::Places& all, property::ByteWriter& to) {
+    to.put(all.count);
+    to.put(static_cast<std::uint64_t>(all.places.size()));
+    for (const std::string& place : all.places) to.put(place);
+}
+
+Timers::Places places_of(property::ByteReader& from) {
+    Timers::Places all{.count = from.get<std::uint64_t>()};
+    for (std::size_t n = from.count(4); n > 0; --n) all.places.emplace_back(from.text());
+    return all;
+}
+
+std::string counted(const Timers::Places& all, const char* what) {
+    return std::to_string(all.count) + " " + what + (all.count == 1 ? "" : "s");
+}
+
+std::string listed(const Timers::Places& all) {
+    std::string text;
+    for (const std::string& place : all.places)
+        text += (&place == &all.places.front() ? ": " : ", ") + place;
+    return text;
+}
+
+}  // namespace
+
 property::Memory RuntimePart::save(property::ByteWriter& to) const {
     for (const std::uint64_t word : machine_.random.state()) to.put(word);
     to.put(machine_.timers.now);
@@ -45,12 +71,13 @@ property::Memory RuntimePart::save(property::ByteWriter& to) const {
     to.put(std::uint64_t{machine_.unplaced.limit});
     machine_.classes.save(to);
     const std::vector<Handle> with_handlers = machine_.connections.instances();
-    const Timers::Ending timers = machine_.timers.ending();
-    if (!with_handlers.empty() || timers.count > 0) to.put(with_handlers);
-    if (timers.count > 0) {
-        to.put(timers.count);
-        to.put(static_cast<std::uint64_t>(timers.places.size()));
-        for (const std::string& place : timers.places) to.put(place);
+    const Timers::Places timers = machine_.timers.ending();
+    const Timers::Places coroutines = machine_.timers.coroutines();
+    const bool ends = timers.count > 0 || coroutines.count > 0;
+    if (!with_handlers.empty() || ends) to.put(with_handlers);
+    if (ends) {
+        put(timers, to);
+        put(coroutines, to);
     }
     auto image = std::make_shared<Image>();
     image->timers = machine_.timers.image();
@@ -77,13 +104,12 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
     const std::function<void()> put_classes = machine_.classes.restore(from);
     std::vector<Handle> had_handlers;
     if (!from.at_end()) had_handlers = from.list<Handle>();
-    std::uint64_t ended_timers = 0;
-    std::vector<std::string> places;
+    Timers::Places timers, coroutines;
     if (!from.at_end()) {
-        ended_timers = from.get<std::uint64_t>();
-        for (std::size_t n = from.count(4); n > 0; --n) places.emplace_back(from.text());
+        timers = places_of(from);
+        coroutines = places_of(from);
     }
-    return [this, random, now, unplaced, limit, put_classes, had_handlers, ended_timers, places,
+    return [this, random, now, unplaced, limit, put_classes, had_handlers, timers, coroutines,
             memory] {
         static const Image nothing;
         const Image& image =
@@ -96,8 +122,8 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
         // A file has no handlers: those of instances that still exist stay.
         if (memory) machine_.connections.restore(image.connections);
         had_handlers_ = memory ? std::vector<Handle>() : had_handlers;
-        ended_timers_ = memory ? 0 : ended_timers;
-        timer_places_ = places;
+        ended_timers_ = memory ? Timers::Places() : timers;
+        coroutines_ = memory ? Timers::Places() : coroutines;
         machine_.unplaced.restore(unplaced,
                                   std::clamp<std::size_t>(limit, 64, 2 * unplaced.size() + 64));
         put_classes();
@@ -107,16 +133,18 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
 
 std::vector<std::string> RuntimePart::remarks() const {
     std::vector<std::string> all = lost_handlers();
-    if (ended_timers_ > 0) {
-        std::string text = std::to_string(ended_timers_) +
-                           (ended_timers_ == 1 ? " timer" : " timers") +
-                           " that the game had when it was saved ended, since a file holds no "
-                           "functions";
-        for (const std::string& place : timer_places_)
-            text += (&place == &timer_places_.front() ? ": " : ", ") + place;
-        all.push_back(text +
-                      "; what must go on belongs to the top level, a step, a state or a tween");
-    }
+    constexpr const char* advice =
+        "; what must go on belongs to the top level, a step, a state or a tween";
+    if (ended_timers_.count > 0)
+        all.push_back(counted(ended_timers_, "timer") +
+                      " that the game had when it was saved ended, since a file holds no "
+                      "functions" +
+                      listed(ended_timers_) + advice);
+    if (coroutines_.count > 0)
+        all.push_back(counted(coroutines_, "coroutine") +
+                      " that waited when the game was saved did not go back, since a file holds no "
+                      "functions; what has begun in this run goes on where it was" +
+                      listed(coroutines_) + advice);
     std::ranges::move(stated_problems(machine_), std::back_inserter(all));
     return all;
 }

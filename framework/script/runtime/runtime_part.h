@@ -4,6 +4,8 @@
 
 #include <fettle/property/snapshot.h>
 
+#include <handlers/timers.h>
+
 namespace fettle::script {
 
 struct Machine;
@@ -29,9 +31,9 @@ class RuntimePart : public property::SnapshotPart {
     /// After a restore from a file: the instances that had handlers when the file was saved. Empty
     /// after a restore from memory.
     std::vector<property::Handle> had_handlers_;
-    /// The number of timers that the last restore ended, and the places in scripts of some of them.
-    std::uint64_t ended_timers_ = 0;
-    std::vector<std::string> timer_places_;
+    /// After a restore from a file: the timers that it ended, and the coroutines that waited when
+    /// it was saved.
+    Timers::Places ended_timers_, coroutines_;
 };
 
 }  // namespace fettle::script
