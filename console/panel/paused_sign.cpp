@@ -13,7 +13,7 @@ namespace fettle::console {
 
 namespace {
 
-constexpr app::SurfaceColor panel_color{20, 23, 30, 235}, text_color{218, 221, 229, 255},
+constexpr app::SurfaceColor panel_color{20, 23, 30, 255}, text_color{218, 221, 229, 255},
     bar_color{244, 162, 89, 255};
 
 void fill_box(app::Surface& surface, const Rect& box, app::SurfaceColor c) {
