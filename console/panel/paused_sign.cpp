@@ -78,4 +78,8 @@ bool Console::State::click_paused_sign(const app::InputEvent& event) {
     return true;
 }
 
+void Console::show_pause() {
+    state_->status.used = true;
+}
+
 }  // namespace fettle::console

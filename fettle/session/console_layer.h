@@ -22,6 +22,7 @@ struct Session::ConsoleLayer {
     void output(std::string_view) {}
     void note(std::string_view) {}
     void report(const script::ScriptError&) {}
+    void show_pause() {}
     void select(const std::vector<property::Handle>&) {}
     std::vector<property::Handle> selection() const { return {}; }
 };

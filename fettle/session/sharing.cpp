@@ -7,6 +7,7 @@
 #include <files/archive.h>
 #include <files/game_path.h>
 #include <game/moment.h>
+#include <session/console_layer.h>
 #include <session/session.h>
 
 namespace fettle::program {
@@ -50,7 +51,10 @@ void Session::open_moment() {
          (moment->tweaks.empty() ? std::string() : ", with these edits:"));
     for (const std::string& tweak : moment->tweaks) note("  " + tweak);
     // In a window, the game is paused, so that the player can look at the moment first.
-    if (!options_.headless) services_->clock.paused = true;
+    if (options_.headless) return;
+    const property::Tree::CauseScope cause(tree_, property::Writer::module);
+    tree_.set(tree_.child(tree_.root(), "time"), "paused", true);
+    if (console_) console_->show_pause();
 }
 
 }  // namespace fettle::program

@@ -148,6 +148,8 @@ class Console : public app::Layer {
     std::shared_ptr<const Continuation> continuation() const;
     /// Goes on where the console of an earlier run ended. To be called before the first frame.
     void continue_from(const Continuation& earlier);
+    /// Call when the program has paused the game: while the console is closed, a sign says so.
+    void show_pause();
     /// Whether terminals may attach (`console.listen`). The host listens then; if it cannot, it
     /// calls `listen(false)`.
     bool listens() const;
