@@ -26,41 +26,59 @@ void Places::look_up(const Class& of) {
     if (points_ != nullptr && points_->element != Type::vec2) points_ = nullptr;
 }
 
-Placement Places::now(const StoredColumns& columns, std::uint32_t row) const {
-    Placement now{.position = *columns.find<Vec2>(*position_, row)};
-    if (angle_ != nullptr) now.angle = *columns.find<double>(*angle_, row);
-    if (scale_ != nullptr) now.scale = *columns.find<double>(*scale_, row);
-    return now;
-}
+/// Reads many rows: the columns are looked up once.
+class Places::Reader {
+  public:
+    Reader(const Places& places, const StoredColumns& columns)
+        : positions_(columns.find<Vec2>(*places.position_, 0)),
+          angles_(cells<double>(columns, places.angle_)),
+          scales_(cells<double>(columns, places.scale_)),
+          visible_(cells<std::uint8_t>(columns, places.visible_)) {}
+    Placement now(std::uint32_t row) const {
+        return {.position = positions_[row],
+                .angle = angles_ == nullptr ? 0 : angles_[row],
+                .scale = scales_ == nullptr ? 1 : scales_[row]};
+    }
+    bool seen(std::uint32_t row) const { return visible_ == nullptr || visible_[row] != 0; }
+
+  private:
+    template <class T>
+    static const T* cells(const StoredColumns& columns, const Property* of) {
+        return of == nullptr ? nullptr : columns.find<T>(*of, 0);
+    }
+    const Vec2* positions_;
+    const double *angles_, *scales_;
+    const std::uint8_t* visible_;
+};
 
 Placement Places::drawn(const StoredColumns& columns, std::uint32_t row, double alpha,
                         double far) const {
-    const Placement at = now(columns, row);
+    const Placement at = Reader(*this, columns).now(row);
     return alpha < 1 && row < tracks_.size() ? tracks_[row].drawn(at, alpha, far) : at;
 }
 
-bool Places::seen(const StoredColumns& columns, std::uint32_t row) const {
-    return visible_ == nullptr || *columns.find<std::uint8_t>(*visible_, row) != 0;
-}
-
 void Places::note_step_begins(const StoredColumns& columns) {
-    if (!any()) return;
-    tracks_.resize(columns.rows());
-    for (std::uint32_t row = 0; row < tracks_.size(); ++row)
-        tracks_[row].step_begins(now(columns, row), seen(columns, row));
+    const std::uint32_t rows = columns.rows();
+    tracks_.resize(rows);
+    if (points_ != nullptr) points_before_.resize(rows);
+    if (rows == 0) return;
+    const Reader read(*this, columns);
+    for (std::uint32_t row = 0; row < rows; ++row)
+        tracks_[row].step_begins(read.now(row), read.seen(row));
     if (points_ == nullptr) return;
-    points_before_.resize(columns.rows());
-    for (std::uint32_t row = 0; row < points_before_.size(); ++row)
-        points_before_[row] = seen(columns, row) ? *columns.find<Value>(*points_, row) : Value();
+    const Value* const points = columns.find<Value>(*points_, 0);
+    for (std::uint32_t row = 0; row < rows; ++row)
+        points_before_[row] = read.seen(row) ? points[row] : Value();
 }
 
 void Places::note_step_ended(const StoredColumns& columns) {
-    for (std::uint32_t row = 0; row < tracks_.size(); ++row)
-        tracks_[row].step_ended(now(columns, row));
+    if (tracks_.empty()) return;
+    const Reader read(*this, columns);
+    for (std::uint32_t row = 0; row < tracks_.size(); ++row) tracks_[row].step_ended(read.now(row));
     if (points_ == nullptr) return;
     points_after_.resize(points_before_.size());
-    for (std::uint32_t row = 0; row < points_after_.size(); ++row)
-        points_after_[row] = *columns.find<Value>(*points_, row);
+    const Value* const points = columns.find<Value>(*points_, 0);
+    for (std::uint32_t row = 0; row < points_after_.size(); ++row) points_after_[row] = points[row];
 }
 
 Value Places::drawn_points(const StoredColumns& columns, std::uint32_t row, double alpha,

@@ -22,13 +22,13 @@ class Places {
     bool has_scale() const { return scale_ != nullptr; }
     /// Whether it stores a list of vec2s with the name `points`.
     bool has_points() const { return points_ != nullptr; }
-    Placement now(const StoredColumns& columns, std::uint32_t row) const;
     /// Where it is drawn: see `Track`.
     Placement drawn(const StoredColumns& columns, std::uint32_t row, double alpha,
                     double far) const;
     /// The property `points` as it is drawn.
     Value drawn_points(const StoredColumns& columns, std::uint32_t row, double alpha,
                        double far) const;
+    /// Only if there are `any`.
     void note_step_begins(const StoredColumns& columns);
     void note_step_ended(const StoredColumns& columns);
     void forget(std::uint32_t row) {
@@ -37,7 +37,7 @@ class Places {
     }
 
   private:
-    bool seen(const StoredColumns& columns, std::uint32_t row) const;
+    class Reader;
 
     // Null if the class does not store it in this type.
     const Property *position_ = nullptr, *angle_ = nullptr, *scale_ = nullptr, *visible_ = nullptr,

@@ -24,34 +24,33 @@ class Finder {
           far_(on_screen ? tree.state().far.screen : tree.state().far.world) {}
 
     /// Nothing if the instance has no position.
-    std::optional<Placement> find(Handle instance) const {
-        const Node& node = all_.require(instance);
+    std::optional<Placement> find(std::uint32_t index, const Node& node) const {
+        const Handle self = all_.nodes.handle(index);
         const StoredColumns* const columns = all_.stored[node.class_id].get();
-        if (columns == nullptr || !columns->places.any()) return elsewhere(instance, node);
+        if (columns == nullptr || !columns->places.any()) return elsewhere(self, node);
         const Places& places = columns->places;
         Placement found = places.drawn(*columns, node.stored_row, alpha_, far_);
-        add_angle_and_scale(instance, !places.has_angle(), !places.has_scale(), found);
+        add_angle_and_scale(self, !places.has_angle(), !places.has_scale(), found);
         return found;
     }
 
   private:
     /// In ad-hoc properties, or in the memory of a module.
-    std::optional<Placement> elsewhere(Handle instance, const Node& node) const {
+    std::optional<Placement> elsewhere(Handle self, const Node& node) const {
         static const Symbol position("position");
-        const Value there = value_of(tree_, instance, position);
+        const Value there = value_of(tree_, self, position);
         if (!there.is(Type::vec2)) return {};
         Placement found{.position = there.vec2()};
-        add_angle_and_scale(instance, true, true, found);
-        const auto track = all_.ad_hoc.tracks.find(instance.index);
+        add_angle_and_scale(self, true, true, found);
+        const auto track = all_.ad_hoc.tracks.find(self.index);
         if (alpha_ == 1 || !node.has_ad_hoc || track == all_.ad_hoc.tracks.end()) return found;
         return track->second.drawn(found, alpha_, far_);
     }
 
-    void add_angle_and_scale(Handle instance, bool with_angle, bool with_scale,
-                             Placement& to) const {
+    void add_angle_and_scale(Handle self, bool with_angle, bool with_scale, Placement& to) const {
         static const Symbol angle("angle"), scale("scale");
         const auto add = [&](Symbol name, double& number) {
-            const Value found = value_of(tree_, instance, name);
+            const Value found = value_of(tree_, self, name);
             if (found.is_numeric()) number = found.as_double();
         };
         if (with_angle) add(angle, to.angle);
@@ -77,18 +76,23 @@ Transform local_pose(const Placement& at, bool on_screen) {
 
 std::optional<Transform> place_below(const Tree& tree, Handle instance, bool on_screen,
                                      double alpha) {
-    std::optional<Transform> all;
-    const auto add = [&](const Transform& pose) { all = all ? pose * *all : pose; };
+    if (!instance) return {};
+    const Instances& all = tree.state().instances;
+    all.require(instance);
+    all.reads.note_structure();
+    std::optional<Transform> place;
+    const auto add = [&](const Transform& pose) { place = place ? pose * *place : pose; };
     const Finder finder(tree, on_screen, alpha);
-    for (Handle at = instance; at && at != tree.root(); at = tree.parent(at)) {
-        const Lifecycle& lifecycle = tree.class_of(at).lifecycle();
+    for (std::uint32_t i = instance.index; i != 0 && i != all.root.index; i = all.nodes[i].parent) {
+        const Node& node = all.nodes[i];
+        const Lifecycle& lifecycle = all.class_of(node).lifecycle();
         if (lifecycle.pose) {
-            add(lifecycle.pose(lifecycle.context, tree, at, tree.row(at), alpha));
+            add(lifecycle.pose(lifecycle.context, tree, all.nodes.handle(i), node.row, alpha));
             break;
         }
-        if (const auto placed = finder.find(at)) add(local_pose(*placed, on_screen));
+        if (const auto placed = finder.find(i, node)) add(local_pose(*placed, on_screen));
     }
-    return all;
+    return place;
 }
 
 }  // namespace fettle::property
