@@ -205,6 +205,20 @@ TEST_CASE_METHOD(Pictures, "a formula that a step changes is drawn between two s
     CHECK(x(self) == Approx(0.5));
 }
 
+TEST_CASE_METHOD(Pictures, "a formula that asks where an instance is drawn follows it") {
+    const Handle below = make(self);
+    const Handle mark = make();
+    Formula there;
+    there.function = [below](const Tree& in) {
+        return std::get<Value>(const_cast<Tree&>(in).call(below, "drawn_position", {}));
+    };
+    tree.set_formula(mark, "position", there);
+    move(self, {3, 0});
+    CHECK(tree.get(mark, "position").vec2() == Vec2(3, 0));
+    move(below, {0, 1});
+    CHECK(tree.get(mark, "position").vec2() == Vec2(3, 1));
+}
+
 TEST_CASE_METHOD(Pictures, "a list of points is drawn between two steps") {
     const Property& points = *tree.find(self, "points");
     const auto drawn = [&] { return drawn_points(tree, self, points, false, 0.5).list(); };

@@ -9,7 +9,16 @@ namespace fettle::property {
 
 namespace {
 
+/// A formula that asks for a place runs again when a value has changed that is part of the place.
+void read_for_formula(const Tree& tree, Handle self) {
+    static const Symbol names[] = {Symbol("position"), Symbol("angle"), Symbol("scale")};
+    for (Handle at = self; at && at != tree.root(); at = tree.parent(at))
+        for (const Symbol name : names)
+            if (const Property* const found = tree.find(at, name)) (void)tree.get(at, *found);
+}
+
 Transform drawn_place(const Tree& tree, Handle self) {
+    if (tree.in_formula()) read_for_formula(tree, self);
     return place_below(tree, self, false, Drawing::alpha()).value_or(Transform());
 }
 
