@@ -459,6 +459,19 @@ function fettle_Object:tween(property, to, seconds, ease, options) end
 ---@overload fun(self: Object, handler: fun(new: any, old: any, change: Change)): Connection
 function fettle_Object:watch(property, handler) end
 
+---Its angle in the world, in the picture that is being drawn. Outside of `draw`: that after the last step.
+---@return number angle Counter-clockwise. · rad
+function fettle_Object:drawn_angle() end
+
+---Where it is in the picture that is being drawn: pictures are drawn between the last two steps. Outside of `draw`: where it is after the last step. Without a `position`, it is where its parent is.
+---@return vec position The position in the world. · m
+function fettle_Object:drawn_position() end
+
+---Where a point of it is in the picture that is being drawn. Outside of `draw`: where it is after the last step.
+---@param point vec A point in its own coordinates. · m
+---@return vec point The point in the world. · m
+function fettle_Object:to_drawn(point) end
+
 ---A plain node: a place for children and for properties of your own.
 ---@class Class.Object : Class
 ---@overload fun(members?: table): Object
@@ -2200,6 +2213,7 @@ Voice = {}
 
 ---What the player does: keys, mouse, gamepads, and the actions bound to them.
 ---@class Input : Object
+---@field clipboard string The text that was copied last: by the player, or by the game, which sets it. In a window it is the clipboard of the system, as it was when the player last pressed ctrl and V or copied something in the game. · any text · default "" · not saved
 ---@field dead_zone number How far a stick must be moved before actions react to it. · 0 to 0.9 · default 0.2 · not saved
 ---@field gamepads Gamepad[] All gamepads, connected or not: input.gamepads[1].left. · any length · read-only
 ---@field move vec Where the player wants to go, right and up positive, of length 1 at most: from the keys and sticks of `input.actions.move`. · -1 to 1 · read-only, simulated
@@ -2812,13 +2826,14 @@ Toggle = {}
 ---@field instance TextField The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----A line of text to type.
+---A line of text to type. Shift with the arrow keys, Home and End, or dragging the mouse selects; ctrl with A selects everything, with C, X and V copies, cuts and pastes.
 ---@class TextField : Widget
 ---@field bind string Path of a text or number; the player's typing sets it at once. Text that is no number does not change a number, and is replaced by it when the field loses the keyboard. · any text · default ""
----@field caret integer Number of characters before the caret, the text cursor. · 0 to 1e9 · default 0
+---@field caret integer Number of characters before the caret, the text cursor. It is one end of the selection. · 0 to 1e9 · default 0
 ---@field focusable boolean Whether it can have the keyboard. · true or false · default true
 ---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
 ---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
+---@field mark integer? Number of characters before the other end of the selection; nil: nothing is selected. What the player types takes the place of the selection. · 0 to 1e9 · default nil · may be nil
 ---@field max_length integer Number of characters that can be typed; 0: no limit. · 0 to 1e6 · default 0
 ---@field overflow "cut"|"wrap" What happens with text that is too long for its width: cut ends it with "…", wrap continues it in another line. · "cut", "wrap" · default "cut"
 ---@field placeholder string Shown while it is empty. · any text · default ""
@@ -2837,7 +2852,7 @@ local fettle_TextField = {}
 ---@overload fun(self: TextField, event: "submitted", handler: fun(record: TextField.submitted)): Connection
 function fettle_TextField:on(event, handler) end
 
----A line of text to type.
+---A line of text to type. Shift with the arrow keys, Home and End, or dragging the mouse selects; ctrl with A selects everything, with C, X and V copies, cuts and pastes.
 ---@class Class.TextField : Class
 ---@overload fun(members?: table): TextField
 TextField = {}

@@ -2,6 +2,7 @@
 
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
+#include <fettle/property/utf8.h>
 
 #include <session/session.h>
 
@@ -28,6 +29,13 @@ app::WindowState at_start(const property::GameSettings& settings,
     return state;
 }
 
+void write(property::Tree& tree, property::Handle to, const char* name,
+           const property::Value& value) {
+    static std::function<std::string()> where = [] { return std::string("the player"); };
+    const property::Tree::CauseScope cause(tree, property::Writer::module, &where);
+    tree.set(to, name, value);
+}
+
 }  // namespace
 
 GameWindow::GameWindow(const std::filesystem::path& game, const property::GameSettings& settings)
@@ -39,6 +47,7 @@ GameWindow::GameWindow(const std::filesystem::path& game, const property::GameSe
 void GameWindow::before_start(Session& session) {
     session.set_screen(window_->size());
     show_icon(session);
+    clipboard_.clear();
 }
 
 void GameWindow::show_icon(Session& session) {
@@ -69,15 +78,33 @@ void GameWindow::started(Session& session) {
 
 void GameWindow::set(Session& session, const char* name, const property::Value& value) {
     property::Tree& tree = session.tree();
-    static std::function<std::string()> where = [] { return std::string("the player"); };
-    const property::Tree::CauseScope cause(tree, property::Writer::module, &where);
     const property::Handle window = tree.child(tree.child(tree.root(), "view"), "window");
-    if (tree.alive(window)) tree.set(window, name, value);
+    if (tree.alive(window)) write(tree, window, name, value);
+}
+
+/// Through the tree, for the same reason: a replay pastes what was pasted.
+void GameWindow::read_clipboard(Session& session) {
+    constexpr std::size_t most = 1 << 20;
+    clipboard_ = window_->clipboard().read();
+    clipboard_.resize(property::code_point_boundary(clipboard_, most));
+    property::Tree& tree = session.tree();
+    write(tree, tree.child(tree.root(), "input"), "clipboard", clipboard_);
+}
+
+void GameWindow::write_clipboard(Session& session) {
+    const property::Tree& tree = session.tree();
+    const property::Value text = tree.get(tree.child(tree.root(), "input"), "clipboard");
+    if (text.text() == clipboard_) return;
+    clipboard_ = text.text();
+    window_->clipboard().write(clipboard_);
 }
 
 bool GameWindow::handle(const app::InputEvent& event, Session& session) {
-    const bool wanted = event.kind == app::EventKind::key_pressed && !event.repeated &&
-                        (event.name == "f11" || (event.name == "enter" && event.alt));
+    const bool pressed = event.kind == app::EventKind::key_pressed;
+    if (pressed && event.control && event.name == "v" && !session.console_is_open())
+        read_clipboard(session);
+    const bool wanted =
+        pressed && !event.repeated && (event.name == "f11" || (event.name == "enter" && event.alt));
     if (wanted) set(session, "fullscreen", !session.services().view.window.fullscreen);
     return wanted;
 }
@@ -86,6 +113,7 @@ void GameWindow::follow(Session& session) {
     const app::WindowState& state = session.services().view.window;
     window_->follow(state);
     show_icon(session);
+    write_clipboard(session);
     if (state.fullscreen == fullscreen_) return;
     fullscreen_ = state.fullscreen;
     player_.fullscreen = fullscreen_;

@@ -26,20 +26,24 @@ class GameWindow {
     void before_start(Session& session);
     /// Applies the settings that the player made in earlier runs.
     void started(Session& session);
-    /// Whether the event is a key of the window: F11 and Alt+Enter change `fullscreen`.
+    /// Whether the event is a key of the window: F11 and Alt+Enter change `fullscreen`. With ctrl
+    /// and V, `input.clipboard` becomes the clipboard of the system.
     bool handle(const app::InputEvent& event, Session& session);
     /// Call once a frame, before drawing.
     void follow(Session& session);
 
   private:
     void show_icon(Session& session);
+    void read_clipboard(Session& session);
+    void write_clipboard(Session& session);
     void set(Session& session, const char* name, const property::Value& value);
 
     std::filesystem::path folder_;  // of the player
     property::PlayerSettings player_;
     std::unique_ptr<app::Window> window_;
-    bool fullscreen_;     // as last seen
-    std::string icon_{};  // as last seen
+    bool fullscreen_;          // as last seen
+    std::string icon_{};       // as last seen
+    std::string clipboard_{};  // `input.clipboard` as last seen
 };
 
 }  // namespace fettle::program

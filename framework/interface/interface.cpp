@@ -177,6 +177,7 @@ std::uint64_t Interface::hash() const {
         add(std::bit_cast<std::uint64_t>(widget.content.value));
         add(std::bit_cast<std::uint64_t>(widget.content.scroll));
         add(static_cast<std::uint64_t>(widget.content.caret));
+        add(static_cast<std::uint64_t>(widget.content.mark.value_or(-1)));
         add(static_cast<std::uint64_t>(widget.content.selected));
         add((widget.content.on ? 1u : 0u) | (widget.visible ? 2u : 0u) |
             (widget.disabled ? 4u : 0u) | (widget.content.listening ? 8u : 0u));

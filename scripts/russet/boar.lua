@@ -42,7 +42,7 @@ class("Boar", Thing) { image = "art/boar.png", columns = 7, animation = "1-4", f
         end },
         dead = { step = function(self, dt) self.position, self.angle = self.position - vec(0, 4 * dt), self.angle + 2 * dt end },
     } }
-function Boar:draw(pen) for i = 1, self.hp do pen.image("art/heart.png", self.position + vec(0.55 * i - 1.65, 1.75), 0.45) end end
+function Boar:draw(pen) for i = 1, self.hp do pen.image("art/heart.png", self:drawn_position() + vec(0.55 * i - 1.65, 1.75), 0.45) end end
 function Boar:pose(animation, speed, seconds) self.animation, self.frames_per_second, self.left = animation, speed, seconds end
 function Boar:waited(dt)
     self.left = self.left - dt

@@ -31,7 +31,11 @@ struct Game {
     }
     void place(const Vec2& at) { tree.set(target, "position", Value(at)); }
     Vec2 after(int steps) {
-        for (int i = 0; i < steps; ++i) view.advance(tree, 1.0 / 60);
+        for (int i = 0; i < steps; ++i) {
+            view.note_step_begins();
+            view.advance(tree, 1.0 / 60);
+            view.note_step_ended();
+        }
         return view.center;
     }
 };
@@ -86,13 +90,43 @@ TEST_CASE_METHOD(Game, "the view stays within its limits") {
 }
 
 TEST_CASE_METHOD(Game, "a picture shows the view between two steps") {
+    tree.set(self, "follow_damping", Value(1e-9));
     after(1);
     place({10, 4});
     after(1);
-    CHECK(near(view.drawn(0.5, 0).center, {9, 4}));
-    CHECK(near(view.drawn(1, 0).center, {10, 4}));
+    CHECK(near(view.drawn(tree, 0.5).center, {9, 4}));
+    CHECK(near(view.drawn(tree, 1).center, {10, 4}));
     tree.set(self, "center", Value(Vec2(0, 0)));  // by the game, after the step
-    CHECK(near(view.drawn(0.5, 0).center, {0, 0}));
+    CHECK(near(view.drawn(tree, 0.5).center, {0, 0}));
+}
+
+TEST_CASE_METHOD(Game, "what the view follows without a delay is in the middle of every picture") {
+    after(1);
+    place({10, 4});
+    CHECK(near(view.drawn(tree, 0.5).center, {10, 4}));
+    tree.set(self, "limits", Value(List{Vec2(-30, -12), Vec2(20, 12)}));
+    CHECK(near(view.drawn(tree, 0.5).center, {4, 2}));
+    tree.set(self, "center", Value(Vec2(1, 1)));
+    CHECK(near(view.drawn(tree, 0.5).center, {1, 1}));
+}
+
+TEST_CASE_METHOD(Game, "a turn and a zoom of the view are drawn between two steps") {
+    tree.set(self, "follow", Value(Handle{}));
+    view.note_step_begins();
+    tree.set(self, "angle", Value(0.4));
+    tree.set(self, "height", Value(30.0));
+    view.note_step_ended();
+    CHECK(view.drawn(tree, 0.5).angle == Approx(0.2));
+    CHECK(view.drawn(tree, 0.5).height == Approx(25));
+    CHECK(view.drawn(tree, 1).height == Approx(30));
+}
+
+TEST_CASE_METHOD(Game, "a cut of the view to another place is not drawn on its way") {
+    tree.set(self, "follow", Value(Handle{}));
+    view.note_step_begins();
+    tree.set(self, "center", Value(Vec2(100, 0)));
+    view.note_step_ended();
+    CHECK(near(view.drawn(tree, 0.5).center, {100, 0}));
 }
 
 TEST_CASE_METHOD(Game, "a shake moves the picture only and ends") {
@@ -101,7 +135,7 @@ TEST_CASE_METHOD(Game, "a shake moves the picture only and ends") {
     double most = 0;
     for (int i = 0; i < 29; ++i) {
         CHECK(near(after(1), {8, 4}));
-        const double moved = (view.drawn(1, i / 60.0).center - view.center).length();
+        const double moved = (view.drawn(tree, 1).center - view.center).length();
         CHECK(moved < 0.75);
         most = std::max(most, moved);
     }
@@ -109,7 +143,7 @@ TEST_CASE_METHOD(Game, "a shake moves the picture only and ends") {
     tree.call(self, "shake", {Value(0.001), Value(9.0)});  // weaker than what is left
     CHECK(tree.get(self, "shake_left").number() < 0.5);
     after(2);
-    CHECK(near(view.drawn(1, 1.3).center, view.center));
+    CHECK(near(view.drawn(tree, 1).center, view.center));
     CHECK_THROWS_AS(tree.call(self, "shake", {Value(-1.0)}), property::Error);
 }
 

@@ -87,7 +87,7 @@ TEST_CASE("pairs of a description visits its fields in the documented order") {
                    "end print(table.concat(names, ' '))") ==
           "name type unit doc nullable optional");
     CHECK(s.prints("for k, v in pairs(World.methods) do print(k, v.name) end") ==
-          "1\traycast|2\traycast_all");
+          "1\tdrawn_position|2\tdrawn_angle|3\tto_drawn|4\traycast|5\traycast_all");
 }
 
 TEST_CASE("the description of an instance includes its ad-hoc properties") {

@@ -2,6 +2,7 @@
 
 #include <catch.h>
 
+#include <fettle/property/between_steps.h>
 #include <fettle/property/storage/saves.h>
 
 #include "gallery.h"
@@ -29,6 +30,24 @@ std::string exported() {
 }
 
 }  // namespace
+
+TEST_CASE_METHOD(Gallery, "sprites and lines are drawn between two steps") {
+    const Handle above = make("Sprite", {{"image", "hero.tga"}, {"pixels_per_unit", 4.0}});
+    const Handle below = make("Sprite", {{"image", "hero.tga"}, {"pixels_per_unit", 4.0}}, above);
+    const Handle line = make("Line", {{"points", List{Vec2(0, 0), Vec2(1, 0)}}, {"width", 0.01}});
+    const auto left = [&](std::size_t n) { return draw({}, 0.5).at(n).lower_left; };
+    const Vec2 from_above = left(0), from_below = left(1), from_line = left(2);
+    note_step_begins(tree);
+    tree.set(above, "position", Value(Vec2(1, 0)));
+    tree.set(below, "position", Value(Vec2(0, 1)));
+    tree.set(line, "position", Value(Vec2(0, 1)));
+    tree.set(line, "points", Value(List{Vec2(0, 1), Vec2(1, 0)}));
+    note_step_ended(tree, {.world = 2, .screen = 100});
+    CHECK(near(left(0), from_above + Vec2(0.5, 0)));
+    CHECK(near(left(1), from_below + Vec2(0.5, 0.5)));
+    CHECK(near(left(2), from_line + Vec2(0, 1)));
+    CHECK(near(draw({}, 1).at(0).lower_left, from_above + Vec2(1, 0)));
+}
 
 TEST_CASE_METHOD(Gallery, "the picture of a saved game is an image") {
     std::uint32_t wide = 2;

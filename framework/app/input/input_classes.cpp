@@ -228,6 +228,19 @@ Property dead_zone_property(State& state) {
             .transient = true};
 }
 
+Property clipboard_property(State& state) {
+    return {.name = "clipboard",
+            .type = Type::text,
+            .doc =
+                "The text that was copied last: by the player, or by the game, which sets it. In "
+                "a window it is the clipboard of the system, as it was when the player last "
+                "pressed ctrl and V or copied something in the game.",
+            .binding = accessor(
+                state, [](State& s, Row) { return Value(s.clipboard); },
+                [](State& s, Row, const Value& text) { s.clipboard = text.text(); }),
+            .transient = true};
+}
+
 }  // namespace
 
 void Input::State::define() {
@@ -238,6 +251,7 @@ void Input::State::define() {
          .snapshots = property::Snapshots::never,
          .properties = {move_property(*this),
                         dead_zone_property(*this),
+                        clipboard_property(*this),
                         {.name = "gamepads",
                          .type = Type::list,
                          .doc = "All gamepads, connected or not: input.gamepads[1].left.",

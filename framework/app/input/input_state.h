@@ -133,6 +133,7 @@ struct Input::State {
     std::deque<Action> actions{};  // rows of the class Action
     Action move{};                 // has no instance
     double dead_zone = 0.2;
+    std::string clipboard{};
     ActionRules rules{*this};
     property::Vec2 mouse{0, 0};  // px
     double wheel = 0;            // notches in this frame, with those added by scripts

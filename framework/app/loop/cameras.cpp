@@ -167,11 +167,6 @@ std::vector<Handle> Cameras::shown() const {
     return found;
 }
 
-bool Cameras::without_delay(const View& view) const {
-    return view.follow && tree_.alive(view.follow) && view.follow_damping == 0 &&
-           view.dead_zone == Vec2(0, 0) && view.limits.empty();
-}
-
 CameraPicture Cameras::picture(Handle camera, const Vec2& screen, double alpha) const {
     const auto value = [&](const Property* of) { return tree_.peek(camera, *of); };
     CameraPicture made;
@@ -191,29 +186,26 @@ CameraPicture Cameras::picture(Handle camera, const Vec2& screen, double alpha) 
     view.shake_amount = value(of_.shake_amount).as_double();
     view.shake_length = value(of_.shake_length).as_double();
     view.shake_left = value(of_.shake_left).as_double();
+    view.step_length = view_.step_length;
+    if (const auto row = std::ranges::find(rows_, camera, &Row::self); row != rows_.end())
+        view.track = row->track;
     // Also before the first step, and where a body has been put elsewhere.
-    if (without_delay(view))
+    if (view.follows_without_delay(tree_) && view.limits.empty())
         if (const auto place = property::place_below(tree_, view.follow, false, alpha))
             view.center = place->origin;
     return made;
 }
 
-CameraPicture Cameras::drawn(Handle camera, const Vec2& screen, double alpha, double now) const {
+CameraPicture Cameras::drawn(Handle camera, const Vec2& screen, double alpha) const {
     CameraPicture made = picture(camera, screen, alpha);
-    View& view = made.view;
-    // The shake first: its offset does not depend on the center.
-    const Vec2 shaken = view.drawn(1, now).center - view.center;
-    const auto row = std::ranges::find(rows_, camera, &Row::self);
-    if (!without_delay(view) && row != rows_.end() && view.center == row->after)
-        view.center = row->before + alpha * (row->after - row->before);
-    view.center += shaken;
+    made.view = made.view.drawn(tree_, alpha);
     return made;
 }
 
 CameraPicture Cameras::seen(Handle camera) const {
     const Vec2 screen = view_.picture();
-    return drawn_at_ ? drawn(camera, screen, property::Drawing::alpha(), *drawn_at_)
-                     : picture(camera, screen, 1);
+    return property::Drawing::underway() ? drawn(camera, screen, property::Drawing::alpha())
+                                         : picture(camera, screen, 1);
 }
 
 double Cameras::zoom(property::Row row) const {
@@ -227,45 +219,59 @@ void Cameras::set_zoom(property::Row row, double zoom) {
     tree_.set(camera, "height", Value(height));
 }
 
-void Cameras::advance(double dt) {
+void Cameras::each(const std::function<void(Row&)>& visit) {
     // By index: a function that a write calls may make cameras.
     for (std::size_t i = 0; i < rows_.size(); ++i)
         if (const Handle camera = rows_[i].self;
             camera && tree_.alive(camera) && tree_.is_below(camera, tree_.root()))
-            advance(rows_[i], dt);
+            visit(rows_[i]);
+}
+
+property::Placement Cameras::placement(Handle camera) const {
+    return {.position = tree_.peek(camera, *of_.center).vec2(),
+            .angle = tree_.peek(camera, *of_.angle).as_double(),
+            .scale = tree_.peek(camera, *of_.height).as_double()};
+}
+
+void Cameras::note_step_begins() {
+    each([this](Row& row) {
+        row.track.step_begins(placement(row.self), tree_.peek(row.self, *of_.visible).boolean());
+    });
+}
+
+void Cameras::note_step_ended() {
+    each([this](Row& row) { row.track.step_ended(placement(row.self)); });
+}
+
+void Cameras::advance(double dt) {
+    each([&](Row& row) { advance(row, dt); });
 }
 
 void Cameras::advance(Row& row, double dt) {
     static std::function<std::string()> where = [] { return std::string("the camera"); };
     const property::Tree::CauseScope cause(tree_, property::Writer::module, &where);
-    View view = picture(row.self, view_.picture(), 1).view;
-    row.before = view.center = tree_.peek(row.self, *of_.center).vec2();
+    const Handle camera = row.self;
+    View view = picture(camera, view_.picture(), 1).view;
+    const Vec2 before = view.center = tree_.peek(camera, *of_.center).vec2();
     const double shaking = view.shake_left;
     view.advance(tree_, dt);
-    row.after = view.center;
-    const Handle camera = row.self;
-    const bool moved = row.before != row.after;
+    const bool moved = before != view.center;
     if (moved && !tree_.formula(camera, *of_.center))
         tree_.set(camera, "center", Value(view.center));
     if (view.shake_left != shaking) tree_.set(camera, "shake_left", Value(view.shake_left));
 }
 
-void Cameras::draw(property::Painter& painter, const View& view, double alpha, double now,
+void Cameras::draw(property::Painter& painter, const View& view, double alpha,
                    const std::function<void(property::Painter&)>& game) {
     const std::vector<Handle> cameras = shown();
     if (cameras.empty()) return game(painter);
-    drawn_at_ = now;
-    const struct End {
-        std::optional<double>& at;
-        ~End() { at.reset(); }
-    } end{drawn_at_};
     {
         CameraPainter world(painter, CameraPainter::Part::world);
         game(world);
     }
     for (const Handle camera : cameras) {
         if (!tree_.alive(camera)) continue;  // a function that draws has deleted it
-        const CameraPicture shown = drawn(camera, view.picture(), alpha, now);
+        const CameraPicture shown = drawn(camera, view.picture(), alpha);
         if ((shown.upper - shown.lower).smallest() < 1) continue;
         const Value color = tree_.peek(camera, *of_.background);
         property::Paint paint{.border = {0, 0, 0, 0}};

@@ -34,17 +34,6 @@ Color contrasting(Color background, float opacity) {
     return {shade, shade, shade, opacity};
 }
 
-/// While it lives, a picture of `drawn` is drawn.
-class Shown {
-  public:
-    Shown(View& view, const View& drawn) : view_(view) { view.shown = &drawn; }
-    ~Shown() { view_.shown = nullptr; }
-    Shown(const Shown&) = delete;
-
-  private:
-    View& view_;
-};
-
 /// Draws a grid. The lines are a power of ten of meters apart, which is 20 to 200 pixels.
 void draw_grid(property::Painter& painter, const View& view) {
     const double spacing = std::pow(10, std::ceil(std::log10(20 / view.zoom())));
@@ -158,17 +147,16 @@ ClipRectangle Loop::free_area(ClipRectangle whole, const Layer* except) const {
 void Loop::draw(Screen& screen, double seconds) {
     const Pin pin(*this, "draw");
     const auto start = std::chrono::steady_clock::now();
-    View& view = services_.view;
+    const View& view = services_.view;
     Clock& clock = services_.clock;
     const property::Drawing drawing(clock.alpha);
     screen.begin(view.background);
-    const View drawn = view.drawn(clock.alpha, clock.now);
-    const Shown shown(view, drawn);
+    const View drawn = view.drawn(tree_, clock.alpha);
     property::Painter& painter = screen.painter(drawn);
     if (view.show.grid) draw_grid(painter, drawn);
     std::optional<Blame> blame;
     if (view.show.blame) blame.emplace(tree_, clock.dt);
-    services_.cameras().draw(painter, drawn, clock.alpha, clock.now, [&](property::Painter& on) {
+    services_.cameras().draw(painter, drawn, clock.alpha, [&](property::Painter& on) {
         using Part = property::DrawingPart::Part;
         {
             const property::DrawingPart part(blame ? Part::instances : Part::all);

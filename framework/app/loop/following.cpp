@@ -106,7 +106,6 @@ Vec2 world_position(const Tree& tree, Handle instance) {
 }
 
 void View::advance(const Tree& tree, double dt) {
-    center_before_ = center;
     if (follow && tree.alive(follow)) {
         const Vec2 way = world_position(tree, follow) - center;
         // Only the part of the way outside of the dead zone counts.
@@ -117,8 +116,8 @@ void View::advance(const Tree& tree, double dt) {
         if (next.is_finite()) center = next.max({-1e9, -1e9}).min({1e9, 1e9});
     }
     keep_to_limits();
-    center_after_ = center;
     shake_left = std::max(0.0, shake_left - dt);
+    step_length = dt;
 }
 
 void View::keep_to_limits() {
@@ -131,15 +130,27 @@ void View::keep_to_limits() {
     }
 }
 
-View View::drawn(double alpha, double now) const {
+bool View::follows_without_delay(const Tree& tree) const {
+    return follow && tree.alive(follow) && follow_damping == 0 && dead_zone == Vec2(0, 0);
+}
+
+View View::drawn(const Tree& tree, double alpha) const {
     View seen = *this;
-    // Unless the game has put the center elsewhere since the step.
-    if (center == center_after_)
-        seen.center = center_before_ + alpha * (center_after_ - center_before_);
+    const property::Placement at = track.drawn(placement(), alpha, far());
+    seen.center = at.position;
+    seen.angle = at.angle;
+    seen.height = at.scale;
+    // What it follows stays in its middle, unless the game has put the center elsewhere since.
+    if (track.is_left_at(center) && follows_without_delay(tree))
+        if (const auto place = property::place_below(tree, follow, false, alpha)) {
+            seen.center = place->origin;
+            seen.keep_to_limits();
+        }
     if (shake_left > 0 && shake_length > 0) {
-        const double size = shake_amount * std::min(1.0, shake_left / shake_length);
+        const double left = std::min(shake_left + (1 - alpha) * step_length, shake_length);
+        const double size = shake_amount * left / shake_length, since = shake_length - left;
         // Two vibrations without a common period, so that the motion does not repeat.
-        seen.center += size * Vec2(std::sin(71 * now), std::sin(97 * now + 1));
+        seen.center += size * Vec2(std::sin(71 * since), std::sin(97 * since + 1));
     }
     return seen;
 }

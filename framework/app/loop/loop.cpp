@@ -289,6 +289,7 @@ bool Loop::make_step(Stopwatch& watch) {
         Timeline& timeline;
         ~Leave() { timeline.leave_step(); }
     } leave{timeline_};
+    if (shows_steps_) note_step_begins();
     timeline_.begin_step();
     clock.advance();
     tree_.set_step(static_cast<std::uint64_t>(clock.step));
@@ -314,12 +315,29 @@ bool Loop::make_step(Stopwatch& watch) {
     timeline_.end_step();
     if (observer_ != nullptr) observer_->stepped();
     barrier();
+    if (shows_steps_) note_step_ended();
     watch.lap(watch.phases.handlers);
     return !stopped();
 }
 
+/// Pictures are drawn between the states before and after the last step.
+void Loop::note_step_begins() {
+    property::note_step_begins(tree_);
+    services_.view.note_step_begins();
+    services_.cameras().note_step_begins();
+}
+
+void Loop::note_step_ended() {
+    const View& view = services_.view;
+    property::note_step_ended(
+        tree_, {.world = view.far(), .screen = view.far() / view.height * view.picture().y});
+    services_.view.note_step_ended();
+    services_.cameras().note_step_ended();
+}
+
 void Loop::frame(double seconds, std::int64_t step_limit) {
     const Pin pin(*this, "frame");
+    shows_steps_ = true;
     if (const auto hook = between_frames_) hook();
     require_ready();
     if (!std::isfinite(seconds))
@@ -390,6 +408,7 @@ void Loop::catch_up(std::uint64_t limit, Stopwatch& watch) {
 
 void Loop::turn() {
     const Pin pin(*this, "turn");
+    shows_steps_ = false;  // pictures of a headless run show the last step
     if (const auto hook = between_frames_) hook();
     require_ready();
     const ObservedFrame observed(observer_, [](LoopObserver& w) { w.turn_begins(); });

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include <fettle/property/drawing.h>
+
 #include <loop/following.h>
 
 namespace fettle::app {
@@ -300,9 +302,9 @@ std::vector<Property> overlays(Show& show) {
 }
 
 /// In `draw`, points are converted as they are seen, as `drawn_position` of a body is.
-const View& view_of(void* context) {
-    const View& view = *static_cast<View*>(context);
-    return view.shown != nullptr ? *view.shown : view;
+View view_of(const void* context, const property::Tree& tree) {
+    const View& view = *static_cast<const View*>(context);
+    return property::Drawing::underway() ? view.drawn(tree, property::Drawing::alpha()) : view;
 }
 
 std::vector<property::Method> conversions(View& view) {
@@ -316,9 +318,9 @@ std::vector<property::Method> conversions(View& view) {
                       .doc = "From the top left corner, y down."}},
          .doc = "Where a point of the world is on the screen, from the top left corner, y down.",
          .context = &view,
-         .call = [](void* context, property::Tree&, property::Handle, property::Row,
+         .call = [](void* context, property::Tree& tree, property::Handle, property::Row,
                     std::span<const Value> arguments) -> property::Result {
-             return Value(view_of(context).to_screen(arguments[0].vec2()));
+             return Value(view_of(context, tree).to_screen(arguments[0].vec2()));
          },
          .effect = property::Effect::nothing},
         {.name = "to_world",
@@ -330,9 +332,9 @@ std::vector<property::Method> conversions(View& view) {
          .returns = {{.name = "point", .type = Type::vec2, .unit = "m", .doc = "In the world."}},
          .doc = "The point of the world that is seen at a point of the screen.",
          .context = &view,
-         .call = [](void* context, property::Tree&, property::Handle, property::Row,
+         .call = [](void* context, property::Tree& tree, property::Handle, property::Row,
                     std::span<const Value> arguments) -> property::Result {
-             return Value(view_of(context).to_world(arguments[0].vec2()));
+             return Value(view_of(context, tree).to_world(arguments[0].vec2()));
          },
          .effect = property::Effect::nothing},
     };

@@ -1,6 +1,7 @@
 #include <loop/wires.h>
 
 #include <fettle/app/view.h>
+#include <fettle/property/drawing.h>
 #include <fettle/property/error.h>
 #include <fettle/property/label.h>
 #include <fettle/property/path.h>
@@ -18,7 +19,7 @@ namespace {
 constexpr Color ink{0.55f, 0.85f, 1.0f, 0.95f}, pale_wire{0.8f, 0.92f, 1.0f, 1};
 
 std::optional<Vec2> place_of(const Tree& tree, Handle instance) {
-    const auto place = property::place_below(tree, instance, false, 1);
+    const auto place = property::place_below(tree, instance, false, property::Drawing::alpha());
     return place ? std::optional(place->origin) : std::nullopt;
 }
 

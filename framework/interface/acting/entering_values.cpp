@@ -1,4 +1,4 @@
-// Values that the player chooses or types.
+// Values that the player chooses. Those that are typed: editing.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -68,65 +68,6 @@ void Player::show_line(Widget& list) {
         scroll(list, top - from);
     else if (top + line > from + height)
         scroll(list, top + line - from - height);
-}
-
-// --- Text
-
-void Player::set_text(Widget& field, const std::string& text, std::int64_t caret) {
-    const std::string before = field.content.text;
-    widgets_.set(field.self, "text", Value(text));
-    widgets_.set(field.self, "caret", Value(caret));
-    if (!field.content.bind.empty()) binding_.update(field);
-    if (field.content.text != before) widgets_.emit(field, "changed", {Value(field.content.text)});
-}
-
-void Player::type(Widget& field, const std::string& text) {
-    const std::int64_t length = characters(field.content.text);
-    if (field.content.max_length > 0 && length + characters(text) > field.content.max_length)
-        return;
-    constexpr std::size_t most = 1 << 20;
-    if (field.content.text.size() + text.size() > most) return;
-    const std::int64_t caret = std::min(field.content.caret, length);
-    std::string longer = field.content.text;
-    longer.insert(byte_of(longer, caret), text);
-    set_text(field, longer, caret + characters(text));
-}
-
-/// False for a key that has no meaning in a text.
-bool Player::edit(Widget& field, const std::string& key) {
-    const std::int64_t length = characters(field.content.text);
-    const std::int64_t caret = std::min(field.content.caret, length);
-    const auto without = [&](std::int64_t n) {
-        std::string shorter = field.content.text;
-        const std::size_t from = byte_of(shorter, n), to = byte_of(shorter, n + 1);
-        return shorter.erase(from, to - from);
-    };
-    std::int64_t to = caret;
-    if (key == "left" || key == "right") {
-        // In a text that begins at the right, the key with the arrow to the left goes on in it.
-        const std::vector<double> carets =
-            Lettering::of(field).carets(layout_.media(), field.content.text);
-        const bool onward = (key == "left") == (carets.front() > carets.back());
-        to = std::clamp<std::int64_t>(caret + (onward ? 1 : -1), 0, length);
-    } else if (key == "home")
-        to = 0;
-    else if (key == "end")
-        to = length;
-    else if (key == "backspace") {
-        if (caret > 0) set_text(field, without(caret - 1), caret - 1);
-        return true;
-    } else if (key == "delete") {
-        if (caret < length) set_text(field, without(caret), caret);
-        return true;
-    } else if (key == "enter") {
-        widgets_.emit(field, "submitted", {Value(field.content.text)});
-        return true;
-    } else {
-        // A space is typed as text.
-        return key == "space";
-    }
-    if (to != field.content.caret) widgets_.set(field.self, "caret", Value(to));
-    return true;
 }
 
 }  // namespace fettle::interface

@@ -56,6 +56,7 @@ bool Player::takes(const Act& act) {
 void Player::frame(const Vec2& mouse, const Vec2& screen, double seconds) {
     mouse_ = mouse;
     screen_ = screen;
+    clicks_.since += seconds;
     lay_out();
     binding_.update_all();
     keep_focus();
@@ -159,15 +160,19 @@ void Player::repeat_direction(double seconds) {
 
 // --- Keys
 
+bool Player::holds(const std::string& name) const {
+    const property::Tree& tree = widgets_.tree();
+    const Handle input = tree.child(tree.root(), "input");
+    const Handle keys = input ? tree.child(input, "keys") : Handle{};
+    return keys &&
+           (tree.get(keys, "left_" + name).boolean() || tree.get(keys, "right_" + name).boolean());
+}
+
 bool Player::key(const std::string& name, bool repeated) {
     Widget* const now = focused();
     if (now != nullptr && key_of(*now, name)) return true;
     if (name == "tab") {
-        const auto keys = widgets_.tree().child(widgets_.tree().root(), "input");
-        const Handle all = keys ? widgets_.tree().child(keys, "keys") : Handle{};
-        const bool back = all && (widgets_.tree().get(all, "left_shift").boolean() ||
-                                  widgets_.tree().get(all, "right_shift").boolean());
-        next(back ? -1 : 1);
+        next(holds("shift") ? -1 : 1);
     } else if (name == "up") {
         towards({0, -1});
     } else if (name == "down") {

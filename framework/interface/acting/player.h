@@ -1,11 +1,13 @@
 #pragma once
 // The effect of mouse, keys and gamepads on the widgets.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include <fettle/app/foreground.h>
 
+#include <acting/words.h>
 #include <binding/binding.h>
 #include <layout/layout.h>
 #include <widgets/widgets.h>
@@ -50,6 +52,8 @@ class Player {
     std::vector<Widget*> reachable();
     void next(int direction);
     void towards(const property::Vec2& direction);
+    /// Whether a key is held down: "shift", "control".
+    bool holds(const std::string& name) const;
     bool key(const std::string& name, bool repeated);
     bool key_of(Widget& widget, const std::string& name);
     void activate(Widget& widget);
@@ -74,18 +78,43 @@ class Player {
     void switch_over(Widget& toggle);
     void select(Widget& list, std::int64_t line);
     void show_line(Widget& list);
-    bool edit(Widget& field, const std::string& key);
-    void type(Widget& field, const std::string& text);
-    void set_text(Widget& field, const std::string& text, std::int64_t caret);
     void capture(Widget& button, const app::Act& act);
     void hold(property::Handle widget);
+
+    // Text: editing.cpp.
+    bool edit(Widget& field, const std::string& key);
+    bool shortcut(Widget& field, const std::string& key);
+    void type(Widget& field, const std::string& text);
+    void erase(Widget& field, bool onward, bool by_words);
+    void replace(Widget& field, const Span& span, const std::string& by);
+    void set_text(Widget& field, const std::string& text, std::int64_t caret);
+    void put_caret(Widget& field, std::int64_t caret, std::optional<std::int64_t> mark);
+    std::optional<std::int64_t> caret_after(const Widget& field, const std::string& key,
+                                            bool by_words, bool selecting);
+    static std::int64_t room(const Widget& field);
+    std::string clipboard() const;
+    void copy(const Widget& field);
+    void paste(Widget& field);
+    std::int64_t place_near(const Widget& field, const property::Vec2& point);
+    void press_text(Widget& field, const property::Vec2& point);
+    void drag_text(Widget& field, const property::Vec2& point);
+
+    /// The last clicks on a text field, which follow each other quickly.
+    struct Clicks {
+        property::Handle field{};
+        int count = 0;
+        double since = 0;  // s, after the last one
+        property::Vec2 at{0, 0};
+        Span word{};  // at the first one
+    };
 
     Widgets& widgets_;
     Layout& layout_;
     Binding& binding_;
     property::Vec2 mouse_{0, 0}, screen_{1280, 720};  // px
     bool down_ = false;                               // the left button of the mouse
-    bool drags_bar_ = false;                          // the bar of the list that is held
+    Clicks clicks_{};
+    bool drags_bar_ = false;  // the bar of the list that is held
     property::Vec2 stick_{0, 0};
     std::string direction_{};     // the arrow key that a gamepad holds down; "" for none
     double until_repeated_ = 0;   // s

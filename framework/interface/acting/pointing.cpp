@@ -91,7 +91,7 @@ void Player::press(const Vec2& point) {
                 select(*widget, line + 1);
         }
     } else if (widget->kind == Kind::text_field) {
-        drag(*widget, point);
+        press_text(*widget, point);
     }
 }
 
@@ -125,15 +125,7 @@ void Player::drag(Widget& widget, const Vec2& point) {
             std::clamp(share, 0.0, 1.0) * (widget.arranged.content_height - length);
         scroll(widget, wanted - Layout::scrolled(widget));
     } else if (widget.kind == Kind::text_field) {
-        // The caret goes to the nearest gap between two letters.
-        const Lettering lettering = Lettering::of(widget);
-        const double x =
-            point.x - widget.arranged.box.lower.x - measure::field_x + widget.animation.view_left;
-        const std::vector<double> carets = lettering.carets(layout_.media(), widget.content.text);
-        const auto nearest =
-            std::ranges::min_element(carets, {}, [x](double caret) { return std::abs(caret - x); });
-        const std::int64_t best = nearest - carets.begin();
-        if (widget.content.caret != best) widgets_.set(widget.self, "caret", Value(best));
+        drag_text(widget, point);
     }
 }
 

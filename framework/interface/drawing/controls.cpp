@@ -80,6 +80,30 @@ void Picture::draw_toggle(const Widget& widget) {
     draw_lines(widget, text, widget.style.text_color.value_or(theme.text));
 }
 
+/// The selection: one box for each part that is whole on the screen, since letters that are read
+/// from right to left may be among others.
+void Picture::draw_selection(const Widget& field, const std::vector<double>& carets,
+                             const Vec2& at) {
+    const auto last = static_cast<std::int64_t>(carets.size()) - 1;
+    const std::int64_t mark = std::min(*field.content.mark, last);
+    const std::int64_t caret = std::min(field.content.caret, last);
+    const double half = 0.62 * Lettering::of(field).size;
+    Color color = field.arranged.look_of->accent;
+    color.a *= 0.45f;
+    std::int64_t from = std::min(mark, caret);
+    const std::int64_t to = std::max(mark, caret);
+    while (from < to) {
+        const auto x = [&](std::int64_t n) { return carets[static_cast<std::size_t>(n)]; };
+        const bool rises = x(from + 1) >= x(from);
+        std::int64_t end = from + 1;
+        while (end < to && (x(end + 1) >= x(end)) == rises) ++end;
+        box({{at.x + std::min(x(from), x(end)), at.y - half},
+             {at.x + std::max(x(from), x(end)), at.y + half}},
+            0, color);
+        from = end;
+    }
+}
+
 void Picture::draw_field(Widget& widget) {
     const Theme& theme = *widget.arranged.look_of;
     const bool focused = widgets_.board.focus == widget.self;
@@ -90,8 +114,8 @@ void Picture::draw_field(Widget& widget) {
     Box inner = widget.arranged.box;
     inner.lower.x += measure::field_x;
     inner.upper.x -= measure::field_x;
-    const double caret =
-        caret_at(lettering.carets(layout_.media(), widget.content.text), widget.content.caret);
+    const std::vector<double> carets = lettering.carets(layout_.media(), widget.content.text);
+    const double caret = caret_at(carets, widget.content.caret);
     // The text moves so that the caret is seen.
     if (!focused) widget.animation.view_left = 0;
     widget.animation.view_left =
@@ -100,6 +124,7 @@ void Picture::draw_field(Widget& widget) {
     painter_->push({});
     painter_->clip(inner.lower - Vec2(2, 0), inner.upper + Vec2(2, 0));
     const Vec2 at(inner.lower.x - widget.animation.view_left, inner.center().y);
+    if (focused && widget.content.mark) draw_selection(widget, carets, at);
     if (widget.content.text.empty())
         draw_text(at, widget.content.placeholder, widget, theme.muted, TextAlign::left);
     else

@@ -29,6 +29,8 @@ class Picture {
     void draw_slider(const Widget& widget);
     void draw_toggle(const Widget& widget);
     void draw_field(Widget& widget);
+    void draw_selection(const Widget& field, const std::vector<double>& carets,
+                        const property::Vec2& at);
     void draw_progress(const Widget& widget);
     void draw_list(const Widget& widget);
     void draw_lines(const Widget& widget, const Box& box, property::Color color);

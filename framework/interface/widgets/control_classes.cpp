@@ -112,7 +112,10 @@ property::ClassDescriptor text_field(Widgets& widgets) {
     return {
         .name = "TextField",
         .base = "Widget",
-        .doc = "A line of text to type.",
+        .doc =
+            "A line of text to type. Shift with the arrow keys, Home and End, or dragging the "
+            "mouse selects; ctrl with A selects everything, with C, X and V copies, cuts and "
+            "pastes.",
         .properties = joined(
             {text_property(widgets, "What is in it."),
              field<&Widget::content, &Content::placeholder>(
@@ -124,7 +127,14 @@ property::ClassDescriptor text_field(Widgets& widgets) {
              field<&Widget::content, &Content::caret>(
                  widgets, {.name = "caret",
                            .range = {0, 1e9},
-                           .doc = "Number of characters before the caret, the text cursor."}),
+                           .doc = "Number of characters before the caret, the text cursor. It "
+                                  "is one end of the selection."}),
+             field<&Widget::content, &Content::mark>(
+                 widgets, {.name = "mark",
+                           .range = {0, 1e9},
+                           .doc = "Number of characters before the other end of the selection; "
+                                  "nil: nothing is selected. What the player types takes the "
+                                  "place of the selection."}),
              focusable(widgets),
              bind_property(widgets,
                            "Path of a text or number; the player's typing sets it at once. Text "

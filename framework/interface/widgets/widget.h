@@ -70,6 +70,7 @@ struct Content {
     double value = 0, step = 0, scroll = 0;
     std::optional<double> min, max;
     bool on = false, listening = false;
+    std::optional<std::int64_t> mark;  // the other end of the selection
     std::int64_t caret = 0, max_length = 0, selected = 0;
     property::List items{};
 };

@@ -45,8 +45,10 @@ class DescriptorCheck {
             if (property->binding.kind == BindingKind::column ||
                 property->binding.kind == BindingKind::accessor)
                 return "property " + in_quotes(property->name);
-        return base_->methods().empty() ? ""
-                                        : "method " + in_quotes(base_->methods().front()->name);
+        // Those of Object are not: all classes have them.
+        for (const Method* method : base_->methods())
+            if (method->owner->base() != nullptr) return "method " + in_quotes(method->name);
+        return "";
     }
 
     void check_rows() const {

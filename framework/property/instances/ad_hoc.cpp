@@ -16,6 +16,42 @@ const AdHoc::Entry* AdHoc::find(std::uint32_t index, const std::string& name) co
     return found == own->second.end() ? nullptr : &found->second;
 }
 
+bool AdHoc::find_placement(const Own& own, Placement& placement) {
+    const auto value = [&own](const char* name) {
+        const auto found = own.find(name);
+        return found == own.end() ? Value() : found->second.second;
+    };
+    const Value position = value("position"), angle = value("angle"), scale = value("scale");
+    if (!position.is(Type::vec2)) return false;
+    placement.position = position.vec2();
+    if (angle.is_numeric()) placement.angle = angle.as_double();
+    if (scale.is_numeric()) placement.scale = scale.as_double();
+    return true;
+}
+
+void AdHoc::note_step_begins() {
+    static const Symbol position("position");
+    if (!descriptors.contains(position)) return;
+    // Tracks are left out if the instance has no position any more.
+    std::unordered_map<std::uint32_t, Track> noted;
+    for (const auto& [index, own] : of_instance) {
+        Placement now;
+        if (!find_placement(own, now)) continue;
+        const auto known = tracks.find(index);
+        Track& track = noted[index] = known == tracks.end() ? Track() : known->second;
+        track.step_begins(now);
+    }
+    tracks = std::move(noted);
+}
+
+void AdHoc::note_step_ended() {
+    for (auto& [index, track] : tracks) {
+        const auto own = of_instance.find(index);
+        Placement now;
+        if (own != of_instance.end() && find_placement(own->second, now)) track.step_ended(now);
+    }
+}
+
 const Property& AdHoc::declare(Symbol name) {
     if (descriptors.size() >= max_descriptors)
         throw Error(ErrorKind::bad_name,

@@ -49,6 +49,13 @@ struct Instances {
     }
     void visit_below(std::uint32_t top, const std::function<void(std::uint32_t)>& visit) const;
 
+    /// Pictures show the instance where it is, until the next step (between_steps.h).
+    void forget_track(std::uint32_t index) {
+        const Node& node = nodes[index];
+        if (const auto& columns = stored[node.class_id]) columns->places.forget(node.stored_row);
+        if (node.has_ad_hoc) ad_hoc.tracks.erase(index);
+    }
+
     // membership.cpp: checks that arguments belong to this tree and this instance. Throw Error.
     bool has(const Node& node, const Property& property) const {
         return property.owner == &class_of(node) || has_otherwise(node, property);

@@ -114,9 +114,11 @@ StoredColumns::Column StoredColumns::column_for(const Property& property) {
 
 StoredColumns::StoredColumns(const Class& of) : class_(&of) {
     for (const Property* property : of.stored_) columns_.push_back(column_for(*property));
+    places.look_up(of);
 }
 
 void StoredColumns::extend() {
+    places.look_up(*class_);
     while (columns_.size() < class_->stored_.size()) {
         const Property& property = *class_->stored_[columns_.size()];
         Column& column = columns_.emplace_back(column_for(property));
@@ -142,6 +144,7 @@ std::uint32_t StoredColumns::add() {
     } else {
         row = free_.back();
         free_.pop_back();
+        places.forget(row);
     }
     for (const Property* property : class_->stored_) set(*property, row, property->default_value);
     return row;

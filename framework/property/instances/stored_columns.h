@@ -13,6 +13,8 @@
 
 #include <classes/fit_saved_value.h>
 
+#include "places.h"
+
 namespace fettle::property {
 
 /// The columns of one class, one row per instance.
@@ -43,6 +45,9 @@ class StoredColumns {
     /// A sparse property. `any_sparse`: whether some row may have another value than 0.
     double sparse(std::uint32_t index, std::uint32_t row) const;
     bool any_sparse(std::uint32_t index) const;
+
+    /// Where the instances are and are drawn.
+    Places places;
 
     /// Number of rows, free ones included.
     std::uint32_t rows() const { return rows_; }

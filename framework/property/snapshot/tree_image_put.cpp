@@ -94,6 +94,7 @@ void TreeImage::put_columns() {
             now_.stored[id] = std::make_unique<StoredColumns>(now_.classes[id]);
     }
     now_.ad_hoc.of_instance.clear();
+    now_.ad_hoc.tracks.clear();
     for (AdHoc& own : ad_hoc_) {
         const Property& property = s.ad_hoc_property(Symbol(own.name));
         now_.ad_hoc.of_instance[own.index].emplace(own.name,

@@ -62,6 +62,7 @@ void Structure::destroy_one(std::uint32_t index, const Cause& cause, bool rememb
             changes.growth.add(-weight_of_own_property - weight_beside(cell.second));
         instances.ad_hoc.of_instance.erase(own);
     }
+    instances.ad_hoc.tracks.erase(index);
     nodes.unlink(index);
     nodes.release(index, instances.keep_slots);
     changed(parent, name);

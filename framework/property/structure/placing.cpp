@@ -34,6 +34,7 @@ void Structure::relink(Handle instance, const Position& at) {
     changes.edited = true;
     changed(left, was);
     changed(at.parent.index, at.name);
+    if (left != at.parent.index) instances.forget_track(instance.index);
 }
 
 void Structure::move_back(Handle instance, const Position& was) {

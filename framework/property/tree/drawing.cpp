@@ -13,6 +13,7 @@ namespace fettle::property {
 namespace {
 
 thread_local double moment = 1;
+thread_local bool drawing_now = false;
 thread_local DrawingPart::Part drawn_part = DrawingPart::Part::all;
 
 /// The instances that are drawn, in order. The functions of modules may change the tree, so all
@@ -179,10 +180,13 @@ class Sheet {
 
 }  // namespace
 
-Drawing::Drawing(double alpha) : before_(std::exchange(moment, std::clamp(alpha, 0.0, 1.0))) {}
+Drawing::Drawing(double alpha)
+    : before_(std::exchange(moment, std::clamp(alpha, 0.0, 1.0))),
+      outer_(std::exchange(drawing_now, true)) {}
 
 Drawing::~Drawing() {
     moment = before_;
+    drawing_now = outer_;
 }
 
 DrawingPart::DrawingPart(Part part) : before_(std::exchange(drawn_part, part)) {}
@@ -193,6 +197,10 @@ DrawingPart::~DrawingPart() {
 
 double Drawing::alpha() {
     return moment;
+}
+
+bool Drawing::underway() {
+    return drawing_now;
 }
 
 void Tree::draw(Handle top, Painter& painter, double alpha, Drawer* also) const {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <fettle/property/between_steps.h>
 #include <fettle/property/explaining.h>
 
 #include <history/history.h>
@@ -46,6 +47,7 @@ struct Tree::State {
     History history{structure};
     std::unordered_map<const Property*, Explainer> explainers;
     bool looked_at = false;                 // a tool shows an instance: explaining.h
+    FarMoves far;                           // of the last step: between_steps.h
     const Event* restored_event = nullptr;  // of Game
     SnapshotState snapshots;
     std::vector<std::pair<const Class*, AddedRules*>> added_rules;

@@ -9,6 +9,7 @@
 
 #include <values/weight.h>
 
+#include "drawn_methods.h"
 #include "state.h"
 
 namespace fettle::property {
@@ -53,6 +54,7 @@ ClassDescriptor object_descriptor() {
                    "ones in the order of the tree. It is added to the z of everything below."};
     z.sparse = true;
     object.properties = {name, of, parent, z};
+    object.methods = drawn_methods();
     object.events = {
         Event{.name = "ready", .doc = "It has been made, with all its properties and children."},
         Event{.name = "deleted",

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <fettle/property/between_steps.h>
 #include <fettle/property/pose.h>
 #include <lines/dashes.h>
 #include <properties/properties.h>
@@ -88,22 +89,20 @@ void Lines::define(property::Tree& tree) {
     };
     const property::Class& made = tree.define(std::move(described));
     const auto of = [&](const char* name) { return made.property(name); };
-    of_ = {of("points"),   of("width"), of("color"), of("closed"), of("dashed"),
-           of("position"), of("angle"), of("blend"), of("visible")};
+    of_ = {of("points"), of("width"), of("color"),  of("closed"),
+           of("dashed"), of("blend"), of("visible")};
 }
 
 void Lines::draw(const property::Tree& tree, Handle self, Painter& painter, double alpha) const {
     const Reader read(tree, self);
     if (!read.flag(of_.visible)) return;
+    const bool screen = painter.on_screen();
     std::vector<Vec2> points;
-    const property::Value list = read.value(of_.points);
+    const property::Value list = property::drawn_points(tree, self, *of_.points, screen, alpha);
     for (const property::Value& point : list.list()) points.push_back(point.vec2());
     if (points.size() < 2) return;
     if (read.flag(of_.closed)) points.push_back(points.front());
-    const bool screen = painter.on_screen();
-    painter.push(property::place_below(tree, tree.parent(self), screen, alpha)
-                     .value_or(property::Transform()) *
-                 property::local_pose(read.vec2(of_.position), read.number(of_.angle), 1, screen));
+    painter.push(property::place_below(tree, self, screen, alpha).value_or(property::Transform()));
     const property::Blend blend = blend_of(read.in_place(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
     const double width = read.number(of_.width), pixels = width * painter.pixels_per_unit();

@@ -12,8 +12,7 @@ class Lines {
 
   private:
     struct Properties {
-        const property::Property *points, *width, *color, *closed, *dashed, *position, *angle,
-            *blend, *visible;
+        const property::Property *points, *width, *color, *closed, *dashed, *blend, *visible;
     };
     void draw(const property::Tree& tree, property::Handle self, property::Painter& painter,
               double alpha) const;

@@ -259,27 +259,15 @@ void Sprites::define(property::Tree& tree) {
     described.lifecycle = lifecycle();
     const property::Class& made = tree.define(std::move(described));
     const auto of = [&](const char* name) { return made.property(name); };
-    of_ = {of("image"),
-           of("position"),
-           of("angle"),
-           of("size"),
-           of("scale"),
-           of("origin"),
-           of("flip_x"),
-           of("flip_y"),
-           of("tint"),
-           of("columns"),
-           of("rows"),
-           of("animation"),
-           of("frames_per_second"),
-           of("loop"),
-           of("playing"),
-           of("blend"),
-           of("visible"),
-           of("smooth"),
-           of("pixels_per_unit"),
-           of("frame_size"),
-           of("margin"),
+    of_ = {of("image"),      of("size"),
+           of("origin"),     of("flip_x"),
+           of("flip_y"),     of("tint"),
+           of("columns"),    of("rows"),
+           of("animation"),  of("frames_per_second"),
+           of("loop"),       of("playing"),
+           of("blend"),      of("visible"),
+           of("smooth"),     of("pixels_per_unit"),
+           of("frame_size"), of("margin"),
            of("spacing")};
     finished_ = made.event("finished");
 }

@@ -190,10 +190,7 @@ void Sprites::draw(Row& row, property::Painter& painter, double alpha) {
     if (read.flag(of_.flip_x)) left = -left, right = -right;
     if (read.flag(of_.flip_y)) top = -top, bottom = -bottom;
     if (on_screen) top = -top, bottom = -bottom;
-    const Transform local = property::local_pose(read.vec2(of_.position), read.number(of_.angle),
-                                                 read.number(of_.scale), on_screen);
-    const auto above = property::place_below(*tree_, tree_->parent(row.self), on_screen, alpha);
-    painter.push(above ? *above * local : local);
+    painter.push(property::place_below(*tree_, row.self, on_screen, alpha).value_or(Transform()));
     const property::Blend blend = blend_of(read.in_place(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
     const Vec2 lower(left, on_screen ? top : bottom), upper(right, on_screen ? bottom : top);

@@ -35,9 +35,9 @@ class Sprites {
         std::shared_ptr<const Sheet> sheet{};
     };
     struct Properties {
-        const property::Property *image, *position, *angle, *size, *scale, *origin, *flip_x,
-            *flip_y, *tint, *columns, *rows, *animation, *frames_per_second, *loop, *playing,
-            *blend, *visible, *smooth, *pixels_per_unit, *frame_size, *margin, *spacing;
+        const property::Property *image, *size, *origin, *flip_x, *flip_y, *tint, *columns, *rows,
+            *animation, *frames_per_second, *loop, *playing, *blend, *visible, *smooth,
+            *pixels_per_unit, *frame_size, *margin, *spacing;
     };
     /// The frames that are played: those of an animation, or all.
     struct Playing {
@@ -60,7 +60,6 @@ class Sprites {
                       const Reader& read) const;
     void advance(Row& row, double dt);
     void draw(Row& row, property::Painter& painter, double alpha);
-    property::Transform pose(const Row& row, bool on_screen) const;
     property::Vec2 size_of(const Frame& frame, bool on_screen, const Reader& read) const;
 
     Images& images_;

@@ -137,9 +137,8 @@ void Texts::define(property::Tree& tree) {
     described.lifecycle = lifecycle();
     const property::Class& made = tree.define(std::move(described));
     const auto of = [&](const char* name) { return made.property(name); };
-    of_ = {of("text"),  of("font"),  of("size"),    of("align"),         of("anchor"),
-           of("wrap"),  of("color"), of("outline"), of("outline_width"), of("position"),
-           of("angle"), of("blend"), of("visible")};
+    of_ = {of("text"),  of("font"),    of("size"),          of("align"), of("anchor"), of("wrap"),
+           of("color"), of("outline"), of("outline_width"), of("blend"), of("visible")};
 }
 
 double Texts::size_of(const Row& row) const {
@@ -183,9 +182,8 @@ void Texts::draw(Row& row, Painter& painter, double alpha) {
     const Layout& placed = layout(row);
     if (placed.glyphs.empty()) return;
     const bool screen = painter.on_screen();
-    painter.push(property::place_below(*tree_, tree_->parent(row.self), screen, alpha)
-                     .value_or(property::Transform()) *
-                 property::local_pose(read.vec2(of_.position), read.number(of_.angle), 1, screen));
+    painter.push(
+        property::place_below(*tree_, row.self, screen, alpha).value_or(property::Transform()));
     const property::Blend blend = blend_of(read.in_place(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
     const double size = read.number(of_.size);

@@ -33,7 +33,7 @@ class Texts {
     };
     struct Properties {
         const property::Property *text, *font, *size, *align, *anchor, *wrap, *color, *outline,
-            *outline_width, *position, *angle, *blend, *visible;
+            *outline_width, *blend, *visible;
     };
     std::vector<property::Property> properties();
     property::Lifecycle lifecycle();

@@ -157,6 +157,8 @@ class Loop {
     bool before_steps(double dt, double real_dt, Stopwatch& watch);
     void repeat_after_return(double real_dt);
     bool make_step(Stopwatch& watch);
+    void note_step_begins();
+    void note_step_ended();
     void wait(double seconds);
     void step_modules(double dt);
     void catch_up(std::uint64_t limit, Stopwatch& watch);
@@ -183,6 +185,7 @@ class Loop {
     double due_seconds_ = 0;        // s of simulation time that are due
     std::uint64_t steps_made_ = 0;
     std::uint64_t announced_ = 0;
+    bool shows_steps_ = false;  // pictures are drawn between two steps
     bool halted_ = false;
     struct Halt {
         std::int64_t step = 0;

@@ -8,6 +8,7 @@
 
 #include <fettle/app/export.h>
 #include <fettle/app/window_state.h>
+#include <fettle/property/between_steps.h>
 #include <fettle/property/painter.h>
 #include <fettle/property/tree.h>
 
@@ -61,10 +62,19 @@ struct View {
     double shake_left = 0;                 // s
     /// One step of the simulation: follows, keeps to the limits.
     void advance(const property::Tree& tree, double dt);
-    /// The view as it is drawn between the last two steps. `now`: s, simulation time.
-    View drawn(double alpha, double now) const;
+    /// To be called at the beginning and at the end of each step, for pictures between two steps.
+    void note_step_begins() { track.step_begins(placement()); }
+    void note_step_ended() { track.step_ended(placement()); }
+    /// The view as it is drawn between the last two steps.
+    View drawn(const property::Tree& tree, double alpha) const;
+    /// Whether its center is that of the instance that it follows, at any time.
+    bool follows_without_delay(const property::Tree& tree) const;
+    /// m, how far something moves at least if it jumps and is not drawn on its way.
+    double far() const { return 0.1 * height; }
 
-    const View* shown = nullptr;  // while a picture is drawn: the view that it shows
+    // For drawing only.
+    property::Track track{};
+    double step_length = 0;  // s, of the last step
 
     std::string effect{};  // file of a shader; empty: none
     Fit fit = Fit::expand;
@@ -90,9 +100,9 @@ struct View {
 
   private:
     void keep_to_limits();
-
-    // For drawing only: the center before and after the last step.
-    property::Vec2 center_before_{0, 0}, center_after_{0, 0};
+    property::Placement placement() const {
+        return {.position = center, .angle = angle, .scale = height};
+    }
 };
 
 /// Where an instance is, with all instances above it; the position of instances without one is

@@ -25,9 +25,12 @@ class Drawing {
     /// The value for the current picture. Outside of drawing it is 1, the last step, so that the
     /// results of scripts outside of `draw` do not depend on frames.
     static double alpha();
+    /// Whether this thread draws a picture now. Modules in files of their own cannot ask this.
+    static bool underway();
 
   private:
     double before_;
+    bool outer_;
 };
 
 /// While it lives, this thread draws only a part of each tree: the instances without the marks over

@@ -17,13 +17,11 @@ namespace fettle::property {
 /// world, whatever its parent is, as bodies have. Other instances have one by a property
 /// `position`, which is relative to their parent, with `angle` and `scale` if there are
 /// such numbers. `on_screen`: the coordinates are those of a screen, with y down; angles are still
-/// counter-clockwise as seen. For `alpha`, see `Lifecycle::pose`. Values in error count with their
+/// counter-clockwise as seen. `alpha`: position of the moment between the last two steps, 0 to 1;
+/// with 1, all values are those of the tree (between_steps.h). Values in error count with their
 /// last valid value.
 std::optional<Transform> place_below(const Tree& tree, Handle instance, bool on_screen,
                                      double alpha);
-
-/// The map of an instance with these values. `angle`: rad, counter-clockwise as seen.
-Transform local_pose(const Vec2& position, double angle, double scale, bool on_screen);
 
 }  // namespace fettle::property
 

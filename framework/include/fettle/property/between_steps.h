@@ -1,0 +1,77 @@
+#pragma once
+// Pictures between two steps: what is moved in steps is drawn between where it was before the last
+// step and where it is after it.
+//
+// The tree does this for instances that have their place by a property `position`
+// (`place_below`), and for a list `points` (`drawn_points`). Classes with a function
+// `Lifecycle::pose` do it themselves, as bodies do. None of it is state: it has no effect on later
+// steps, and no snapshot contains it.
+
+#include <limits>
+
+#include <fettle/property/export.h>
+#include <fettle/property/tree.h>
+
+FETTLE_PROPERTY_BEGIN
+
+namespace fettle::property {
+
+/// The values that place something.
+struct Placement {
+    Vec2 position{0, 0};
+    double angle = 0;  ///< rad
+    double scale = 1;
+};
+
+/// The placements of one thing that its pictures between two steps need.
+class Track {
+  public:
+    /// To be called before each step and after it. `seen`: whether the thing is visible; what
+    /// appears in a step is not drawn on its way to there.
+    void step_begins(const Placement& now, bool seen = true) {
+        earlier_ = before_;
+        before_ = seen ? now : unknown();
+    }
+    void step_ended(const Placement& now) { after_ = now; }
+    /// Until the next step, the thing is drawn where it is: it is new, or has another parent.
+    void forget() { before_ = unknown(); }
+    /// Where it is drawn. `now`: its present placement; a value that was written since the step is
+    /// drawn as it is. `alpha`: position of the picture between the last two steps, 0 to 1.
+    /// A jump is drawn at once: a move that is longer than `far` and does not continue an equally
+    /// fast motion.
+    Placement drawn(const Placement& now, double alpha, double far) const;
+    /// Whether the position has not been written since the last step.
+    bool is_left_at(const Vec2& position) const { return after_.position == position; }
+
+  private:
+    static Placement unknown() {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        return {.position = {none, none}};
+    }
+    bool jumped(const Vec2& way, double far) const;
+
+    Placement earlier_ = unknown();  // before the step before the last one
+    Placement before_ = unknown(), after_ = unknown();
+};
+
+/// How long a move in one step must be for a jump: m, and px on the screen.
+struct FarMoves {
+    double world = std::numeric_limits<double>::infinity();
+    double screen = std::numeric_limits<double>::infinity();
+};
+
+/// Notes where all instances are, before a step and after it. A game of which no pictures are drawn
+/// does not need this: without it, instances are drawn where they are.
+void note_step_begins(Tree& tree);
+/// The same after the step. `far`: applies to the pictures until the next step has ended.
+void note_step_ended(Tree& tree, const FarMoves& far);
+
+/// The list `points`, a stored property of the instance, as it is drawn: each point between its
+/// places before and after the last step. A list that has got another length, or in which a point
+/// has made a jump, is drawn as it is. `on_screen` and `alpha`: as of `place_below`.
+Value drawn_points(const Tree& tree, Handle instance, const Property& points, bool on_screen,
+                   double alpha);
+
+}  // namespace fettle::property
+
+FETTLE_PROPERTY_END

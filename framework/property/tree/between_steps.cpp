@@ -1,0 +1,70 @@
+#include <fettle/property/between_steps.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "state.h"
+
+namespace fettle::property {
+
+namespace {
+
+/// A move that is longer than this many times the move before does not continue it.
+constexpr double most_acceleration = 4;
+
+/// Calls `visit(columns)` for the columns of each class whose instances have places.
+template <class Visit>
+void each_placed_class(Tree::State& s, Visit visit) {
+    for (const auto& columns : s.instances.stored)
+        if (columns != nullptr && columns->places.any()) visit(*columns);
+}
+
+}  // namespace
+
+bool Track::jumped(const Vec2& way, double far) const {
+    if (way.length() <= far) return false;
+    // Not <=: without an earlier placement, nothing is continued.
+    return !(way.length() < most_acceleration * (before_.position - earlier_.position).length());
+}
+
+Placement Track::drawn(const Placement& now, double alpha, double far) const {
+    if (std::isnan(before_.position.x)) return now;
+    const double back = 1 - alpha;
+    Placement at = now;
+    if (now.position == after_.position) {
+        const Vec2 way = after_.position - before_.position;
+        if (jumped(way, far)) return now;
+        at.position -= back * way;
+    }
+    // The shorter way: scripts often have angles that end at a half turn.
+    if (now.angle == after_.angle)
+        at.angle -= back * std::remainder(after_.angle - before_.angle, 2 * std::numbers::pi);
+    if (now.scale == after_.scale && before_.scale * after_.scale > 0)
+        at.scale -= back * (after_.scale - before_.scale);
+    return at;
+}
+
+void note_step_begins(Tree& tree) {
+    Tree::State& s = tree.state();
+    each_placed_class(s, [](StoredColumns& c) { c.places.note_step_begins(c); });
+    s.instances.ad_hoc.note_step_begins();
+}
+
+void note_step_ended(Tree& tree, const FarMoves& far) {
+    Tree::State& s = tree.state();
+    each_placed_class(s, [](StoredColumns& c) { c.places.note_step_ended(c); });
+    s.instances.ad_hoc.note_step_ended();
+    s.far = far;
+}
+
+Value drawn_points(const Tree& tree, Handle instance, const Property& points, bool on_screen,
+                   double alpha) {
+    const Tree::State& s = tree.state();
+    const Node& node = s.instances.require(instance, points);
+    const StoredColumns* const columns = s.instances.stored[node.class_id].get();
+    if (columns == nullptr || !columns->places.has_points()) return tree.peek(instance, points);
+    return columns->places.drawn_points(*columns, node.stored_row, alpha,
+                                        on_screen ? s.far.screen : s.far.world);
+}
+
+}  // namespace fettle::property
