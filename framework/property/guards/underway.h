@@ -6,11 +6,11 @@
 #include <unordered_set>
 #include <vector>
 
+#include <fettle/property/question.h>
 #include <fettle/property/value.h>
 
 namespace fettle::property {
 
-class Inquiry;
 struct Instances;
 
 struct Underway {
