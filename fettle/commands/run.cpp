@@ -474,7 +474,7 @@ Command add_run(CLI::App& app) {
                  "output and files; no native modules");
     command.number("--memory", &RunOptions::memory, 1, max_megabytes,
                    "Stop scripts that use more than so many MB, or add more to the game (unless "
-                   "given: \"memory\" in game.json, else 512 and 1024; with --sandbox 512 for "
+                   "given: \"memory\" in game.json, else 512 and 2048; with --sandbox 512 for "
                    "both together)");
     command.number("--seed", &RunOptions::seed, 0, UINT64_MAX,
                    "Of random(); without it that of game.json, or 0");

@@ -285,34 +285,6 @@ TEST_CASE("clear empties the log") {
     CHECK(rig.text().find("4") != std::string::npos);
 }
 
-TEST_CASE("a click on a moment that the past does not contain says so and changes nothing") {
-    ObservingRig rig;
-    rig.step(3);
-    rig.lua.state().views.frame_view.go_to(-5);
-    CHECK(rig.text().find("the past has no step below 0") != std::string::npos);
-    CHECK_FALSE(rig.value("time.paused").boolean());
-    rig.lua.state().views.frame_view.go_to(2);
-    CHECK(rig.went_to == 2);
-    CHECK(rig.value("time.paused").boolean());
-}
-
-TEST_CASE("ctrl O opens the last folded line of the log") {
-    ObservingRig rig;
-    rig.run("for i = 1, 90 do world.ball['n' .. i] = i end");
-    rig.show();
-    REQUIRE(rig.text().find("world.ball.n42") == std::string::npos);
-    app::InputEvent ctrl_o;
-    ctrl_o.kind = app::EventKind::key_pressed;
-    ctrl_o.name = "o";
-    ctrl_o.control = true;
-    rig.lua.handle(ctrl_o);
-    rig.show();
-    CHECK(rig.text().find("world.ball.n42: nil → 42") != std::string::npos);
-    // The log is scrolled to the first line that was folded.
-    const auto& log = rig.lua.state().views.log_view;
-    CHECK(log.scrolled() < 30 * log.line_height());
-}
-
 TEST_CASE("a formula is typed into a field of the inspector") {
     ObservingRig rig;
     rig.lua.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));

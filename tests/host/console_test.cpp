@@ -99,7 +99,7 @@ TEST_CASE("a command that is typed runs in the game") {
 TEST_CASE("a click on a body selects it where the program draws it") {
     const Game game = make("world.ball = Body { Circle { radius = 1 }, type = 'static' }");
     // Between the windows of the console and its prompt.
-    const double map[] = {40, 0, 0, -40, 400, 400};
+    const double map[] = {40, 0, 0, -40, 300, 400};
     require(fettle_console_set_view(game.get(), map));
     require(fettle_console_open(game.get(), true));
     draw(game);
@@ -107,7 +107,7 @@ TEST_CASE("a click on a body selects it where the program draws it") {
          {FETTLE_INPUT_MOUSE_MOVED, FETTLE_INPUT_MOUSE_PRESSED, FETTLE_INPUT_MOUSE_RELEASED}) {
         fettle_hosted_input event =
             input(kind, kind == FETTLE_INPUT_MOUSE_MOVED ? nullptr : "left");
-        event.x = 400;
+        event.x = 300;
         event.y = 400;
         send(game, event);
         draw(game, 1);

@@ -151,8 +151,7 @@ TEST_CASE_METHOD(Fixture, "endless handlers stop the barrier with the chain of p
                [&](const Change& c) { tree.set(ball, "mass", c.new_value.number() + 1); });
     tree.set(ball, "mass", 2);
     const std::string message = message_of([&] { tree.barrier(); });
-    CHECK_THAT(message, contains("16 generations") &&
-                            contains("world.ball.mass by module, step 0") &&
+    CHECK_THAT(message, contains("16 rounds") && contains("world.ball.mass by module, step 0") &&
                             contains("world.other.mass"));
     tree.barrier();  // the next barrier works
     CHECK(tree.get(ball, "mass") == Value(18.0));

@@ -54,6 +54,17 @@ TEST_CASE("an error in a module is reported unchanged and the module can be load
     CHECK(s.console("#{}") == "0");
 }
 
+TEST_CASE("a module that is required with the ending of its file is named without it") {
+    const Folder folder;
+    folder.write("enemy.lua", "return 1");
+    folder.write("main.lua", "");
+    Stage s;
+    REQUIRE(s.runtime->load(folder.path));
+    CHECK_THAT(s.fails("require('enemy.lua')"),
+               contains("the name of a module has no ending: write require(\"enemy\")"));
+    CHECK_THAT(s.fails("require('enmy.lua')"), contains("no module"));
+}
+
 TEST_CASE("modules that require each other are refused by name and can be required afterwards") {
     const Folder folder;
     folder.write("a.lua", "return require('b')");

@@ -358,10 +358,12 @@ world.hull.vertices = { vec(0, 0), vec(3, 0), vec(0, 3) }
 assert(#world.hull.vertices == 3 and world.hull.vertices == v)
 )lua");
     CHECK(polygon.rebuilds == 6);
-    CHECK_THAT(s.fails("world.hull.vertices[9] = vec(1, 1)"), contains("4 appends"));
+    CHECK_THAT(s.fails("world.hull.vertices[9] = vec(1, 1)"),
+               contains("world.hull.vertices[9]: the list has elements 1 to 3; 4 appends"));
     CHECK_THAT(s.fails("world.hull.vertices[2] = 3"), contains("world.hull.vertices"));
     CHECK_THAT(s.fails("world.hull.vertices = {}"), contains("needs three vertices"));
-    CHECK_THAT(s.fails("world.hull.vertices.x = 1"), contains("1 to 3"));
+    CHECK_THAT(s.fails("world.hull.vertices.x = 1"),
+               contains("is a list with elements 1, 2, 3 ..., and has no element x;"));
     s.tree->barrier();
     CHECK(changes == 1);
 }

@@ -41,6 +41,18 @@ TEST_CASE("a tween moves a number from its value to another in the given time") 
     CHECK(s.tweens() == 0);
 }
 
+TEST_CASE("a tween of one component says how the whole value is tweened") {
+    Game s;
+    const std::string whole =
+        "tween the whole value, such as tween(world.ball, \"position\", "
+        "vec(3, world.ball.position.y), 1)";
+    CHECK_THAT(s.fails("tween(ball, 'position.x', 3, 1)"), contains(whole));
+    CHECK_THAT(s.fails("ball:tween('position:x', 3, 1)"), contains(whole));
+    CHECK_THAT(s.fails("tween(ball, 'positon.x', 3, 1)"), contains("no property"));
+    CHECK_THAT(s.fails("tween(ball.position, 'x', 3, 1)"),
+               contains("needs an instance, not a vec: tween(ball, \"position\""));
+}
+
 TEST_CASE("a tween takes options after its ease or in the place of it") {
     Game s;
     CHECK(s.prints("local a = tween(ball, 'mass', 3, 1, 'out_quad', { pauses = false, loops = 0 }) "

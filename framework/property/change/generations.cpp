@@ -23,9 +23,9 @@ void refuse_overrun(Changes& changes, const Generations& generations) {
     }
     changes.queue.clear();
     const Error error(ErrorKind::no_barrier_end,
-                      "handlers keep making changes: the barrier stopped after " +
+                      "handlers keep changing what handlers wait for: stopped after " +
                           std::to_string(max_generations) +
-                          " generations; each of these caused the one above:" + chain);
+                          " rounds; each of these changes caused the one above:" + chain);
     if (!changes.errors.sink) throw error;
     changes.errors.report({.path = "barrier",
                            .where = {},

@@ -13,6 +13,7 @@
 #include <calls/errors.h>
 #include <calls/protected.h>
 #include <classes/script_classes.h>
+#include <console/echoes.h>
 #include <console/evaluate.h>
 #include <console/help.h>
 #include <console/long_text.h>
@@ -31,7 +32,6 @@
 #include <reference/language.h>
 #include <text/columns.h>
 #include <text/command_words.h>
-#include <text/folded_rows.h>
 #include <text/other_languages.h>
 #include <text/words.h>
 #include <values/recording.h>
@@ -42,7 +42,6 @@ namespace fettle::script {
 
 namespace {
 
-constexpr std::size_t max_echoes = 20;
 constexpr int max_results = 20;
 constexpr const char* chunk_name = "=console";
 
@@ -145,40 +144,6 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
     } catch (const Error&) {
         // A function or a table with names is not a value of the tree.
     }
-}
-
-/// Old and new value of an edit, or what else it did.
-std::string echo(Machine& machine, const Recording::Edit& edit, bool same) {
-    const bool added = !edit.added.empty() && machine.tree.alive(edit.instance);
-    const std::string hint =
-        added ? machine.hints.of_added(edit.instance, edit.added) : std::string();
-    if (!edit.note.empty()) return edit.path + ": " + edit.note + hint;
-    std::string line = edit.path + ": ";
-    if (!same) line += cut(machine.tree.text(edit.before, edit.precision), 60) + " → ";
-    line += cut(machine.tree.text(edit.after, edit.precision), 60);
-    if (!edit.unit.empty()) line += " " + edit.unit;
-    if (edit.replaced)
-        line += " (replaces its formula)";
-    else if (same)
-        line += " (unchanged)";
-    return line + hint;
-}
-
-void add_echoes(Machine& machine, Evaluation& evaluation) {
-    const auto& edits = machine.recording.edits;
-    std::vector<std::string> lines;
-    for (const auto& edit : edits) {
-        const bool same = edit.note.empty() && edit.before == edit.after && !edit.replaced;
-        if (!same || edits.size() == 1) lines.push_back(echo(machine, edit, same));
-    }
-    FoldedLines folded;
-    fold_rows(
-        lines,
-        {.shown = max_echoes, .total = lines.size() + machine.recording.dropped, .what = "changes"},
-        folded);
-    folded.line += evaluation.lines.size();
-    if (!folded.lines.empty()) evaluation.folded.push_back(std::move(folded));
-    std::ranges::move(lines, std::back_inserter(evaluation.lines));
 }
 
 enum class Compiled { expression, statements, incomplete, wrong };

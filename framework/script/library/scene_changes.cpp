@@ -128,7 +128,7 @@ void push_arguments(lua_State* L, const Arguments& arguments) {
 
 /// Calls the function of the scene's class, or else the global one.
 bool call_of_scene(Machine& machine, Handle scene, const char* name, const Arguments* arguments) {
-    const Context context(std::string(name) + " of a scene", scene);
+    const Context context(std::string(name), scene);
     return protected_run(machine, context, [&](lua_State* L) {
         int given = 0;
         if (machine.classes.push_function(L, machine.tree.class_of(scene), name)) {

@@ -169,6 +169,19 @@ void take_options(lua_State* L, int index, Handle tween) {
     }
 }
 
+/// Throws Error if `name` is a component of a property, such as "position.x" or "position:x".
+void require_whole_value(const property::Tree& tree, property::Handle target,
+                         const std::string& name) {
+    const std::size_t point = name.find_first_of(".:");
+    if (point == std::string::npos || tree.find(target, name) != nullptr) return;
+    const std::string whole = name.substr(0, point);
+    if (tree.find(target, whole) == nullptr) return;
+    throw Error(ErrorKind::unknown_name, "tween: " + tree.path(target) + " has no property \"" +
+                                             name + "\"; tween the whole value, such as tween(" +
+                                             tree.path(target) + ", \"" + whole + "\", vec(3, " +
+                                             tree.path(target) + "." + whole + ".y), 1)");
+}
+
 }  // namespace
 
 int tween_function(lua_State* L) {
@@ -179,8 +192,13 @@ int tween_function(lua_State* L) {
         lua_settop(L, 6);
     }
     Tweens::Plan plan;
+    if (vec_at(L, 1) != nullptr)
+        throw Error(ErrorKind::wrong_type,
+                    "tween: needs an instance, not a vec: tween(ball, \"position\", vec(3, "
+                    "ball.position.y), 1) moves it along x");
     plan.target = check_instance(L, 1, "tween");
     plan.property = check_text(L, 2, "tween: needs the name of a property");
+    require_whole_value(machine_of(L).tree, plan.target, plan.property);
     plan.to = to_value(L, 3, [] { return std::string("tween"); });
     plan.seconds = seconds_at(L, 4);
     read_ease(L, 5, plan);

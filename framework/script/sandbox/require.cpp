@@ -53,6 +53,14 @@ std::vector<std::string> modules_of(const Machine& machine) {
 fs::path existing(Machine& machine, const std::string& file, const std::string& name) {
     fs::path path = machine.sources.folder / file;
     if (machine.sources.files.exists(path)) return path;
+    constexpr std::string_view ending = ".lua";
+    if (name.size() > ending.size() && name.ends_with(ending)) {
+        const std::string module = name.substr(0, name.size() - ending.size());
+        if (machine.sources.files.exists(machine.sources.folder / module_file(module)))
+            throw Error(
+                ErrorKind::unknown_name,
+                "require: the name of a module has no ending: write require(\"" + module + "\")");
+    }
     throw Error(ErrorKind::unknown_name, "require: no module \"" + name + "\" (" + file + ")" +
                                              property::suggestion(name, modules_of(machine)));
 }

@@ -99,10 +99,18 @@ int list_newindex(lua_State* L) {
     require_not_replaced(machine, box);
     const Value value = list_value(L, box);
     const auto size = static_cast<lua_Integer>(value.list().size());
+    const auto name = [&] { return origin_path(machine.tree, box.origin); };
+    if (lua_type(L, 2) == LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type,
+                    name() + ": is a list with elements 1, 2, 3 ..., and has no element " +
+                        key_in_message(L, 2) +
+                        "; values with names are properties of an instance: Object { sword = 1 }");
     if (!whole_number || index < 1 || index > size + 1)
-        throw Error(ErrorKind::out_of_range, origin_path(machine.tree, box.origin) +
-                                                 ": has elements 1 to " + std::to_string(size) +
-                                                 "; " + std::to_string(size + 1) + " appends");
+        throw Error(ErrorKind::out_of_range,
+                    name() + "[" + key_in_message(L, 2) + "]: " +
+                        (size == 0 ? "the list is empty; 1 appends"
+                                   : "the list has elements 1 to " + std::to_string(size) + "; " +
+                                         std::to_string(size + 1) + " appends"));
     const bool removes = lua_isnil(L, 3);
     if (removes && index != size)  // removing any other element would leave a gap
         throw Error(ErrorKind::out_of_range,
