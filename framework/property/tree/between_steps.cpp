@@ -12,6 +12,12 @@ namespace {
 /// A move that is longer than this many times the move before does not continue it.
 constexpr double most_acceleration = 4;
 
+/// The shorter way between two angles: scripts often have angles that end at a half turn.
+double shorter_turn(double from, double to) {
+    const double turn = to - from;
+    return std::abs(turn) <= std::numbers::pi ? turn : std::remainder(turn, 2 * std::numbers::pi);
+}
+
 /// Calls `visit(columns)` for the columns of each class whose instances have places.
 template <class Visit>
 void each_placed_class(Tree::State& s, Visit visit) {
@@ -22,9 +28,11 @@ void each_placed_class(Tree::State& s, Visit visit) {
 }  // namespace
 
 bool Track::jumped(const Vec2& way, double far) const {
-    if (way.length() <= far) return false;
+    const double squared = way.length_squared();
+    if (squared <= far * far) return false;
     // Not <=: without an earlier placement, nothing is continued.
-    return !(way.length() < most_acceleration * (before_.position - earlier_.position).length());
+    return !(squared < most_acceleration * most_acceleration *
+                           (before_.position - earlier_.position).length_squared());
 }
 
 Placement Track::drawn(const Placement& now, double alpha, double far) const {
@@ -36,9 +44,7 @@ Placement Track::drawn(const Placement& now, double alpha, double far) const {
         if (jumped(way, far)) return now;
         at.position -= back * way;
     }
-    // The shorter way: scripts often have angles that end at a half turn.
-    if (now.angle == after_.angle)
-        at.angle -= back * std::remainder(after_.angle - before_.angle, 2 * std::numbers::pi);
+    if (now.angle == after_.angle) at.angle -= back * shorter_turn(before_.angle, after_.angle);
     if (now.scale == after_.scale && before_.scale * after_.scale > 0)
         at.scale -= back * (after_.scale - before_.scale);
     return at;
