@@ -110,6 +110,23 @@ TEST_CASE("a long error of changed files takes several lines of its strip") {
     CHECK(screen.free_area({0, 0, 1280, 800}).height == 800);
 }
 
+TEST_CASE("in a narrow window all keys are shown and lines break between words") {
+    app::ErrorScreen screen({.reload = {}, .go_on = {}});
+    script::ScriptError error = an_error();
+    error.source_line = "wheel.motor_speed = start.motor_speed * factor + offset + drift - losses";
+    screen.show(error);
+    NotingSurface surface;
+    surface.wide = 600;
+    screen.draw(surface, 0);
+    CHECK(surface.text_right <= surface.wide);
+    CHECK(surface.line_with("back in time") > 0);
+    CHECK(surface.line_with("scroll") > 0);
+    // Each word of the source line is in one row.
+    for (const char* word :
+         {"wheel.motor_speed", "start.motor_speed", "factor", "offset", "losses"})
+        CHECK(surface.line_with(word) > 0);
+}
+
 TEST_CASE("the caret is below the row of a wrapped line that has the error") {
     app::ErrorScreen screen({.reload = {}, .go_on = {}});
     script::ScriptError error = an_error();

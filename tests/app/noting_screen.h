@@ -18,7 +18,8 @@ using property::Vec2;
 /// Notes the texts and the box around what is filled; has characters of a fixed width.
 class NotingSurface : public Surface {
   public:
-    float width() const override { return 1280; }
+    float wide = 1280;
+    float width() const override { return wide; }
     float height() const override { return 800; }
     Texture create_texture(unsigned, unsigned, const std::uint8_t*) override { return 1; }
     void update_texture(Texture, unsigned, unsigned, unsigned, unsigned,
@@ -34,10 +35,14 @@ class NotingSurface : public Surface {
         if (!vertices.empty())
             fills.push_back({vertices[0].r, vertices[0].g, vertices[0].b, vertices[0].a});
     }
-    float text(float, float y, std::string_view line, float size, SurfaceColor color,
+    float text(float x, float y, std::string_view line, float size, SurfaceColor color,
                Face) override {
-        if (color.a > 0) lines.push_back({std::string(line), y});
-        return 0.6f * size * static_cast<float>(line.size());
+        const float length = 0.6f * size * static_cast<float>(line.size());
+        if (color.a > 0) {
+            lines.push_back({std::string(line), y});
+            text_right = std::max(text_right, x + length);
+        }
+        return length;
     }
     /// The height of the line that contains the text; -1 if there is none.
     float line_with(std::string_view part) const {
@@ -48,6 +53,7 @@ class NotingSurface : public Surface {
     std::vector<std::pair<std::string, float>> lines;
     std::vector<SurfaceColor> fills;      // in the order in which they were drawn
     float top = 800, low = 0, right = 0;  // px
+    float text_right = 0;                 // px, where the texts end
 };
 
 struct Circle {

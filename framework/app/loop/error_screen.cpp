@@ -133,6 +133,16 @@ void add_source(std::vector<Line>& lines, const script::ScriptError& e) {
                      .caret = e.column > 0 ? static_cast<int>(prefix.size()) + e.column - 1 : -1});
 }
 
+/// How many bytes of the text are in its first row: as many as there is room for, but no part of a
+/// word, unless a word takes half of the row.
+template <class Line>
+std::size_t first_row(Surface& surface, std::string_view text, float room, const Line& line) {
+    const std::size_t fits = fitting(surface, text, room, line.size, line.face);
+    if (fits == text.size()) return fits;
+    const std::size_t blank = text.substr(0, fits).rfind(' ');
+    return blank == std::string_view::npos || blank < fits / 2 ? fits : blank + 1;
+}
+
 /// The lines in pieces that are as wide as `room` at most. A caret is below its piece.
 template <class Line>
 std::vector<Line> broken(Surface& surface, const std::vector<Line>& lines, float room) {
@@ -142,7 +152,7 @@ std::vector<Line> broken(Surface& surface, const std::vector<Line>& lines, float
         std::string_view rest = line.text;
         do {
             Line piece = line;
-            piece.text = rest.substr(0, fitting(surface, rest, room, line.size, line.face));
+            piece.text = rest.substr(0, first_row(surface, rest, room, line));
             rest.remove_prefix(piece.text.size());
             if (begin > 0) piece.above = 0;
             const int end = begin + static_cast<int>(property::code_point_count(piece.text));
@@ -312,16 +322,42 @@ void ErrorScreen::draw_text(Surface& surface, float bottom) {
     }
 }
 
-/// Draws the keys in a bar, `bottom` being its upper edge.
+namespace {
+
+/// The keys, which six blanks separate, with so many blanks between them.
+std::string with_gaps(std::string_view keys, std::size_t blanks) {
+    constexpr std::string_view written = "      ";
+    std::string all;
+    for (std::size_t at = keys.find(written); at != std::string_view::npos;
+         at = keys.find(written)) {
+        all += std::string(keys.substr(0, at)) + std::string(blanks, ' ');
+        keys.remove_prefix(at + written.size());
+    }
+    return all + std::string(keys);
+}
+
+}  // namespace
+
+/// Draws the keys in a bar, `bottom` being its upper edge. In a narrow window they are closer
+/// together and smaller.
 void ErrorScreen::draw_keys(Surface& surface, float bottom) const {
     fill(surface, 0, bottom + 4, surface.width(), keys_height - 4, {10, 11, 15, 255});
-    const char* const keys =
+    const std::string_view keys =
         running_ ? (waits_ ? "S  stop it      R  reload      `  console"
                            : "S  stop it      W  wait on      R  reload      `  console      "
                              "\u2191 \u2193  scroll")
                  : "R  reload      Esc  go on      C  copy      `  console      \u2190 \u2192  "
                    "back in time      \u2191 \u2193  scroll";
-    surface.text(margin, bottom + 16, keys, 14, pale, Face::plain);
+    constexpr float size = 14, least_size = 9;
+    const float room = surface.width() - 2 * small_margin;
+    for (const std::size_t gap : {6u, 3u, 2u}) {
+        const std::string shown = with_gaps(keys, gap);
+        const float width = surface.text(0, 0, shown, size, {0, 0, 0, 0}, Face::plain);
+        if (width > room - (margin - small_margin) && gap > 2) continue;
+        const float fit = std::clamp(std::floor(size * room / width), least_size, size);
+        surface.text(gap > 2 ? margin : small_margin, bottom + 16, shown, fit, pale, Face::plain);
+        return;
+    }
 }
 
 /// Draws the error that does not stop the game at the lower edge.
