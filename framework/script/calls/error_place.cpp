@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <fettle/property/utf8.h>
 #include <fettle/script/runtime.h>
@@ -26,9 +29,67 @@ void place_from_message(ScriptError& error) {
 
 namespace {
 
-int column_of(const std::string& line, const std::string& word) {
-    const std::size_t at = find_word(line, word);
-    return at == std::string::npos ? 0 : static_cast<int>(shown_width(line.substr(0, at))) + 1;
+/// The line with blanks in the place of what texts and comments contain.
+std::string code_of(std::string_view line) {
+    std::string code(line);
+    char quote = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (quote == 0) {
+            if (line.substr(i).starts_with("--")) {
+                std::fill(code.begin() + static_cast<std::ptrdiff_t>(i), code.end(), ' ');
+                break;
+            }
+            if (c == '"' || c == '\'') quote = c;
+        } else if (c == quote) {
+            quote = 0;
+        } else {
+            code[i] = ' ';
+            if (c == '\\' && i + 1 < line.size()) code[++i] = ' ';
+        }
+    }
+    return code;
+}
+
+std::vector<std::size_t> places_of(std::string_view code, std::string_view word) {
+    std::vector<std::size_t> all;
+    for (std::size_t at = find_word(code, word); at != std::string_view::npos;
+         at = find_word(code, word, at + 1))
+        all.push_back(at);
+    return all;
+}
+
+int column_at(const std::string& line, std::size_t at) {
+    return static_cast<int>(shown_width(std::string_view(line).substr(0, at))) + 1;
+}
+
+/// The column of a name that Lua quotes. Of several places, the first one where it is indexed or
+/// called.
+int column_of_quoted(const std::string& line, std::string_view code, std::string_view name) {
+    const std::vector<std::size_t> places = places_of(code, name);
+    if (places.empty()) return 0;
+    const auto used = std::ranges::find_if(places, [&](std::size_t at) {
+        const std::size_t end = code.find_first_not_of(' ', at + name.size());
+        return end != std::string_view::npos &&
+               std::string_view(".:[(").find(code[end]) != std::string_view::npos;
+    });
+    return column_at(line, used == places.end() ? places.front() : *used);
+}
+
+/// The column of the last name of a path, such as `world.ball.mas`: where the line contains the
+/// path, or as much of its end as it contains. 0 if the line has several such places, and it is not
+/// clear which is meant.
+int column_of_path(const std::string& line, std::string_view code, std::string_view path,
+                   bool unknown) {
+    constexpr std::string_view separators = ".:[]\" ";
+    const std::size_t separator = path.find_last_of(separators);
+    const std::size_t last = separator == std::string_view::npos ? 0 : separator + 1;
+    for (std::size_t begin = 0;; begin = path.find_first_of(separators, begin) + 1) {
+        const std::vector<std::size_t> places = places_of(code, path.substr(begin));
+        const bool clear = places.size() == 1 || begin < last || unknown;
+        if (!places.empty()) return clear ? column_at(line, places.front() + last - begin) : 0;
+        if (begin >= last) return 0;
+    }
 }
 
 }  // namespace
@@ -37,12 +98,12 @@ int guess_column(const ScriptError& error, const Sources::Stop& stop) {
     const std::string& text = error.message;
     if (text == stop.message && stop.column < error.source_line.size())
         return static_cast<int>(shown_width(error.source_line.substr(0, stop.column))) + 1;
+    const std::string code = code_of(error.source_line);
     for (std::size_t open = text.find('\''); open != std::string::npos;) {
         const std::size_t close = text.find('\'', open + 1);
         if (close == std::string::npos) break;
-        if (const int column =
-                column_of(error.source_line, text.substr(open + 1, close - open - 1)))
-            return column;
+        const std::string_view name = std::string_view(text).substr(open + 1, close - open - 1);
+        if (const int column = column_of_quoted(error.source_line, code, name)) return column;
         open = text.find('\'', close + 1);
     }
     // The message has the form "main.lua:12: world.ball.mas: no such name".
@@ -52,9 +113,9 @@ int guess_column(const ScriptError& error, const Sources::Stop& stop) {
     start += 2;
     const std::size_t end = text.find(": ", start);
     if (end == std::string::npos) return 0;
-    std::string path = text.substr(start, end - start);
-    std::size_t word = path.find_last_of(".:[]\" ");
-    return column_of(error.source_line, word == std::string::npos ? path : path.substr(word + 1));
+    const std::string_view path = std::string_view(text).substr(start, end - start);
+    const bool unknown = std::string_view(text).substr(end + 2).starts_with("no such name");
+    return column_of_path(error.source_line, code, path, unknown && path.find('.') == path.npos);
 }
 
 void shorten_source(ScriptError& error) {
