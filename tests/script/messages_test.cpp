@@ -6,7 +6,6 @@
 
 namespace messages_test {
 
-using fettle::script::Evaluation;
 using stage::Stage;
 using stage::starts_with;
 
