@@ -69,7 +69,7 @@ TEST_CASE("each limit of a sandbox is reported with its place and value") {
          "instances, and this game may have 100000"},
         {"world.luck = 1 world:watch('luck', function() world.luck = world.luck + 1 end) "
          "world.luck = 2",
-         "handlers keep making changes"},
+         "handlers keep changing what handlers wait for"},
     }));
     CAPTURE(main);
     const Folder folder;
