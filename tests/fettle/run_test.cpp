@@ -241,6 +241,11 @@ TEST_CASE("help and version end with status 0") {
     }
 }
 
+TEST_CASE("the help of run names the limits of memory that a trusted game has") {
+    const Folder folder;
+    CHECK(contains(fettle(folder, {"run", "--help"}).out, "512 and 2048"));
+}
+
 TEST_CASE("the same run has the same hash and another seed gives another hash") {
     const Folder folder;
     const std::string game =
