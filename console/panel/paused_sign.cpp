@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include <fettle/app/surface.h>
+#include <fettle/app/filled_box.h>
 
 #include <observed/game_time.h>
 #include <panel/state.h>
@@ -16,15 +16,8 @@ namespace {
 constexpr app::SurfaceColor panel_color{20, 23, 30, 255}, text_color{218, 221, 229, 255},
     bar_color{244, 162, 89, 255};
 
-void fill_box(app::Surface& surface, const Rect& box, app::SurfaceColor c) {
-    const auto corner = [&](float x, float y) {
-        return app::SurfaceVertex{x, y, 0, 0, c.r, c.g, c.b, c.a};
-    };
-    const app::SurfaceVertex corners[] = {
-        corner(box.low.x, box.low.y), corner(box.high.x, box.low.y), corner(box.high.x, box.high.y),
-        corner(box.low.x, box.high.y)};
-    constexpr std::uint16_t order[] = {0, 1, 2, 0, 2, 3};
-    surface.triangles(corners, order, 0, {0, 0, surface.width(), surface.height()});
+void fill_box(app::Surface& surface, const Rect& box, app::SurfaceColor color) {
+    app::fill(surface, box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y, color);
 }
 
 }  // namespace

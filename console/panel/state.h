@@ -93,7 +93,8 @@ struct Screen {
 struct Status {
     bool was_open = false;
     bool greeted = false;
-    bool used = false;     // the player has opened it, or has pressed a key that has a command
+    bool used =
+        false;  // it was opened, a key has run a command, or the program has paused the game
     bool pausing = false;  // the console has paused the game's time
     bool time_was_paused = false;
     bool restored = false;               // what was pinned and plotted in earlier runs

@@ -155,7 +155,7 @@ struct DistanceConstraint {
     }
     template <bool biased>
     void limit(SolverBody& a, SolverBody& b, float distance, const JointStep& step) {
-        if (biased) {
+        if (biased && limited) {
             const float allowed = limits.nearest(distance);
             distance =
                 allowed + ends.close_wide_gap(a, b, line.direction, distance - allowed, step);

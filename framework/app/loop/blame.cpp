@@ -6,10 +6,10 @@
 #include <map>
 #include <unordered_map>
 
+#include <fettle/app/filled_box.h>
 #include <fettle/property/drawing.h>
 #include <fettle/property/utf8.h>
 
-#include <loop/filled_box.h>
 #include <loop/tint_painter.h>
 
 namespace fettle::app {

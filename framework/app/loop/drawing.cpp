@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include <fettle/app/filled_box.h>
 #include <fettle/app/foreground.h>
 #include <fettle/app/loop.h>
 #include <fettle/app/screen.h>
@@ -16,7 +17,6 @@
 #include <loop/blame.h>
 #include <loop/cameras.h>
 #include <loop/effects.h>
-#include <loop/filled_box.h>
 #include <loop/wires.h>
 #include <time/smoothing.h>
 

@@ -4,9 +4,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include <fettle/app/filled_box.h>
 #include <fettle/property/utf8.h>
-
-#include <loop/filled_box.h>
 
 namespace fettle::app {
 
@@ -322,42 +321,40 @@ void ErrorScreen::draw_text(Surface& surface, float bottom) {
     }
 }
 
-namespace {
-
-/// The keys, which six blanks separate, with so many blanks between them.
-std::string with_gaps(std::string_view keys, std::size_t blanks) {
-    constexpr std::string_view written = "      ";
-    std::string all;
-    for (std::size_t at = keys.find(written); at != std::string_view::npos;
-         at = keys.find(written)) {
-        all += std::string(keys.substr(0, at)) + std::string(blanks, ' ');
-        keys.remove_prefix(at + written.size());
-    }
-    return all + std::string(keys);
+/// The keys and what they do.
+std::vector<std::string_view> ErrorScreen::keys() const {
+    if (running_ && waits_) return {"S  stop it", "R  reload", "`  console"};
+    if (running_)
+        return {"S  stop it", "W  wait on", "R  reload", "`  console", "\u2191 \u2193  scroll"};
+    return {"R  reload",
+            "Esc  go on",
+            "C  copy",
+            "`  console",
+            "\u2190 \u2192  back in time",
+            "\u2191 \u2193  scroll"};
 }
-
-}  // namespace
 
 /// Draws the keys in a bar, `bottom` being its upper edge. In a narrow window they are closer
 /// together and smaller.
 void ErrorScreen::draw_keys(Surface& surface, float bottom) const {
     fill(surface, 0, bottom + 4, surface.width(), keys_height - 4, {10, 11, 15, 255});
-    const std::string_view keys =
-        running_ ? (waits_ ? "S  stop it      R  reload      `  console"
-                           : "S  stop it      W  wait on      R  reload      `  console      "
-                             "\u2191 \u2193  scroll")
-                 : "R  reload      Esc  go on      C  copy      `  console      \u2190 \u2192  "
-                   "back in time      \u2191 \u2193  scroll";
     constexpr float size = 14, least_size = 9;
+    const auto drawn = [&](std::size_t gap, float left, float letters, SurfaceColor color) {
+        std::string line;
+        for (const std::string_view key : keys())
+            line += (line.empty() ? "" : std::string(gap, ' ')) + std::string(key);
+        return surface.text(left, bottom + 16, line, letters, color, Face::plain);
+    };
+    constexpr SurfaceColor unseen{0, 0, 0, 0};
+    for (const std::size_t gap : {6u, 3u})
+        if (drawn(gap, 0, size, unseen) <= surface.width() - margin - small_margin) {
+            drawn(gap, margin, size, pale);
+            return;
+        }
+    constexpr std::size_t least_gap = 2;
     const float room = surface.width() - 2 * small_margin;
-    for (const std::size_t gap : {6u, 3u, 2u}) {
-        const std::string shown = with_gaps(keys, gap);
-        const float width = surface.text(0, 0, shown, size, {0, 0, 0, 0}, Face::plain);
-        if (width > room - (margin - small_margin) && gap > 2) continue;
-        const float fit = std::clamp(std::floor(size * room / width), least_size, size);
-        surface.text(gap > 2 ? margin : small_margin, bottom + 16, shown, fit, pale, Face::plain);
-        return;
-    }
+    const float fitting_size = std::floor(size * room / drawn(least_gap, 0, size, unseen));
+    drawn(least_gap, small_margin, std::clamp(fitting_size, least_size, size), pale);
 }
 
 /// Draws the error that does not stop the game at the lower edge.

@@ -456,22 +456,22 @@ void Loop::end_frame(const Stopwatch& watch, double seconds, double total) {
 }
 
 void Loop::halt() {
-    halted_ = true;
-    halt_ = {.step = services_.clock.step, .paused = services_.clock.paused};
+    halted_ = Halt{.step = services_.clock.step, .paused = services_.clock.paused};
     timeline_.note_failure();
 }
 
 bool Loop::retry() {
     const Pin pin(*this, "retry");
-    const bool elsewhere = services_.clock.step != halt_.step;
+    const bool ran = halted_ && !halted_->paused;
+    const bool elsewhere = halted_ && services_.clock.step != halted_->step;
     const bool back = timeline_.go_before_failure();
-    if (elsewhere && !halt_.paused) tree_.set(time_, "paused", false);
+    if (elsewhere && ran) tree_.set(time_, "paused", false);
     resume();
     return back;
 }
 
 void Loop::resume() {
-    halted_ = false;
+    halted_.reset();
     due_seconds_ = 0;
 }
 

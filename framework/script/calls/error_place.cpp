@@ -10,6 +10,7 @@
 
 #include <calls/error_place.h>
 #include <text/columns.h>
+#include <text/lua_code.h>
 #include <text/words.h>
 
 namespace fettle::script {
@@ -28,28 +29,6 @@ void place_from_message(ScriptError& error) {
 }
 
 namespace {
-
-/// The line with blanks in the place of what texts and comments contain.
-std::string code_of(std::string_view line) {
-    std::string code(line);
-    char quote = 0;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char c = line[i];
-        if (quote == 0) {
-            if (line.substr(i).starts_with("--")) {
-                std::fill(code.begin() + static_cast<std::ptrdiff_t>(i), code.end(), ' ');
-                break;
-            }
-            if (c == '"' || c == '\'') quote = c;
-        } else if (c == quote) {
-            quote = 0;
-        } else {
-            code[i] = ' ';
-            if (c == '\\' && i + 1 < line.size()) code[++i] = ' ';
-        }
-    }
-    return code;
-}
 
 std::vector<std::size_t> places_of(std::string_view code, std::string_view word) {
     std::vector<std::size_t> all;

@@ -13,11 +13,10 @@ namespace fettle::script {
 
 namespace {
 
-constexpr std::size_t max_echoes = 20;
-
-/// Old and new value of an edit, or what else it did.
-std::string echo(Machine& machine, const Recording::Edit& edit, bool same) {
-    const bool added = !edit.added.empty() && machine.tree.alive(edit.instance);
+/// Old and new value of an edit, or what else it did; with what may be meant by a new name, which
+/// takes time to find.
+std::string echo(Machine& machine, const Recording::Edit& edit, bool same, bool with_hint) {
+    const bool added = with_hint && !edit.added.empty() && machine.tree.alive(edit.instance);
     const std::string hint =
         added ? machine.hints.of_added(edit.instance, edit.added) : std::string();
     if (!edit.note.empty()) return edit.path + ": " + edit.note + hint;
@@ -39,13 +38,15 @@ void add_echoes(Machine& machine, Evaluation& evaluation) {
     std::vector<std::string> lines;
     for (const auto& edit : edits) {
         const bool same = edit.note.empty() && edit.before == edit.after && !edit.replaced;
-        if (!same || edits.size() == 1) lines.push_back(echo(machine, edit, same));
+        if (!same || edits.size() == 1)
+            lines.push_back(echo(machine, edit, same, lines.size() < shown_changes));
     }
     FoldedLines folded;
-    fold_rows(
-        lines,
-        {.shown = max_echoes, .total = lines.size() + machine.recording.dropped, .what = "changes"},
-        folded);
+    fold_rows(lines,
+              {.shown = shown_changes,
+               .total = lines.size() + machine.recording.dropped,
+               .what = "changes"},
+              folded);
     folded.line += evaluation.lines.size();
     if (!folded.lines.empty()) evaluation.folded.push_back(std::move(folded));
     std::ranges::move(lines, std::back_inserter(evaluation.lines));

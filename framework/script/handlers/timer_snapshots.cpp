@@ -84,6 +84,12 @@ namespace {
 constexpr std::uint64_t most_looked_at = 100;
 }  // namespace
 
+std::string Timers::Places::listed() const {
+    std::string text;
+    for (const std::string& place : places) text += (text.empty() ? "" : ", ") + place;
+    return text;
+}
+
 Timers::Places Timers::ending() const {
     Places found;
     for (const auto& [key, timer] : queue_)
@@ -143,9 +149,7 @@ void Timers::tell_of_coroutines(const Places& running, std::uint64_t ended) {
     if (running.count > 0) {
         text += ": " + std::to_string(running.count) +
                 (running.count == 1 ? " goes on where it was" : " go on where they were");
-        for (const std::string& place : running.places)
-            text += (&place == &running.places.front() ? " (" : ", ") + place;
-        if (!running.places.empty()) text += ")";
+        if (!running.places.empty()) text += " (" + running.listed() + ")";
     }
     if (ended > 0)
         text += (running.count > 0 ? ", and " : ": ") + std::to_string(ended) +

@@ -112,6 +112,7 @@ class Timers {
     struct Places {
         std::uint64_t count = 0;
         std::vector<std::string> places{};
+        std::string listed() const;  ///< "main.lua:3, main.lua:7"
     };
     /// Timers that `restore_from_file` would end.
     Places ending() const;

@@ -43,7 +43,7 @@ void report(Machine& machine, const char* what, const property::UndoResult& resu
     FoldedLines folded;
     fold_rows(lines,
               {.before = 1,
-               .shown = 20,
+               .shown = shown_changes,
                .total = result.changes.size() + result.more_changes,
                .what = "changes"},
               folded);

@@ -55,11 +55,8 @@ std::string counted(const Timers::Places& all, const char* what) {
     return std::to_string(all.count) + " " + what + (all.count == 1 ? "" : "s");
 }
 
-std::string listed(const Timers::Places& all) {
-    std::string text;
-    for (const std::string& place : all.places)
-        text += (&place == &all.places.front() ? ": " : ", ") + place;
-    return text;
+std::string after_colon(const Timers::Places& all) {
+    return all.places.empty() ? std::string() : ": " + all.listed();
 }
 
 }  // namespace
@@ -139,12 +136,12 @@ std::vector<std::string> RuntimePart::remarks() const {
         all.push_back(counted(ended_timers_, "timer") +
                       " that the game had when it was saved ended, since a file holds no "
                       "functions" +
-                      listed(ended_timers_) + advice);
+                      after_colon(ended_timers_) + advice);
     if (coroutines_.count > 0)
         all.push_back(counted(coroutines_, "coroutine") +
                       " that waited when the game was saved did not go back, since a file holds no "
                       "functions; what has begun in this run goes on where it was" +
-                      listed(coroutines_) + advice);
+                      after_colon(coroutines_) + advice);
     std::ranges::move(stated_problems(machine_), std::back_inserter(all));
     return all;
 }

@@ -12,6 +12,8 @@ namespace fettle::script {
 
 /// How many rows are folded at most.
 inline constexpr std::size_t max_folded = 1000;
+/// How many changes of an edit, or of its undoing, are not folded.
+inline constexpr std::size_t shown_changes = 20;
 
 struct Rows {
     std::size_t before = 0;  // lines above the first row

@@ -1,5 +1,6 @@
 #include <vector>
 
+#include <text/lua_code.h>
 #include <text/selected_name.h>
 #include <text/words.h>
 
@@ -12,67 +13,32 @@ constexpr std::size_t npos = std::string_view::npos;
 /// Finds the places of the word `it` in a text of Lua.
 class ItFinder {
   public:
-    explicit ItFinder(std::string_view text) : text_(text) {}
+    explicit ItFinder(std::string_view text) : text_(code_of(text)) {}
 
     std::vector<std::size_t> run() {
         while (at_ < text_.size()) {
-            const char c = text_[at_];
-            if (text_.substr(at_).starts_with("--"))
-                skip_comment();
-            else if (c == '"' || c == '\'')
-                skip_quoted(c);
-            else if (c == '[' && long_bracket(at_) != npos)
-                skip_long(long_bracket(at_));
-            else if (is_word(c))
+            if (is_word(text_[at_]))
                 word();
             else
-                sign(c);
+                sign(text_[at_]);
         }
         return own_ ? std::vector<std::size_t>() : std::move(found_);
     }
 
   private:
-    /// The number of signs in a long bracket such as `[==[`; npos if there is none.
-    std::size_t long_bracket(std::size_t at) const {
-        std::size_t i = at + 1;
-        while (i < text_.size() && text_[i] == '=') ++i;
-        return i < text_.size() && text_[i] == '[' ? i - at - 1 : npos;
-    }
-    void skip_to(std::size_t end) { at_ = end == npos ? text_.size() : end; }
-    void skip_long(std::size_t signs) {
-        const std::string close = "]" + std::string(signs, '=') + "]";
-        const std::size_t end = text_.find(close, at_);
-        skip_to(end == npos ? npos : end + close.size());
-        before_ = "\"";
-    }
-    void skip_comment() {
-        at_ += 2;
-        const std::size_t signs =
-            at_ < text_.size() && text_[at_] == '[' ? long_bracket(at_) : npos;
-        if (signs == npos)
-            skip_to(text_.find('\n', at_));
-        else
-            skip_long(signs);
-    }
-    void skip_quoted(char quote) {
-        std::size_t i = at_ + 1;
-        while (i < text_.size() && text_[i] != quote) i += text_[i] == '\\' ? 2 : 1;
-        skip_to(i < text_.size() ? i + 1 : npos);
-        before_ = "\"";
-    }
     void sign(char c) {
         if (std::isspace(static_cast<unsigned char>(c)) == 0) {
             const bool concatenates = c == '.' && before_ == "." && text_[at_ - 1] == '.';
             if (c == '(' && names_follow_) in_names_ = true;
             if (c == ')' || c == '=' || c == '{') in_names_ = names_follow_ = false;
-            before_ = concatenates ? ".." : text_.substr(at_, 1);
+            before_ = concatenates ? ".." : std::string_view(text_).substr(at_, 1);
         }
         ++at_;
     }
     void word() {
         const std::size_t begin = at_;
         while (at_ < text_.size() && is_word(text_[at_])) ++at_;
-        const std::string_view word = text_.substr(begin, at_ - begin);
+        const std::string_view word = std::string_view(text_).substr(begin, at_ - begin);
         if (word == "function") names_follow_ = true;
         if (word == "in") in_names_ = false;
         if (word == "it" && before_ != "." && before_ != ":" && !assigned()) {
@@ -90,7 +56,7 @@ class ItFinder {
                (next + 1 >= text_.size() || text_[next + 1] != '=');
     }
 
-    std::string_view text_;
+    std::string text_;  // without comments, and without what quotes contain
     std::size_t at_ = 0;
     std::string_view before_;                       // the word or sign before the current one
     bool names_follow_ = false, in_names_ = false;  // parameters

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fettle/app/export.h>
@@ -72,6 +73,7 @@ class ErrorScreen : public Layer {
     bool handle_key(const std::string& key);
     ClipRectangle free_part(const Surface& surface) const;
     void draw_text(Surface& surface, float bottom);
+    std::vector<std::string_view> keys() const;
     void draw_keys(Surface& surface, float bottom) const;
     /// These two return the upper edge of what they have drawn.
     float draw_strip(Surface& surface, float bottom) const;

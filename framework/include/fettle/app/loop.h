@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -120,7 +121,7 @@ class Loop {
     /// has gone to an earlier step since, runs on from there, although going back paused it.
     /// Returns true if it went back. To be called between frames.
     bool retry();
-    bool halted() const { return halted_; }
+    bool halted() const { return halted_.has_value(); }
     /// True if the loop is halted, the game has called quit(), or its runtime is destroyed.
     bool stopped() const {
         return halted_ || runtime_life_.expired() || runtime_.quit_status().has_value();
@@ -186,12 +187,11 @@ class Loop {
     std::uint64_t steps_made_ = 0;
     std::uint64_t announced_ = 0;
     bool shows_steps_ = false;  // pictures are drawn between two steps
-    bool halted_ = false;
     struct Halt {
         std::int64_t step = 0;
         bool paused = false;
     };
-    Halt halt_;  // where the game was halted, and whether it was paused
+    std::optional<Halt> halted_;  // where the game was halted, and whether it was paused
     bool closing_ = false;
 };
 

@@ -29,9 +29,10 @@ struct UndoChange {
 
 /// The result of `Tree::undo` and `Tree::redo`.
 struct UndoResult {
-    static constexpr std::size_t max_changes = 1020;  ///< listed ones
-    bool done = false;                                // false: there was nothing to undo
-    std::string name;                                 ///< of the step of undo
+    static constexpr std::size_t max_changes =
+        1020;                ///< listed ones; a console shows the first and folds the others
+    bool done = false;       // false: there was nothing to undo
+    std::string name;        ///< of the step of undo
     bool too_large = false;  ///< it took more memory than the history may; nothing was changed
     /// The first changes, those of instances before those of values, and the number of the others.
     std::vector<UndoChange> changes{};

@@ -1,12 +1,16 @@
 #pragma once
+// A box of one color, as layers draw it.
 
 #include <cstdint>
 
+#include <fettle/app/export.h>
 #include <fettle/app/surface.h>
+
+FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
-/// Draws a box of one color on the surface.
+/// Draws a box of one color on the surface. `x`, `y`, `w`, `h`: px, from the upper left corner.
 inline void fill(Surface& surface, float x, float y, float w, float h, SurfaceColor c) {
     const SurfaceVertex corners[] = {{x, y, 0, 0, c.r, c.g, c.b, c.a},
                                      {x + w, y, 0, 0, c.r, c.g, c.b, c.a},
@@ -17,3 +21,5 @@ inline void fill(Surface& surface, float x, float y, float w, float h, SurfaceCo
 }
 
 }  // namespace fettle::app
+
+FETTLE_APP_END
