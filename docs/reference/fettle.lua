@@ -2760,9 +2760,9 @@ Image = {}
 ---@field bind string Path of a property that is the number, such as audio.volume; both always have the same value. · any text · default ""
 ---@field color color? The part up to the value; nil: accent. · 0 to 1 · default nil · may be nil
 ---@field focusable boolean Whether it can have the keyboard. · true or false · default true
----@field max number? The greatest value. nil: that of the bound property, else 1. · -1e12 to 1e12 · default nil · may be nil
----@field min number? The least value. nil: that of the bound property, else 0. · -1e12 to 1e12 · default nil · may be nil
----@field step number The player chooses multiples of it, counted from the least value; 0: any number. Integers have a step of 1 at least. · 0 to 1e12 · default 0
+---@field max number? The value at the right end; it may be less than min, and then values decrease to the right. nil: the greatest one of the bound property, else 1, but min at least. · -1e12 to 1e12 · default nil · may be nil
+---@field min number? The value at the left end. nil: the least one of the bound property, else 0. · -1e12 to 1e12 · default nil · may be nil
+---@field step number The player chooses multiples of it, counted from min; 0: any number. Integers have a step of 1 at least. · 0 to 1e12 · default 0
 ---@field value number The number. · -1e12 to 1e12 · default 0
 local fettle_Slider = {}
 
@@ -2863,8 +2863,8 @@ TextField = {}
 ---@field color color? The full part; nil: accent. · 0 to 1 · default nil · may be nil
 ---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
 ---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
----@field max number? The greatest value. nil: that of the bound property, else 1. · -1e12 to 1e12 · default nil · may be nil
----@field min number? The least value. nil: that of the bound property, else 0. · -1e12 to 1e12 · default nil · may be nil
+---@field max number? The value at the right end; it may be less than min, and then values decrease to the right. nil: the greatest one of the bound property, else 1, but min at least. · -1e12 to 1e12 · default nil · may be nil
+---@field min number? The value at the left end. nil: the least one of the bound property, else 0. · -1e12 to 1e12 · default nil · may be nil
 ---@field overflow "cut"|"wrap" What happens with text that is too long for its width: cut ends it with "…", wrap continues it in another line. · "cut", "wrap" · default "cut"
 ---@field text string Written on it. · any text · default ""
 ---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "center"

@@ -58,14 +58,15 @@ Session::Followed Session::apply_changes(const std::vector<fs::path>& changed) {
     const fs::path folder = fs::absolute(folder_of(options_.game)).lexically_normal();
     problems_.erase("");
     std::vector<std::string> names, read;
-    std::map<std::string, std::size_t> scenes;  // how often each was read
+    std::map<std::string, ChangedScene> scenes;
     bool code = false;
     for (const fs::path& file : changed) {
         const fs::path name = file.lexically_relative(folder);
         names.push_back(name.generic_string());
         end_recording(names.back());
         renew(names.back());
-        if (is_scene(file, names.back())) scenes[names.back()] = files_.times_seen(file);
+        if (std::optional<ChangedScene> scene = scene_in(file, names.back()))
+            scenes.emplace(names.back(), std::move(*scene));
         if (!problems_.contains(names.back())) read.push_back(names.back());
         code = code || (!is_media(file) && names.back() != "game.json");
     }
@@ -88,7 +89,9 @@ Session::Followed Session::apply_changes(const std::vector<fs::path>& changed) {
     // A scene is there again only if the top level loads it.
     std::erase_if(read, [&](const std::string& name) {
         const auto scene = scenes.find(name);
-        if (scene == scenes.end() || files_.times_seen(folder / name) > scene->second) return false;
+        if (scene == scenes.end() || files_.times_seen(folder / name) > scene->second.times_read)
+            return false;
+        for (const std::string& line : scene->second.warnings) note(line);
         note(name + " has changed, and is there when the game loads it again");
         return true;
     });
@@ -108,20 +111,24 @@ Session::Followed Session::apply_changes(const std::vector<fs::path>& changed) {
     return Followed::changed;
 }
 
-/// Whether the file is a scene. If it cannot be read or is not valid, reports this as a problem of
-/// the file, and returns false.
-bool Session::is_scene(const fs::path& file, const std::string& name) {
+/// Nothing for a file that is no scene. If the file cannot be read or is not valid, reports this as
+/// a problem of the file.
+std::optional<Session::ChangedScene> Session::scene_in(const fs::path& file,
+                                                       const std::string& name) {
     std::error_code error;
     if (file.extension() != ".json" || !fs::exists(file, error) || name == "game.json" ||
         problems_.contains(name))
-        return false;
-    bool scene = false;
+        return {};
     try {
-        scene = property::check_scene_text(tree_, files_.read(file), name);
+        ChangedScene scene;
+        if (property::check_scene_text(tree_, files_.read(file), name, &scene.warnings)) {
+            scene.times_read = files_.times_seen(file);
+            return scene;
+        }
     } catch (const std::exception& failure) {
         report_file_problem(property::exception_text(failure), name);
     }
-    return scene;
+    return {};
 }
 
 /// Also returns an exception as an error: a file may have been removed in the meantime.

@@ -116,7 +116,13 @@ class Session {
   private:
     bool follows_files() const;
     std::vector<std::filesystem::path> watched_files() const;
-    bool is_scene(const std::filesystem::path& file, const std::string& name);
+    /// A scene file that was saved while the game runs.
+    struct ChangedScene {
+        std::size_t times_read = 0;  // how often the file was read before the game could load it
+        std::vector<std::string> warnings{};
+    };
+    std::optional<ChangedScene> scene_in(const std::filesystem::path& file,
+                                         const std::string& name);
     Followed apply_changes(const std::vector<std::filesystem::path>& changed);
     script::Reloaded reload_code(const std::vector<std::string>& names);
     script::Reloaded reload_media(const std::vector<std::string>& names);

@@ -184,7 +184,7 @@ TEST_CASE("a changed scene is reported correctly and an error in it has its line
     REQUIRE(program.reports("later.json:1:"));
     run.folder.write("game/later.json", "{\n\"fettle_scene\": 1, \"class\": \"Bodi\"}");
     REQUIRE(program.reports("later.json:2:"));
-    run.folder.write("game/later.json", scene + "30}}");
+    run.folder.write("game/later.json", scene + "30, \"positon\": [1, 2]}}");
     REQUIRE(program.reports("later.json has changed"));
     run.folder.write("game/top.json", scene + "30}}");
     const auto end = program.end();
@@ -194,6 +194,9 @@ TEST_CASE("a changed scene is reported correctly and an error in it has its line
     CHECK(contains(end.err, "later.json:1:"));
     CHECK(contains(end.err, "later.json:2:"));
     CHECK(contains(end.err, "later.json has changed, and is there when the game loads it again"));
+    CHECK(contains(end.err,
+                   "later.json:1:65: body: Body has no property \"positon\" (did you mean "
+                   "\"position\"?); kept as it is"));
     CHECK_FALSE(contains(end.err, "reloaded later.json"));
     CHECK(contains(end.err, "reloaded top.json in "));
 }

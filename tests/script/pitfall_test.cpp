@@ -152,6 +152,9 @@ TEST_CASE("a note names the instances that a game made and does not use") {
     CHECK_THAT(notes_about("state = 'menu'"),
                contains("state is a text now, and was a function of Fettle: state("));
     CHECK(notes_about("function state() end") == "");
+    CHECK(notes_about("state('throws', 0)\nthrow = 5") ==
+          "main.lua:2: throw is a new variable and not a state (did you mean \"throws\"?)");
+    CHECK(notes_about("state('throws', 0) throw = 'a ball' throws = 2 other = 3") == "");
 
     CHECK(notes_about("-- start\nlocal function start() end") ==
           "main.lua:2: nothing calls start, because it is local: write function start(...)");

@@ -27,7 +27,8 @@ void Player::choose_value(Widget& slider, double value) {
     const property::Range range = binding_.range(slider);
     if (const double step = binding_.step(slider); step > 0)
         value = rounded(range.min + step * std::round((value - range.min) / step), step);
-    value = std::clamp(value, range.min, range.max);
+    const auto [least, greatest] = std::minmax(range.min, range.max);
+    value = std::clamp(value, least, greatest);
     if (!std::isfinite(value) || value == slider.content.value) return;
     const double before = slider.content.value;
     widgets_.set(slider.self, "value", Value(value));
@@ -38,9 +39,9 @@ void Player::choose_value(Widget& slider, double value) {
 
 void Player::nudge(Widget& slider, int direction) {
     const property::Range range = binding_.range(slider);
-    const double step = binding_.step(slider);
+    const double length = range.max - range.min, step = binding_.step(slider);
     choose_value(slider, slider.content.value +
-                             direction * (step > 0 ? step : 0.05 * (range.max - range.min)));
+                             direction * (step > 0 ? std::copysign(step, length) : 0.05 * length));
 }
 
 void Player::switch_over(Widget& toggle) {

@@ -197,7 +197,7 @@ property::Range Binding::range(const Widget& widget) const {
         }
     }
     range.min = widget.content.min.value_or(range.min);
-    range.max = std::max(range.min, widget.content.max.value_or(std::max(range.min, range.max)));
+    range.max = widget.content.max.value_or(std::max(range.min, range.max));
     return range;
 }
 

@@ -25,7 +25,8 @@ class Binding {
     void update_all();
     /// Until the next update, the property of each widget counts as changed.
     void follow_properties();
-    /// The least and the greatest value of a slider or progress bar.
+    /// The values at the left and the right end of a slider or progress bar; the left one may be
+    /// the greater one.
     property::Range range(const Widget& widget) const;
     /// The distance between two values that the player can choose; 0: any.
     double step(const Widget& widget) const;

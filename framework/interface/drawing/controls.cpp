@@ -12,10 +12,10 @@ using property::Color;
 using property::TextAlign;
 using property::Vec2;
 
-/// Where the value lies between its least and its greatest one.
+/// Where the value lies between the ones at the left and the right end.
 double Picture::share(const Widget& widget) const {
     const property::Range range = binding_.range(widget);
-    if (!(range.max > range.min)) return 0;
+    if (range.max == range.min) return 0;
     return std::clamp((widget.content.value - range.min) / (range.max - range.min), 0.0, 1.0);
 }
 

@@ -76,11 +76,10 @@ property::ClassDescriptor slider(Widgets& widgets) {
                      widgets, {.name = "value", .range = {-1e12, 1e12}, .doc = "The number."}),
                  min_property(widgets), max_property(widgets),
                  field<&Widget::content, &Content::step>(
-                     widgets,
-                     {.name = "step",
-                      .range = {0, 1e12},
-                      .doc = "The player chooses multiples of it, counted from the least value; 0: "
-                             "any number. Integers have a step of 1 at least."}),
+                     widgets, {.name = "step",
+                               .range = {0, 1e12},
+                               .doc = "The player chooses multiples of it, counted from min; 0: "
+                                      "any number. Integers have a step of 1 at least."}),
                  focusable(widgets),
                  field<&Widget::style, &Style::color>(
                      widgets, {.name = "color", .doc = "The part up to the value; nil: accent."}),

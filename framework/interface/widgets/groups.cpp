@@ -208,14 +208,17 @@ Property min_property(Widgets& widgets) {
     return field<&Widget::content, &Content::min>(
         widgets, {.name = "min",
                   .range = {-1e12, 1e12},
-                  .doc = "The least value. nil: that of the bound property, else 0."});
+                  .doc = "The value at the left end. nil: the least one of the bound property, "
+                         "else 0."});
 }
 
 Property max_property(Widgets& widgets) {
     return field<&Widget::content, &Content::max>(
         widgets, {.name = "max",
                   .range = {-1e12, 1e12},
-                  .doc = "The greatest value. nil: that of the bound property, else 1."});
+                  .doc = "The value at the right end; it may be less than min, and then values "
+                         "decrease to the right. nil: the greatest one of the bound property, "
+                         "else 1, but min at least."});
 }
 
 }  // namespace fettle::interface

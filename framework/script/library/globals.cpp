@@ -220,6 +220,8 @@ int write_global(lua_State* L) {
         lua_pushvalue(L, 2);
         if (lua_rawget(L, 4) == LUA_TNIL) {
             machine.globals.assigned.emplace_back(name);
+            if (const int of = lua_type(L, 3); of == LUA_TNUMBER || of == LUA_TSTRING)
+                machine.hints.variable_added(name, to_value(L, 3));
             // gravity = 0: nothing that is seen changes.
             if (machine.hints.begins_command(name))
                 if (const std::string path = machine.hints.path_of_member(name);

@@ -1,5 +1,7 @@
 // Properties and states: what is checked while the game runs.
 
+#include <algorithm>
+
 #include <fettle/property/added_rules.h>
 #include <fettle/property/spelling.h>
 
@@ -176,6 +178,19 @@ void Hints::rewinding() {
 }
 
 // --- Variables
+
+void Hints::variable_added(std::string_view name, const property::Value& value) {
+    const auto& stated = machine_.globals.stated;
+    const auto meant = std::find_if(stated.begin(), stated.end(), [&](const auto& each) {
+        const bool alike =
+            each.second.type() == value.type() || (each.second.is_numeric() && value.is_numeric());
+        return alike && property::near_miss(name, each.first);
+    });
+    if (meant == stated.end()) return;
+    report("variable " + std::string(name),
+           position(machine_.lua.running) + std::string(name) +
+               " is a new variable and not a state (did you mean \"" + meant->first + "\"?)");
+}
 
 void Hints::stated(const std::string& name, const std::string& problem) {
     report("state " + name, position(machine_.lua.running) + problem);

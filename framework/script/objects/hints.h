@@ -49,6 +49,9 @@ class Hints {
     void game_loaded();
     /// To be called when a script rewinds: gives a note if no past is kept.
     void rewinding();
+    /// To be called when a script assigns a new global variable: gives a note if the name is nearly
+    /// that of a state whose value has the same type.
+    void variable_added(std::string_view name, const property::Value& value);
     /// To be called when `state` finds a value of another type.
     void stated(const std::string& name, const std::string& problem);
     /// To be called before a game is loaded: forgets all given notes.

@@ -32,6 +32,8 @@ class SceneCheck {
         for (std::size_t i = 0; i < plan_.instances.size(); ++i) check(i);
     }
 
+    const std::vector<std::string>& warnings() const { return plan_.warnings; }
+
   private:
     void check(std::size_t index) {
         const ScenePlan::Instance& planned = plan_.instances[index];
@@ -154,16 +156,21 @@ class SceneCheck {
 
 }  // namespace
 
-void check_scene(const Tree& tree, const Document& document, Handle parent, std::string_view name) {
-    SceneCheck(tree, document, parent, name).run();
+std::vector<std::string> check_scene(const Tree& tree, const Document& document, Handle parent,
+                                     std::string_view name) {
+    SceneCheck check(tree, document, parent, name);
+    check.run();
+    return check.warnings();
 }
 
-bool check_scene_text(const Tree& tree, std::string_view text, std::string_view file_name) {
+bool check_scene_text(const Tree& tree, std::string_view text, std::string_view file_name,
+                      std::vector<std::string>* warnings) {
     const Document document{std::string(text), std::string(file_name)};
     const Document::Node& root = document.root();
     if (root.kind != Document::Kind::object || document.member(root, version_key) == nullptr)
         return false;
-    check_scene(tree, document);
+    const std::vector<std::string> found = check_scene(tree, document);
+    if (warnings != nullptr) warnings->insert(warnings->end(), found.begin(), found.end());
     return true;
 }
 

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include <fettle/property/path.h>
-#include <fettle/property/spelling.h>
 #include <fettle/property/storage/scene.h>
 
 #include <files/durable_file.h>
@@ -285,15 +284,8 @@ class SceneLoader {
             const Class& its_class = *planned.instance_class;
             for (const Node* node = document_.first(*planned.properties); node;
                  node = document_.next(*node)) {
-                const std::string& key = document_.key(*node);
-                if (its_class.property(key) != nullptr) continue;
-                const std::string meant = suggestion(key, its_class.member_names());
-                plan_.warn(
-                    node->key_begin,
-                    plan_.path(index) + ": " + its_class.name() + " has no property " +
-                        value_text(Value(key)) + meant + "; kept as it is" +
-                        (meant.empty() ? " (what is your own belongs under \"ad_hoc\")" : ""));
-                planned.unknown.add(UnknownKeys::Place::properties, document_, *node);
+                if (its_class.property(document_.key(*node)) == nullptr)
+                    planned.unknown.add(UnknownKeys::Place::properties, document_, *node);
             }
         }
         if (planned.unknown.empty()) return;

@@ -130,6 +130,7 @@ void ScenePlan::read(const Node& node, std::size_t parent) {
     }
     check_nesting(self, instances[self].properties);
     check_nesting(self, instances[self].ad_hoc);
+    warn_of_unknown_properties(self);
     if (children != nullptr) read_children(*children, self);
 }
 
@@ -214,6 +215,21 @@ void ScenePlan::other_key(std::size_t index, const Node& member) {
              subject + meant + "; kept as it is" +
                  (meant.empty() ? " (what is your own belongs under \"ad_hoc\")" : ""));
     instances[index].unknown.add(UnknownKeys::Place::instance, document_, member);
+}
+
+void ScenePlan::warn_of_unknown_properties(std::size_t index) {
+    const Node* const section = instances[index].properties;
+    const Class& of = *instances[index].instance_class;
+    for (const Node* node = section != nullptr ? document_.first(*section) : nullptr; node;
+         node = document_.next(*node)) {
+        const std::string& key = document_.key(*node);
+        if (of.property(key) != nullptr) continue;
+        const std::string meant = suggestion(key, of.member_names());
+        warn(node->key_begin,
+             path(index) + ": " + of.name() + " has no property " + in_quotes(key) + meant +
+                 "; kept as it is" +
+                 (meant.empty() ? " (what is your own belongs under \"ad_hoc\")" : ""));
+    }
 }
 
 /// Warns about instances, and sections of an instance, inside a section. They would be ignored

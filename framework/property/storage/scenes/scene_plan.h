@@ -68,6 +68,7 @@ class ScenePlan {
     const Node& of_kind(const Node& member, Document::Kind kind) const;
     void other_key(std::size_t index, const Node& member);
     void check_nesting(std::size_t index, const Node* section) const;
+    void warn_of_unknown_properties(std::size_t index);
     std::string future_path(const std::string& name) const;
 
     const Tree& tree_;

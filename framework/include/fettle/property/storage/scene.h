@@ -106,8 +106,10 @@ Handle load_scene(Tree& tree, const std::filesystem::path& file, Handle parent,
                   std::vector<SceneInstance>* instances = nullptr);
 
 /// Whether the text of a JSON file is a scene. Throws the SceneError that loading it would throw,
-/// as far as the classes show, also for a text that is not JSON. Nothing is made.
-bool check_scene_text(const Tree& tree, std::string_view text, std::string_view file_name);
+/// as far as the classes show, also for a text that is not JSON. Nothing is made. For each key that
+/// is probably a mistake, a line is added to `warnings` (unless it is null).
+bool check_scene_text(const Tree& tree, std::string_view text, std::string_view file_name,
+                      std::vector<std::string>* warnings = nullptr);
 
 /// Like `load_scene`, from a text; `file_name` appears in messages and causes.
 Handle load_scene_text(Tree& tree, std::string_view text, std::string_view file_name, Handle parent,
