@@ -58,80 +58,103 @@ bool PropertyEditor::written_by_simulation(Handle instance, const Property& prop
     return written.known && written.cause.writer == property::Writer::simulation;
 }
 
-bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bold) {
-    if (problems_of_ != instance) forget();
-    problems_of_ = instance;
-    edited_ = false;
-    Target target{instance, &property};
-    const float whole = ImGui::GetContentRegionAvail().x;
-    const float available = whole - gutter_width(whole);
-    bool tall = property.type == Type::list || property.any_type;
-    bool plain = !tall && mixed_.others().empty() && !problems_.contains(&property) &&
-                 tree_.formula_count() == 0 && !fields_.typing() && !fields_.widget_has_focus() &&
-                 !fields_.moves_focus();
-    const RowLayout::Row row = layout_.row_of(property, available);
-    if (plain && !ImGui::IsRectVisible(ImVec2(whole, row.height))) {
-        ImGui::Dummy(ImVec2(whole, row.height));
-        return false;
+/// Whether a property is drawn by a row of the height of its layout, which is left out while it is
+/// not visible.
+bool PropertyEditor::is_plain(const Property& property) const {
+    return property.type != Type::list && !property.any_type && mixed_.others().empty() &&
+           !problems_.contains(&property) && tree_.formula_count() == 0 && !fields_.typing() &&
+           !fields_.widget_has_focus() && !fields_.moves_focus();
+}
+
+PropertyEditor::Origin PropertyEditor::origin_of(Handle instance, const Property& property) const {
+    Origin origin;
+    if (const property::Formula* formula = tree_.formula(instance, property)) {
+        origin.formula = true;
+        origin.source = formula->source;
+        origin.problem = tree_.problem(instance, property);
     }
-    ImGui::PushID(&property);
-    float start = ImGui::GetCursorPosX();
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
-    const property::Formula* formula = tree_.formula(instance, property);
-    std::string source = formula != nullptr ? formula->source : std::string();
-    std::string wrong = formula != nullptr ? tree_.problem(instance, property) : std::string();
     // A value that the simulation writes differs from the default without being set. Some modules
     // know it (`overridden`): they know whether a mass was set, but not whether it was a step that
     // made a body fall asleep.
     const bool computed = property.simulated && (property.binding.overridden == nullptr ||
                                                  written_by_simulation(instance, property));
-    const bool set = formula != nullptr || (!computed && tree_.overridden(instance, property));
-    const bool resettable = !property.read_only && !ad_hoc && set;
-    bool gone = false;
-    std::string mixed;
+    const bool set = origin.formula || (!computed && tree_.overridden(instance, property));
+    origin.ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
+    origin.resettable = !property.read_only && !origin.ad_hoc && set;
+    return origin;
+}
+
+bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bold) {
+    if (problems_of_ != instance) forget();
+    problems_of_ = instance;
+    edited_ = false;
+    const Target target{instance, &property};
+    const float whole = ImGui::GetContentRegionAvail().x;
+    const float available = whole - gutter_width(whole);
+    const RowLayout::Row row = layout_.row_of(property, available);
+    if (is_plain(property) && !ImGui::IsRectVisible(ImVec2(whole, row.height))) {
+        ImGui::Dummy(ImVec2(whole, row.height));
+        return false;
+    }
+    ImGui::PushID(&property);
+    const float start = ImGui::GetCursorPosX();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const Origin origin = origin_of(instance, property);
     gutter(target, ImVec2(corner.x + available, corner.y), whole - available);
     ImGui::SetCursorScreenPos(corner);
-    label(target, row.name, resettable, formula != nullptr, bold);
+    label(target, row.name, origin.resettable, origin.formula, bold);
     if (!row.name_above) ImGui::SameLine();
     ImGui::SetCursorPosX(start + row.value);
+    bool gone = false;
+    std::string mixed;
     try {
         // If a formula fails, its last valid value is shown, and the error below it.
-        Value value =
-            formula != nullptr ? tree_.peek(instance, property) : tree_.get(instance, property);
+        const Value value =
+            origin.formula ? tree_.peek(instance, property) : tree_.get(instance, property);
         mixed = mixed_.text(tree_, property, value);
         ImGui::BeginGroup();
-        if (!formula_line(target, source, row.width)) widget(target, value, row.width, row.value);
+        if (!formula_line(target, origin.source, row.width))
+            widget(target, value, row.width, row.value);
         ImGui::EndGroup();
         widgets_[&property] = item_rect();
         offer_menu(target);
-        if (resettable || ad_hoc) {
+        if (origin.resettable || origin.ad_hoc) {
             ImGui::SameLine(start + available - ImGui::GetFrameHeight());
             gone = reset_button(target);
         }
     } catch (const std::exception& error) {
         problems_[&property] = property::exception_text(error);
     }
+    take_typed(target);
+    if (!gone) {
+        mixed_line(target, start, row.value, mixed);
+        remarks(property, origin, start + row.value);
+    }
+    ImGui::PopID();
+    return edited_;
+}
+
+/// Applies what was typed in this frame.
+void PropertyEditor::take_typed(const Target& target) {
     const bool settled = fields_.take_settled();
     if (const std::string expression = fields_.take_formula(); !expression.empty())
         define_formula(target, expression);
     if (std::string typed = fields_.consume_problem(); !typed.empty()) {
-        problems_[&property] = typed;
+        problems_[target.property] = typed;
         edited_ = true;  // an expression ran, which may have changed anything
     } else if (settled && !edited_) {
-        problems_.erase(&property);  // typing ended with the value that there was
+        problems_.erase(target.property);  // typing ended with the value that there was
     }
-    if (!gone) {
-        mixed_line(target, start, row.value, mixed);
-        if (formula_of_ != &property) {
-            remark(start + row.value, palette::note, source.empty() ? source : "is " + source);
-            if (!source.empty() && ImGui::IsItemClicked(0)) begin_formula(property);
-        }
-        remark(start + row.value, palette::error, wrong);
-        remark(start + row.value, palette::error, problem(property));
+}
+
+/// The lines below the widget: the formula, its error, and the error of the last edit.
+void PropertyEditor::remarks(const Property& property, const Origin& origin, float left) {
+    if (formula_of_ != &property) {
+        remark(left, palette::note, origin.source.empty() ? "" : "is " + origin.source);
+        if (!origin.source.empty() && ImGui::IsItemClicked(0)) begin_formula(property);
     }
-    ImGui::PopID();
-    return edited_;
+    remark(left, palette::error, origin.problem);
+    remark(left, palette::error, problem(property));
 }
 
 void PropertyEditor::remark(float left, ImU32 color, const std::string& text) {

@@ -82,6 +82,17 @@ class PropertyEditor {
         property::Handle instance;
         const property::Property* property;
     };
+    /// Where the value of a property comes from.
+    struct Origin {
+        bool formula = false;
+        bool ad_hoc = false;
+        bool resettable = false;
+        std::string source{}, problem{};  // of the formula
+    };
+    bool is_plain(const property::Property& property) const;
+    Origin origin_of(property::Handle instance, const property::Property& property) const;
+    void take_typed(const Target& target);
+    void remarks(const property::Property& property, const Origin& origin, float left);
     void label(const Target& target, float width, bool overridden, bool formula, ImFont* bold);
     void tooltip(const Target& target, ImFont* bold);
     /// True if the property does not exist any more.

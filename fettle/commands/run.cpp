@@ -316,6 +316,16 @@ std::string join_first(const std::vector<std::string>& all) {
 /// A replay of a test in a window shows this number of steps, the last ones, and skips the others.
 constexpr std::uint64_t last_steps = 180;
 
+/// The options with what the recording says about the run.
+RunOptions with_start(RunOptions options, const app::RunStart& start) {
+    options.modules = start.modules;
+    options.seed = start.seed;
+    options.evals = start.evals;
+    options.at = start.at;
+    if (!start.test.empty()) options.test = {.file = start.test[0], .name = start.test[1]};
+    return options;
+}
+
 /// Plays a recording, with or without a window, and checks that the run is the same.
 int run_replay(RunOptions options) {
     require_file(options.replay, "a recording");
@@ -327,11 +337,7 @@ int run_replay(RunOptions options) {
                                         ": was recorded of another game, or of another version "
                                         "of " +
                                         options.game.string() + ": " + join_first(changed));
-    options.modules = start.modules;
-    options.seed = start.seed;
-    options.evals = start.evals;
-    options.at = start.at;
-    if (!start.test.empty()) options.test = {.file = start.test[0], .name = start.test[1]};
+    options = with_start(std::move(options), start);
     const bool seen = !options.headless || !options.screenshot.empty();
     if (seen && !app::display_available())
         return complain(bad_usage,

@@ -159,6 +159,26 @@ void report_hits(Moved& moved, const Moving& moving, const Obstacles& obstacles,
     moved.hit_ceiling = moving.ceiling.has_value();
 }
 
+void report_ground(Moved& moved, const Obstacle& below, const Plane& ground,
+                   const Position& position, World& world, WorldData& data, float dt) {
+    moved.ground = Shape(&world, data.shape_id(data.named_shape(below.shape)));
+    moved.ground_normal = ground.normal;
+    if (below.border) return;
+    const Vec2 carried = motion_of(data, below.body, position, dt);
+    moved.ground_velocity = (1.0f / dt) * carried + belt_velocity(data, below.shape, ground.normal);
+}
+
+/// Gives the weight of the mover to the body on which it stands.
+void press_on_ground(World& world, const WorldData& data, const MoverDef& def,
+                     const Obstacle& below, const Position& point) {
+    if (!below.dynamic || !(def.mass > 0.0f)) return;
+    // A force, not an impulse: a body much lighter than the mover would jump under it.
+    Body body = world.body(data.body_id(below.body));
+    const Vec2 weight = def.mass * world.gravity();
+    const float share = weight_share(data, below.body, point, normalized(weight), def.mass);
+    body.apply_force(bounded(share * weight, 1e12f), point);
+}
+
 }  // namespace
 
 Moved Mover::move(World& world, const Vec2& velocity, float dt) {
@@ -215,33 +235,21 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
         ground = moving.step;
         ground->normal = up;
     }
-    const Obstacle* const below = ground ? &obstacles[ground->obstacle] : nullptr;
     state_.on_ground = moved.on_ground = ground.has_value();
     state_.ground = {};
     state_.ground_normal = {};
-    if (below != nullptr) {
-        state_.ground = data.shape_id(data.named_shape(below->shape));
-        state_.ground_normal = moved.ground_normal = ground->normal;
+    if (ground) {
+        const Obstacle& below = obstacles[ground->obstacle];
+        state_.ground = data.shape_id(data.named_shape(below.shape));
+        state_.ground_normal = ground->normal;
         moved.velocity = kept_on_ground(data, obstacles, moving, wanted, up);
-        if (!below->border) {
-            const Vec2 carried = motion_of(data, below->body, moving.position, dt);
-            moved.ground_velocity =
-                (1.0f / dt) * carried + belt_velocity(data, below->shape, ground->normal);
-        }
-        moved.ground = Shape(&world, state_.ground);
+        report_ground(moved, below, *ground, moving.position, world, data, dt);
     }
     if (dropped && !overlaps_dropped(world)) state_.dropped = {};
 
     const Vec2 absolute = bounded(velocity, 1e6f) + (1.0f / dt) * ride.motion;
     for (const Push& push : moving.pushes) push_body(world, def_, push, absolute, dt);
-    if (below != nullptr && below->dynamic && def_.mass > 0.0f) {
-        // A force, not an impulse: a body much lighter than the mover would jump under it.
-        Body body = world.body(data.body_id(below->body));
-        const Vec2 weight = def_.mass * world.gravity();
-        const float share =
-            weight_share(data, below->body, ground->point, normalized(weight), def_.mass);
-        body.apply_force(bounded(share * weight, 1e12f), ground->point);
-    }
+    if (ground) press_on_ground(world, data, def_, obstacles[ground->obstacle], ground->point);
     return moved;
 }
 
