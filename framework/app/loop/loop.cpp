@@ -286,8 +286,12 @@ bool Loop::make_step(Stopwatch& watch) {
     const double dt = clock.dt;
     struct Leave {
         Timeline& timeline;
-        ~Leave() { timeline.leave_step(); }
-    } leave{timeline_};
+        property::Tree& tree;
+        ~Leave() {
+            timeline.leave_step();
+            property::note_step_left(tree);
+        }
+    } leave{timeline_, tree_};
     if (shows_steps_) note_step_begins();
     timeline_.begin_step();
     clock.advance();

@@ -285,6 +285,11 @@ bool Acceptance::is_accepted(Handle instance) noexcept {
     return host == nullptr || host->accepts(host->self, sent(instance)) != 0;
 }
 
+const NotedSteps& noted_steps(const Tree&) {
+    static const NotedSteps none;
+    return none;
+}
+
 double Drawing::alpha() {
     const fettle_host* host = module::program();
     return host == nullptr ? 1 : host->drawing_alpha(host->self);

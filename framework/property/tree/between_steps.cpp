@@ -54,13 +54,24 @@ void note_step_begins(Tree& tree) {
     Tree::State& s = tree.state();
     each_placed_class(s, [](StoredColumns& c) { c.places.note_step_begins(c); });
     s.instances.ad_hoc.note_step_begins();
+    ++s.noted.begun;
+    s.noted.running = true;
 }
 
 void note_step_ended(Tree& tree, const FarMoves& far) {
     Tree::State& s = tree.state();
     each_placed_class(s, [](StoredColumns& c) { c.places.note_step_ended(c); });
     s.instances.ad_hoc.note_step_ended();
-    s.far = far;
+    s.noted.far = far;
+    s.noted.running = false;
+}
+
+void note_step_left(Tree& tree) {
+    tree.state().noted.running = false;
+}
+
+const NotedSteps& noted_steps(const Tree& tree) {
+    return tree.state().noted;
 }
 
 Value drawn_points(const Tree& tree, Handle instance, const Property& points, bool on_screen,
@@ -70,7 +81,7 @@ Value drawn_points(const Tree& tree, Handle instance, const Property& points, bo
     const StoredColumns* const columns = s.instances.stored[node.class_id].get();
     if (columns == nullptr || !columns->places.has_points()) return tree.peek(instance, points);
     return columns->places.drawn_points(*columns, node.stored_row, alpha,
-                                        on_screen ? s.far.screen : s.far.world);
+                                        on_screen ? s.noted.far.screen : s.noted.far.world);
 }
 
 }  // namespace fettle::property

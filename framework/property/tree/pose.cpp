@@ -21,7 +21,7 @@ class Finder {
         : tree_(tree),
           all_(tree.state().instances),
           alpha_(alpha),
-          far_(on_screen ? tree.state().far.screen : tree.state().far.world) {}
+          far_(on_screen ? tree.state().noted.far.screen : tree.state().noted.far.world) {}
 
     /// Nothing if the instance has no position.
     std::optional<Placement> find(std::uint32_t index, const Node& node) const {

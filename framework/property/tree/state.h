@@ -47,7 +47,7 @@ struct Tree::State {
     History history{structure};
     std::unordered_map<const Property*, Explainer> explainers;
     bool looked_at = false;                 // a tool shows an instance: explaining.h
-    FarMoves far;                           // of the last step: between_steps.h
+    NotedSteps noted;                       // between_steps.h
     const Event* restored_event = nullptr;  // of Game
     SnapshotState snapshots;
     std::vector<std::pair<const Class*, AddedRules*>> added_rules;

@@ -28,6 +28,12 @@ void require_movable(const Body& body) {
                                     : "a body of infinite mass does not move");
 }
 
+/// To be called before the pose of a body is written.
+void note_written(Hosting& hosting, Row row) {
+    const auto [in, slot] = hosting.at(row);
+    in.written_poses.note(in.world, slot);
+}
+
 // Data that the step writes are read directly from the library's array.
 
 Binding position(Hosting& hosting) {
@@ -38,6 +44,7 @@ Binding position(Hosting& hosting) {
             return widen(p.x, p.y);
         },
         [](Hosting& h, Row row, const Value& value) {
+            note_written(h, row);
             h.body(row).set_position(narrow(value.vec2()));
         });
 }
@@ -46,6 +53,7 @@ Binding body_angle(Hosting& hosting) {
     return accessor(
         hosting, [](Hosting& h, Row row) { return h.state(row).angle; },
         [](Hosting& h, Row row, const Value& value) {
+            note_written(h, row);
             h.body(row).set_angle(from_value<float>(value));
         });
 }

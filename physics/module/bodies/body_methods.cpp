@@ -19,7 +19,7 @@ using Arguments = std::span<const Value>;
 /// Pose of the body in the current picture; outside of drawing, its current pose.
 Frame drawn_frame(Hosting& hosting, Row row) {
     const auto [in, slot] = hosting.at(row);
-    return Frame(in.world, slot, property::Drawing::alpha());
+    return Frame(in, slot, property::Drawing::alpha());
 }
 
 /// `Run`: captureless lambda (const Frame&, Arguments) -> Value.
@@ -59,7 +59,7 @@ const Field world_point{.name = "point",
 property::Transform drawn_pose(void* context, const property::Tree&, Handle, Row row,
                                double alpha) {
     const auto [in, slot] = static_cast<Hosting*>(context)->at(row);
-    const Frame frame(in.world, slot, alpha);
+    const Frame frame(in, slot, alpha);
     return property::Transform::placed(frame.position(), frame.angle());
 }
 

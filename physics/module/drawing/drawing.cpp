@@ -33,35 +33,36 @@ bool sees(const Painter& painter, const physics::Aabb& box, const Vec2& reach) {
     return painter.sees(widen(box.min) - reach, widen(box.max) + reach);
 }
 
-/// The motion of a body in the last step. The box of a shape is that of its current pose; at an
-/// interpolated pose the shape may extend beyond the box by this motion.
-Vec2 last_motion(const physics::World& world, std::uint32_t body) {
-    const auto& before = world.previous(body).position;
-    const auto& now = world.state(body).position;
-    return widen(physics::Vec2((now - before).abs()));
+/// How far a body is drawn from where it is, at most. The box of a shape is that of its current
+/// pose; at an interpolated pose the shape may extend beyond the box by this distance.
+Vec2 reach_of(const HostedWorld& in, std::uint32_t body, double alpha) {
+    const auto& now = in.world.state(body).position;
+    if (const auto written = in.written_poses.drawn(in.world, body, alpha))
+        return (widen(now) - written->position).abs();
+    return widen(physics::Vec2((now - in.world.previous(body).position).abs()));
 }
 
 /// The drawn position of a point of contact. It moves with the body that moves; if both move, it is
 /// the mean of the two positions.
-Vec2 shared_point(physics::World& world, const physics::Contact& contact,
-                  const physics::Vec2& point, double alpha) {
+Vec2 shared_point(HostedWorld& in, const physics::Contact& contact, const physics::Vec2& point,
+                  double alpha) {
     Vec2 sum(0, 0);
     int moving = 0;
     for (const physics::BodyId id : {contact.body_a, contact.body_b}) {
-        if (!world.is_valid(id) || world.body(id).type() == physics::BodyType::static_body)
+        if (!in.world.is_valid(id) || in.world.body(id).type() == physics::BodyType::static_body)
             continue;
-        sum += Frame(world, id.index, alpha).point(world.body(id).local_point(point));
+        sum += Frame(in, id.index, alpha).point(in.world.body(id).local_point(point));
         ++moving;
     }
     return moving == 0 ? widen(point) : Vec2(sum / moving);
 }
 
-void draw_contacts(physics::World& world, Painter& painter, double alpha) {
+void draw_contacts(HostedWorld& in, Painter& painter, double alpha) {
     const Color dot{1.0f, 0.85f, 0.2f, 1.0f}, arrow{0.3f, 0.95f, 0.45f, 1.0f};
-    for (const physics::Contact& contact : world.contacts()) {
+    for (const physics::Contact& contact : in.world.contacts()) {
         for (int k = 0; k < contact.point_count; ++k) {
             const physics::ContactPoint& p = contact.points[static_cast<std::size_t>(k)];
-            const Vec2 at = shared_point(world, contact, p.point, alpha);
+            const Vec2 at = shared_point(in, contact, p.point, alpha);
             if (!painter.sees(at, at)) continue;
             painter.point(at, dot, 6);
             // The weight of a kilogram is 10 N: drawn as a tenth of a meter.
@@ -72,33 +73,33 @@ void draw_contacts(physics::World& world, Painter& painter, double alpha) {
     }
 }
 
-void draw_outlines(physics::World& world, Painter& painter, double alpha) {
-    for (const physics::Shape& shape : world.shapes()) {
+void draw_outlines(HostedWorld& in, Painter& painter, double alpha) {
+    for (const physics::Shape& shape : in.world.shapes()) {
         const physics::Body body = shape.body();
-        if (!body || !sees(painter, shape.aabb(), last_motion(world, body.index()))) continue;
+        if (!body || !sees(painter, shape.aabb(), reach_of(in, body.index(), alpha))) continue;
         const Color color =
             shape.sensor() ? Color{1.0f, 0.8f, 0.3f, 1.0f} : Color{0.25f, 0.45f, 1.0f, 1.0f};
         const Color inside = is_line(shape) ? color : Color{0, 0, 0, 0};
-        draw_form(shape, Frame(world, body.index(), alpha), {inside, color, 1.5f}, painter);
+        draw_form(shape, Frame(in, body.index(), alpha), {inside, color, 1.5f}, painter);
     }
 }
 
-void draw_boxes(physics::World& world, Painter& painter, double alpha) {
+void draw_boxes(HostedWorld& in, Painter& painter, double alpha) {
     const Paint paint{{0, 0, 0, 0}, {0.85f, 0.45f, 0.85f, 0.8f}, 1.0f};
-    for (const physics::Shape& shape : world.shapes()) {
+    for (const physics::Shape& shape : in.world.shapes()) {
         const physics::Body body = shape.body();
         if (!body) continue;
-        const auto [a, b] = extent_of(shape, Frame(world, body.index(), alpha));
+        const auto [a, b] = extent_of(shape, Frame(in, body.index(), alpha));
         if (!painter.sees(a, b)) continue;
         const std::array<Vec2, 4> corners = {a, Vec2(b.x, a.y), b, Vec2(a.x, b.y)};
         painter.polygon(corners, 0, paint);
     }
 }
 
-void draw_motion(physics::World& world, Painter& painter, double alpha) {
+void draw_motion(HostedWorld& in, Painter& painter, double alpha) {
     const Color center{0.95f, 0.95f, 0.95f, 1.0f}, velocity{0.35f, 0.8f, 1.0f, 1.0f};
-    for (const physics::Body& body : world.bodies()) {
-        const Frame frame(world, body.index(), alpha);
+    for (const physics::Body& body : in.world.bodies()) {
+        const Frame frame(in, body.index(), alpha);
         const Vec2 at = frame.point(body.center());
         if (!painter.sees(at, at)) continue;
         if (painter.shows(Overlay::velocities) && body.awake())
@@ -109,20 +110,20 @@ void draw_motion(physics::World& world, Painter& painter, double alpha) {
 
 /// A point in a body's coordinates, interpolated between the last two steps; in world coordinates
 /// if there is no body.
-Vec2 anchor_point(const physics::World& world, const physics::Body& body,
-                  const physics::Vec2& anchor, double alpha) {
-    return body ? Frame(world, body.index(), alpha).point(anchor) : widen(anchor);
+Vec2 anchor_point(const HostedWorld& in, const physics::Body& body, const physics::Vec2& anchor,
+                  double alpha) {
+    return body ? Frame(in, body.index(), alpha).point(anchor) : widen(anchor);
 }
 
 /// Draws the line along which the joint acts, and lines to the centers of its bodies.
-void draw_joint(const physics::World& world, const physics::Joint& joint, Painter& painter,
+void draw_joint(const HostedWorld& in, const physics::Joint& joint, Painter& painter,
                 double alpha) {
     const Color color = joint.broken()    ? Color{0.95f, 0.35f, 0.35f, 0.7f}
                         : joint.enabled() ? Color{0.6f, 0.95f, 0.75f, 1.0f}
                                           : Color{0.6f, 0.6f, 0.6f, 0.7f};
     const physics::Body a = joint.body_a(), b = joint.body_b();
-    const Vec2 from = anchor_point(world, a, joint.anchor_a(), alpha);
-    const Vec2 to = anchor_point(world, b, joint.anchor_b(), alpha);
+    const Vec2 from = anchor_point(in, a, joint.anchor_a(), alpha);
+    const Vec2 to = anchor_point(in, b, joint.anchor_b(), alpha);
     const Vec2 reach(1, 1);
     if (!painter.sees(from.min(to) - reach, from.max(to) + reach)) return;
     const auto type = joint.type();
@@ -137,16 +138,16 @@ void draw_joint(const physics::World& world, const physics::Joint& joint, Painte
     painter.line(from, to, color, 1.5f);
     if (type != physics::JointType::mouse && type != physics::JointType::distance) {
         const Color faint{color.r, color.g, color.b, 0.5f * color.a};
-        if (a) painter.line(anchor_point(world, a, a.center(), alpha), from, faint, 1);
-        if (b) painter.line(anchor_point(world, b, b.center(), alpha), to, faint, 1);
+        if (a) painter.line(anchor_point(in, a, a.center(), alpha), from, faint, 1);
+        if (b) painter.line(anchor_point(in, b, b.center(), alpha), to, faint, 1);
     }
     painter.point(from, color, 5);
     painter.point(to, color, 5);
 }
 
-void draw_joints(physics::World& world, Painter& painter, double alpha) {
-    for (const physics::Joint& joint : world.joints())
-        if (!joint.dormant()) draw_joint(world, joint, painter, alpha);
+void draw_joints(HostedWorld& in, Painter& painter, double alpha) {
+    for (const physics::Joint& joint : in.world.joints())
+        if (!joint.dormant()) draw_joint(in, joint, painter, alpha);
 }
 
 /// Where labels are drawn: in cells as high as half a label. None is drawn over another one.
@@ -174,13 +175,13 @@ class LabelPlaces {
     std::set<std::pair<std::int64_t, std::int64_t>> taken_;
 };
 
-void draw_names(const property::Tree& tree, physics::World& world, Painter& painter, double alpha) {
+void draw_names(const property::Tree& tree, HostedWorld& in, Painter& painter, double alpha) {
     // Readable from far, and no larger than needed from near.
     const double pixel = 1 / painter.pixels_per_unit();
     const double height = std::clamp(0.35, 13 * pixel, 20 * pixel);
     LabelPlaces places(height);
-    for (const physics::Body& body : world.bodies()) {
-        const Vec2 at = Frame(world, body.index(), alpha).point(body.center());
+    for (const physics::Body& body : in.world.bodies()) {
+        const Vec2 at = Frame(in, body.index(), alpha).point(body.center());
         const Handle self = unpack(body.user_data());
         if (!painter.sees(at, at) || !tree.alive(self)) continue;
         const std::string name(tree.get(self, "name").text());  // a guest has no name()
@@ -198,13 +199,13 @@ void draw_figure(Hosting& hosting, Row row, Painter& painter, double alpha) {
     if (!look.visible && !painter.shows(Overlay::shapes)) return;
     const physics::Shape shape = hosting.shape(row);
     const physics::Body owner = shape.body();
-    const Vec2 reach = owner ? last_motion(in.world, owner.index()) : Vec2(0, 0);
+    const Vec2 reach = owner ? reach_of(in, owner.index(), alpha) : Vec2(0, 0);
     if (!sees(painter, shape.aabb(), reach)) return;
     Paint paint{.fill = hosting.fill_of(row), .border = hosting.border_of(row)};
     // A painter of outlines does not use the colors: it draws what is hidden, too.
     if (!look.visible) paint.fill.a = paint.border.a = 0;
     if (shape.sensor() && !look.fill) paint.fill.a *= sensor_opacity;
-    const Frame frame = owner ? Frame(in.world, owner.index(), alpha) : Frame();
+    const Frame frame = owner ? Frame(in, owner.index(), alpha) : Frame();
     const bool alone = !owner || owner.shape_count() < 2;
     if (!alone) painter.part_of(make_row(world_number(row), owner.index()) + std::uint64_t{1});
     draw_form(shape, frame, paint, painter);
@@ -229,17 +230,17 @@ void draw_mover(void* context, const property::Tree&, Handle, Row row, Painter& 
 void draw_world_overlays(void* context, const property::Tree& tree, Handle, Row row,
                          Painter& painter, double alpha) {
     Hosting& hosting = *static_cast<Hosting*>(context);
-    physics::World& world = hosting.world(row);
-    if (painter.shows(Overlay::shapes)) draw_outlines(world, painter, alpha);
-    if (painter.shows(Overlay::aabbs)) draw_boxes(world, painter, alpha);
-    if (painter.shows(Overlay::joints)) draw_joints(world, painter, alpha);
-    if (painter.shows(Overlay::islands)) draw_islands(world, painter, alpha);
+    HostedWorld& in = hosting.hosted(row);
+    if (painter.shows(Overlay::shapes)) draw_outlines(in, painter, alpha);
+    if (painter.shows(Overlay::aabbs)) draw_boxes(in, painter, alpha);
+    if (painter.shows(Overlay::joints)) draw_joints(in, painter, alpha);
+    if (painter.shows(Overlay::islands)) draw_islands(in, painter, alpha);
     if (painter.shows(Overlay::velocities) || painter.shows(Overlay::centers))
-        draw_motion(world, painter, alpha);
-    if (painter.shows(Overlay::limits)) draw_limits(world, painter, alpha);
-    if (painter.shows(Overlay::contacts)) draw_contacts(world, painter, alpha);
-    if (painter.shows(Overlay::impulses)) draw_impulses(world, hosting.last_dt, painter);
-    if (painter.shows(Overlay::names)) draw_names(tree, world, painter, alpha);
+        draw_motion(in, painter, alpha);
+    if (painter.shows(Overlay::limits)) draw_limits(in, painter, alpha);
+    if (painter.shows(Overlay::contacts)) draw_contacts(in, painter, alpha);
+    if (painter.shows(Overlay::impulses)) draw_impulses(in.world, hosting.last_dt, painter);
+    if (painter.shows(Overlay::names)) draw_names(tree, in, painter, alpha);
 }
 
 }  // namespace fettle::physics_module

@@ -7,6 +7,7 @@
 #include <fettle/property/painter.h>
 
 #include <bindings/conversion.h>
+#include <hosting/hosting.h>
 
 namespace fettle::physics_module {
 
@@ -14,14 +15,17 @@ namespace fettle::physics_module {
 class Frame {
   public:
     Frame() = default;
-    Frame(const physics::World& world, std::uint32_t body, double alpha) {
-        const physics::Pose& from = world.previous(body);
-        const physics::BodyState& to = world.state(body);
+    Frame(const HostedWorld& in, std::uint32_t body, double alpha) {
+        if (const auto written = in.written_poses.drawn(in.world, body, alpha)) {
+            position_ = written->position;
+            turn_to(written->angle);
+            return;
+        }
+        const physics::Pose& from = in.world.previous(body);
+        const physics::BodyState& to = in.world.state(body);
         position_ = widen(from.position) + alpha * (widen(to.position) - widen(from.position));
         const double start = from.angle, turn = static_cast<double>(to.angle) - start;
-        angle_ = start + alpha * turn;
-        cosine_ = std::cos(angle_);
-        sine_ = std::sin(angle_);
+        turn_to(start + alpha * turn);
     }
     property::Vec2 point(const physics::Vec2& local) const {
         const double x = local.x, y = local.y;
@@ -31,6 +35,12 @@ class Frame {
     const property::Vec2& position() const { return position_; }
 
   private:
+    void turn_to(double angle) {
+        angle_ = angle;
+        cosine_ = std::cos(angle);
+        sine_ = std::sin(angle);
+    }
+
     property::Vec2 position_{0, 0};
     double angle_ = 0, cosine_ = 1, sine_ = 0;
 };

@@ -59,11 +59,12 @@ Color color_of(std::uint32_t number, float opacity) {
 
 }  // namespace
 
-void draw_islands(physics::World& world, Painter& painter, double alpha) {
+void draw_islands(HostedWorld& in, Painter& painter, double alpha) {
+    physics::World& world = in.world;
     Islands islands(world);
     for (const physics::Body& body : world.bodies()) {
         if (body.type() != physics::BodyType::dynamic_body) continue;
-        const Frame frame(world, body.index(), alpha);
+        const Frame frame(in, body.index(), alpha);
         const std::uint32_t island = islands.of(body.index());
         const bool awake = body.awake();
         const property::Paint paint{.fill = color_of(island, awake ? 0.7f : 0.35f),

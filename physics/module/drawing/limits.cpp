@@ -20,8 +20,8 @@ constexpr Color present{1.0f, 0.95f, 0.7f, 1.0f};  // the value now
 /// A body's coordinates as they are drawn; those of the world without a body.
 class Side {
   public:
-    Side(const physics::World& world, const physics::Body& body, double alpha)
-        : frame_(body ? Frame(world, body.index(), alpha) : Frame()) {}
+    Side(const HostedWorld& in, const physics::Body& body, double alpha)
+        : frame_(body ? Frame(in, body.index(), alpha) : Frame()) {}
     Vec2 point(const physics::Vec2& local) const { return frame_.point(local); }
     Vec2 direction(const physics::Vec2& local) const {
         return frame_.point(local) - frame_.point(physics::Vec2(0, 0));
@@ -100,10 +100,11 @@ void draw_sliding(physics::World& world, const physics::Joint& joint, const Side
 
 }  // namespace
 
-void draw_limits(physics::World& world, Painter& painter, double alpha) {
+void draw_limits(HostedWorld& in, Painter& painter, double alpha) {
+    physics::World& world = in.world;
     for (const physics::Joint& joint : world.joints()) {
         if (joint.dormant() || joint.broken()) continue;
-        const Side a(world, joint.body_a(), alpha), b(world, joint.body_b(), alpha);
+        const Side a(in, joint.body_a(), alpha), b(in, joint.body_b(), alpha);
         switch (joint.type()) {
             case physics::JointType::revolute:
                 draw_angle_limits(physics::RevoluteJoint(&world, joint.id()), b,

@@ -50,7 +50,7 @@ Handle Hosting::body_above(Handle instance) const {
 // --- Updates by reads
 
 std::unique_ptr<HostedWorld> Hosting::make_world(std::uint32_t number) {
-    auto made = std::make_unique<HostedWorld>();
+    auto made = std::make_unique<HostedWorld>(property::noted_steps(tree));
     made->world.set_owner(&owner_);
     made->world.on_refresh([this, number](const physics::Refresh& wanted) {
         if (edit_depth_ == 0) tree.refreshing(part_, refresh_code(number, wanted));

@@ -20,6 +20,7 @@
 #include <hosting/joints.h>
 #include <hosting/looks.h>
 #include <hosting/movers.h>
+#include <hosting/written_poses.h>
 
 namespace fettle::physics_module {
 
@@ -62,6 +63,7 @@ constexpr Handle unpack(std::uint64_t data) {
 }
 
 struct HostedWorld {
+    explicit HostedWorld(const property::NotedSteps& steps) : written_poses(steps) {}
     physics::World world;
     Handle self;              // null for limbo
     bool placed = false;      // true if it is below the root, so that it is stepped
@@ -73,6 +75,7 @@ struct HostedWorld {
     // center of mass, but the body gets this velocity when it enters a world.
     SlotValues<std::optional<physics::Vec2>> velocities;
     Movers movers;
+    WrittenPoses written_poses;
     // Instances of objects that were destroyed while they touched others, by generation. The event
     // of the end of the touch contains them.
     std::unordered_map<std::uint32_t, Handle> departed_bodies, departed_shapes;

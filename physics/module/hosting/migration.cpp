@@ -77,6 +77,7 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     const std::vector<physics::Shape> shapes = old.shapes();
     std::vector<physics::Shape> copies;
     physics::Body fresh = target.world.create_body(def);
+    target.written_poses.note_new(fresh.index());
     const Row row = row_of(to, fresh);
     try {
         for (const physics::Shape& shape : shapes) {

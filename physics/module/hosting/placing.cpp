@@ -58,6 +58,7 @@ Row Hosting::create_body(Handle self) {
     const Placing placing(*this);
     const std::uint32_t number = world_above(self);
     const physics::Body made = worlds_[number]->world.create_body({.user_data = pack(self)});
+    worlds_[number]->written_poses.note_new(made.index());
     return row_of(number, made);
 }
 

@@ -176,6 +176,7 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
             wanted.hits = hits_wanted;
             if (hosted == nullptr) hosted = make_world(saved.number);
             hosted->world.take(std::move(*saved.world));
+            hosted->written_poses.clear();
             put_module_data(std::move(saved.data), *hosted);
             hosted->placed = tree.alive(hosted->self) && tree.is_below(hosted->self, tree.root());
             set_callbacks(*hosted, wanted);

@@ -7,6 +7,7 @@
 // `Lifecycle::pose` do it themselves, as bodies do. None of it is state: it has no effect on later
 // steps, and no snapshot contains it.
 
+#include <cstdint>
 #include <limits>
 
 #include <fettle/property/export.h>
@@ -60,11 +61,23 @@ struct FarMoves {
     double screen = std::numeric_limits<double>::infinity();
 };
 
+/// The steps of which pictures are drawn.
+struct NotedSteps {
+    std::uint64_t begun = 0;  ///< how many have begun
+    bool running = false;     ///< what is written now is a part of the last one
+    FarMoves far{};
+};
+/// For classes that place their instances by `Lifecycle::pose`. In a module of a shared object no
+/// step is noted.
+const NotedSteps& noted_steps(const Tree& tree);
+
 /// Notes where all instances are, before a step and after it. A game of which no pictures are drawn
 /// does not need this: without it, instances are drawn where they are.
 void note_step_begins(Tree& tree);
 /// The same after the step. `far`: applies to the pictures until the next step has ended.
 void note_step_ended(Tree& tree, const FarMoves& far);
+/// Ends a step that has stopped before its end; after `note_step_ended` it does nothing.
+void note_step_left(Tree& tree);
 
 /// The list `points`, a stored property of the instance, as it is drawn: each point between its
 /// places before and after the last step. A list that has got another length, or in which a point
