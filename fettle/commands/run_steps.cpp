@@ -64,6 +64,19 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen) {
     return status;
 }
 
+std::unique_ptr<app::Screen> picture_of(Session& session, const RunOptions& options) {
+    if (options.screenshot.empty()) return nullptr;
+    const property::Vec2 size = session.services().view.screen;
+    auto picture = app::make_picture(static_cast<unsigned>(size.x), static_cast<unsigned>(size.y));
+    // The console arranges its lists by the sizes of its last picture, so the second picture is
+    // right.
+    for (int i = 0; i < 2; ++i) {
+        session.loop().draw(*picture, 0);
+        picture->present();
+    }
+    return picture;
+}
+
 bool limit_calls(script::Runtime& runtime, const RunOptions& options) {
     const auto limit = options.budget    ? options.budget
                        : options.sandbox ? std::optional(longest_call_in_sandbox)

@@ -1,6 +1,7 @@
 #pragma once
 // Functions for all kinds of runs: with a window, without one, and of a recording.
 
+#include <memory>
 #include <string>
 
 #include <fettle/app/loudspeaker.h>
@@ -22,6 +23,9 @@ void close(Session& session);
 /// Writes the requested results of the run: the hash to stdout, and the picture of the last frame.
 /// Returns the exit status.
 int finish(Session& session, const RunOptions& options, app::Screen* screen);
+
+/// Picture of a run without a window; null if none is wanted.
+std::unique_ptr<app::Screen> picture_of(Session& session, const RunOptions& options);
 
 /// Applies the time limit of `--budget`, or that of a sandbox, to each call into the scripts.
 /// Returns false if there is none.

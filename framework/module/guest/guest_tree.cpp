@@ -3,6 +3,7 @@
 #include "guest_tree.h"
 
 #include <fettle/property/acceptance.h>
+#include <fettle/property/between_steps.h>
 #include <fettle/property/drawing.h>
 #include <fettle/property/error.h>
 #include <fettle/property/explaining.h>
