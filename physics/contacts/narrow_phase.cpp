@@ -266,6 +266,17 @@ void wake_for_sensors(const NarrowPhaseInput& in) {
     }
 }
 
+/// Collides new contacts of bodies that were put to sleep before the pair was known: such a body
+/// lies on what is below it, and wakes when that is removed.
+void collide_resting(const NarrowPhaseInput& in) {
+    if (in.objects.island_slots.count == 0) return;
+    for (const uint64_t pair : in.scratch.new_pairs) {
+        ContactRecord& c =
+            in.objects.contacts[in.list.pairs.find(uint32_t(pair), uint32_t(pair >> 32))];
+        if (c.awake_index == none && !c.sensor) update_manifold(in, c);
+    }
+}
+
 }  // namespace
 
 void narrow_phase(const NarrowPhaseInput& in) {
@@ -274,6 +285,7 @@ void narrow_phase(const NarrowPhaseInput& in) {
     size_t collided_contacts = awake.size(), processed = 0;
     size_t pieces = collide_and_create(in);
     wake_for_sensors(in);
+    collide_resting(in);
     // New contacts are collided in another round. So are contacts that wake when the listed pairs
     // are processed.
     for (;;) {

@@ -407,6 +407,26 @@ TEST_CASE("a body put to sleep in the air stays there until woken") {
     REQUIRE(ball.position().y < there.y);
 }
 
+TEST_CASE("a body that was put to sleep on a floor wakes when the floor is removed") {
+    World world;
+    Body floor = add_floor(world);
+    const bool created_asleep = GENERATE(true, false);
+    Body ball = world.create_body({.position = {0, 0.5f}, .awake = !created_asleep});
+    ball.add(Circle{.radius = 0.5f});
+    Body above = world.create_body({.position = {0, 1.5f}, .awake = false});
+    above.add(Circle{.radius = 0.5f});
+    ball.set_awake(false);
+    run(world, 0.2f);
+    REQUIRE_FALSE(ball.awake());
+    const int change = GENERATE(0, 1, 2);
+    if (change == 0) floor.destroy();
+    if (change == 1) floor.set_position({0, -9});
+    if (change == 2) floor.set_enabled(false);
+    run(world, 0.5f);
+    REQUIRE(ball.position().y < 0.0f);
+    REQUIRE(above.position().y < 1.0f);
+}
+
 TEST_CASE("a body created asleep waits until it is touched") {
     World world({.gravity = {0, 0}});
     Body sleeper = world.create_body({.position = {5, 0}, .awake = false});
