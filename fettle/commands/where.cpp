@@ -7,6 +7,7 @@
 #include <command_line/subcommand.h>
 #include <command_line/terminal.h>
 #include <commands/commands.h>
+#include <files/archive.h>
 #include <files/game_path.h>
 #include <files/settings.h>
 
@@ -37,7 +38,10 @@ int where(const WhereOptions& options) {
         print_place("settings", player / "settings.json");
         print_place("preferences", player / "preferences.json");
     }
-    print_place("tweaks", property::journal_of(game));
+    if (is_archive(game))
+        print_line("tweaks       none: a game in one file keeps no tweaks");
+    else
+        print_place("tweaks", property::journal_of(game));
     return success;
 }
 

@@ -160,7 +160,12 @@ void Session::make_storage() {
     // The original run has already written its tweaks and saves, so a replay writes none.
     const bool writes = replayed_ == nullptr && !isolated();
     property::TweakOptions of_tweaks{.files = &files_};
-    if (isolated() || !archive_of(options_.game).empty()) of_tweaks.earlier.emplace();
+    const std::filesystem::path archive = archive_of(options_.game);
+    if (isolated() || !archive.empty()) of_tweaks.earlier.emplace();
+    if (!archive.empty())
+        of_tweaks.not_kept_because = "this game is one file, " + archive.filename().string() +
+                                     ", which no run changes; share(name) writes another file "
+                                     "with this moment and its edits";
     if (replayed_ != nullptr) of_tweaks.earlier = replayed_->start().tweaks;
     tweaks_ = std::make_unique<property::Tweaks>(
         tree_, options_.game, [this](const std::string& warning) { note(warning); },

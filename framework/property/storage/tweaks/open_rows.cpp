@@ -61,6 +61,8 @@ TweakReport Tweaks::State::drop(std::string_view pattern) {
     refresh_earlier();
     for (JournalRow* row : matching(pattern, false)) {
         set_state(*row, RowState::dropped);
+        // Otherwise a row that was made again, and undone, would be open again.
+        std::erase_if(earlier.reapplied, [&](const auto& each) { return each.first == row; });
         ++report.count;
     }
     report.count += drop_invalid(pattern);

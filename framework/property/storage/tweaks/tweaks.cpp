@@ -69,6 +69,7 @@ Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal:
       tree_life(its_tree.lifetime()),
       folder(game_folder(game)),
       warn(std::move(its_warn)),
+      not_kept_because(std::move(options.not_kept_because)),
       files(options.files != nullptr ? *options.files : limit_to_folder(own_files, folder)),
       kept(its_tree, files, folder / (game_name(game) + ".tweaks.json"), warn) {
     if (options.earlier) {
@@ -460,7 +461,10 @@ void Tweaks::barrier() {
     }
 }
 TweakReport Tweaks::keep(std::string_view pattern) {
-    return usable().keep(pattern);
+    State& state = usable();
+    if (!state.not_kept_because.empty())
+        throw Error(ErrorKind::rejected, "keep: " + state.not_kept_because);
+    return state.keep(pattern);
 }
 TweakReport Tweaks::reapply(std::string_view pattern) {
     return usable().reapply(pattern);

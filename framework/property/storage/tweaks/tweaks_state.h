@@ -168,6 +168,7 @@ struct Tweaks::State : EditObserver {
     std::weak_ptr<const Tree*> tree_life;
     std::filesystem::path folder;  // folder of the game
     Journal::Warn warn;
+    const std::string not_kept_because;  // see TweakOptions
     GameFiles own_files;
     GameFiles& files;
     std::unique_ptr<Journal> journal;  // null in a replay

@@ -61,6 +61,8 @@ struct TweakOptions {
     /// In place of a journal, for a replay: the open tweaks at the start of the recorded run.
     /// Nothing is written to a journal then.
     std::optional<std::vector<TweakWords>> earlier{};
+    /// Why tweaks cannot be kept: `keep` throws Error(rejected) with this text. "": they can.
+    std::string not_kept_because{};
 };
 
 class Tweaks {
