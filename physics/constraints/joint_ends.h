@@ -69,6 +69,7 @@ struct JointEnds {
     Vec2 apart;             ///< center of mass of b minus that of a at the start of the step
     float angle = 0.0f;     ///< of b relative to a at the start of the step
     Vec2 inverse_a, inverse_b;  ///< inverse masses along x and y: 0 along a locked axis
+    float share = 1.0f;         ///< of its mass, with which it pushes: solver/crowded_joints.h
 
     void follow(const SolverBody& body_a, const SolverBody& body_b) {
         lever_a = turned(start_a, body_a.turn);

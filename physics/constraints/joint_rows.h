@@ -96,7 +96,7 @@ struct PointMass {
         const float yy = e.inverse_a.y + e.inverse_b.y + ia * e.lever_a.x * e.lever_a.x +
                          ib * e.lever_b.x * e.lever_b.x;
         const float xy = -ia * e.lever_a.x * e.lever_a.y - ib * e.lever_b.x * e.lever_b.y;
-        const float inverse = inverse_or_zero(xx * yy - xy * xy);
+        const float inverse = e.share * inverse_or_zero(xx * yy - xy * xy);
         return {inverse * yy, -inverse * xy, inverse * xx};
     }
     Vec2 operator*(Vec2 v) const { return {xx * v.x + xy * v.y, xy * v.x + yy * v.y}; }

@@ -65,6 +65,7 @@ struct DistanceConstraint {
         const Limits ordered = limits.in_order();
         return std::abs(now - clamp(settings.length, ordered.lower, ordered.upper));
     }
+    static bool holds(const Settings& settings) { return settings.stiffness.is_rigid(); }
     void prepare(const Settings& settings, const JointFrame&, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
         limits = settings.limits.in_order();
@@ -150,7 +151,7 @@ struct DistanceConstraint {
     void hold(SolverBody& a, SolverBody& b, float error, const JointStep& step) {
         if (biased) error = ends.close_wide_gap(a, b, line.direction, error, step);
         line.push(ends, a, b,
-                  push_rigid<biased>(impulses.along, line.mass, line.velocity(a, b), error,
+                  push_rigid<biased>(impulses.along, ends.share * line.mass, line.velocity(a, b), error,
                                      step.length_softness(error)));
     }
     template <bool biased>

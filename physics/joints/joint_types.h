@@ -35,13 +35,16 @@ class JointFunctions {
     static constexpr JointKind kind(const char* name) {
         float (*measure)(const JointRecord&, const JointPlace&) = nullptr;
         if constexpr (requires { &Constraint::separation; }) measure = separation;
+        bool (*is_rigid)(const JointRecord&) = nullptr;
+        if constexpr (requires { &Constraint::holds; }) is_rigid = holds;
         return {name,        sizeof(Constraint),
                 begin,       check,
-                measure,     prepare,
-                warm_start,  solve,
-                relax,       load,
-                impulses_of, load_on,
-                write_rows,  store};
+                measure,     is_rigid,
+                prepare,     warm_start,
+                solve,       relax,
+                load,        impulses_of,
+                load_on,     write_rows,
+                store};
     }
 
   private:
@@ -51,12 +54,17 @@ class JointFunctions {
         return Constraint::separation(joint.settings.as<Settings>(), place);
     }
 
+    static bool holds(const JointRecord& joint) {
+        return Constraint::holds(joint.settings.as<Settings>());
+    }
+
     static void prepare(const JointSource& source, JointArray& array, const JointStep& step,
                         JointRange range) {
         for (size_t i = range.begin; i < range.end; ++i) {
             const JointRecord& joint = source.objects.joints[array.joints[i]];
             Constraint& c = *std::construct_at(array.as<Constraint>() + i);
             c.ends = source.ends_of(joint);
+            if (!array.shares.empty()) c.ends.share = array.shares[i];
             c.impulses = joint.impulses.as<Impulses>();
             c.impulses.scale(step.impulse_ratio);
             const SolverBody &a = source.bodies.solver_bodies[c.ends.a],

@@ -50,6 +50,7 @@ struct WeldConstraint {
     static float separation(const Settings& settings, const JointPlace& place) {
         return settings.point.is_rigid() ? length(place.gap()) : 0.0f;
     }
+    static bool holds(const Settings& settings) { return settings.point.is_rigid(); }
     void prepare(const Settings& settings, const JointFrame&, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
         reference = settings.reference_angle;
@@ -116,6 +117,7 @@ struct WeldConstraint {
             const PointMass mass = PointMass::make(ends, a, b);
             return apply(a, b, -scale * (mass * v) - rest * impulses.point, 0.0f);
         }
+        scale *= ends.share;
         if (!rigid_point) return apply(a, b, {}, -scale * angular_mass * w - rest * impulses.angle);
         const Vec2 arm_a = cross(1.0f, ends.lever_a), arm_b = cross(1.0f, ends.lever_b);
         const Vec2 k = ia * arm_a + ib * arm_b, between = arm_a - arm_b;

@@ -1,4 +1,5 @@
 #include <partition/union_find.h>
+#include <solver/crowded_joints.h>
 #include <solver/joint_passes.h>
 #include <state/active_lists.h>
 
@@ -15,9 +16,17 @@ constexpr size_t joints_at_a_time = 128;
 
 /// The code of an awake joint before it is prepared: its node, and these bits; 0 if it does not
 /// act.
-enum JointCode : uint8_t { node_bits = 0x0f, load_bits = 0x30, one_load = 0x10, can_break = 0x80 };
-constexpr uint8_t is_tuned = JointScratch::tuned * one_load;
-static_assert(2 * most_strips <= node_bits + 1 && JointScratch::loads < 4);
+enum JointCode : uint8_t { node_bits = 0x0f, load_bits = 0x70, one_load = 0x10, can_break = 0x80 };
+static_assert(2 * most_strips <= node_bits + 1 &&
+              JointScratch::classes <= load_bits / one_load + 1);
+
+/// The load of a joint by its code, or `tuned` or `crowded`.
+size_t class_of(uint8_t code) {
+    return (code & load_bits) / one_load;
+}
+bool bears_load(uint8_t code) {
+    return code != 0 && class_of(code) < JointScratch::loads;
+}
 
 /// How joints under a load are solved. A joint yields by load / (m·ω²), where m is the mass of its
 /// light body: with the usual stiffness, a heavy body would stretch light links on which it hangs.
@@ -91,6 +100,7 @@ struct JointLists {
     const BodyScratch& bodies;
     JointScratch& joints;
     ThreadPool* threads;
+    std::vector<float> shares{};  ///< see `shares_of_crowded`
 
     /// Calls `visit(type, awake joint, its code)`.
     void for_each(auto&& visit) {
@@ -132,13 +142,23 @@ struct JointLists {
                 uint8_t all = 0;
                 for (size_t i = begin; i < end; ++i) {
                     codes[i] = code_of(awake[i]);
-                    if ((codes[i] & load_bits) != is_tuned) all |= codes[i];
+                    if (bears_load(codes[i])) all |= codes[i];
                 }
                 if ((all & load_bits) != 0) heavy.store(true, std::memory_order_relaxed);
             });
             codes += awake.size();
         }
         return heavy;
+    }
+
+    /// Makes the joints of crowded bodies a class of their own, except those that have a stiffness
+    /// of their own.
+    void find_crowded(const JointSource& source) {
+        shares = shares_of_crowded(source, active, joints.joint_codes);
+        for (size_t i = 0; i < shares.size(); ++i)
+            if (shares[i] < 1.0f && class_of(joints.joint_codes[i]) != JointScratch::tuned)
+                joints.joint_codes[i] = uint8_t((joints.joint_codes[i] & ~load_bits) |
+                                                JointScratch::crowded * one_load);
     }
 
     /// A load goes through all joints that connect its body with others. So all joints of such a
@@ -154,15 +174,15 @@ struct JointLists {
         std::vector<Loaded> all(bodies.solver_bodies.size());
         for_each([&](size_t, uint32_t joint, uint8_t code) {
             const auto [a, b] = indices_of(joint);
-            if (code == 0 || (code & load_bits) == is_tuned) return;
+            if (!bears_load(code)) return;
             Loaded& loaded = all[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
-            loaded.load = std::max(loaded.load, uint8_t((code & load_bits) / one_load));
+            loaded.load = std::max(loaded.load, uint8_t(class_of(code)));
             loaded.add(bodies.solver_bodies[a]);
             loaded.add(bodies.solver_bodies[b]);
         });
         for_each([&](size_t, uint32_t joint, uint8_t& code) {
             const auto [a, b] = indices_of(joint);
-            if (code == 0 || (code & load_bits) == is_tuned) return;
+            if (!bears_load(code)) return;
             const Loaded& loaded = all[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
             code = uint8_t((code & ~load_bits) | loaded.greatest_load() * one_load);
         });
@@ -172,25 +192,31 @@ struct JointLists {
     void fill() {
         for (JointArray& array : joints.joint_arrays) array.nodes.clear();
         const auto array_of = [&](size_t type, uint8_t code) {
-            return type + size_t((code & load_bits) / one_load) * joint_type_count;
+            return type + class_of(code) * joint_type_count;
         };
         for_each([&](size_t type, uint32_t, uint8_t code) {
             if (code != 0) joints.joint_arrays[array_of(type, code)].nodes.count(code & node_bits);
         });
-        std::array<NodeRanges::Places, (JointScratch::loads + 1) * joint_type_count> next;
+        std::array<NodeRanges::Places, JointScratch::classes * joint_type_count> next;
         for (size_t i = 0; i < next.size(); ++i) {
             JointArray& array = joints.joint_arrays[i];
             array.nodes.sum_up();
             next[i] = array.nodes.places();
             array.joints.resize(array.nodes.size());
             array.drives.resize(array.nodes.size());
+            const bool shared = !shares.empty() && i / joint_type_count >= JointScratch::tuned;
+            array.shares.resize(shared ? array.nodes.size() : 0);
         }
         joints.strains.clear();
+        size_t number = 0;
         for_each([&](size_t type, uint32_t joint, uint8_t code) {
+            const size_t share = number++;
             if (code == 0) return;
             const size_t array = array_of(type, code);
             const uint32_t place = next[array][code & node_bits]++;
             joints.joint_arrays[array].joints[place] = joint;
+            if (!joints.joint_arrays[array].shares.empty())
+                joints.joint_arrays[array].shares[place] = shares[share];
             if ((code & can_break) != 0)
                 joints.strains.push_back({joint, uint32_t(array), place, {}, 0.0f});
         });
@@ -223,7 +249,9 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     step.impulse_ratio = impulse_ratio;
     use_load_settings(0, step);
     JointLists lists = {objects, active, bodies, joints, threads};
-    if (lists.make_codes()) lists.spread_loads();
+    const bool heavy = lists.make_codes();
+    lists.find_crowded(source);
+    if (heavy) lists.spread_loads();
     lists.fill();
     soften_tuned(objects, joints, h);
     for (size_t i = 0; i < joints.joint_arrays.size(); ++i) {
@@ -270,13 +298,15 @@ void sweep_tuned(JointPass pass, JointScratch& joints, std::span<SolverBody> bod
 }  // namespace
 
 int sweeps_of(size_t load, JointPass pass) {
-    const bool several = load < JointScratch::loads && pass != &JointKind::warm_start;
-    return several ? settings_of_load[load].sweeps : 1;
+    if (pass == &JointKind::warm_start) return 1;
+    if (load == JointScratch::crowded) return sweeps_of_crowded;
+    return load < JointScratch::loads ? settings_of_load[load].sweeps : 1;
 }
 
 void sweep_joints(JointPass pass, size_t load, JointScratch& joints, std::span<SolverBody> bodies,
                   const JointStep& step, const StripNodes& nodes) {
-    if (load == 0) return sweep(pass, load, joints, bodies, step, nodes);
+    if (load == 0 || load == JointScratch::crowded)
+        return sweep(pass, load, joints, bodies, step, nodes);
     if (load == JointScratch::tuned) return sweep_tuned(pass, joints, bodies, step, nodes);
     JointStep of_load = step;
     use_load_settings(load, of_load);
@@ -285,7 +315,7 @@ void sweep_joints(JointPass pass, size_t load, JointScratch& joints, std::span<S
 
 void pass_joints(JointPass pass, JointScratch& joints, std::span<SolverBody> bodies,
                  const JointStep& step, const StripNodes& nodes) {
-    for (size_t load = 0; load <= JointScratch::tuned; ++load)
+    for (size_t load = 0; load < JointScratch::classes; ++load)
         for (int i = 0; i < sweeps_of(load, pass); ++i)
             sweep_joints(pass, load, joints, bodies, step, nodes);
 }

@@ -254,7 +254,7 @@ struct alignas(cache_line_size) FirstBlock {
             return around_joints(nodes,
                                  [&] { pass_joints(joints, scratch, bodies, joint_step, nodes); });
         ContactSolver all = serial;
-        for (size_t load = 0; load <= JointScratch::tuned; ++load) {
+        for (size_t load = 0; load < JointScratch::classes; ++load) {
             for (int i = 0; i < sweeps_of(load, joints); ++i) {
                 around_joints(
                     nodes, [&] { sweep_joints(joints, load, scratch, bodies, joint_step, nodes); });

@@ -49,6 +49,9 @@ struct JointKind {
     /// m. Null: it has no such parts.
     float (*separation)(const JointRecord& joint, const JointPlace& place);
 
+    /// Whether the joint holds a point or a length rigidly. Null: it cannot, and ignores
+    /// `JointEnds::share`.
+    bool (*holds)(const JointRecord& joint);
     /// Writes constraints from the records of the joints.
     void (*prepare)(const JointSource& source, JointArray& array, const JointStep& step,
                     JointRange range);

@@ -72,6 +72,7 @@ struct JointArray {
     std::vector<std::byte> constraints;  ///< of the same joints, as their type defines them
     std::vector<uint8_t> drives;         ///< 1: the motor of the joint moves its bodies
     std::vector<Softness> softness;      ///< of each joint, if they are tuned one by one
+    std::vector<float> shares;           ///< of each joint, if they are those of crowded bodies
 
     template <class Constraint>
     Constraint* as() {
@@ -83,7 +84,7 @@ struct JointArray {
         return const_cast<JointArray*>(this)->as<Constraint>();
     }
 
-    FETTLE_SCRATCH(JointArray, s.joints, s.nodes, s.constraints, s.drives, s.softness)
+    FETTLE_SCRATCH(JointArray, s.joints, s.nodes, s.constraints, s.drives, s.softness, s.shares)
 };
 
 struct JointScratch {
@@ -92,7 +93,10 @@ struct JointScratch {
     static constexpr size_t loads = 3;
     /// Behind them: the joints with a stiffness of their own.
     static constexpr size_t tuned = loads;
-    std::array<JointArray, (loads + 1) * joint_type_count> joint_arrays;  ///< by load, then by type
+    /// The joints of bodies that have many: solver/crowded_joints.h.
+    static constexpr size_t crowded = tuned + 1;
+    static constexpr size_t classes = crowded + 1;
+    std::array<JointArray, classes * joint_type_count> joint_arrays;  ///< by class, then by type
     std::vector<uint8_t> joint_codes;  ///< of the awake joints, type by type
     std::vector<Strain> strains;
 
