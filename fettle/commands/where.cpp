@@ -38,7 +38,7 @@ int where(const WhereOptions& options) {
         print_place("settings", player / "settings.json");
         print_place("preferences", player / "preferences.json");
     }
-    if (is_archive(game))
+    if (!archive_of(game).empty())
         print_line("tweaks       none: a game in one file keeps no tweaks");
     else
         print_place("tweaks", property::journal_of(game));

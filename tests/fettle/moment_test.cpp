@@ -96,6 +96,23 @@ TEST_CASE("a moment is not shared under a path or from a sandbox or by a script"
     CHECK(contains(by_script.err, "only a command of the console"));
 }
 
+TEST_CASE("edits in a shared moment are not kept") {
+    const Folder folder;
+    folder.write("game/main.lua", game_text);
+    const Outcome shared = share(folder, (folder / "game").string(), "fall");
+    const fs::path file = file_in(shared.out);
+    REQUIRE(fs::exists(file));
+    const Outcome opened =
+        fettle(folder, {"run", file.string(), "--headless", "--steps", "9",  //
+                        "--console", "3:world.body_1.mass = 9", "--console", "5:keep **"});
+    INFO(opened.out << opened.err);
+    CHECK(contains(opened.out, "keep: this game is one file, fall.fettle, which no run changes"));
+    CHECK_FALSE(contains(opened.out, "kept"));
+    const Outcome where = fettle(folder, {"where", file.string()});
+    INFO(where.out << where.err);
+    CHECK(contains(where.out, "tweaks       none: a game in one file keeps no tweaks"));
+}
+
 TEST_CASE("a damaged moment is refused with its file and the reason") {
     const Folder folder;
     folder.write("game/main.lua", game_text);

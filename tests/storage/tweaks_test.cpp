@@ -297,6 +297,28 @@ TEST_CASE("tweaks of an earlier run are made again as edits that can be undone")
     CHECK(next.tweaks->open_earlier() == 3);
 }
 
+TEST_CASE("a tweak that was made again and undone can be dropped") {
+    const GameFolder folder;
+    {
+        Run run(folder);
+        const Handle a = run.add("Thing", "a");
+        run.person([&] { run.tree.set(a, "number", 2.0); });
+    }
+    {
+        Run run(folder);
+        run.add("Thing", "a");
+        const Tree::CauseScope scope(run.tree, Writer::console);
+        CHECK(run.tweaks->reapply("**").count == 1);
+        run.barrier();
+        run.tree.undo();
+        run.barrier();
+        CHECK(run.tweaks->drop("**").count == 1);
+        run.barrier();
+        CHECK(run.lines().empty());
+    }
+    CHECK(Run(folder).lines().empty());
+}
+
 TEST_CASE("dropped tweaks are removed and their values stay") {
     const GameFolder folder;
     Run run(folder);
