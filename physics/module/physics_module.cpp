@@ -1,5 +1,6 @@
 #include <fettle/physics_module/physics_module.h>
 
+#include <algorithm>
 #include <exception>
 #include <limits>
 #include <stdexcept>
@@ -69,9 +70,13 @@ void require_free_names(const property::Tree& tree) {
     const auto refuse = [](const std::string& what) {
         throw property::Error(property::ErrorKind::bad_name, "physics cannot be attached: " + what);
     };
+    const auto taken = [&](const char* name) { return tree.find_class(name) != nullptr; };
+    if (std::ranges::all_of(class_names, taken))
+        refuse(
+            "the tree has its classes already; a tree takes physics once only, also when the "
+            "first has ended: make another tree");
     for (const char* name : class_names)
-        if (tree.find_class(name) != nullptr)
-            refuse("the tree has a class \"" + std::string(name) + "\" already");
+        if (taken(name)) refuse("the tree has a class \"" + std::string(name) + "\" already");
     const Handle root = tree.root();
     if (tree.child(root, world_name) || tree.find(root, world_name) != nullptr ||
         tree.class_of(root).method(world_name) != nullptr)

@@ -45,6 +45,12 @@ struct AtEnd {
 };
 const AtEnd at_end;
 
+/// An id does not tell whether its object was destroyed or lives in another world.
+std::string no_object(const char* kind, uint32_t index, uint32_t generation) {
+    return std::string(kind) + " " + std::to_string(index) + " of generation " +
+           std::to_string(generation) + " was destroyed, or is of another world";
+}
+
 }  // namespace
 
 void WorldLink::skip(std::span<const uint32_t> given) {
@@ -89,14 +95,11 @@ void refuse_dangling(const char* kind, const WorldLink* link, uint32_t index, ui
     if (link->data == nullptr)
         throw std::invalid_argument(named + " does not exist any more: its world was destroyed");
     link->data->self.may_read();
-    throw std::invalid_argument(named + " of generation " + std::to_string(generation) +
-                                " does not exist any more");
+    throw std::invalid_argument(no_object(kind, index, generation));
 }
 
 void refuse_foreign(const char* name, const char* kind, uint32_t index, uint32_t generation) {
-    throw std::invalid_argument(std::string(name) + ": " + kind + " " + std::to_string(index) +
-                                " of generation " + std::to_string(generation) +
-                                " was destroyed, or is of another world");
+    throw std::invalid_argument(std::string(name) + ": " + no_object(kind, index, generation));
 }
 
 }  // namespace fettle::physics::detail

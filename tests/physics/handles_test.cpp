@@ -71,10 +71,10 @@ TEST_CASE("every method of a stale handle reports that its object was destroyed"
     World world;
     Things things = make_things(world);
     world.clear();
-    require_errors(things, "does not exist any more");
+    require_errors(things, "was destroyed, or is of another world");
     Things later = make_things(world);  // in the same slots
     REQUIRE(later.body.is_valid());
-    require_errors(things, "does not exist any more");
+    require_errors(things, "was destroyed, or is of another world");
 }
 
 TEST_CASE("every method of a handle reports that its world was destroyed") {
@@ -85,7 +85,7 @@ TEST_CASE("every method of a handle reports that its world was destroyed") {
     World later;  // it may be at the same address
     Things others = make_things(later);
     REQUIRE(others.body.is_valid());
-    require_errors(things, "does not exist any more");
+    require_errors(things, "was destroyed");
 }
 
 TEST_CASE("a joint is not made of destroyed or missing bodies or of bodies of another world") {
@@ -237,6 +237,18 @@ TEST_CASE("functions on shapes refuse destroyed shapes and shapes of another wor
         REQUIRE_THROWS_AS(world.query_overlap(shape), std::invalid_argument);
         REQUIRE_THROWS_AS(world.cast_shape(shape, {1, 0}), std::invalid_argument);
     }
+}
+
+TEST_CASE("an id of another world is refused in the same words by every function") {
+    World world, other;
+    Things things = make_things(world), others = make_things(other);
+    const auto same_words = contains("was destroyed, or is of another world");
+    REQUIRE_THROWS_WITH(world.body(others.body.id()).position(), same_words);
+    REQUIRE_THROWS_WITH(world.shape(others.circle.id()).area(), same_words);
+    REQUIRE_THROWS_WITH(world.ignore_until_separated(things.circle, others.circle), same_words);
+    REQUIRE_THROWS_WITH(
+        world.create_weld_joint({.body_a = things.body.id(), .body_b = others.body.id()}),
+        same_words);
 }
 
 TEST_CASE("numbers that are not enumerators are refused") {

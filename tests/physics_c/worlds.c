@@ -1,5 +1,6 @@
 #include <fettle_physics.h>
 #include <math.h>
+#include <stdio.h>
 
 #include "in_c.h"
 #include "small_world.h"
@@ -80,7 +81,10 @@ static const char* ids_of_another_kind_or_world_are_refused(void) {
     CHECK_C(fettle_body_angle(world, shape, &value) == FETTLE_INVALID);
     CHECK_C(message_has("expected the id of a body") && message_has("which names a shape"));
     CHECK_C(fettle_body_angle(other, ball, &value) == FETTLE_STALE);
-    CHECK_C(message_has("was destroyed, or is of another world"));
+    char object[64];
+    snprintf(object, sizeof object, "got that of body %u (0x%016llx)", (unsigned)fettle_slot(ball),
+             (unsigned long long)ball);
+    CHECK_C(message_has(object) && message_has("), which was destroyed, or is of another world"));
     CHECK_C(fettle_body_angle(world, 0, &value) == FETTLE_STALE && message_has("names none"));
     CHECK_C(fettle_body_angle(world, UINT64_MAX, &value) == FETTLE_INVALID);
     CHECK_C(fettle_body_angle(NULL, ball, &value) == FETTLE_INVALID && message_has("world"));

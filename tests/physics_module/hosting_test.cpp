@@ -223,6 +223,20 @@ TEST_CASE("destroying physics in the middle of a step or a query ends the progra
     CHECK_THAT(words, contains("which must not do so (see physics_module.h)"));
 }
 
+TEST_CASE("a tree takes physics once only and the message says so") {
+    const bool ended = GENERATE(false, true);
+    property::Tree tree;
+    std::optional<physics_module::PhysicsModule> first(std::in_place);
+    first->attach(tree);
+    if (ended) first.reset();
+    physics_module::PhysicsModule second;
+    CHECK_THROWS_WITH(second.attach(tree), contains("a tree takes physics once only, also when the "
+                                                    "first has ended: make another tree"));
+    property::Tree another;
+    second.attach(another);
+    CHECK(another.child(another.root(), "world"));
+}
+
 TEST_CASE("physics that ends before its tree takes its instances with it") {
     const bool watched = GENERATE(false, true);
     property::Tree tree;

@@ -438,6 +438,37 @@ TEST_CASE_METHOD(
                                     "upper_translation, which is 1"));
 }
 
+TEST_CASE_METHOD(Game, "limits that cross during the run are reported for every type of joint") {
+    struct Limits {
+        std::string type, lower, upper;
+    };
+    const auto [type, lower, upper] =
+        GENERATE(Limits{"RevoluteJoint", "lower_angle", "upper_angle"},
+                 Limits{"RotaryLimitJoint", "lower_angle", "upper_angle"},
+                 Limits{"PrismaticJoint", "lower_translation", "upper_translation"},
+                 Limits{"PinSlotJoint", "lower_translation", "upper_translation"},
+                 Limits{"WheelJoint", "lower_translation", "upper_translation"},
+                 Limits{"DistanceJoint", "min_length", "max_length"});
+    CAPTURE(type);
+    std::vector<std::string> reports;
+    physics.on_problem([&](const std::string& text) { reports.push_back(text); });
+    const Handle ball = make("Body", world(), "ball");
+    const Handle joint = make(type.c_str(), world(), "joint");
+    tree.set(joint, "body_b", ball);
+    step();
+    tree.set(joint, lower, 3.0);
+    tree.set(joint, upper, 2.0);  // only in between
+    tree.set(joint, upper, 4.0);
+    step(2);
+    CHECK(reports.empty());
+    tree.set(joint, upper, 1.0);
+    tree.set(joint, lower, 2.5);
+    step(2);
+    REQUIRE(reports.size() == 1);
+    CHECK(reports[0] == "world.joint has " + lower + " = 2.5: expected at most " + upper +
+                            ", which is 1 and is used for both");
+}
+
 TEST_CASE_METHOD(Game, "no instance of an abstract class is made") {
     const property::Snapshot before = tree.snapshot();
     for (const char* name : {"Shape", "Joint", "PairJoint", "Field"}) {

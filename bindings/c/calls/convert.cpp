@@ -8,9 +8,11 @@ using namespace physics;
 
 namespace {
 
-const char* name_of_kind(uint32_t kind) {
-    constexpr const char* names[] = {"nothing", "a body", "a shape", "a joint", "a field"};
-    return kind < std::size(names) ? names[kind] : "no object";
+constexpr const char* kinds[] = {nullptr, "body", "shape", "joint", "field"};
+
+std::string name_of_kind(uint32_t kind) {
+    if (kind == 0) return "nothing";
+    return kind < std::size(kinds) ? std::string("a ") + kinds[kind] : "no object";
 }
 
 const char* name_of(JointType type) {
@@ -38,12 +40,11 @@ fettle_id packed(uint32_t index, uint32_t generation, uint32_t kind) {
 uint32_t unpacked(fettle_id id, uint32_t kind) {
     const uint32_t given = uint32_t(id) >> slot_bits;
     if (id == 0)
-        throw Failure{FETTLE_STALE, std::string("expected the id of ") + name_of_kind(kind) +
-                                        ", got 0, which names none"};
+        throw Failure{FETTLE_STALE,
+                      "expected the id of " + name_of_kind(kind) + ", got 0, which names none"};
     if (given != kind)
-        throw Failure{FETTLE_INVALID, std::string("expected the id of ") + name_of_kind(kind) +
-                                          ", got " + text(id) + ", which names " +
-                                          name_of_kind(given)};
+        throw Failure{FETTLE_INVALID, "expected the id of " + name_of_kind(kind) + ", got " +
+                                          text(id) + ", which names " + name_of_kind(given)};
     return uint32_t(id) & ((1u << slot_bits) - 1);
 }
 
@@ -56,8 +57,10 @@ void refuse_if_damaged(World& world) {
 }
 
 void refuse_stale(fettle_id id, uint32_t kind) {
-    throw Failure{FETTLE_STALE, std::string("expected the id of ") + name_of_kind(kind) + ", got " +
-                                    text(id) + ", which was destroyed, or is of another world"};
+    const std::string object = std::string(kinds[kind]) + " " + std::to_string(unpacked(id, kind));
+    throw Failure{FETTLE_STALE, "expected the id of " + name_of_kind(kind) + ", got that of " +
+                                    object + " (" + text(id) +
+                                    "), which was destroyed, or is of another world"};
 }
 
 void refuse_joint(JointType wanted, JointType is) {

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple, Optional
 
-from ._call import Invalid, check, definition, ffi, lib, list_of, unknown
+from ._call import Error, Invalid, check, definition, ffi, lib, list_of, unknown
 from ._handle import id_of
 from ._properties import to_number
 from ._values import Vec2, pair, to_list, vec2
@@ -97,10 +97,26 @@ class Mover:
                 made.up.x, made.up.y = pair(value, name)
             else:
                 setattr(made, name, to_number(_settings[name], value, name))
-        check(lib.fettle_mover_fits(self.world._pointer, made, state, made.height, ffi.new("bool*")))
+        try:  # a function that checks everything
+            check(lib.fettle_mover_fits(self.world._pointer, made, state, made.height, ffi.new("bool*")))
+        except Error as error:
+            raise type(error)(str(error).replace("fettle_mover_fits", "Mover")) from None
         self._definition, self._state = made, state
 
-    height = property(lambda self: self._definition.height, None, None, "m; `set_height` changes it where there is room")
+    @property
+    def height(self):
+        """m. Where there is no room for the height that is set, it is an `Error`; `set_height` returns False there."""
+        return self._definition.height
+
+    @height.setter
+    def height(self, height):
+        try:
+            has_room = self.set_height(height)
+        except Error as error:
+            raise type(error)(str(error).replace("fettle_mover_set_height", "Mover")) from None
+        if not has_room:
+            raise Error(f"Mover: height = {height}: there is no room for it")
+
     on_ground = _state_property("on_ground")
     ground = _state_property("ground", _shape_or_none)
     ground_normal = _state_property("ground_normal", lambda world, value: vec2(value))
@@ -190,7 +206,7 @@ class Mover:
 
 
 for _name in _settings:
-    if _name != "height":  # it grows only where there is room
+    if _name != "height":  # it changes only where there is room
         setattr(Mover, _name, _setting_property(_name))
 
 

@@ -1,5 +1,6 @@
 """Many copies of one world, for machine learning."""
 
+import math
 import os
 from concurrent.futures import ThreadPoolExecutor
 
@@ -24,18 +25,20 @@ class VectorWorld:
         observation = env.step(numpy.zeros((256, 1, 2)))  # forces, N
 
     An observation has for each copy and each body x, y, angle, angular velocity, velocity x and y, cosine and sine of the angle.
-    It is the same array each time. `threads` share the copies, at most one for each processor; they change no result. It cannot
-    be copied.
+    It is the same array each time. `dt` is the length of a step, s. `threads`, 1 to 64, share the copies, at most one for each
+    processor; they change no result. It cannot be copied.
     """
 
     def __init__(self, build, count=256, dt=1 / 60, threads=1, **settings):
         count, threads = (to_number("uint32_t", value, name) for value, name in ((count, "count"), (threads, "threads")))
-        if count < 1 or threads < 1:
-            raise Invalid(f"count = {count}, threads = {threads}: expected at least 1")
+        if count < 1:
+            raise Invalid(f"count = {count}: expected at least 1")
+        if not 1 <= threads <= 64:
+            raise Invalid(f"threads = {threads}: expected 1 to 64")
+        self.dt = dt
         threads = min(threads, count, os.cpu_count() or 1)
         self._template = World(**settings)
         self._bodies = self._built(build)
-        self.dt = to_number("float", dt, "dt")
         self._worlds = tuple(self.template.clone() for _ in range(count))
         # A view: the library writes into its memory, so it must not be resized.
         self._observation = numpy.zeros((count, len(self.bodies), 8), dtype=numpy.float32)[:]
@@ -44,6 +47,18 @@ class VectorWorld:
         self._ids = ffi.new("fettle_id[]", [body.id for body in self.bodies] * count)
         self._parts = self._divide(count, threads)
         self._pool = ThreadPoolExecutor(threads) if threads > 1 else None
+
+    @property
+    def dt(self):
+        """Length of a step, s."""
+        return self._dt
+
+    @dt.setter
+    def dt(self, dt):
+        number = to_number("float", dt, "dt")
+        if not 0 < float(ffi.cast("float", number)) < math.inf:
+            raise Invalid(f"dt = {dt}: expected a finite time above 0, s")
+        self._dt = number
 
     # The library reads and writes the memory of these, so a program cannot put others in their place.
     template = property(lambda self: self._template, doc="The world that `build` filled.")
@@ -99,7 +114,7 @@ class VectorWorld:
         """Makes `steps` steps, each with these forces (N): an array for (copies, bodies, 2). Returns the observation."""
         if forces is not None:
             self._set_forces(forces)
-        dt, steps = to_number("float", self.dt, "dt"), to_number("uint32_t", steps, "steps")
+        dt, steps = self.dt, to_number("uint32_t", steps, "steps")
         with hold(self.worlds, "step"):
             if self._pool is None:
                 self._step_part((0, len(self.worlds)), forces is not None, steps, dt)

@@ -193,12 +193,15 @@ class Hosting {
     void destroy_postponed();  ///< calls those that are possible now
     /// Reports instances that were placed below the root since the last call and have no effect
     /// there, once for each kind: bodies, fields and joints below no world, shapes on no body,
-    /// joints that connect nothing. Also joints with a lower limit above the upper one.
+    /// joints that connect nothing. Also joints whose lower limit is above the upper one since they
+    /// were placed or a limit was set.
     void report_strays();
     /// Adds the memory of the contacts of all worlds to the weight of the tree.
     void weigh_contacts(std::int64_t contacts);
     /// Adds a joint to those that `report_strays` checks.
     void add_placed_joint(Handle self);
+    /// The same for a joint whose limits were set, if they cross.
+    void add_joint_with_limits(Row row);
     std::function<void(const std::string&)> on_problem;
     /// Throws Error(rejected) while the world of `row` calls a function.
     void require_unlocked(Row row);

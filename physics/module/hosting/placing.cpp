@@ -4,6 +4,7 @@
 // without these is in limbo, a world that is never stepped: it can be read and edited, too.
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include <fettle/property/error.h>
@@ -144,6 +145,12 @@ void Hosting::add_placed_joint(Handle self) {
     add_stray(self, crossed_limits_);
 }
 
+void Hosting::add_joint_with_limits(Row row) {
+    const Handle self = instance_of(joints.at(row).user_data());
+    if (!crossed_limits_.reported && self && !crossed_limits(self).empty())
+        add_stray(self, crossed_limits_);
+}
+
 namespace {
 
 /// What is wrong with the limits of a joint, as the library says it of a definition.
@@ -214,8 +221,10 @@ void Hosting::report_strays() {
 void Hosting::report_first(Strays& strays, const std::function<std::string(Handle)>& problem_of) {
     if (strays.placed.empty()) return;
     std::vector<Handle> placed = std::exchange(strays.placed, {});
+    std::unordered_set<std::uint64_t> seen;  // a joint is there again for each limit that was set
     std::erase_if(placed, [&](Handle each) {
-        return !tree.alive(each) || !tree.is_below(each, tree.root()) || problem_of(each).empty();
+        return !seen.insert(pack(each)).second || !tree.alive(each) ||
+               !tree.is_below(each, tree.root()) || problem_of(each).empty();
     });
     if (placed.empty()) return;
     strays.reported = true;

@@ -21,12 +21,14 @@ void define_distance_joint(Hosting& hosting) {
                 "when the joint began to act.",
                 measured_setting<JointType::distance, &DistanceJoint::length,
                                  &DistanceJoint::set_length, length_now>(hosting)),
-            amount("min_length", 0, "m", "Smallest distance of the anchors.",
-                   setting<&DistanceJoint::min_length, &DistanceJoint::set_min_length>(hosting)),
-            amount("max_length", physics::infinity, "m",
-                   "Largest distance of the anchors. If min_length is larger, both are this "
-                   "distance.",
-                   setting<&DistanceJoint::max_length, &DistanceJoint::set_max_length>(hosting)),
+            amount(
+                "min_length", 0, "m", "Smallest distance of the anchors.",
+                limit_setting<&DistanceJoint::min_length, &DistanceJoint::set_min_length>(hosting)),
+            amount(
+                "max_length", physics::infinity, "m",
+                "Largest distance of the anchors. If min_length is larger, both are this "
+                "distance.",
+                limit_setting<&DistanceJoint::max_length, &DistanceJoint::set_max_length>(hosting)),
             amount("hertz", physics::infinity, "Hz",
                    "Stiffness of the spring; infinite is a rod, 0 is free between the limits.",
                    setting<&DistanceJoint::hertz, &DistanceJoint::set_hertz>(hosting)),

@@ -47,6 +47,18 @@ Binding measured_setting(Hosting& hosting) {
     return binding;
 }
 
+/// As `setting`, for a limit: limits that cross are reported.
+template <auto Get, auto Set>
+Binding limit_setting(Hosting& hosting) {
+    using Native = typename Setter<Set>::Object;
+    return accessor(
+        hosting, [](Hosting& h, Row row) { return widened((h.joints.at<Native>(row).*Get)()); },
+        [](Hosting& h, Row row, const Value& value) {
+            (h.joints.at<Native>(row).*Set)(from_value<float>(value));
+            h.add_joint_with_limits(row);
+        });
+}
+
 template <physics::JointType type>
 property::Lifecycle joint_lifecycle(Hosting& hosting) {
     property::Lifecycle lifecycle;

@@ -28,12 +28,12 @@ void define_limiting_joints(Hosting& hosting) {
                                  &RotaryLimitJoint::set_reference_angle, angle_between>(hosting)),
             limit_number(
                 "lower_angle", -physics::infinity, "rad", "Smallest angle.",
-                setting<&RotaryLimitJoint::lower_angle, &RotaryLimitJoint::set_lower_angle>(
+                limit_setting<&RotaryLimitJoint::lower_angle, &RotaryLimitJoint::set_lower_angle>(
                     hosting)),
             limit_number(
                 "upper_angle", physics::infinity, "rad",
                 "Largest angle. If lower_angle is larger, both are this angle.",
-                setting<&RotaryLimitJoint::upper_angle, &RotaryLimitJoint::set_upper_angle>(
+                limit_setting<&RotaryLimitJoint::upper_angle, &RotaryLimitJoint::set_upper_angle>(
                     hosting)),
         }));
 }

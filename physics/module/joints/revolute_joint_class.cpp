@@ -19,11 +19,11 @@ std::vector<Property> properties(Hosting& hosting) {
                              &RevoluteJoint::set_reference_angle, angle_between>(hosting)),
         limit_number(
             "lower_angle", -physics::infinity, "rad", "Smallest angle.",
-            setting<&RevoluteJoint::lower_angle, &RevoluteJoint::set_lower_angle>(hosting)),
+            limit_setting<&RevoluteJoint::lower_angle, &RevoluteJoint::set_lower_angle>(hosting)),
         limit_number(
             "upper_angle", physics::infinity, "rad",
             "Largest angle. If lower_angle is larger, both are this angle.",
-            setting<&RevoluteJoint::upper_angle, &RevoluteJoint::set_upper_angle>(hosting)),
+            limit_setting<&RevoluteJoint::upper_angle, &RevoluteJoint::set_upper_angle>(hosting)),
         number("motor_speed", 0, "rad/s", "Angular velocity to which the motor drives body_b.",
                setting<&RevoluteJoint::motor_speed, &RevoluteJoint::set_motor_speed>(hosting)),
         amount("max_motor_torque", 0, "N m", "Largest torque of the motor; 0: no motor.",

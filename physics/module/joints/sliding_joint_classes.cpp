@@ -14,11 +14,11 @@ std::vector<Property> slide_properties(Hosting& hosting) {
                "Direction of sliding, in the coordinates of body_a; of any length but 0.",
                setting<&J::axis, &J::set_axis>(hosting)),
         limit_number("lower_translation", -physics::infinity, "m", "Smallest translation.",
-                     setting<&J::lower_translation, &J::set_lower_translation>(hosting)),
+                     limit_setting<&J::lower_translation, &J::set_lower_translation>(hosting)),
         limit_number("upper_translation", physics::infinity, "m",
                      "Largest translation. If lower_translation is larger, both are this "
                      "translation.",
-                     setting<&J::upper_translation, &J::set_upper_translation>(hosting)),
+                     limit_setting<&J::upper_translation, &J::set_upper_translation>(hosting)),
         number("motor_speed", 0, "m/s", "Speed to which the motor drives body_b.",
                setting<&J::motor_speed, &J::set_motor_speed>(hosting)),
         amount("max_motor_force", 0, "N", "Largest force of the motor; 0: no motor.",

@@ -29,13 +29,13 @@ void define_wheel_joint(Hosting& hosting) {
                    setting<&WheelJoint::damping_ratio, &WheelJoint::set_damping_ratio>(hosting)),
             limit_number(
                 "lower_translation", -physics::infinity, "m", "Smallest translation of the axle.",
-                setting<&WheelJoint::lower_translation, &WheelJoint::set_lower_translation>(
+                limit_setting<&WheelJoint::lower_translation, &WheelJoint::set_lower_translation>(
                     hosting)),
             limit_number(
                 "upper_translation", physics::infinity, "m",
                 "Largest translation of the axle. If lower_translation is larger, both are this "
                 "translation.",
-                setting<&WheelJoint::upper_translation, &WheelJoint::set_upper_translation>(
+                limit_setting<&WheelJoint::upper_translation, &WheelJoint::set_upper_translation>(
                     hosting)),
             number("motor_speed", 0, "rad/s",
                    "Angular velocity to which the motor drives the wheel, counter-clockwise.",

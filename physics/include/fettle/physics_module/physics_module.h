@@ -36,7 +36,8 @@ class PhysicsModule : public module::Module {
     std::string_view name() const override { return "physics"; }  ///< of the module
     /// Throws std::logic_error if the module was attached before, and Error(bad_name) if the tree
     /// already has a class, a child `world` of the root or a part of snapshots with a name that the
-    /// module needs. Then nothing has changed, and the module is not attached.
+    /// module needs. Then nothing has changed, and the module is not attached. A tree takes physics
+    /// once only: the classes of a module that has ended stay in the tree, without instances.
     void attach(property::Tree& tree) override;
     /// Throws std::invalid_argument unless `dt` (s) is at least 0 and in the range of a float.
     void step(double dt) override;
@@ -50,7 +51,8 @@ class PhysicsModule : public module::Module {
 
     /// `listener` is called with a message about objects that have no effect, once for each kind:
     /// bodies, fields and joints below no world, shapes on no body, joints that connect nothing.
-    /// Also about joints with a lower limit above the upper one.
+    /// Also about joints with a lower limit above the upper one, when they are placed and when a
+    /// limit is set.
     void on_problem(std::function<void(const std::string&)> listener);
 
     /// Saves every world, bit for bit.
