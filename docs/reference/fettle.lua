@@ -3000,7 +3000,7 @@ Transition = {}
 ---@field height number Height of the console as a share of the window. · 0.15 to 1 · default 0.45 · not saved
 ---@field inspector boolean Whether the inspector is shown with it. · true or false · default true · not saved
 ---@field inspector_width number Width of the inspector at a scale of 1. · px · 200 to 2000 · default 420 · not saved
----@field key "insert"|"left_system"|"right_system"|"menu"|"pause"|"grave"|"numpad_0"|"numpad_1"|"numpad_2"|"numpad_3"|"numpad_4"|"numpad_5"|"numpad_6"|"numpad_7"|"numpad_8"|"numpad_9"|"numpad_add"|"numpad_subtract"|"numpad_multiply"|"numpad_divide"|"f1"|"f2"|"f3"|"f4"|"f5"|"f6"|"f7"|"f8"|"f9"|"f10"|"f11"|"f12"|"f13"|"f14"|"f15" The key that opens and closes the console, by its name in the class Keys. Keys with which commands are typed and edited, such as "b" and "enter", cannot be it. · 35 texts · default "grave" · not saved
+---@field key "insert"|"left_system"|"right_system"|"menu"|"pause"|"grave"|"f1"|"f2"|"f3"|"f4"|"f5"|"f6"|"f7"|"f8"|"f9"|"f10"|"f11"|"f12"|"f13"|"f14"|"f15" The key that opens and closes the console, by its name in the class Keys. Keys with which commands are typed and edited, such as "b" and "enter", cannot be it. · 21 texts · default "grave" · not saved
 ---@field listen boolean Whether `fettle repl --attach` may attach to this game: only this user, on this computer, with the token in the user's runtime folder. · true or false · default false · not saved
 ---@field memory_limit number How much memory one command may add, by Lua's values and by what it makes in the tree; a command that needs more is stopped. · MB · 1 to 1e6 · default 256 · not saved
 ---@field opacity number Of the background. Below 1 the game is seen behind the text. · 0.3 to 1 · default 1 · not saved

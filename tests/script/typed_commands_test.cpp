@@ -47,6 +47,13 @@ TEST_CASE("an error of a command itself is at the console") {
     CHECK_THAT(s.console("f()"), contains(":1: x") && !contains("console:1"));
 }
 
+TEST_CASE("what a command itself writes is written by the console") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    s.console("edit('heavier', function() world.ball.mass = 7 end)");
+    CHECK_THAT(s.console("who('world.ball.mass')"), contains("world.ball.mass: console:1"));
+}
+
 TEST_CASE("the error of a typed formula names no chunk") {
     Stage s;
     s.run("world.a = Body {} world.ball = Body {}");

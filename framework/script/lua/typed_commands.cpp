@@ -26,10 +26,14 @@ void TypedCommands::store(std::string_view command, Texts& texts) {
 void TypedCommands::name_plainly(ScriptError& error) const {
     if (error.file != chunk_) return;
     error.file = plain_chunk;
-    for (std::string* text : {&error.message, &error.traceback})
-        for (std::size_t at = text->find(chunk_ + ":"); at != std::string::npos;
-             at = text->find(chunk_ + ":", at + 1))
-            text->replace(at, chunk_.size(), plain_chunk);
+    name_plainly(error.message);
+    name_plainly(error.traceback);
+}
+
+void TypedCommands::name_plainly(std::string& text) const {
+    for (std::size_t at = text.find(chunk_ + ":"); at != std::string::npos;
+         at = text.find(chunk_ + ":", at + 1))
+        text.replace(at, chunk_.size(), plain_chunk);
 }
 
 void TypedCommands::note_locals(std::string_view code) {

@@ -25,6 +25,8 @@ class TypedCommands {
     const std::string& chunk() const { return chunk_; }
     /// Names the chunk of the last command "console" in an error of this command itself.
     void name_plainly(ScriptError& error) const;
+    /// The same in a text that has places, such as "console 2:1".
+    void name_plainly(std::string& text) const;
     /// Whether a command has declared a local variable of that name, which ended with it.
     bool was_local(std::string_view name) const { return locals_.contains(name); }
 
