@@ -103,8 +103,9 @@ bool Hints::begins_command(std::string_view word) const {
 }
 
 std::string Hints::of_command(std::string_view word) const {
-    return begins_command(word) ? hint_for_command(machine_.sources.texts[TypedCommands::plain_chunk])
-                                : std::string();
+    return begins_command(word)
+               ? hint_for_command(machine_.sources.texts[TypedCommands::plain_chunk])
+               : std::string();
 }
 
 /// The first path that `part` finds, level by level from the top.
