@@ -35,10 +35,15 @@ void PropertyEditor::define_formula(const Target& target, const std::string& exp
     if (!define) return;
     const property::Tree::CauseScope cause(tree_, property::Writer::inspector);
     std::string refused;
-    edit_all(target, "formula of " + target.property->name, [&](Handle to, const Property& its) {
-        const std::string why = define(tree_.path(to, its), expression);
-        if (refused.empty()) refused = why;
-    });
+    // Typed into the field of x or y.
+    if (target.property->type == Type::vec2 && fields_.calculate && fields_.calculate(expression))
+        refused = "a formula is for the whole vector, as in is vec(x, y)";
+    else
+        edit_all(target, "formula of " + target.property->name,
+                 [&](Handle to, const Property& its) {
+                     const std::string why = define(tree_.path(to, its), expression);
+                     if (refused.empty()) refused = why;
+                 });
     problems_.erase(target.property);
     if (!refused.empty()) {
         problems_[target.property] = refused;

@@ -14,7 +14,9 @@ using property::Writer;
 
 std::string writer_text(const Cause& cause) {
     // The position within a console command is not shown.
-    if (!cause.where.empty() && !cause.where.starts_with("console:")) return cause.where;
+    const bool by_command =
+        cause.where.starts_with("console:") || cause.where.starts_with("console ");
+    if (!cause.where.empty() && !by_command) return cause.where;
     if (cause.writer == Writer::simulation) return "physics";
     return std::string(property::writer_name(cause.writer)) + ", step " +
            std::to_string(cause.step);

@@ -132,12 +132,13 @@ void Comparison::compare_change(const Review& review, const RepeatWith& repeat_w
     const ChangeRequest request = *std::exchange(change_request_, std::nullopt);
     const std::int64_t first = first_step(request);
     if (!review || !repeat_with || first >= static_cast<std::int64_t>(tree_.step()))
-        return log_.error("ab: there is no past to compare with");
+        return report_error("ab: there is no past to compare with");
     std::string written;
     const auto change = [&] {
         const property::Tree::CauseScope cause(tree_, property::Writer::console);
         property::set(tree_, request.path, request.value);
-        written = tree_.text(property::get(tree_, request.path));
+        const property::Place place = property::resolve(tree_, request.path);
+        written = tree_.text(property::get(tree_, request.path), place.property->precision());
     };
     try {
         repeat_with(first, change, [&](std::int64_t step) { b_.push_back(moment(step)); });
@@ -145,7 +146,7 @@ void Comparison::compare_change(const Review& review, const RepeatWith& repeat_w
                [&](std::int64_t step) { a_.push_back(moment(step)); });
     } catch (const std::exception& error) {
         end();
-        return log_.error("ab: " + property::exception_text(error));
+        return report_error("ab: " + property::exception_text(error));
     }
     cut_to_common_steps();
     original_ = "as it was";
@@ -166,14 +167,15 @@ void Comparison::cut_to_common_steps() {
 
 void Comparison::compare_branches(const Review& review, const ReviewBranch& other) {
     const BranchRequest request = *std::exchange(branch_request_, std::nullopt);
-    if (!review || !other) return log_.error("compare_branch: this game keeps no past");
+    if (!review || !other) return report_error("compare_branch: this game keeps no past");
     const std::int64_t here = static_cast<std::int64_t>(tree_.step());
     const auto poses = static_cast<std::int64_t>(std::max<std::size_t>(1, placed(tree_).size()));
     const std::int64_t steps = std::max<std::int64_t>(1, most_poses / poses);
     const std::int64_t last = std::min({here, request.newest, request.fork + steps});
     if (last <= request.fork)
-        return log_.error("compare_branch: the game is at step " + std::to_string(here) +
-                          ", before the branches part after step " + std::to_string(request.fork));
+        return report_error("compare_branch: the game is at step " + std::to_string(here) +
+                            ", before the branches part after step " +
+                            std::to_string(request.fork));
     NotedValues of_a, of_b;
     const auto into = [&](std::vector<Moment>& side, NotedValues& values) {
         return [&, last](std::int64_t step) {
@@ -186,10 +188,10 @@ void Comparison::compare_branches(const Review& review, const ReviewBranch& othe
         review(request.fork, last, into(a_, of_a));
     } catch (const std::exception& error) {
         end();
-        return log_.error("compare_branch: " + property::exception_text(error));
+        return report_error("compare_branch: " + property::exception_text(error));
     }
     cut_to_common_steps();
-    if (!shown()) return log_.error("compare_branch: the branches have no step in common");
+    if (!shown()) return report_error("compare_branch: the branches have no step in common");
     original_ = "branch " + time_value(tree_, "branch").text();
     change_ = "branch " + request.name;
     ++number_;
@@ -237,6 +239,11 @@ void Comparison::report_difference(const std::string& what) {
 void Comparison::report(const std::string& line) {
     log_.note(line);
     if (on_result) on_result(line);
+}
+
+void Comparison::report_error(const std::string& problem) {
+    log_.error(problem);
+    if (on_result) on_result("✗ " + problem);
 }
 
 }  // namespace fettle::console

@@ -42,7 +42,7 @@ class Comparison {
 
     Comparison(property::Tree& tree, Log& log) : tree_(tree), log_(log) {}
 
-    /// Receives the results, in addition to the log; optional.
+    /// Receives the results and errors, in addition to the log; optional.
     std::function<void(const std::string& line)> on_result;
 
     /// Whether scripts draw by themselves; optional.
@@ -90,6 +90,7 @@ class Comparison {
     void report_difference(const std::string& what);
     void report_values(const NotedValues& a, const NotedValues& b);
     void report(const std::string& line);
+    void report_error(const std::string& problem);
 
     property::Tree& tree_;
     Log& log_;

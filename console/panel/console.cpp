@@ -164,6 +164,7 @@ void Console::State::connect_lists() {
     views.watch_list.run = context_menu.run;
     observing.on_result = comparison.on_result = options.on_result;
     comparison.scripts_draw = options.scripts_draw;
+    observing.toggle_key = [this] { return settings.text("key"); };
 }
 
 /// The time bar, plots, and the figures of frames.

@@ -112,7 +112,7 @@ std::string Observing::break_when(script::Observed condition) {
 
 /// It may be a wrong name, or the name of something that the game has not made yet.
 void Observing::note_problem(const char* request, const std::string& problem) {
-    if (!problem.empty() && tells_problems) log_.note(std::string(request) + ": " + problem);
+    if (!problem.empty() && tells_problems) report(std::string(request) + ": " + problem);
 }
 
 void Observing::bind(const std::string& key, const std::string& command) {
@@ -123,6 +123,11 @@ void Observing::bind(const std::string& key, const std::string& command) {
             property::ErrorKind::unknown_name,
             "bind: there is no key \"" + key + "\"" + property::suggestion(key, all));
     }
+    if (toggle_key && key == toggle_key())
+        throw property::Error(property::ErrorKind::rejected,
+                              "bind: " + key +
+                                  " opens and closes the console; console.key chooses another key "
+                                  "for that");
     if (command.empty())
         keys_.erase(key);
     else
@@ -238,14 +243,14 @@ void Observing::read_past(const Review& review) {
                    for (Trace* trace : wanting) trace->take(step, true);
                });
     } catch (const std::exception& error) {
-        log_.error(property::exception_text(error));
+        report_error(property::exception_text(error));
     }
 }
 
 void Observing::search_past(const Review& review) {
     if (!searched_) return;
     const script::Observed condition = *std::exchange(searched_, std::nullopt);
-    if (!review) return log_.error("last_time: this game keeps no past");
+    if (!review) return report_error("last_time: this game keeps no past");
     const auto here = static_cast<std::int64_t>(tree_.step());
     std::int64_t first = -1, last_true = -1, became = -1;
     bool now = false;
@@ -264,13 +269,13 @@ void Observing::search_past(const Review& review) {
             now = holds;
         });
     } catch (const std::exception& error) {
-        return log_.error(property::exception_text(error));
+        return report_error(property::exception_text(error));
     }
     const std::string what = property::message_text("last_time " + condition.text + ": ");
     if (first < 0) return report(what + "no step is kept");
     if (last_true < 0)
         return problem.empty() ? report(what + "never since step " + std::to_string(first))
-                               : log_.error(what + problem);
+                               : report_error(what + problem);
     if (now && became == first)
         return report(what + "true now, and ever since step " + std::to_string(first));
     const std::int64_t to = now ? became : last_true;
@@ -282,6 +287,11 @@ void Observing::search_past(const Review& review) {
 void Observing::report(const std::string& line) {
     log_.note(line);
     if (on_result) on_result(line);
+}
+
+void Observing::report_error(const std::string& problem) {
+    log_.error(problem);
+    if (on_result) on_result("✗ " + problem);
 }
 
 // --- Time
@@ -303,7 +313,7 @@ void Observing::go_to(std::int64_t step) {
     try {
         tree_.call(time, "go_to", {Value(step)});
     } catch (const std::exception& error) {
-        log_.error(property::exception_text(error));
+        report_error(property::exception_text(error));
     }
 }
 

@@ -30,7 +30,7 @@ class Observing {
 
     /// Receives the line of a break; optional.
     std::function<void(const std::string& line)> on_break{};
-    /// Receives the results of breaks and searches, in addition to the log; optional.
+    /// Receives the results of breaks and searches, and errors, in addition to the log; optional.
     std::function<void(const std::string& line)> on_result;
 
     /// The functions of the console that this class implements for scripts.
@@ -47,6 +47,8 @@ class Observing {
     /// Computes the pinned values for a picture.
     void update();
 
+    /// The key that opens the console, which no command can have; optional.
+    std::function<std::string()> toggle_key{};
     /// Whether the log gets a note when a requested value cannot be computed now.
     bool tells_problems = true;
 
@@ -80,6 +82,7 @@ class Observing {
     std::int64_t first_to_read(bool plotted) const;
     void search_past(const Review& review);
     void report(const std::string& line);
+    void report_error(const std::string& problem);
     void pause();
     std::int64_t time_step(const char* name, std::int64_t otherwise) const;
     void go_to(std::int64_t step);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <observed/last_value.h>
 #include <settings/settings.h>
 
@@ -34,6 +36,19 @@ Property number_property(const char* name, double value, Range range, const char
     property.doc = doc;
     property.transient = true;
     return property;
+}
+
+/// Whether a key that opens the console would take a character from the commands that are typed, or
+/// the key that edits them.
+bool is_needed_to_type(std::string_view key) {
+    constexpr std::string_view needed[] = {
+        "space",        "enter",     "escape",    "tab",           "backspace",    "delete",
+        "left",         "right",     "up",        "down",          "home",         "end",
+        "page_up",      "page_down", "minus",     "equal",         "comma",        "period",
+        "left_bracket", "slash",     "semicolon", "right_bracket", "backslash",    "apostrophe",
+        "left_shift",   "left_alt",  "right_alt", "right_shift",   "left_control", "right_control"};
+    return key.size() == 1 || key.starts_with("numpad_") ||
+           std::ranges::find(needed, key) != std::ranges::end(needed);
 }
 
 property::ClassDescriptor console_class() {
@@ -95,8 +110,11 @@ property::ClassDescriptor console_class() {
     key.type = Type::text;
     key.default_value = Value("grave");
     key.transient = true;
-    key.doc = "The key that opens and closes the console, by its name in the class Keys.";
-    for (const std::string_view name : app::key_names()) key.enumerators.emplace_back(name);
+    key.doc =
+        "The key that opens and closes the console, by its name in the class Keys. Keys with which "
+        "commands are typed and edited, such as \"b\" and \"enter\", cannot be it.";
+    for (const std::string_view name : app::key_names())
+        if (!is_needed_to_type(name)) key.enumerators.emplace_back(name);
     list.push_back(key);
     return descriptor;
 }

@@ -29,6 +29,12 @@ bool leads_elsewhere(const script::ScriptError& error) {
     return places > 1;
 }
 
+/// Whether the message says less than what failed, such as "formula of world.ball.mass". A command
+/// stands above its error.
+bool names_context(const script::ScriptError& error) {
+    return error.file.empty() && !error.context.empty() && error.context != "console";
+}
+
 /// The word at a column, counted from 1.
 Span span_at(std::string_view source, std::size_t column) {
     std::size_t begin = std::min(code_point_offset(source, column - 1), source.size());
@@ -109,7 +115,8 @@ void Log::command(std::string_view text, std::uint64_t before) {
 }
 
 void Log::error(const script::ScriptError& error) {
-    std::string message = error.message;
+    std::string message =
+        (names_context(error) ? "in " + error.context + ": " : "") + error.message;
     if (message.size() > max_message_bytes) {
         message.resize(code_point_boundary(message, max_message_bytes));
         message += " …";

@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fettle/script/runtime.h>
@@ -52,6 +53,8 @@ class Listener {
     /// Begins to listen for `game`. Throws FileError.
     Listener(const std::filesystem::path& game, Callbacks callbacks, ListenLimits limits = {});
     ~Listener();
+    /// Replaces the receivers of requests. The terminals stay attached.
+    void answer_with(Callbacks callbacks) { callbacks_ = std::move(callbacks); }
     Listener(const Listener&) = delete;
 
     /// Call between two frames: accepts connections, answers requests, and sends.

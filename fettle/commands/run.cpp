@@ -137,6 +137,7 @@ class WindowRun {
         // Another game may have been opened from the gallery.
         const bool again = session_ && game_ == options_.game;
         const auto console = again ? session_->console_continuation() : nullptr;
+        std::unique_ptr<Listener> listener = again ? session_->release_listener() : nullptr;
         game_ = options_.game;
         session_.reset();
         if (again && !options_.record.empty()) options_.record = next_recording(record_);
@@ -146,6 +147,7 @@ class WindowRun {
             options_, &window().clipboard(),
             [this](const script::ScriptError& error) { error_screen_.show(error); });
         session_->continue_console(console);
+        session_->continue_listening(std::move(listener));
         if (again && !options_.record.empty())
             session_->note("this run is recorded in " + options_.record.string());
         session_->on_error_over([this](const script::ScriptError* error) {

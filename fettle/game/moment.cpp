@@ -57,10 +57,14 @@ void add_kept_tweaks(const fs::path& game, ArchiveFiles& files) {
 }  // namespace
 
 fs::path moment_file(const fs::path& player_folder, const std::string& name) {
-    const bool good = !name.empty() && name.size() <= longest_moment_name &&
-                      std::ranges::all_of(name, [](unsigned char c) {
-                          return std::isalnum(c) != 0 || c == '-' || c == '_';
-                      });
+    const bool good = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
+        return std::isalnum(c) != 0 || c == '-' || c == '_';
+    });
+    if (name.size() > longest_moment_name)
+        throw property::Error(property::ErrorKind::bad_name,
+                              "share: the name has " + std::to_string(name.size()) +
+                                  " characters; a name has at most " +
+                                  std::to_string(longest_moment_name));
     if (!good)
         throw property::Error(property::ErrorKind::bad_name,
                               "share: \"" + name +

@@ -28,19 +28,20 @@ void Session::listen() {
     if (listener_) listener_->frame();
 }
 
+Listener::Callbacks Session::answers_of_terminals() {
+    return {.evaluate = [this](std::string_view command) { return evaluate(command); },
+            .complete =
+                [this](std::string_view input, std::size_t cursor) {
+                    return runtime_->complete(input, cursor, most_candidates);
+                },
+            .note = [this](const std::string& what) { note(what); }};
+}
+
 void Session::begin_to_listen() {
     std::string problem = reason_not_to_listen();
     if (problem.empty()) {
         try {
-            listener_ = std::make_unique<Listener>(
-                options_.game,
-                Listener::Callbacks{
-                    .evaluate = [this](std::string_view command) { return evaluate(command); },
-                    .complete =
-                        [this](std::string_view input, std::size_t cursor) {
-                            return runtime_->complete(input, cursor, most_candidates);
-                        },
-                    .note = [this](const std::string& what) { note(what); }});
+            listener_ = std::make_unique<Listener>(options_.game, answers_of_terminals());
             return note("fettle repl --attach " + std::to_string(listener_->place().process) +
                         " attaches a terminal");
         } catch (const std::exception& error) {
@@ -51,9 +52,27 @@ void Session::begin_to_listen() {
     note("console.listen: " + problem);
 }
 
+std::unique_ptr<Listener> Session::release_listener() {
+    return std::move(listener_);
+}
+
+void Session::continue_listening(std::unique_ptr<Listener> earlier) {
+    if (!earlier || !console_) return;
+    listener_ = std::move(earlier);
+    listener_->answer_with(answers_of_terminals());
+    listener_->print("the game begins again");
+    console_->listen(true);
+}
+
 #else
 
 void Session::listen() {}
+
+std::unique_ptr<Listener> Session::release_listener() {
+    return nullptr;
+}
+
+void Session::continue_listening(std::unique_ptr<Listener>) {}
 
 #endif
 

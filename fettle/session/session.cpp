@@ -317,10 +317,7 @@ void Session::make_console(app::Clipboard* clipboard) {
                 return assets_.read("script", file, lua);
             },
         .frames = &services_->clock.frames,
-        .on_result =
-            [this](const std::string& line) {
-                if (options_.headless) print_line("  " + line);
-            },
+        .on_result = [this](const std::string& line) { print_result(line); },
         .write_file =
             [this](const std::string& kind, const std::string& content) {
                 return write_export(new_export(kind), content);
@@ -414,6 +411,14 @@ void Session::print(std::string_view text) {
 void Session::print_from_option(const std::string& text) {
     print_outside_console(text);
     if (console_) console_->output(text);
+}
+
+/// Prints what a command has led to after its answer, such as the result of a search, where its
+/// answer was printed: that is not known, so in each terminal.
+void Session::print_result(const std::string& line) {
+    const std::string indented = line.starts_with("✗") ? line : "  " + line;
+    if (options_.headless) print_line(indented);
+    if (listener_) listener_->print(indented);
 }
 
 void Session::print_outside_console(std::string_view text) {

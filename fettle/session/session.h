@@ -68,6 +68,11 @@ class Session {
     std::shared_ptr<const console::Continuation> console_continuation() const;
     /// To be called before `start`. Does nothing for null, or without a console.
     void continue_console(const std::shared_ptr<const console::Continuation>& earlier);
+    /// For the next run in the same window: the terminals that are attached. Null if the game does
+    /// not listen.
+    std::unique_ptr<Listener> release_listener();
+    /// To be called before `start`. Does nothing for null, or without a console.
+    void continue_listening(std::unique_ptr<Listener> earlier);
     /// Evaluates a command of a terminal, as the console does.
     script::Evaluation evaluate(std::string_view command);
     /// Selects instances in the console; the last one becomes `it`.
@@ -141,12 +146,14 @@ class Session {
     void make_console(app::Clipboard* clipboard);
     void print(std::string_view text);
     void print_from_option(const std::string& text);
+    void print_result(const std::string& line);
     void print_outside_console(std::string_view text);
     void run_at(std::uint64_t step);
     void run_due_commands();
     void listen();
     void load_players_console(console::Options& options);
     void begin_to_listen();
+    Listener::Callbacks answers_of_terminals();
     std::filesystem::path new_export(const std::string& kind) const;
     std::string reason_not_to_listen() const;
     void make_files();

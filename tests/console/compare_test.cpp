@@ -262,6 +262,8 @@ TEST_CASE_METHOD(CompareRig, "the pictures of two runs have room beside plots") 
 }
 
 TEST_CASE_METHOD(CompareRig, "values that cannot be compared are refused") {
+    std::string told;
+    runs().on_result = [&](const std::string& line) { told = line; };
     CHECK_THROWS(runs().request_change("world.ball.mas", Value(3.0), 1));
     CHECK_THROWS(runs().request_change("world.ball", Value(3.0), 1));
     CHECK_THROWS(runs().request_change("world.ball.energy", Value(3.0), 1));
@@ -271,6 +273,7 @@ TEST_CASE_METHOD(CompareRig, "values that cannot be compared are refused") {
     console.between_frames();
     CHECK_FALSE(runs().shown());
     CHECK(logged("ab: "));
+    CHECK(told.starts_with("✗ ab: "));
     fails = true;
     runs().request_change("world.ball.mass", Value(3.0), 1);
     console.between_frames();

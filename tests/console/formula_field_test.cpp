@@ -138,6 +138,14 @@ TEST_CASE("a formula is typed into the row of every kind of property") {
     CHECK(value("vertices").list().size() == 3);
 }
 
+TEST_CASE("a number is no formula of a vector") {
+    FormulaRig rig;
+    rig.define("position", "is 3");
+    CHECK(rig.editor().problem(rig.property("position")) ==
+          "a formula is for the whole vector, as in is vec(x, y)");
+    CHECK(rig.source("position").empty());
+}
+
 TEST_CASE("a formula is shown where it is edited and an error stays until it is mended") {
     FormulaRig rig;
     rig.define("awake", "1 < 2");

@@ -126,6 +126,14 @@ TEST_CASE("a name that is not a key is refused as the key of the console") {
     CHECK(rig.console.is_open());
 }
 
+TEST_CASE("a key with which commands are typed cannot open the console") {
+    Rig rig;
+    for (const char* key : {"b", "7", "space", "enter", "period", "left", "numpad_7"})
+        CHECK_THROWS_WITH(property::set(rig.tree, "console.key", Value(key)),
+                          contains("console.key: expected one of"));
+    CHECK(rig.value("console.key") == Value("grave"));
+}
+
 TEST_CASE("keys typed into the console never reach the game") {
     Rig rig;
     CHECK_FALSE(rig.key("space"));

@@ -117,6 +117,18 @@ TEST_CASE("an error in the log shows message and line and caret") {
     CHECK(log.lines()[5].text == "^^^^^");
 }
 
+TEST_CASE("an error without a place in a script says in the log what failed") {
+    Log log;
+    ScriptError error;
+    error.message = "world.ball: no such name";
+    error.context = "formula of world.crate.mass";
+    log.error(error);
+    CHECK(log.lines().back().text == "in formula of world.crate.mass: world.ball: no such name");
+    error.context = "console";
+    log.error(error);
+    CHECK(log.lines().back().text == "world.ball: no such name");
+}
+
 TEST_CASE("a traceback is shown if it contains another place") {
     Log log;
     ScriptError error;

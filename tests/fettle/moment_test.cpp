@@ -86,6 +86,8 @@ TEST_CASE("a moment is not shared under a path or from a sandbox or by a script"
         CHECK(contains(refused.out, "expected a name of letters"));
         CHECK(file_in(refused.out).empty());
     }
+    CHECK(contains(share(folder, game, std::string(65, 'x')).out,
+                   "the name has 65 characters; a name has at most 64"));
     const Outcome sandboxed =
         fettle(folder, {"run", game, "--headless", "--sandbox", "--steps", "5",  //
                         "--console", "3:share 'x'"});

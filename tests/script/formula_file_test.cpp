@@ -100,13 +100,21 @@ TEST_CASE("a formula that uses local variables is saved as its value and names t
 TEST_CASE("a later text is never used for an older function") {
     Stage s;
     s.run("world.shadow = Body {}");
-    s.console("keep_it = function() return 1 end");
-    s.console("world.shadow.a = formula(keep_it) other = function() return 2 end");
+    s.run("keep_it = function() return 1 end");
+    s.run("world.shadow.a = formula(keep_it) other = function() return 2 end");
     std::vector<std::string> warnings;
     const std::string text = saved(s, "shadow", &warnings);
     CHECK_THAT(text, contains("\"a\": 1"));
     REQUIRE(warnings.size() == 1);
     CHECK_THAT(warnings[0], contains("has no text that could be found"));
+}
+
+TEST_CASE("a formula with a function of an earlier command is saved with its text") {
+    Stage s;
+    s.run("world.shadow = Body {}");
+    s.console("keep_it = function() return 1 end");
+    s.console("world.shadow.a = formula(keep_it) other = function() return 2 end");
+    CHECK_THAT(saved(s, "shadow"), contains(R"({"is": "function() return 1 end", "value": 1})"));
 }
 
 TEST_CASE("a formula of the console is saved as typed") {

@@ -470,4 +470,23 @@ TEST_CASE("an error in a library is reported at the line of the script that call
     CHECK_THAT(message, !contains("tools"));
 }
 
+TEST_CASE("writing a property of a set names the function that writes it") {
+    Stage s;
+    s.run("world.ball = Body {} world.box = Body {}");
+    CHECK_THAT(s.fails("world:find(Body).mass = 7"),
+               contains("a set of instances has no mass (write :set(\"mass\", value) for all"));
+    s.run("world:find(Body):set('mass', 7)");
+    CHECK(s.get("world.box.mass").number() == 7);
+    // It is a list still.
+    CHECK(s.prints("local all = world:find(Body) all[#all + 1] = world.box all[1] = nil "
+                   "print(all[3] == world.box)") == "true");
+}
+
+TEST_CASE("the path of a part that a value does not have has no writer") {
+    Stage s;
+    s.run("world.ball = Body { mass = 2 }");
+    CHECK_THAT(s.console("who('world.ball.mass.x')"), starts_with("error: "));
+    CHECK_THAT(s.console("who('world.ball.velocity.x')"), contains("world.ball.velocity: "));
+}
+
 }  // namespace messages_test

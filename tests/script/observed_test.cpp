@@ -268,6 +268,8 @@ TEST_CASE("wrong arguments of the console's functions are named") {
     CHECK_THAT(s.console("pin('world.ball.mass >')"), contains("does not compile"));
     CHECK_THAT(s.console("bind(3, 'x')"), contains("bind: needs the name of a key"));
     CHECK_THAT(s.console("alias('a b', 'x')"), contains("alias: \"a b\" is not a word"));
+    CHECK_THAT(s.console("alias('if', 'x')"), contains("alias: \"if\" is a word of Lua"));
+    CHECK_THAT(s.console("bookmark('a', 1.5)"), contains("a step is a whole number, not 1.5"));
     CHECK_THAT(s.console("unpin world.other.mass"), contains("nothing like that is pinned"));
     CHECK(s.console("unpin it.mass").empty());
     CHECK(s.texts.back() == "unpin world.ball.mass");

@@ -74,4 +74,12 @@ TEST_CASE("a field of a game that happens to have such a name has no hint for it
                !contains("write"));
 }
 
+TEST_CASE("is in a file is answered by the formula that a file may contain") {
+    Stage s;
+    CHECK_THAT(s.fails("world.ball.mass is 3 + 1"),
+               contains("(write world.ball.mass = formula(function() return 3 + 1 end))"));
+    CHECK_THAT(s.fails("this is not lua"), !contains("write"));
+    CHECK_THAT(s.console("world.ball.mass is"), contains("(write path is expression)"));
+}
+
 }  // namespace other_languages_test

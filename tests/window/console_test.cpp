@@ -276,6 +276,37 @@ TEST_CASE("a run in a window is recorded from its first step when a recording is
     CHECK(replay() == 0);
 }
 
+TEST_CASE("a terminal stays attached when the game begins again and hears of both") {
+    if (skipped()) return;
+    const TemporaryFolder sockets;
+    const std::map<std::string, std::string> environment = {
+        {"XDG_RUNTIME_DIR", sockets.path.string()}};
+    GameWindow game(source / "tests" / "window" / "game", environment);
+    REQUIRE(game.prints("ready"));
+    open_console(game);
+    game.type("console.listen = true");
+    game.key("Return");
+    REQUIRE(game.prints("attaches a terminal"));
+    // The answer of last_time is found after the command.
+    const std::string typed = std::string("(echo last_time world.nothing; sleep 1; ") +
+                              "echo 'restart()'; sleep 4; echo world.crate.mass = 6) | '" +
+                              FETTLE_PROGRAM + "' repl --attach";
+    const fs::path said = game.folder() / "said";
+    INFO(game.printed());
+    CHECK(fettle::test::run({"sh", "-c", typed}, environment, said) == 0);
+    const std::string all = fettle::test::read_file(said);
+    INFO(all);
+    CHECK(contains(all, "✗ last_time world.nothing: world.nothing: no such name"));
+    CHECK(contains(all, "the game begins again"));
+    CHECK(contains(all, "world.crate.mass: "));
+    CHECK(game.prints("mass is\t6"));
+    // It listens still, for others.
+    CHECK(fettle::test::run(
+              {"sh", "-c", std::string("echo 6 \\* 7 | '") + FETTLE_PROGRAM + "' repl --attach"},
+              environment, said) == 0);
+    CHECK(contains(fettle::test::read_file(said), "42"));
+}
+
 TEST_CASE("a game saved in a window has a picture") {
     if (skipped()) return;
     GameWindow game(source / "tests" / "window" / "game");

@@ -76,9 +76,11 @@ bool report_gone(Machine& machine, const Context& context, const ScriptError& er
 class ScriptCause {
   public:
     explicit ScriptCause(Machine& machine)
-        : locate_([&lua = machine.lua] {
+        : locate_([&machine] {
+              const Interpreter& lua = machine.lua;
               std::string text = position(lua.running ? lua.running : lua.main);
               if (text.size() > 2) text.resize(text.size() - 2);
+              if (machine.recording.active) machine.sources.commands.name_plainly(text);
               return text;
           }),
           scope_(machine.tree, machine.recording.writer, &locate_) {}

@@ -43,7 +43,6 @@ namespace fettle::script {
 namespace {
 
 constexpr int max_results = 20;
-constexpr const char* chunk_name = "=console";
 
 // Whether the text is a plain path such as `a.b["c"].d`, so that its value is that of the property
 // read last. Stores the last name in `last`.
@@ -156,6 +155,9 @@ bool ends_early(lua_State* L) {
 Compiled compile(lua_State* L, std::string_view command) {
     constexpr std::string_view expression_begin = "return ";
     const std::string expression = std::string(expression_begin) + std::string(command);
+    Sources& sources = machine_of(L).sources;
+    const std::string chunk = "=" + sources.commands.chunk();
+    const char* const chunk_name = chunk.c_str();
     if (try_load_text(L, expression, chunk_name) == LUA_OK) return Compiled::expression;
     lua_pop(L, 1);
     if (load_text(L, command, chunk_name) == LUA_OK) return Compiled::statements;
@@ -163,12 +165,11 @@ Compiled compile(lua_State* L, std::string_view command) {
     if (ends_early(L) && ends_with_unit(command)) {
         lua_pop(L, 1);
         const auto line = 1 + std::ranges::count(trimmed(command), '\n');
-        push_text(L,
-                  "console:" + std::to_string(line) + ": a word after a number" + hint_for_unit());
+        push_text(L, sources.commands.chunk() + ":" + std::to_string(line) +
+                         ": a word after a number" + hint_for_unit());
         return Compiled::wrong;
     }
     if (ends_early(L)) return Compiled::incomplete;
-    Sources& sources = machine_of(L).sources;
     sources.set_stop(L, command, chunk_name);
     // A text that does not begin as a statement was meant as an expression.
     if (sources.stop.message.empty() || sources.stop.place > 0) return Compiled::wrong;
@@ -178,6 +179,20 @@ Compiled compile(lua_State* L, std::string_view command) {
     sources.set_stop(L, expression, chunk_name);
     sources.stop.column -= std::min(expression_begin.size(), sources.stop.column);
     return Compiled::wrong;
+}
+
+/// Refuses a formula of a component, as `world.ball.velocity.x is 3`, if the value at the top of
+/// the stack has components. The message has the formula of the whole value.
+void refuse_component(lua_State* L, std::string_view whole, const std::string& name,
+                      const std::string& source) {
+    std::string value;
+    if (color_at(L, -1) != nullptr) value = "color(...)";
+    if (vec_at(L, -1) != nullptr)
+        value = name == "y" ? "vec(..., " + source + ")" : "vec(" + source + ", ...)";
+    if (value.empty()) return;
+    const std::string property(whole);
+    throw Error(ErrorKind::bad_path, property + "." + name + ": a formula is for a whole property" +
+                                         hint_to_write(property + " is " + value));
 }
 
 // Handles `a.b is expr`: sets a formula with this text for the property `b` of `a`. Returns false
@@ -193,11 +208,16 @@ bool add_formula(lua_State* L, Machine& machine, std::string_view command) {
     if (!path.ends_with("." + name))
         throw Error(ErrorKind::bad_path,
                     "a formula is the value of a property: write it as instance.property is ...");
-    if (compile(L, path.substr(0, path.size() - name.size() - 1)) != Compiled::expression)
-        lua_error(L);
+    const std::string_view owner = path.substr(0, path.size() - name.size() - 1);
+    if (compile(L, owner) != Compiled::expression) lua_error(L);
     lua_call(L, 0, 1);
+    refuse_component(L, owner, name, source);
     const Handle instance = check_instance(L, -1, "is");
-    if (load_text(L, "return " + source, chunk_name) != LUA_OK) lua_error(L);
+    const std::string code = "return " + source;
+    if (load_text(L, code, formula_chunk) != LUA_OK) {
+        (void)load_text(L, code, ("=" + machine.sources.commands.chunk()).c_str());
+        lua_error(L);
+    }
     if (is_function_text(source)) lua_call(L, 0, 1);
     push_formula(L, {source, ""});
     define_formula(L, machine, lua_gettop(L), instance, name);
@@ -439,7 +459,7 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
         return evaluation;
     }
     if (command.front() == '=') command.remove_prefix(1);
-    machine.sources.texts["console"] = std::string(command);
+    machine.sources.commands.store(command, machine.sources.texts);
     const std::size_t without_undo = property::edits_without_undo(machine.tree);
     {
         const Session session(machine, command);
@@ -449,6 +469,7 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
             machine, "console", [&](lua_State* L) { run(L, machine, command, evaluation); }, false);
         if (!ok) {
             evaluation.error = std::move(machine.errors.caught);
+            if (evaluation.error) machine.sources.commands.name_plainly(*evaluation.error);
             machine.errors.caught.reset();
             if (machine.life.in_tree && machine.budget.memory_exceeded())
                 if (const std::size_t count = made.destroy(); count > 0)

@@ -64,10 +64,9 @@ class ScriptFormula {
             },
             false);
         if (ok) return result;
-        const std::string message =
-            machine.errors.caught ? machine.errors.caught->message : "failed";
+        std::string message = machine.errors.caught ? machine.errors.caught->message : "failed";
         machine.errors.caught.reset();
-        throw std::runtime_error(message);
+        throw std::runtime_error(without_chunk(std::move(message)));
     }
     const std::shared_ptr<FunctionRef>& function() const { return function_; }
 
@@ -152,7 +151,7 @@ property::Formula compile_formula(Machine& machine, const std::string& source) {
     const bool ok = protected_run(
         machine, "formula",
         [&](lua_State* L) {
-            if (load_text(L, chunk, "=formula") != LUA_OK) {
+            if (load_text(L, chunk, formula_chunk) != LUA_OK) {
                 wrong = string_at(L, -1);
                 return;
             }

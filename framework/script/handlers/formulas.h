@@ -28,6 +28,8 @@ property::Formula compile_formula(Machine& machine, const std::string& source);
 /// An error message of such a text without the name of its chunk, which is always the same; the
 /// number of the line if it is not the first one.
 std::string without_chunk(std::string message);
+/// The chunk of a formula that is a text.
+constexpr const char* formula_chunk = "=formula";
 /// A formula of the function at the top of the stack, which it pops; without a text.
 property::Formula formula_of(lua_State* L, Machine& machine);
 /// Pushes the function of a property's formula, or nil.

@@ -24,6 +24,8 @@
 #include <lua/stack.h>
 #include <objects/instance_set.h>
 #include <sandbox/sandbox.h>
+#include <text/words.h>
+#include <values/short_text.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -147,6 +149,9 @@ int bookmark(lua_State* L) {
     if (!lua_isnoneornil(L, 2)) {
         int whole = 0;
         step = lua_tointegerx(L, 2, &whole);
+        if (whole == 0 && lua_type(L, 2) == LUA_TNUMBER)
+            throw Error(ErrorKind::out_of_range,
+                        "bookmark: a step is a whole number, not " + short_text(L, 2));
         if (whole == 0) refuse_type(L, 2, "bookmark: expected the number of a step");
     }
     call_console<&ConsoleFunctions::bookmark>(L, "bookmark", name, step);
@@ -217,6 +222,8 @@ int bind(lua_State* L) {
 
 int alias(lua_State* L) {
     const std::string word = check_text(L, 1, "alias: needs a word");
+    if (is_word_of_lua(word))
+        throw Error(ErrorKind::bad_name, "alias: \"" + word + "\" is a word of Lua");
     if (!property::is_identifier(word))
         throw Error(ErrorKind::bad_name,
                     "alias: \"" + word + "\" is not a word of letters, digits and underscores");

@@ -135,6 +135,9 @@ std::string reading_line(lua_State* L) {
 
 /// What a name that nothing has may mean.
 std::string hint_for(lua_State* L, Machine& machine, std::string_view name) {
+    if (machine.recording.active && machine.sources.commands.was_local(name))
+        return "; the local variable ended with its command" +
+               hint_to_write(std::string(name) + " = ... without local");
     if (std::string hint = machine.hints.of_command(name);
         !hint.empty() && machine.hints.path_of_instance(name).empty())
         return hint;

@@ -115,11 +115,14 @@ int edit(lua_State* L) {
 
 Place place_at(lua_State* L, const char* what) {
     Machine& machine = machine_of(L);
-    return property::resolve(
-        machine.tree,
-        with_selected(
-            machine,
-            check_text(L, 1, std::string(what) + ": needs a path like \"world.ball.mass\"")));
+    const std::string path = with_selected(
+        machine, check_text(L, 1, std::string(what) + ": needs a path like \"world.ball.mass\""));
+    const Place place = property::resolve(machine.tree, path);
+    // A part that the value does not have, such as the x of a number, is refused.
+    if (!place.part.empty())
+        (void)property::part_of(machine.tree.peek(place.instance, *place.property), place.part,
+                                path);
+    return place;
 }
 
 /// Of writes of scripts, modules and loading it is not known which value they left, so it cannot be

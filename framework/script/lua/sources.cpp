@@ -163,7 +163,8 @@ void Sources::set_stop(lua_State* L, std::string_view code, const char* name) {
     // A text that is a word of Lua, as in align = end.
     std::string hint;
     if (!is_overflow) hint = bare_word_hint(machine_of(L).tree, line, token);
-    if (!is_overflow && hint.empty()) hint = hint_for_syntax(message, line, stop.column);
+    if (!is_overflow && hint.empty())
+        hint = hint_for_syntax(message, line, stop.column, name[0] == '@');
     stop.message = message + hint;
     lua_pop(L, 1);
     push_text(L, stop.message);

@@ -1,6 +1,7 @@
 #pragma once
 // The files of a game, and the texts of compiled chunks.
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include <fettle/property/storage/game_files.h>
 
 #include <lua/lua_api.h>
+#include <lua/typed_commands.h>
 
 namespace fettle::script {
 
@@ -61,6 +63,7 @@ struct Sources {
         std::size_t place = 0;   // the same in the text
     };
     Stop stop{};
+    TypedCommands commands{};
 
     /// Sets `stop` for a text that did not compile; its message is at the top of the stack, and
     /// gets a hint if it is code of another language.

@@ -98,13 +98,14 @@ std::string Hints::of_added(Handle instance, std::string_view name) const {
 
 bool Hints::begins_command(std::string_view word) const {
     if (!machine_.recording.active) return false;
-    const auto command = machine_.sources.texts.find("console");
+    const auto command = machine_.sources.texts.find(TypedCommands::plain_chunk);
     return command != machine_.sources.texts.end() && first_word(command->second) == word;
 }
 
 std::string Hints::of_command(std::string_view word) const {
-    return begins_command(word) ? hint_for_command(machine_.sources.texts["console"])
-                                : std::string();
+    return begins_command(word)
+               ? hint_for_command(machine_.sources.texts[TypedCommands::plain_chunk])
+               : std::string();
 }
 
 /// The first path that `part` finds, level by level from the top.

@@ -9,6 +9,7 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/instance_set.h>
+#include <text/words.h>
 #include <values/declarations.h>
 #include <values/short_text.h>
 #include <values/values.h>
@@ -140,6 +141,18 @@ int set_index(lua_State* L) {
     return push_method(L, "a set of instances");
 }
 
+/// A name would be written into the list, and reach no instance.
+int set_newindex(lua_State* L) {
+    if (lua_type(L, 2) == LUA_TSTRING) {
+        const std::string name = key_in_message(L, 2);
+        throw Error(ErrorKind::unknown_name,
+                    "a set of instances has no " + name +
+                        hint_to_write(":set(\"" + name + "\", value) for all of them"));
+    }
+    lua_rawset(L, 1);
+    return 0;
+}
+
 /// Whether the text is the name of a class, and not of something at the top of the tree.
 bool is_class(const property::Tree& tree, std::string_view text) {
     return tree.find_class(text) != nullptr && !tree.child(tree.root(), text);
@@ -212,6 +225,7 @@ int set_tostring(lua_State* L) {
 void open_sets(lua_State* L, Machine& machine) {
     lua_newtable(L);
     add_pure<set_index>(L, "__index");
+    add_pure<set_newindex>(L, "__newindex");
     add_pure<set_tostring>(L, "__tostring");
     lua_newtable(L);
     add_function<set_all>(L, "set");

@@ -65,7 +65,7 @@ std::string quoted_at(std::string_view text, std::size_t at) {
 /// and in comments.
 bool Hints::is_called(const std::string& name) const {
     for (const auto& [chunk, text] : machine_.sources.texts) {
-        if (chunk == "console") continue;
+        if (TypedCommands::is_chunk(chunk)) continue;
         for (std::size_t at = find_word(text, name); at != std::string::npos;
              at = find_word(text, name, at + 1)) {
             const std::size_t line = text.rfind('\n', at) + 1;  // 0 in the first line

@@ -222,7 +222,21 @@ std::string hint_for_unit() {
     return hint_to_write("the number without its unit");
 }
 
-std::string hint_for_syntax(std::string_view message, std::string_view line, std::size_t column) {
+/// For `path is expression`, which only the console takes. In a file it may be any text with "is".
+std::string hint_for_is(std::string_view line, std::size_t column, bool in_file) {
+    if (!in_file) return hint_to_write("path is expression");
+    const std::string_view before = trimmed(line.substr(0, column));
+    std::size_t begin = before.size();
+    while (begin > 0 && (is_word(before[begin - 1]) || before[begin - 1] == '.')) --begin;
+    const std::string_view path = before.substr(begin);
+    const std::string_view expression = trimmed(line.substr(std::min(column + 2, line.size())));
+    if (path.find('.') == std::string_view::npos || expression.empty()) return {};
+    return hint_to_write(std::string(path) + " = formula(function() return " +
+                         std::string(expression) + " end)");
+}
+
+std::string hint_for_syntax(std::string_view message, std::string_view line, std::size_t column,
+                            bool in_file) {
     if (column >= line.size()) return {};
     const std::string_view rest = line.substr(column);
     if (rest.starts_with("//") || (column > 0 && line.substr(column - 1).starts_with("//")))
@@ -245,7 +259,7 @@ std::string hint_for_syntax(std::string_view message, std::string_view line, std
         return " (" + std::string(word_at(line, column)) + " is a word of Lua and no name)";
     if (says("')' expected near ','")) return hint_to_write("vec(x, y)");
     if (says("function arguments expected near '='")) return hint_to_write("a.b = value");
-    if (says("syntax error near 'is'")) return hint_to_write("path is expression");
+    if (says("syntax error near 'is'")) return hint_for_is(line, column, in_file);
     const bool block = message.find("'then' expected") != std::string_view::npos ||
                        message.find("'do' expected") != std::string_view::npos;
     const std::string_view opens =

@@ -12,8 +12,9 @@ std::string hint_for_name(std::string_view name);
 /// For a message of Lua about a value: "attempt to call a nil value (field 'pow')".
 std::string hint_for_value(std::string_view message);
 /// For a text that does not compile. `line`: where Lua stopped; `column`: bytes of the line before
-/// the token that the message names.
-std::string hint_for_syntax(std::string_view message, std::string_view line, std::size_t column);
+/// the token that the message names. `in_file`: and not in a command of the console.
+std::string hint_for_syntax(std::string_view message, std::string_view line, std::size_t column,
+                            bool in_file);
 /// For a color as in style sheets, #ff8000, whose letters or digits after # begin at `at`.
 std::string hint_for_color(std::string_view line, std::size_t at);
 /// Whether the text ends with a number and a word after it, as in "x = 5 kg".

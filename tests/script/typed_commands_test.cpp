@@ -1,0 +1,92 @@
+// What remains of a console command after it has ended: functions with their text, formulas, and
+// local variables that end with it.
+
+#include <string>
+
+#include <fettle/script/runtime.h>
+
+#include "catch.h"
+#include "stage.h"
+
+namespace typed_commands_test {
+
+using fettle::script::Evaluation;
+using stage::Stage;
+using stage::starts_with;
+
+TEST_CASE("an error in a handler of a command shows the source of that command") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    CHECK(s.console("watch('world.ball.mass', function() error('zip') end)") == "connection");
+    CHECK(s.console("watch('world.ball.mass', function()\nerror('zap') end)") == "connection");
+    CHECK(s.console("7 * 6") == "42");
+    s.run("world.ball.mass = 3");
+    s.step();
+    REQUIRE(s.errors.size() == 2);
+    CHECK_THAT(s.errors[0].message, contains(":1: zip"));
+    CHECK_THAT(s.errors[0].source_line, contains("error('zip')"));
+    CHECK_THAT(s.errors[1].message, contains(":2: zap"));
+    CHECK(s.errors[1].source_line == "error('zap') end)");
+    CHECK(s.errors[0].file != s.errors[1].file);
+}
+
+TEST_CASE("a function that a command defined has its own text after other commands") {
+    Stage s;
+    s.run("world.a = Body {} world.b = Body {}");
+    CHECK(s.console("f = function() return 3 end") == "");
+    CHECK(s.console("world.a.mass = 2 -- function") != "");
+    CHECK(s.console("world.b.mass = formula(f)") != "");
+    CHECK_THAT(s.console("why('world.b.mass')"), contains("is function() return 3 end"));
+}
+
+TEST_CASE("an error of a command itself is at the console") {
+    Stage s;
+    CHECK_THAT(s.console("f = function() error('x') end"), !contains("error"));
+    CHECK_THAT(s.console("error('y')"), starts_with("error: console:1: y"));
+    CHECK_THAT(s.console("(function() error('z') end)()"), starts_with("error: console:1: z"));
+    CHECK_THAT(s.console("f()"), contains(":1: x") && !contains("console:1"));
+}
+
+TEST_CASE("what a command itself writes is written by the console") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    s.console("edit('heavier', function() world.ball.mass = 7 end)");
+    CHECK_THAT(s.console("who('world.ball.mass')"), contains("world.ball.mass: console:1"));
+}
+
+TEST_CASE("the error of a typed formula names no chunk") {
+    Stage s;
+    s.run("world.a = Body {} world.ball = Body {}");
+    CHECK_THAT(s.console("world.a.mass is 1 + world.ball.mass"), contains("world.a.mass"));
+    s.run("world.ball:delete()");
+    s.step();
+    const std::string why = s.console("why('world.a.mass')");
+    CHECK_THAT(why, contains("in error: world.ball: no such name"));
+    CHECK_THAT(s.console("world.a.mass is 1 +"), contains("console:1: ") || contains("incomplete"));
+    CHECK_THAT(s.console("world.a.mass is 1 + )"), contains("console:1: "));
+}
+
+TEST_CASE("a formula of a component says how the formula of its property is written") {
+    Stage s;
+    s.run("world.ball = Body {}");
+    CHECK_THAT(s.console("world.ball.velocity.x is 3"),
+               contains("world.ball.velocity.x: a formula is for a whole property (write "
+                        "world.ball.velocity is vec(3, ...))"));
+    CHECK_THAT(s.console("world.ball.velocity.y is world.ball.mass"),
+               contains("is vec(..., world.ball.mass))"));
+    CHECK_THAT(s.console("world.ball.color.r is 1"), contains("world.ball.color is color(...)"));
+    CHECK_THAT(s.console("world.ball.mass.x is 3"), contains("error: "));
+}
+
+TEST_CASE("reading a local variable of an earlier command says that it ended with it") {
+    Stage s;
+    CHECK(s.console("local a, speed = 3, 4") == "");
+    CHECK_THAT(s.console("a"), contains("a: no such name; the local variable ended with its "
+                                        "command (write a = ... without local)"));
+    CHECK_THAT(s.console("speed * 2"), contains("ended with its command"));
+    CHECK_THAT(s.console("b"), !contains("local"));
+    CHECK(s.console("a = 5") == "");
+    CHECK(s.console("a") == "5");
+}
+
+}  // namespace typed_commands_test
