@@ -30,7 +30,9 @@ constexpr float usual_gravity = 10.0f;
 /// Stored impulses may contain both, so they grow by this factor at most when the step grows.
 constexpr float greatest_growth = 2.0f;
 /// A step has at most this many times the usual number of sub-steps.
-constexpr int most_times = 4;
+constexpr float most_times = 4;
+/// The number of sub-steps is meant for steps of this length, s.
+constexpr float usual_length = 1.0f / 60;
 
 class StageClock {
   public:
@@ -46,17 +48,22 @@ class StageClock {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+/// A contact can only be as stiff as the rate of the sub-steps allows. With the same number of
+/// sub-steps in longer steps, a load sinks in by the square of their length. So steps of 1/30 and
+/// 1/20 s get twice and three times the sub-steps of 1/60 s.
+///
 /// A sub-step begins with the impulses of the last one. If it is much longer, they are far too
 /// small, and heavy bodies sink into light ones until they have grown, and spring back in shorter
-/// steps. So a step that is much longer than the last one gets more sub-steps: never more than
+/// steps. So a step that is much longer than the last one gets more sub-steps, too: never more than
 /// short steps would need for the same time.
 int substeps_of(const WorldDef& settings, float dt, float last_length) {
-    if (settings.solver != Solver::soft_step || !(last_length > 0.0f)) return settings.substeps;
+    if (settings.solver != Solver::soft_step) return settings.substeps;
+    const auto usual = float(settings.substeps);
     // Lengths of steps are compared, so that an edit of the number of sub-steps is not growth.
-    const float growth = dt / last_length;
-    const float needed = std::ceil(float(settings.substeps) * growth / greatest_growth);
-    const int most = most_times * settings.substeps;
-    return needed < float(most) ? std::max(int(needed), settings.substeps) : most;
+    const float growth = last_length > 0.0f ? dt / last_length : 0.0f;
+    const float needed =
+        max(std::round(usual * dt / usual_length), std::ceil(usual * growth / greatest_growth));
+    return int(clamp(needed, usual, most_times * usual));
 }
 
 /// `longest`: the longest recent sub-step, s.

@@ -73,4 +73,51 @@ TEST_CASE("heavy boxes rest on light ones while steps of many lengths take turns
     CHECK(awake == 0);
 }
 
+namespace {
+
+/// The deepest overlap, m, under a box that lies on a thin plate or ellipse, at this many steps a
+/// second, from the second second on.
+float overlap_under_load(unsigned seed, float rate) {
+    families::Random random{std::mt19937(seed + 1)};
+    World world;
+    world.create_body({.type = BodyType::static_body})
+        .add(Box{.width = 40, .height = 1, .center = {0, -0.5f}});
+    const float width = random(0.2f, 0.4f), thickness = random(0.04f, 0.08f);
+    Body plate = world.create_body({.position = {0, thickness / 2}});
+    if (random(0, 1) < 0.5f)
+        plate.add(Box{.width = width, .height = thickness});
+    else
+        plate.add(Ellipse{.radius_x = width / 2, .radius_y = thickness / 2});
+    const float size = random(0.2f, 0.3f);
+    Body load = world.create_body({.position = {0, thickness + size / 2}});
+    load.add(Box{.width = size, .height = size}, {.density = random(1, 5)});
+    float deepest = 0;
+    for (int step = 0; step < int(3 * rate); ++step) {
+        world.step(1 / rate);
+        if (step < int(rate)) continue;
+        for (const Contact& contact : world.contacts())
+            for (int k = 0; k < contact.point_count; ++k)
+                deepest = std::max(deepest, -contact.points[std::size_t(k)].separation);
+    }
+    return deepest;
+}
+
+}  // namespace
+
+TEST_CASE("a load sinks in no further in long steps than in short ones") {
+    const unsigned seeds = families::seeds_or(50);
+    float most = 0;
+    for (unsigned seed = 0; seed < seeds; ++seed) {
+        const float usual = overlap_under_load(seed, 60);
+        for (const float rate : {20.0f, 24.0f, 30.0f, 40.0f, 50.0f}) {
+            const float overlap = overlap_under_load(seed, rate);
+            most = std::max(most, overlap / usual);
+            CAPTURE(seed, rate, overlap, usual);
+            CHECK(overlap < 1.4f * usual);
+        }
+    }
+    std::printf("overlaps in long steps: at most %.2f times those at 60 steps a second\n",
+                double(most));
+}
+
 }  // namespace steps_family_test
