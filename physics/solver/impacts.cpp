@@ -19,6 +19,7 @@ struct PointResponse {
         : of_first(inverse_or_zero(c.points[0].normal_mass)),
           of_second(inverse_or_zero(c.points[1].normal_mass)),
           between(c.coupling_normal) {}
+    float of(int point) const { return point == 0 ? of_first : of_second; }
 };
 
 /// The same with the joints on these bodies.
@@ -40,6 +41,11 @@ struct JointedResponse : PointResponse {
         between -= float(reactions[0].reduction(reactions[1]));
     }
 };
+
+/// A kinematic body, whose impacts have no bound.
+bool is_driven(const SolverBody& body, uint32_t index) {
+    return index != 0 && body.inverse_mass == 0.0f && body.inverse_inertia == 0.0f;
+}
 
 /// The impulses at the points of a contact that change the velocities of those that meet by
 /// `wanted`.
@@ -303,6 +309,8 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
             const float forbidden = float(joints->forbidden(response.reactions[k], bodies));
             wanted[k] += (1.0f + extra.restitution) * forbidden;
             meets[k] = meets[k] && extra.approach[k] - forbidden < -restitution_threshold;
+            if (is_driven(a, c.a) || is_driven(b, c.b))
+                meets[k] = meets[k] && !joints->are_held(response.reactions[k], response.of(k));
         }
         if (!meets[0] && !meets[1]) continue;
         const Bounce bounce = apply(response);

@@ -166,6 +166,18 @@ double JointResponse::forbidden(const Reaction& reaction,
     return sum;
 }
 
+bool JointResponse::are_held(const Reaction& reaction, double mobility) const {
+    // Bodies that are free as a whole yield at least as their mass does. The far end of a slender
+    // lever gets seven times as fast as the place at which it yields by this part of that.
+    constexpr double least = 1.0 / 16;
+    double mass = 0.0;
+    for (const Reaction::Part& part : reaction.parts)
+        for (const uint32_t body : components_[part.component].bodies)
+            if (const double scale = std::max(scales_[body].x, scales_[body].y); scale > 0.0)
+                mass += 1.0 / (scale * scale);
+    return mobility * mass < least;
+}
+
 void JointResponse::push(DirectRow& row, double impulse, std::span<SolverBody> bodies) const {
     row.impulse += impulse;
     const auto add = [&](uint32_t body, const double(&on)[3]) {

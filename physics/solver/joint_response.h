@@ -42,6 +42,9 @@ class JointResponse {
     /// The part of the velocity at a contact that its joints do not allow and will take away: that
     /// of a joint made between bodies which move apart, for example. No impact has to stop it.
     double forbidden(const Reaction& reaction, std::span<const SolverBody> bodies) const;
+    /// True if the bodies hardly yield at this contact, since joints hold them there: near the pin
+    /// of a lever. `mobility`: the velocity that an impulse of 1 causes, 1/kg.
+    bool are_held(const Reaction& reaction, double mobility) const;
     /// Applies the impulses of the joints; calls `changed(body)` for every body that they move.
     void apply(const Reaction& reaction, double impulse, std::span<SolverBody> bodies,
                auto&& changed) {
