@@ -48,21 +48,28 @@ class StageClock {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// A contact can only be as stiff as the rate of the sub-steps allows. With the same number of
-/// sub-steps in longer steps, a load sinks in by the square of their length. So steps of 1/30 and
-/// 1/20 s get twice and three times the sub-steps of 1/60 s.
-///
-/// A sub-step begins with the impulses of the last one. If it is much longer, they are far too
-/// small, and heavy bodies sink into light ones until they have grown, and spring back in shorter
-/// steps. So a step that is much longer than the last one gets more sub-steps, too: never more than
-/// short steps would need for the same time.
-int substeps_of(const WorldDef& settings, float dt, float last_length) {
-    if (settings.solver != Solver::soft_step) return settings.substeps;
-    const auto usual = float(settings.substeps);
+/// What moves fast for the length of a sub-step is not stable: a contact is stiff by a part of the
+/// rate of the sub-steps only, so a load sinks in by the square of their length, and a light ball
+/// between two rods under a heavy load is thrown out of them. So steps of 1/30 and 1/20 s get twice
+/// and three times the sub-steps of 1/60 s.
+float needed_for_length(float substeps, float dt) {
+    return std::round(substeps * dt / usual_length);
+}
+
+/// A sub-step of `soft_step` begins with the impulses of the last one. If it is much longer, they
+/// are far too small, and heavy bodies sink into light ones until they have grown, and spring back
+/// in shorter steps. So a step that is much longer than the last one gets more sub-steps: never
+/// more than short steps would need for the same time.
+float needed_for_growth(float substeps, float dt, float last_length) {
     // Lengths of steps are compared, so that an edit of the number of sub-steps is not growth.
-    const float growth = last_length > 0.0f ? dt / last_length : 0.0f;
-    const float needed =
-        max(std::round(usual * dt / usual_length), std::ceil(usual * growth / greatest_growth));
+    return last_length > 0.0f ? std::ceil(substeps * (dt / last_length) / greatest_growth) : 0.0f;
+}
+
+int substeps_of(const WorldDef& settings, float dt, float last_length) {
+    const auto usual = float(settings.substeps);
+    float needed = needed_for_length(usual, dt);
+    if (settings.solver == Solver::soft_step)
+        needed = max(needed, needed_for_growth(usual, dt, last_length));
     return int(clamp(needed, usual, most_times * usual));
 }
 
