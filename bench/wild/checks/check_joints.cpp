@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "report/table.h"
 #include "wild/checks/check.h"
@@ -164,18 +165,20 @@ class Joints : public Check {
     /// not be between the two.
     static Gap sag_of(const Moment& moment, const JointPlan& joint, const std::vector<float>& loads,
                       float size) {
-        double inverse_mass = 0, inverse_inertia = 0;
+        const Anchors at = anchors_of(joint, moment.after);
+        double mobility = 0, inverse_inertia = 0;
         float load = 0;
-        for (const int end : {joint.a, joint.b}) {
+        for (const auto& [end, anchor] : {std::pair(joint.a, at.a), std::pair(joint.b, at.b)}) {
             if (end == the_world) continue;
             const BodyNow& body = moment.after[std::size_t(end)];
             if (body.type != BodyType::dynamic_body) continue;
-            inverse_mass += 1 / double(body.mass);
+            mobility += 1 / double(body.mass) +
+                        (anchor - body.center).length_squared() / double(body.inertia);
             inverse_inertia += 1 / double(body.inertia);
             load = loads[std::size_t(end)];
         }
         const double compliance = std::pow(2 * std::numbers::pi * hertz_of(moment), -2);
-        return {float(load * inverse_mass * compliance),
+        return {float(load * mobility * compliance),
                 float(load * 0.5 * size * inverse_inertia * compliance)};
     }
 

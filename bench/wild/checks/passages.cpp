@@ -156,12 +156,12 @@ void Passages::add_passages(const Pair& pair, const Moment& moment,
         from = to;
     }
     // How a body slid along an obstacle that carried it or struck it is not known: between the ends
-    // of the step its way may be an arc. If it left the obstacle again, and the straight way, as
-    // seen from the obstacle, does not cross it, it went round.
+    // of the step its way may be an arc, or straight as seen from the obstacle. A body that passed
+    // through it crosses it on each.
     cross(first, last, straight);
     const bool commanded = o1.type == BodyType::kinematic_body;
-    if (commanded && straight.empty() && on_way.size() % 2 == 0) return;
-    found.insert(found.end(), on_way.begin(), on_way.end());
+    const auto& way = commanded && straight.size() < on_way.size() ? straight : on_way;
+    found.insert(found.end(), way.begin(), way.end());
 }
 
 bool touches_others(const Moment& moment, int body, int obstacle) {
