@@ -42,11 +42,6 @@ struct JointedResponse : PointResponse {
     }
 };
 
-/// A kinematic body, whose impacts have no bound.
-bool is_driven(const SolverBody& body, uint32_t index) {
-    return index != 0 && body.inverse_mass == 0.0f && body.inverse_inertia == 0.0f;
-}
-
 /// The impulses at the points of a contact that change the velocities of those that meet by
 /// `wanted`.
 struct Bounce {
@@ -309,8 +304,9 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
             const float forbidden = float(joints->forbidden(response.reactions[k], bodies));
             wanted[k] += (1.0f + extra.restitution) * forbidden;
             meets[k] = meets[k] && extra.approach[k] - forbidden < -restitution_threshold;
-            if (is_driven(a, c.a) || is_driven(b, c.b))
-                meets[k] = meets[k] && !joints->are_held(response.reactions[k], response.of(k));
+            const JointResponse::Reaction& reaction = response.reactions[k];
+            if (joints->are_driven(reaction))
+                meets[k] = meets[k] && !joints->are_held(reaction, response.of(k));
         }
         if (!meets[0] && !meets[1]) continue;
         const Bounce bounce = apply(response);

@@ -80,8 +80,10 @@ void JointResponse::read(uint32_t first_joint, Component& component) {
                 continue;
             component.rows.push_back(row);
             component.rows.back().impulse = 0.0;
-            for (const uint32_t body : {row.jacobian.a, row.jacobian.b})
+            for (const uint32_t body : {row.jacobian.a, row.jacobian.b}) {
                 if (scales_[body].moves()) component.bodies.push_back(body);
+                component.driven |= is_driven(body);
+            }
         }
         component.members.push_back({array, index, first_row, component.rows.size()});
     }
@@ -164,6 +166,18 @@ double JointResponse::forbidden(const Reaction& reaction,
         }
     }
     return sum;
+}
+
+bool JointResponse::is_driven(uint32_t body) const {
+    const SolverBody& b = input_.bodies.solver_bodies[body];
+    return body != 0 && !scales_[body].moves() &&
+           (length_squared(b.velocity) > 0.0f || b.angular_velocity != 0.0f);
+}
+
+bool JointResponse::are_driven(const Reaction& reaction) const {
+    return is_driven(reaction.contact.a) || is_driven(reaction.contact.b) ||
+           std::any_of(reaction.parts.begin(), reaction.parts.end(),
+                       [&](const auto& part) { return components_[part.component].driven; });
 }
 
 bool JointResponse::are_held(const Reaction& reaction, double mobility) const {
