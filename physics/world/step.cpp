@@ -66,6 +66,9 @@ float needed_for_growth(float substeps, float dt, float last_length) {
 }
 
 int substeps_of(const WorldDef& settings, float dt, float last_length) {
+    // Each sub-step of `sequential` lets points bounce by themselves, which adds energy to jointed
+    // bodies.
+    if (settings.solver == Solver::sequential) return settings.substeps;
     const auto usual = float(settings.substeps);
     float needed = needed_for_length(usual, dt);
     if (settings.solver == Solver::soft_step)
