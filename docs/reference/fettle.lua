@@ -635,7 +635,7 @@ StepStatistics = {}
 ---@field sleep_speed number A body that is slower than this rests. · m/s · at least 0 · default 0.05
 ---@field sleeping boolean True if resting bodies fall asleep, which saves time, until they are disturbed. · true or false · default true
 ---@field solver "soft_step"|"sequential"|"direct" How contacts and joints are solved: "soft_step" solves them one after the other in small steps with warm starting, and is right for nearly all games; "direct" solves all that touch each other as one problem: slow for many bodies, and it holds bodies some hundreds of times heavier than those below them; "sequential" solves the contacts once, the worst first, as was usual in 2008, to compare: it does not hold a heavy box on a light one. · "soft_step", "sequential", "direct" · default "soft_step"
----@field substeps integer Number of parts in which a step is solved: more is stiffer and slower. A step that is much longer than the last one gets up to four times as many. · 1 to 64 · default 4
+---@field substeps integer Number of parts in which a step is solved: more is stiffer and slower. A step that is longer than 1/60 s, or much longer than the last one, gets up to four times as many. · 1 to 64 · default 4
 ---@field threads integer Number of threads for a step; at most as many run at a time as the machine has processors. The number changes no result. · 1 to 64 · default 1 · not saved
 ---@field step StepStatistics Statistics of the last step of a world, and the time that it took.
 local fettle_World = {}

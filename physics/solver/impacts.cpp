@@ -19,6 +19,7 @@ struct PointResponse {
         : of_first(inverse_or_zero(c.points[0].normal_mass)),
           of_second(inverse_or_zero(c.points[1].normal_mass)),
           between(c.coupling_normal) {}
+    float of(int point) const { return point == 0 ? of_first : of_second; }
 };
 
 /// The same with the joints on these bodies.
@@ -303,6 +304,9 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
             const float forbidden = float(joints->forbidden(response.reactions[k], bodies));
             wanted[k] += (1.0f + extra.restitution) * forbidden;
             meets[k] = meets[k] && extra.approach[k] - forbidden < -restitution_threshold;
+            const JointResponse::Reaction& reaction = response.reactions[k];
+            if (joints->are_driven(reaction))
+                meets[k] = meets[k] && !joints->are_held(reaction, response.of(k));
         }
         if (!meets[0] && !meets[1]) continue;
         const Bounce bounce = apply(response);

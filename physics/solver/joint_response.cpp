@@ -80,8 +80,10 @@ void JointResponse::read(uint32_t first_joint, Component& component) {
                 continue;
             component.rows.push_back(row);
             component.rows.back().impulse = 0.0;
-            for (const uint32_t body : {row.jacobian.a, row.jacobian.b})
+            for (const uint32_t body : {row.jacobian.a, row.jacobian.b}) {
                 if (scales_[body].moves()) component.bodies.push_back(body);
+                component.driven |= is_driven(body);
+            }
         }
         component.members.push_back({array, index, first_row, component.rows.size()});
     }
@@ -164,6 +166,30 @@ double JointResponse::forbidden(const Reaction& reaction,
         }
     }
     return sum;
+}
+
+bool JointResponse::is_driven(uint32_t body) const {
+    const SolverBody& b = input_.bodies.solver_bodies[body];
+    return body != 0 && !scales_[body].moves() &&
+           (length_squared(b.velocity) > 0.0f || b.angular_velocity != 0.0f);
+}
+
+bool JointResponse::are_driven(const Reaction& reaction) const {
+    return is_driven(reaction.contact.a) || is_driven(reaction.contact.b) ||
+           std::any_of(reaction.parts.begin(), reaction.parts.end(),
+                       [&](const auto& part) { return components_[part.component].driven; });
+}
+
+bool JointResponse::are_held(const Reaction& reaction, double mobility) const {
+    // Bodies that are free as a whole yield at least as their mass does. The far end of a slender
+    // lever gets seven times as fast as the place at which it yields by this part of that.
+    constexpr double least = 1.0 / 16;
+    double mass = 0.0;
+    for (const Reaction::Part& part : reaction.parts)
+        for (const uint32_t body : components_[part.component].bodies)
+            if (const double scale = std::max(scales_[body].x, scales_[body].y); scale > 0.0)
+                mass += 1.0 / (scale * scale);
+    return mobility * mass < least;
 }
 
 void JointResponse::push(DirectRow& row, double impulse, std::span<SolverBody> bodies) const {

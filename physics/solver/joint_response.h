@@ -42,6 +42,11 @@ class JointResponse {
     /// The part of the velocity at a contact that its joints do not allow and will take away: that
     /// of a joint made between bodies which move apart, for example. No impact has to stop it.
     double forbidden(const Reaction& reaction, std::span<const SolverBody> bodies) const;
+    /// True if a kinematic body that moves acts on the bodies, at the contact or by a joint.
+    bool are_driven(const Reaction& reaction) const;
+    /// True if the bodies hardly yield at this contact, since joints hold them there: near the pin
+    /// of a lever. `mobility`: the velocity that an impulse of 1 causes, 1/kg.
+    bool are_held(const Reaction& reaction, double mobility) const;
     /// Applies the impulses of the joints; calls `changed(body)` for every body that they move.
     void apply(const Reaction& reaction, double impulse, std::span<SolverBody> bodies,
                auto&& changed) {
@@ -67,6 +72,7 @@ class JointResponse {
         std::vector<uint32_t> bodies;
         std::vector<DirectRow> rows;  ///< joint by joint; `impulse`: of all reactions
         std::vector<Member> members;
+        bool driven = false;  ///< by a kinematic body that moves and is joined to it
         std::unique_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> factor;
     };
     /// A joint in the list of its component.
@@ -74,6 +80,7 @@ class JointResponse {
         uint32_t array, index, next;
     };
 
+    bool is_driven(uint32_t body) const;
     void list_joints();
     uint32_t component_of(uint32_t body);
     void read(uint32_t first_joint, Component& component);

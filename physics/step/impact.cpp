@@ -24,6 +24,9 @@ constexpr float least_depth = 0.25f * speculative_margin;
 /// could put it behind.
 constexpr float centroid_gap = 0.0001f;
 
+/// An arc is followed in chords of this angle, rad.
+constexpr float chord_turn = 0.05f;
+
 /// An obstacle; computes when a shape or its core reaches it.
 class Obstacle {
   public:
@@ -49,28 +52,21 @@ class Obstacle {
     /// The same for a point that moves from `start` to `end`. A point that is in the obstacle
     /// already, but not deeper than `slip`, goes no deeper.
     Impact of_point(const Position& start, const Position& end, float slip) const {
-        Probe hit;
-        Vec2 way = end - start;
         if (is_border_) {
             const auto before = float(dot(plane_.normal, start) - plane_.depth);
             const auto after = float(dot(plane_.normal, end) - plane_.depth);
-            if (before > 0.0f && after < 0.0f) hit = {before / (before - after), plane_.normal};
-        } else {
-            const Vec2 from = from_obstacle(start, now_);
-            way = from_obstacle(end, 1.0f) - from;
-            hit = cast_segment(obstacle_.shape, from, way);
-            if (hit.fraction >= 1.0f && slip > 0.0f) {
-                const Vec2 out = way_out(from, slip);
-                if (dot(out, way) < -centroid_gap) hit = {0.0f, out};
-            }
+            if (!(before > 0.0f && after < 0.0f)) return {};
+            return arrival({before / (before - after), plane_.normal}, end - start);
         }
-        if (hit.fraction >= 1.0f) return {};
-        const float inwards = max(-dot(hit.normal, way), 1e-9f);
-        if (hit.fraction * inwards < 2.0f * centroid_gap)
-            return {now_, inwards * hit.normal, from_frame(hit.normal, now_)};
-        const float fraction = hit.fraction - centroid_gap / inwards;
-        const float time = now_ + fraction * (1.0f - now_);
-        return {time, {}, from_frame(hit.normal, time)};
+        const Vec2 from = from_obstacle(start, now_), way = from_obstacle(end, 1.0f) - from;
+        const Probe hit = cast_segment(obstacle_.shape, from, way);
+        if (hit.fraction >= 1.0f && slip > 0.0f) {
+            const Vec2 out = way_out(from, slip);
+            if (dot(out, way) < -centroid_gap) return arrival({0.0f, out}, way);
+        }
+        const float turn = std::fabs(obstacle_.motion.turn) * (1.0f - now_);
+        if (turn > chord_turn) return on_arc(start, end, 1 + int(min(turn, 3.0f) / chord_turn));
+        return hit.fraction < 1.0f ? arrival(hit, way) : Impact{};
     }
     /// A segment of a chain stops nothing that comes from behind it.
     bool is_from_behind(const Position& start) const {
@@ -79,6 +75,40 @@ class Obstacle {
     }
 
   private:
+    /// `way`: of a point in the rest of the step, seen from the obstacle.
+    Impact arrival(const Probe& hit, Vec2 way) const {
+        const float inwards = max(-dot(hit.normal, way), 1e-9f);
+        if (hit.fraction * inwards < 2.0f * centroid_gap)
+            return {now_, inwards * hit.normal, from_frame(hit.normal, now_)};
+        const float fraction = hit.fraction - centroid_gap / inwards;
+        const float time = now_ + fraction * (1.0f - now_);
+        return {time, {}, from_frame(hit.normal, time)};
+    }
+
+    /// Seen from an obstacle that turns, the way of a point is an arc. As one chord it would miss
+    /// the obstacle, or meet it too late, when the point is already in it.
+    Impact on_arc(const Position& start, const Position& end, int chords) const {
+        const Vec2 way = end - start;
+        Vec2 from = from_obstacle(start, now_);
+        for (int i = 0; i < chords; ++i) {
+            const float part = float(i + 1) / float(chords);
+            const Vec2 to = from_obstacle(start + part * way, now_ + part * (1.0f - now_));
+            const Vec2 chord = to - from;
+            const Probe hit = cast_segment(obstacle_.shape, from, chord);
+            if (hit.fraction >= 1.0f) {
+                from = to;
+                continue;
+            }
+            const float inwards = max(-dot(hit.normal, chord), 1e-9f);
+            if (i == 0 && hit.fraction * inwards < 2.0f * centroid_gap)
+                return arrival({0.0f, hit.normal}, from_obstacle(end, 1.0f) - from);
+            const float fraction = max(hit.fraction - centroid_gap / inwards, 0.0f);
+            const float time = now_ + (float(i) + fraction) / float(chords) * (1.0f - now_);
+            return {time, {}, from_frame(hit.normal, time)};
+        }
+        return {};
+    }
+
     /// The normal of the nearest side of the obstacle for a point in it, not deeper than `slip`;
     /// else zero.
     Vec2 way_out(Vec2 point, float slip) const {

@@ -30,6 +30,10 @@ struct Moment {
     const std::vector<BodyNow>& after;
     World* world = nullptr;  // of the library; null for another engine
 
+    /// Length of a sub-step, s. Long steps of the library have more of them.
+    float substep() const {
+        return dt / float(world != nullptr ? world->last_substeps() : plan.def.substeps);
+    }
     bool is_last() const { return step + 1 == plan.steps; }
 };
 

@@ -84,7 +84,7 @@ class Energy : public Check {
                        ? double(moment.before[std::size_t(body)].mass)
                        : std::numeric_limits<double>::infinity();
         };
-        const double hertz = std::min(60.0, 0.25 * moment.plan.def.substeps / double(moment.dt));
+        const double hertz = std::min(60.0, 0.25 / double(moment.substep()));
         double sum = 0;
         for (const JointPlan& joint : moment.plan.joints) {
             const double mass = std::min(mass_of(joint.a), mass_of(joint.b));

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "report/table.h"
 #include "wild/checks/check.h"
 #include "wild/checks/facts.h"
 #include "wild/checks/gaps.h"
+#include "wild/checks/groups.h"
 #include "wild/checks/passages.h"
 
 namespace fettle::bench::wild {
@@ -31,8 +34,12 @@ constexpr float angular_slack = 0.05f;  // rad
 /// quarter of the rate of the sub-steps, so with sub-steps longer than 1/240 s it is below 60 Hz; a
 /// load stretches a joint in proportion to 1 / stiffness².
 float yielding_of(const Moment& moment) {
-    const float substep = moment.dt / float(moment.plan.def.substeps);
-    return std::pow(std::max(240 * substep, 1.0f), 2.0f);
+    return std::pow(std::max(240 * moment.substep(), 1.0f), 2.0f);
+}
+
+/// The rows of a joint are springs of at least this rate.
+double hertz_of(const Moment& moment) {
+    return std::min(60.0, 0.25 / double(moment.substep()));
 }
 
 class Joints : public Check {
@@ -44,9 +51,10 @@ class Joints : public Check {
         // If the lengths of steps vary, the stretch that a long step left is still there
         // afterwards.
         yielding_ = std::max(yielding_, yielding_of(moment));
-        const std::vector<bool> squeezed = pressed(moment);
+        const std::vector<bool> squeezed = pressed(moment), wedged = joined_at_wedge(moment);
+        const std::vector<float> loads = loads_of_joined(moment);
         const auto is_squeezed = [&](int body) {
-            return body != the_world && squeezed[std::size_t(body)];
+            return body != the_world && (squeezed[std::size_t(body)] || wedged[std::size_t(body)]);
         };
         for (std::size_t i = 0; i < plan.joints.size(); ++i) {
             const JointPlan& joint = plan.joints[i];
@@ -67,9 +75,11 @@ class Joints : public Check {
             const bool pushed = is_pushed(moment, joint.a) || is_pushed(moment, joint.b) ||
                                 is_squeezed(joint.a) || is_squeezed(joint.b);
             const float arc = beside_arc(moment, joint.a, at.a) + beside_arc(moment, joint.b, at.b);
-            const bool bad = !pushed && (gap->length > yielding_ * (slack + share * size) +
-                                                           speed * moment.dt + arc ||
-                                         gap->angle > yielding_ * angular_slack + spin * moment.dt);
+            const Gap sag = sag_of(moment, joint, loads, size);
+            const bool bad =
+                !pushed && (gap->length > yielding_ * (slack + share * size) + sag.length +
+                                              speed * moment.dt + arc ||
+                            gap->angle > yielding_ * angular_slack + sag.angle + spin * moment.dt);
             if (bad && since_[i] == 0) opened_[i] = gap->length;
             since_[i] = bad ? since_[i] + moment.dt : 0;
             if (since_[i] > settling_time + opened_[i] / closing_speed)
@@ -150,6 +160,28 @@ class Joints : public Check {
         }
     }
 
+    /// What a load on the joined bodies makes of a soft joint. The forces of contacts count twice
+    /// in `loads`, where the load arrives and where it leaves, but for half of them the joint need
+    /// not be between the two.
+    static Gap sag_of(const Moment& moment, const JointPlan& joint, const std::vector<float>& loads,
+                      float size) {
+        const Anchors at = anchors_of(joint, moment.after);
+        double mobility = 0, inverse_inertia = 0;
+        float load = 0;
+        for (const auto& [end, anchor] : {std::pair(joint.a, at.a), std::pair(joint.b, at.b)}) {
+            if (end == the_world) continue;
+            const BodyNow& body = moment.after[std::size_t(end)];
+            if (body.type != BodyType::dynamic_body) continue;
+            mobility += 1 / double(body.mass) +
+                        (anchor - body.center).length_squared() / double(body.inertia);
+            inverse_inertia += 1 / double(body.inertia);
+            load = loads[std::size_t(end)];
+        }
+        const double compliance = std::pow(2 * std::numbers::pi * hertz_of(moment), -2);
+        return {float(load * mobility * compliance),
+                float(load * 0.5 * size * inverse_inertia * compliance)};
+    }
+
     static bool is_pushed(const Moment& moment, int body) {
         return body != the_world && moment.after[std::size_t(body)].deepest > 2 * slack;
     }
@@ -166,7 +198,7 @@ class Joints : public Check {
     static float beside_arc(const Moment& moment, int body, const Vec2& at) {
         if (body == the_world) return 0;
         const BodyNow& now = moment.after[std::size_t(body)];
-        const float turn = now.angular_velocity * moment.dt / float(moment.plan.def.substeps);
+        const float turn = now.angular_velocity * moment.substep();
         return (at - now.center).length() * turn * turn;
     }
     static float rate(const Moment& moment, int body) {

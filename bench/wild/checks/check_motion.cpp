@@ -7,6 +7,7 @@
 #include "report/table.h"
 #include "wild/checks/check.h"
 #include "wild/checks/facts.h"
+#include "wild/checks/groups.h"
 #include "wild/checks/passages.h"
 
 namespace fettle::bench::wild {
@@ -25,13 +26,20 @@ class Finite : public Check {
     }
 };
 
-/// No awake body with a speed of over 1 m/s keeps its place for three steps without a contact.
+/// No awake body with a speed of over 1 m/s keeps its place for three steps without a contact. A
+/// body counts as in contact if joints connect it with one that overlaps others deeply: a chain
+/// that was made through a wall can neither move on nor hold, and the joints and contacts of each
+/// step give it the same speeds and take its motion back.
 class Frozen : public Check {
   public:
     std::optional<std::string> violation(const Moment& moment) override {
         still_.resize(moment.after.size(), 0);
+        std::optional<std::vector<bool>> held;
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
-            still_[i] = stands_still(moment, i) ? still_[i] + 1 : 0;
+            bool still = stands_still(moment, i);
+            if (still && !held) held = held_in_overlap(moment);
+            if (still && (*held)[i]) still = false;
+            still_[i] = still ? still_[i] + 1 : 0;
             if (still_[i] >= 3)
                 return "body " + std::to_string(i) + " keeps its place at a speed of " +
                        figure(moment.after[i].velocity.length()) + " m/s";

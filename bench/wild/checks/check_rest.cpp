@@ -1,7 +1,9 @@
 // A body that can rest comes to rest in time.
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <vector>
 
 #include "report/table.h"
 #include "wild/checks/check.h"
@@ -12,7 +14,11 @@ namespace {
 
 /// Box2D lets heaps of hundreds of bodies sleep within 5 s of their fall, and these worlds have
 /// some tens. A fall from the height of the grammar takes 1.7 s.
-constexpr double allowed = 8;  // s after the last edit
+constexpr double allowed = 8;  // s after the last edit or fall
+
+/// A tower may sway for seconds before it falls over. So the time begins again when the center of
+/// mass of a body is lower than ever by more than this: that may happen a few times only.
+constexpr float fall = 0.5f;  // m
 
 /// How long round bodies may still roll: rolling resistance of coefficient c slows a disc by 2/3 c
 /// g.
@@ -31,7 +37,8 @@ class Rest : public Check {
     std::optional<std::string> violation(const Moment& moment) override {
         if (moment.step == 0) judged_ = can_rest(moment.plan);
         if (!judged_) return {};
-        time_ = moment.step <= moment.plan.last_edit() ? 0 : time_ + moment.dt;
+        const bool begins = moment.step <= moment.plan.last_edit() || falls(moment);
+        time_ = begins ? 0 : time_ + moment.dt;
         if (time_ <= allowed) return {};
         if (!rolling_) rolling_ = rolling_time(moment);
         if (time_ <= allowed + *rolling_) return {};
@@ -48,6 +55,19 @@ class Rest : public Check {
     }
 
   private:
+    bool falls(const Moment& moment) {
+        lowest_.resize(moment.after.size(), std::numeric_limits<float>::max());
+        bool fell = false;
+        for (std::size_t i = 0; i < lowest_.size(); ++i) {
+            const BodyNow& body = moment.after[i];
+            if (!body.exists || body.position.y < -2 || body.center.y > lowest_[i] - fall) continue;
+            lowest_[i] = body.center.y;
+            fell = true;
+        }
+        return fell;
+    }
+
+    std::vector<float> lowest_;  // heights of the centers of mass, m
     bool judged_ = false;
     std::optional<double> rolling_;  // s that bodies may roll after the time allowed
     double time_ = 0;

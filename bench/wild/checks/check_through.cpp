@@ -4,6 +4,7 @@
 #include <map>
 
 #include "report/table.h"
+#include "wild/checks/groups.h"
 #include "wild/checks/passages.h"
 
 namespace fettle::bench::wild {
@@ -72,8 +73,9 @@ class Through : public Check {
         const Entry entry = found->second;
         if (passage.sense == entry.passage.sense) return {};
         inside_.erase(found);
-        // The body leaves a solid on the side opposite to the one where it entered.
-        if (passage.kind == Outline::Kind::solid &&
+        // The body leaves a solid on the side opposite to the one where it entered. A kinematic
+        // body may carry it in one step against a body that is held, before the two have a contact.
+        if (passage.kind == Outline::Kind::solid && !is_crushed(passage, moment) &&
             passage.normal.dot(entry.passage.normal) < -0.3f)
             return words(" passes through body ", passage, entry.step);
         return {};
@@ -84,8 +86,8 @@ class Through : public Check {
     void record_overlaps(const Moment& moment) {
         overlapped_.resize(moment.after.size(), -apart_time);
         for (std::size_t i = 0; i < overlapped_.size(); ++i)
-            if (moment.after[i].deepest > 0.01f &&
-                (began_inside(i) || moment.plan.bodies[i].born == moment.step))
+            if ((began_inside(i) || moment.plan.bodies[i].born == moment.step) &&
+                (moment.after[i].deepest > 0.01f || passages_.is_around_line(int(i), moment)))
                 overlapped_[i] = time_;
     }
     bool began_inside(std::size_t body) const { return time_ - overlapped_[body] < apart_time; }
@@ -98,8 +100,12 @@ class Through : public Check {
         if (obstacle.type != BodyType::static_body)
             return touches_others(moment, passage.body, passage.obstacle) ||
                    is_near_other_fixed(moment, passage.body, passage.obstacle) ||
-                   time_ - held_[std::size_t(passage.body)] < push_time;
+                   is_crushed(passage, moment);
         return pulled_[std::size_t(passage.body)];
+    }
+    bool is_crushed(const Passage& passage, const Moment& moment) const {
+        return moment.after[std::size_t(passage.obstacle)].type != BodyType::static_body &&
+               time_ - held_[std::size_t(passage.body)] < push_time;
     }
 
     /// A kinematic body passes through what it crushes, which a static body pushes out first, also

@@ -71,6 +71,21 @@ std::vector<Passage> Passages::of(const Moment& moment) {
     return found;
 }
 
+bool Passages::is_around_line(int body, const Moment& moment) const {
+    const BodyNow& around = moment.after[std::size_t(body)];
+    return std::ranges::any_of(pairs_, [&](const Pair& pair) {
+        const auto obstacle = std::size_t(pair.obstacle);
+        const Outline& outline = outlines_[obstacle][std::size_t(pair.shape)];
+        const BodyNow& line = moment.after[obstacle];
+        if (pair.body != body || outline.kind == Outline::Kind::solid || !line.exists) return false;
+        const Vec2 deep = local(placed(pair.deep.point, around.position, around.angle),
+                                line.position, line.angle);
+        return std::ranges::any_of(outline.edges, [&](const Edge& edge) {
+            return distance_to(edge, deep) < pair.deep.depth - 0.01f;
+        });
+    });
+}
+
 void Passages::add_passages(const Pair& pair, const Moment& moment,
                             std::vector<Passage>& found) const {
     const BodyNow& b0 = moment.before[std::size_t(pair.body)];
@@ -141,12 +156,12 @@ void Passages::add_passages(const Pair& pair, const Moment& moment,
         from = to;
     }
     // How a body slid along an obstacle that carried it or struck it is not known: between the ends
-    // of the step its way may be an arc. If it left the obstacle again, and the straight way, as
-    // seen from the obstacle, does not cross it, it went round.
+    // of the step its way may be an arc, or straight as seen from the obstacle. A body that passed
+    // through it crosses it on each.
     cross(first, last, straight);
     const bool commanded = o1.type == BodyType::kinematic_body;
-    if (commanded && straight.empty() && on_way.size() % 2 == 0) return;
-    found.insert(found.end(), on_way.begin(), on_way.end());
+    const auto& way = commanded && straight.size() < on_way.size() ? straight : on_way;
+    found.insert(found.end(), way.begin(), way.end());
 }
 
 bool touches_others(const Moment& moment, int body, int obstacle) {
@@ -167,62 +182,6 @@ bool is_near_other_fixed(const Moment& moment, int body, int obstacle) {
                 if (distance_to(edge, place) < reach) return true;
     }
     return false;
-}
-
-namespace {
-
-struct Links {
-    bool contacts = false, joints = false;
-};
-
-/// The bodies for which `begins` holds, and those that links connect with them.
-std::vector<bool> connected(const Moment& moment, Links links,
-                            const std::function<bool(const BodyNow& body)>& begins) {
-    std::vector<bool> reached(moment.after.size(), false);
-    std::vector<int> open;
-    const auto reach = [&](int index) {
-        if (index == the_world || reached[std::size_t(index)]) return;
-        reached[std::size_t(index)] = true;
-        open.push_back(index);
-    };
-    for (std::size_t i = 0; i < moment.after.size(); ++i)
-        if (moment.after[i].exists && begins(moment.after[i])) reach(int(i));
-    while (!open.empty()) {
-        const int index = open.back();
-        open.pop_back();
-        for (const std::vector<BodyNow>* bodies : {&moment.before, &moment.after})
-            for (const int other : (*bodies)[std::size_t(index)].touched)
-                if (links.contacts && other != the_world &&
-                    moment.after[std::size_t(other)].type == BodyType::dynamic_body)
-                    reach(other);
-        if (!links.joints) continue;
-        for (const JointPlan& joint : moment.plan.joints) {
-            if (joint.a == index) reach(joint.b);
-            if (joint.b == index) reach(joint.a);
-        }
-    }
-    return reached;
-}
-
-bool is_kinematic(const BodyNow& body) {
-    return body.type == BodyType::kinematic_body;
-}
-
-}  // namespace
-
-std::vector<bool> held_by_static(const Moment& moment) {
-    return connected(moment, {.contacts = true}, [](const BodyNow& body) {
-        return body.type == BodyType::static_body ||
-               std::ranges::count(body.touched, the_world) > 0;
-    });
-}
-
-std::vector<bool> pressed(const Moment& moment) {
-    return connected(moment, {.contacts = true, .joints = true}, is_kinematic);
-}
-
-std::vector<bool> pulled(const Moment& moment) {
-    return connected(moment, {.joints = true}, is_kinematic);
 }
 
 }  // namespace fettle::bench::wild

@@ -31,6 +31,9 @@ class Passages {
 
     /// Bodies whose shape, pose or kind was edited are left out from then on.
     std::vector<Passage> of(const Moment& moment);
+    /// Whether a segment or a chain is deeper than 1 cm in a body. A one-sided one has no contact
+    /// with a body that is mostly behind it.
+    bool is_around_line(int body, const Moment& moment) const;
     bool is_left_out(int body) const { return left_out_[std::size_t(body)]; }
 
   private:
@@ -51,16 +54,5 @@ bool touches_others(const Moment& moment, int body, int obstacle);
 /// Whether another static or kinematic body is within reach of a body: the two may have pressed it
 /// within one step, before there was a contact with the other one.
 bool is_near_other_fixed(const Moment& moment, int body, int obstacle);
-
-/// The bodies that touch a static body or the border of the world, directly or through others.
-std::vector<bool> held_by_static(const Moment& moment);
-
-/// The bodies that a kinematic body presses on or pulls at, directly or through others.
-std::vector<bool> pressed(const Moment& moment);
-
-/// The bodies that joints connect with a kinematic body, directly or through others: it may pull
-/// them through a static body. It does not press them through, since it passes through what it
-/// crushes.
-std::vector<bool> pulled(const Moment& moment);
 
 }  // namespace fettle::bench::wild

@@ -128,18 +128,19 @@ void FettleWorld::read(std::vector<BodyNow>& bodies) const {
                      .inertia = body.inertia(),
                      .gravity_scale = body.gravity_scale()};
     }
-    const auto touch = [&](BodyId id, BodyId other, float overlap) {
+    const auto touch = [&](BodyId id, BodyId other, float overlap, float force) {
         if (index_of[id.index] == the_world) return;
         BodyNow& body = bodies[std::size_t(index_of[id.index])];
         body.touched.push_back(index_of[other.index]);
         body.deepest = std::max(body.deepest, overlap);
+        body.load += force;
     };
     for (const Contact& contact : world_.contacts()) {
         float overlap = 0;
         for (int k = 0; k < contact.point_count; ++k)
             overlap = std::max(overlap, -contact.points[std::size_t(k)].separation);
-        touch(contact.body_a, contact.body_b, overlap);
-        touch(contact.body_b, contact.body_a, overlap);
+        touch(contact.body_a, contact.body_b, overlap, contact.normal_force);
+        touch(contact.body_b, contact.body_a, overlap, contact.normal_force);
     }
 }
 

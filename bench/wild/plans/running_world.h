@@ -24,6 +24,7 @@ struct BodyNow {
     float inertia = 0;
     float gravity_scale = 1;
     float deepest = 0;           // overlap with what it touches, m
+    float load = 0;              // forces of all contacts together, N; 0 in another engine
     std::vector<int> touched{};  // bodies, or `the_world`; sensors do not count
 
     bool touching() const { return !touched.empty(); }

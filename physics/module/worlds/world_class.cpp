@@ -53,7 +53,8 @@ std::vector<Property> simulation(Hosting& hosting) {
          .default_value = defaults.substeps,
          .range = {.min = 1, .max = 64},
          .doc = "Number of parts in which a step is solved: more is stiffer and slower. A step "
-                "that is much longer than the last one gets up to four times as many.",
+                "that is longer than 1/60 s, or much longer than the last one, gets up to four "
+                "times as many.",
          .binding = bound<&World::substeps, &World::set_substeps>(hosting)},
         {.name = "threads",
          .type = Type::integer,

@@ -17,7 +17,8 @@
 // the impulse after which v_n = -s/h, or v_n = -e·v_n if it bounces, and friction up to μ times
 // that impulse. 3. Bodies move. 4. Points in order of s: half of each overlap is removed by a shift
 // along the normal, which the two bodies share by their inverse masses. Last, bodies that still
-// overlap a body that does not yield are moved out of it completely.
+// overlap a body that does not yield are moved out of it: with the push speed at most, but always
+// by as much as the sub-step has pressed them in.
 //
 // There is no iteration and no warm start: a push that arrives at a point that was already
 // processed has an effect only in the next sub-step. So stacks of more than a few boxes tremble and
@@ -30,6 +31,7 @@ namespace {
 /// A point of a contact, and its place in the order of a pass.
 struct QueuedPoint {
     float severity;  ///< separation, m; the deepest come first
+    float before;    ///< separation at the beginning of the sub-step, m
     uint32_t constraint;
     uint32_t point;
 
@@ -53,7 +55,8 @@ class SequentialPass {
           bodies_(input.bodies.solver_bodies),
           h_(h) {
         for (uint32_t i = 0; i < constraints_.size(); ++i) {
-            for (uint32_t k = 0; k < constraints_[i].count; ++k) queue_.push_back({0.0f, i, k});
+            for (uint32_t k = 0; k < constraints_[i].count; ++k)
+                queue_.push_back({0.0f, 0.0f, i, k});
         }
     }
 
@@ -66,6 +69,7 @@ class SequentialPass {
         for (QueuedPoint& queued : queue_) {
             const ContactGap gap = gap_of(queued);
             queued.severity = bounded(gap.separation + h_ * gap.velocity, 1e30f);
+            queued.before = gap.separation;
         }
         std::sort(queue_.begin(), queue_.end());
         for (const QueuedPoint& queued : queue_) bounce(queued);
@@ -78,11 +82,16 @@ class SequentialPass {
         for (QueuedPoint& queued : queue_)
             queued.severity = bounded(gap_of(queued).separation, 1e30f);
         std::sort(queue_.begin(), queue_.end());
-        for (const QueuedPoint& queued : queue_) push_apart(queued, 0.5f);
+        const float push = h_ * input_.settings.push_speed;
+        for (const QueuedPoint& queued : queue_) push_apart(queued, 0.5f, push);
         // A body that does not move does not yield. Without this, other bodies press a body on the
-        // ground further in than half of its overlap is removed, and a heap sinks through.
-        for (const QueuedPoint& queued : queue_)
-            if (constraints_[queued.constraint].fixed != 0) push_apart(queued, 1.0f);
+        // ground further in than half of its overlap is removed, and a heap sinks through. A light
+        // body under a heavy load is pressed in faster than with the push speed.
+        for (const QueuedPoint& queued : queue_) {
+            if (constraints_[queued.constraint].fixed == 0) continue;
+            const float pressed = min(queued.before, 0.0f) - gap_of(queued).separation;
+            push_apart(queued, 1.0f, max(push, pressed));
+        }
     }
 
   private:
@@ -154,15 +163,15 @@ class SequentialPass {
         b.angular_velocity += b.inverse_inertia * impulse;
     }
 
-    /// `part`: of the overlap that is removed.
-    void push_apart(const QueuedPoint& queued, float part) {
+    /// `part`: of the overlap that is removed; `most`: the longest way, m.
+    void push_apart(const QueuedPoint& queued, float part, float most) {
         const ContactConstraint& c = constraints_[queued.constraint];
         const float depth = -gap_of(queued).separation;
         if (!(depth > 0.0f)) return;
         const Vec2 n = c.normal;
         const float inverse = c.inverse_along(n);
         if (!(inverse > 0.0f)) return;
-        const float way = min(part * depth, h_ * input_.settings.push_speed) / inverse;
+        const float way = min(part * depth, most) / inverse;
         SolverBody &a = bodies_[c.a], &b = bodies_[c.b];
         a.shift = a.shift - way * Vec2{c.inverse_a.x * n.x, c.inverse_a.y * n.y};
         b.shift = b.shift + way * Vec2{c.inverse_b.x * n.x, c.inverse_b.y * n.y};

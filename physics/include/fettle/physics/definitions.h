@@ -36,8 +36,9 @@ inline namespace double_positions {
 /// Settings of a world.
 struct WorldDef {
     Vec2 gravity = {0.0f, -10.0f};  ///< m/s²
-    /// Solver sub-steps per step, 1 … 64. With `soft_step`, a step that is much longer than the
-    /// last one gets more of them, up to four times as many.
+    /// Solver sub-steps per step of up to 1/60 s, 1 … 64. With `soft_step` and `direct`, a longer
+    /// step gets more of them, up to four times as many: twice as many in 1/30 s. With `soft_step`,
+    /// so does a step that is much longer than the last one.
     int substeps = 4;
     std::optional<Aabb> bounds = {};  ///< walls that keep dynamic bodies inside; none: open world
     float bounds_friction = 0.6f;     ///< friction of these walls

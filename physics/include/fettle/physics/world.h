@@ -117,10 +117,10 @@ class World {
 
     Vec2 gravity() const;                   ///< m/s²
     void set_gravity(const Vec2& gravity);  ///< wakes all
-    int substeps() const;                   ///< solver sub-steps per step
+    int substeps() const;                   ///< solver sub-steps per step of up to 1/60 s
     void set_substeps(int substeps);        ///< 1 … 64
-    /// The number of sub-steps of the last step: more than `substeps` if it was much longer than
-    /// the one before it; 0 before the first step.
+    /// The number of sub-steps of the last step: more than `substeps` if it was longer than 1/60 s,
+    /// or much longer than the one before it; 0 before the first step.
     int last_substeps() const;
     const std::optional<Aabb>& bounds()
         const;  ///< walls that keep dynamic bodies inside; none: open

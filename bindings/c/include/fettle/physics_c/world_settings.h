@@ -11,8 +11,8 @@ FETTLE_PHYSICS_C_BEGIN
 fettle_code fettle_world_gravity(const fettle_world* world, fettle_vec2* gravity);
 fettle_code fettle_world_set_gravity(fettle_world* world, float x, float y);
 
-/** Solver sub-steps a step, 1 to 64. A step that is much longer than the last one may get more of
-    them. */
+/** Solver sub-steps a step, 1 to 64. A step that is longer than 1/60 s, or much longer than the
+    last one, may get more of them. */
 fettle_code fettle_world_substeps(const fettle_world* world, int32_t* substeps);
 fettle_code fettle_world_set_substeps(fettle_world* world, int32_t substeps);
 
