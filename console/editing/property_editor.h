@@ -58,6 +58,8 @@ class PropertyEditor {
     void end_frame() { fields_.end_frame(); }
     /// Ends a running drag, which becomes a step of undo. Must be called when the editor is hidden.
     void end_drag();
+    /// Whether a drag has begun an edit that its end will end.
+    bool drags() const { return dragging_; }
     /// The rectangle of the property's widget in the last frame; empty if it was not visible.
     Rect widget_rect(const property::Property& property) const;
     bool about_to_type() const { return fields_.about_to_type() || fields_.moves_focus(); }

@@ -296,7 +296,9 @@ void Inspector::draw_outline_row(const InstanceTree::Row& row) {
     // The name goes before the class.
     const float room = end.x - x - em * 0.5f;
     const bool has_class = text_width(name) <= room - class_width || room > 3 * class_width;
-    draw_text_fit(list, ImVec2(x, y), palette::text, name, has_class ? room - class_width : room);
+    // Of a path, the end tells one row from another.
+    const auto fit = outline_.searched().empty() ? draw_text_fit : draw_path_fit;
+    fit(list, ImVec2(x, y), palette::text, name, has_class ? room - class_width : room);
     if (!has_class) return;
     const FontScope font(fonts().sans);
     draw_text(list, ImVec2(end.x - class_width, y), palette::faint, kind.name());

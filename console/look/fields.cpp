@@ -276,7 +276,7 @@ std::optional<double> Fields::parse(const std::string& typed, std::string_view u
                 return result;
             }
         } catch (...) {  // of the host; the widgets around the field have to be ended
-            problem_ = property::exception_text();
+            problem_ += ": " + property::exception_text();
         }
     refuse();
     return std::nullopt;

@@ -23,7 +23,8 @@ struct NumberLook {
 
 class Fields {
   public:
-    /// Computes a text that is not a number ("2 * math.pi"); optional.
+    /// Computes a text that is not a number ("2 * math.pi"); optional. It throws if the text has an
+    /// error, and returns nothing for a value that is no number.
     std::function<std::optional<double>(const std::string& expression)> calculate;
 
     /// A number that is dragged sideways (shift: slower; control: slowest), or clicked for typing.

@@ -261,7 +261,20 @@ float draw_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view whole
     return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }
 
-void draw_path_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view path, float width) {
+namespace {
+
+/// A name may contain line ends; they are shown as a sign, since what is below belongs to others.
+std::string one_line(std::string_view text) {
+    std::string line;
+    for (const char c : text) c == '\n' ? line += "↵" : line += c;
+    return line;
+}
+
+}  // namespace
+
+void draw_path_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view whole, float width) {
+    const std::string line = one_line(whole);
+    std::string_view path = line;
     if (text_width(path) > width) {
         const float dots = text_width("…");
         if (dots <= width) at.x += draw_text(list, at, color, "…");
@@ -271,12 +284,14 @@ void draw_path_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view pa
     draw_text(list, at, color, path);
 }
 
-std::string shortened(std::string_view text, float width) {
-    if (text_width(text) <= width) return std::string(text);
+std::string shortened(std::string_view whole, float width) {
+    const std::string text = one_line(whole);
+    if (text_width(text) <= width) return text;
     const float room = width - text_width("…");
     std::size_t end = text.size();
-    while (end > 0 && text_width(text.substr(0, end)) > room) end = previous_code_point(text, end);
-    return std::string(text.substr(0, end)) + (room >= 0 ? "…" : "");
+    while (end > 0 && text_width(std::string_view(text).substr(0, end)) > room)
+        end = previous_code_point(text, end);
+    return text.substr(0, end) + (room >= 0 ? "…" : "");
 }
 
 void draw_text_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width) {

@@ -85,8 +85,9 @@ std::vector<std::string> Breaks::check() {
             each.failed = false;
         } catch (const std::exception& error) {
             if (!each.failed)
-                lines.push_back("break_when " + each.condition.text + ": " +
-                                property::exception_text(error));
+                lines.push_back("break at step " + std::to_string(tree_.step()) + ": " +
+                                each.condition.text + " has no value any more, so the game is " +
+                                "paused: " + property::exception_text(error));
             each.failed = true;
             continue;
         }

@@ -74,7 +74,10 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
             return time_marks.unbookmark(name);
         };
         functions.bookmarks = [this] { return time_marks.bookmarks(); };
-        functions.play_back = [this](double seconds) { views.time_bar.play_back(seconds); };
+        functions.play_back = [this](double seconds) {
+            // A recording contains the steps to which it goes.
+            if (!options.replay) views.time_bar.play_back(seconds);
+        };
         functions.share = options.share;
         functions.record = options.record;
         functions.restart = options.restart;
@@ -115,12 +118,8 @@ void Console::State::connect_inspector() {
     inspector.report = [this](const std::string& problem) { log.error(problem); };
     inspector.menu =
         inspector.editor().menu = [this](const std::string& path) { context_menu.open(path); };
-    inspector.editor().fields().calculate =
-        [this](const std::string& expression) -> std::optional<double> {
-        if (!interpreter.evaluate) return std::nullopt;
-        script::Evaluation evaluation = interpreter.evaluate(expression);
-        if (!evaluation.ok || !evaluation.result.is_numeric()) return std::nullopt;
-        return evaluation.result.as_double();
+    inspector.editor().fields().calculate = [this](const std::string& expression) {
+        return calculated(expression);
     };
     inspector.editor().define = [this](const std::string& path, const std::string& expression) {
         if (!interpreter.evaluate) return std::string("there is nothing that computes formulas");
@@ -171,6 +170,12 @@ void Console::State::connect_lists() {
 void Console::State::connect_time() {
     views.time_bar.run = views.plot_view.run = context_menu.run;
     views.time_bar.report = [this](const std::string& problem) { log.error(problem); };
+    views.time_bar.note = [this](const std::string& line) {
+        log.note(line);
+        if (options.on_result) options.on_result(line);
+    };
+    views.time_bar.halted = options.halted;
+    views.time_bar.resume = options.resume;
     if (options.record) views.time_bar.records = options.records;
     views.time_bar.insert = [this](const std::string& before, const std::string& after) {
         TextEdit& edit = prompt.edit();
@@ -230,7 +235,7 @@ void Console::State::follow_settings() {
         keep_layout();
         prompt.close_menu();
         ui.release_all();
-        input.fed_button = input.fed_key = input.fed_text = false;
+        input.fed_button = input.fed_key = input.fed_text = input.fed_move = false;
         screen.panel_rect = screen.inspector_rect = {};
         screen.height_edge = screen.width_edge = screen.plot_edge = {};
         views.time_bar.hide();
@@ -375,6 +380,7 @@ void Console::after_step() {
 void Console::between_frames() {
     State& s = *state_;
     s.restore_observed();
+    s.views.time_bar.play_on(s.inspector.editor().drags());
     if (s.status.was_open) property::prepare_explanations(s.tree, s.inspector.selected());
     s.observing.between_frames(s.options.review);
     s.export_plots();
@@ -408,7 +414,6 @@ void Console::draw(app::Surface& surface, double seconds) {
     s.screen.width = std::min(surface.width(), largest);
     s.screen.height = std::min(surface.height(), largest);
     s.follow_settings();
-    s.views.time_bar.play_on(seconds);
     if (!s.status.was_open) return s.draw_paused_sign(surface);
     s.screen.paused_sign = {};
     s.frame(seconds);

@@ -356,10 +356,13 @@ bool Console::State::click_game(float x, float y, bool menu) {
 void Console::State::feed(const InputEvent& event) {
     bool key = event.kind == EventKind::key_pressed || event.kind == EventKind::key_released;
     bool text = event.kind == EventKind::text;
-    bool separate = input.fed_button || input.fed_key || (input.fed_text && !text);
+    // A widget that is dragged follows the mouse only in frames in which the button is down.
+    bool ends_drag = input.fed_move && event.kind == EventKind::mouse_released;
+    bool separate = input.fed_button || input.fed_key || (input.fed_text && !text) || ends_drag;
     if (separate && status.was_open) frame(0);
     input.fed_key = input.fed_key || key;
     input.fed_text = input.fed_text || text;
+    input.fed_move = input.fed_move || event.kind == EventKind::mouse_moved;
     input.fed_button = input.fed_button || event.kind == EventKind::mouse_pressed ||
                        event.kind == EventKind::mouse_released;
     ui.feed(event);

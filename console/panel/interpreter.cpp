@@ -1,10 +1,13 @@
-// Connects the console to a Lua runtime; only this file calls the runtime.
+// Connects the console to a Lua runtime; only this file calls the runtime. Expressions in fields.
 
 #include <fettle/console/interpreter.h>
 
 #include <utility>
 
 #include <fettle/console/console.h>
+#include <fettle/property/error.h>
+
+#include <panel/state.h>
 
 namespace fettle::console {
 
@@ -27,6 +30,18 @@ Interpreter interpreter_of(script::Runtime& runtime) {
         runtime.serve_console(std::move(functions));
     };
     return interpreter;
+}
+
+std::optional<double> Console::State::calculated(const std::string& expression) {
+    if (!interpreter.evaluate) return std::nullopt;
+    const script::Evaluation evaluation = interpreter.evaluate(expression);
+    const auto wrong = [](const std::string& why) {
+        return property::Error(property::ErrorKind::wrong_type, why);
+    };
+    if (evaluation.error) throw wrong(evaluation.error->message);
+    if (evaluation.incomplete) throw wrong("the expression ends too early");
+    if (!evaluation.ok || !evaluation.result.is_numeric()) return std::nullopt;
+    return evaluation.result.as_double();
 }
 
 Console::Console(property::Tree& tree, script::Runtime& runtime, Options options)

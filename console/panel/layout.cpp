@@ -60,7 +60,7 @@ bool edge_is_dragged(const char* name, const Rect& place, ImGuiMouseCursor curso
 void Console::State::frame(double seconds) {
     if (screen.building || !(screen.width > 0) || !(screen.height > 0)) return;  // also NaN
     screen.building = true;
-    input.fed_button = input.fed_key = input.fed_text = false;
+    input.fed_button = input.fed_key = input.fed_text = input.fed_move = false;
     ui.begin_frame(screen.width, screen.height, seconds,
                    std::clamp(std::round(settings.number("font_size") * settings.number("scale")),
                               6.0f, 96.0f));

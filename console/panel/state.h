@@ -74,7 +74,8 @@ struct Input {
     // away or puts an accent on it.
     bool may_be_dead = false;
     char32_t letter = 0;  // of the key that was pressed next; 0: none, or it was typed
-    bool fed_button = false, fed_key = false, fed_text = false;  // since the last frame
+    // Since the last frame.
+    bool fed_button = false, fed_key = false, fed_text = false, fed_move = false;
 };
 
 /// The surface, and where the windows are on it.
@@ -168,6 +169,8 @@ struct Console::State {
     void restore_observed();
     Layout layout() const;
     void keep_layout();
+    /// The value of an expression; none if it is no number. Throws what is wrong with it.
+    std::optional<double> calculated(const std::string& expression);
     /// Runs a command of a button, a menu or a key as if it were typed.
     void run(const std::string& command);
     /// Notes it if an edit, of the inspector or of an attached terminal, was too large to be

@@ -112,15 +112,18 @@ void CompareView::draw_title(const Rect& place, const std::string& name, const s
         show_tip(what);
 }
 
-/// Says at the lower edge of a run what its picture lacks.
-void CompareView::draw_note(const Rect& place) const {
+/// Says at the lower edge of a run how its picture differs from what was seen then. `rows_below`:
+/// notes below this one.
+void CompareView::draw_note(const Rect& place, const std::string& whole, const std::string& brief,
+                            int rows_below) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const FontScope font(fonts().sans);
     const float pad = 0.5f * ImGui::GetFontSize(), high = ImGui::GetTextLineHeight();
-    std::string text = "without what scripts draw in draw(pen)";
+    std::string text = whole;
     const float room = place.high.x - place.low.x - 2 * pad;
-    if (text_width(text) > room) text = "without draw(pen)";
-    const ImVec2 at(place.low.x + pad, place.high.y - high - 4);
+    if (text_width(text) > room) text = brief;
+    const float above = static_cast<float>(rows_below + 1) * (high + 4);
+    const ImVec2 at(place.low.x + pad, place.high.y - above);
     const float wide = std::min(text_width(text), std::max(1.0f, room));
     list.AddRectFilled(ImVec2(at.x - 4, at.y - 2), ImVec2(at.x + wide + 4, at.y + high + 2),
                        palette::well, ImGui::GetStyle().FrameRounding);
@@ -241,7 +244,9 @@ void CompareView::draw(const Rect& place, const property::Tree& tree, const Comp
     draw_side(below(right), tree, runs, true, seen, pictures);
     draw_title(left, "A", runs.original(), palette::dim);
     draw_title(right, "B", runs.change(), palette::accent);
-    if (runs.lacks_drawing()) draw_note(left);
+    draw_note(left, "places of then; shapes, colors and view of now", "shapes and view of now", 0);
+    if (runs.lacks_drawing())
+        draw_note(left, "without what scripts draw in draw(pen)", "without draw(pen)", 1);
     char text[48];
     std::snprintf(text, sizeof text, "step %lld  %.2f s",
                   static_cast<long long>(runs.a()[shown_].step), static_cast<double>(shown_) * dt);

@@ -37,7 +37,8 @@ class CompareView {
     std::size_t shown() const { return shown_; }
 
   private:
-    void draw_note(const Rect& place) const;
+    void draw_note(const Rect& place, const std::string& whole, const std::string& brief,
+                   int rows_below) const;
     void draw_side(const Rect& place, const property::Tree& tree, const Comparison& runs,
                    bool second, const property::Seen& seen, GamePictures& pictures) const;
     void draw_title(const Rect& place, const std::string& name, const std::string& what,

@@ -216,12 +216,39 @@ void LogView::scroll(float line_height) {
         ImGui::SetScrollY(static_cast<float>(row - rows_.begin()) * line_height);
         top_line_.reset();
         stick_ = false;
-    } else if (stick_) {
-        ImGui::SetScrollHereY(1.0f);
-        stick_ = false;
-    } else if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1) {
-        ImGui::SetScrollHereY(1.0f);  // the view is at the end, so it follows new output
+    } else {
+        follow_output(line_height);
     }
+}
+
+/// A view that is at the end follows new output. Of an error that is higher than the view, the
+/// message stays in sight.
+void LogView::follow_output(float line_height) {
+    const bool at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1;
+    const bool at_error = held_ && std::fabs(ImGui::GetScrollY() - *held_) < 1;
+    const bool fresh = std::exchange(followed_, wrapped_) != wrapped_;
+    if (!std::exchange(stick_, false) && !(fresh && at_error) && !at_end) return;
+    if (fresh || !at_error) held_ = fresh ? top_of_high_error(line_height) : std::nullopt;
+    if (held_)
+        ImGui::SetScrollY(*held_);
+    else
+        ImGui::SetScrollHereY(1.0f);
+}
+
+/// Where the last line begins if it is an error that is higher than the view.
+std::optional<float> LogView::top_of_high_error(float line_height) const {
+    auto row = rows_.end();
+    const LogLine* of = nullptr;
+    do {
+        if (row == rows_.begin()) return std::nullopt;
+        of = line((--row)->line);
+    } while (of != nullptr && (of->kind == LineKind::source || of->kind == LineKind::caret ||
+                               of->kind == LineKind::trace || !row->first));
+    const float top = static_cast<float>(row - rows_.begin()) * line_height;
+    const float high = static_cast<float>(rows_.end() - row) * line_height;
+    if (of == nullptr || of->kind != LineKind::error || high <= ImGui::GetWindowHeight())
+        return std::nullopt;
+    return top;
 }
 
 void LogView::draw(float height, float cell) {

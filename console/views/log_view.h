@@ -81,6 +81,8 @@ class LogView {
     std::size_t hanging_indent(std::string_view text) const;
     void mark_row(std::uint64_t number, const Row& source);
     void scroll(float line_height);
+    void follow_output(float line_height);
+    std::optional<float> top_of_high_error(float line_height) const;
     void mouse(ImVec2 origin, float line_height, float cell);
     void draw_row(const Row& row, ImVec2 at, float line_height, float cell);
     void draw_selection(const Row& row, ImVec2 at, float line_height, float cell);
@@ -98,6 +100,8 @@ class LogView {
     float pages_ = 0;
     bool stick_ = true;
     std::optional<std::uint64_t> top_line_;
+    std::uint64_t followed_ = 0;  // lines with smaller numbers have been followed
+    std::optional<float> held_;   // the scroll position at which an error is held in sight
     float cell_ = 0, line_height_ = 0, scrolled_ = 0;
     ImVec2 text_end_{0, 0};
     // The link under the mouse.

@@ -187,9 +187,6 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
                     : shown.is(property::Type::boolean) ? property::Value(s->x != 0)
                                                         : property::Value(s->x);
         const bool fails = !trace.problem().empty();
-        const ObservedText value =
-            fails ? ObservedText{trace.problem()}
-                  : observed_text(tree, shown, trace.what().unit, trace.largest());
         const float y = at.y + static_cast<float>(i) * legend_line();
         float x = at.x;
         list.AddRectFilled(ImVec2(x, y + em * 0.5f), ImVec2(x + em * 0.8f, y + em * 0.7f),
@@ -198,6 +195,10 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
             list.AddRectFilled(ImVec2(x, y + em * 0.8f), ImVec2(x + em * 0.8f, y + em * 1.0f),
                                color_of(plots, i, true));
         x += em * 1.1f;
+        const ObservedText value =
+            fails ? ObservedText{trace.problem()}
+                  : observed_text_in(tree, shown, trace.what().unit, trace.largest(),
+                                     right - x - em - text_width(trace.what().text), right - x);
         // A long error leaves half of the line for the name.
         const float width = std::min(value.place(), fails ? (right - x) / 2 : right - x);
         const float name =

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <utility>
 
 #include <look/imgui_compat.h>
 #include <look/theme.h>
@@ -54,12 +55,17 @@ TimeBar::Times TimeBar::times() const {
     const Value dt = value("dt");
     now.dt = dt.is(Type::number) ? dt.number() : 1.0 / 60;
     now.paused = value("paused").boolean();
+    now.halted = halted && halted();
     return now;
 }
 
 void TimeBar::play_back(double seconds) {
     const Times now = times();
-    if (now.newest <= now.oldest) return;
+    if (now.newest > now.oldest) to_play_ = seconds;
+}
+
+void TimeBar::begin_playing(const Times& now) {
+    const double seconds = *std::exchange(to_play_, std::nullopt);
     std::int64_t from = now.step;
     if (!now.in_past()) {
         const double steps = std::min(seconds / now.dt, static_cast<double>(now.newest));
@@ -68,19 +74,34 @@ void TimeBar::play_back(double seconds) {
     playing_ = true;
     goes_on_ = !now.paused;
     played_to_ = static_cast<double>(from);
+    edited_ = tree_.history_bytes_ever();
     go_to(from);
 }
 
-void TimeBar::play_on(double seconds) {
-    if (!playing_) return;
+void TimeBar::stop_playing() {
+    playing_ = false;
+    to_play_.reset();
+}
+
+void TimeBar::end_at_edit(const Times& now) {
+    stop_playing();
+    if (!now.in_past() || !note) return;
+    note("playing back ends at step " + std::to_string(now.step) +
+         ": an edit was made here. When the game goes on, what came later becomes another branch");
+}
+
+void TimeBar::play_on(bool drags) {
+    const Value real = value("real");
+    const double now_real = real.is(Type::number) ? real.number() : 0;
+    const double seconds = now_real - std::exchange(real_, now_real);
     const Times now = times();
-    if (!now.paused) {
-        playing_ = false;
-        return;
-    }
+    if (to_play_) return begin_playing(now);
+    if (!playing_) return;
+    if (!now.paused) return stop_playing();
+    if (drags || tree_.history_bytes_ever() != edited_) return end_at_edit(now);
     if (played_to_ >= static_cast<double>(now.newest)) {
         if (now.in_past()) return;  // the last step is shown from the next barrier on
-        playing_ = false;
+        stop_playing();
         if (goes_on_) set_time_flag(tree_, "paused", false);
         return;
     }
@@ -194,7 +215,7 @@ void TimeBar::draw_play(const Times& now) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 c = play_.middle();
     const float r = (play_.high.y - play_.low.y) * 0.24f;
-    if (now.paused) {
+    if (now.stands()) {
         list.AddTriangleFilled(ImVec2(c.x - r * 0.8f, c.y - r), ImVec2(c.x - r * 0.8f, c.y + r),
                                ImVec2(c.x + r * 1.1f, c.y), palette::accent);
     } else {
@@ -204,11 +225,16 @@ void TimeBar::draw_play(const Times& now) {
     }
     if (ImGui::IsItemHovered())
         tip(now.in_past() ? "go on from here: what came later becomes another branch"
+            : now.halted  ? "go on after the error"
             : now.paused  ? "go on"
                           : "pause");
     if (!pressed) return;
     requested_ = -1;
-    playing_ = false;
+    stop_playing();
+    if (now.halted && resume) {
+        resume();
+        return set_time_flag(tree_, "paused", false);
+    }
     set_time_flag(tree_, "paused", !now.paused);
 }
 
@@ -217,7 +243,7 @@ void TimeBar::draw_step(const Times& now) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 c = step_.middle();
     const float r = (step_.high.y - step_.low.y) * 0.22f;
-    const ImU32 color = now.paused ? palette::text : palette::faint;
+    const ImU32 color = now.stands() ? palette::text : palette::faint;
     list.AddTriangleFilled(ImVec2(c.x - r, c.y - r), ImVec2(c.x - r, c.y + r),
                            ImVec2(c.x + r * 0.5f, c.y), color);
     list.AddRectFilled(ImVec2(c.x + r * 0.65f, c.y - r), ImVec2(c.x + r * 1.1f, c.y + r), color);
@@ -226,6 +252,7 @@ void TimeBar::draw_step(const Times& now) {
     if (now.in_past()) {
         go_to(now.step + 1);
     } else {
+        if (now.halted && resume) resume();
         set_time_flag(tree_, "paused", true);
         set_time_flag(tree_, "step_once", true);
     }
@@ -237,7 +264,7 @@ void TimeBar::draw_play_back(const Times& now) {
     const ImVec2 c = play_back_.middle();
     const float r = (play_back_.high.y - play_back_.low.y) * 0.22f;
     // An arrow that goes round.
-    const ImU32 color = playing_ ? palette::accent : palette::text;
+    const ImU32 color = plays_back() ? palette::accent : palette::text;
     constexpr float from = -0.5f, to = 4.4f;  // rad
     list.PathArcTo(c, r, from, to, 20);
     list.PathStroke(color, 0, 1.6f);
@@ -246,12 +273,12 @@ void TimeBar::draw_play_back(const Times& now) {
                            ImVec2(tip_of.x + r * 0.65f, tip_of.y - r * 0.05f),
                            ImVec2(tip_of.x + r * 0.05f, tip_of.y - r * 0.95f), color);
     if (ImGui::IsItemHovered())
-        tip(playing_        ? "stop here"
+        tip(plays_back()    ? "stop here"
             : now.in_past() ? "play what follows, as it was"
                             : "play the whole past again, as it was");
     if (!pressed) return;
-    if (playing_)
-        playing_ = false;
+    if (plays_back())
+        stop_playing();
     else
         play_back(static_cast<double>(now.newest - now.oldest) * now.dt);
 }
@@ -281,7 +308,7 @@ void TimeBar::draw_track(const Times& now, float width) {
     const TimeMark* const mark = hovered || held ? mark_at(now, mouse) : nullptr;
     const std::int64_t under = mark != nullptr ? mark->step : step_at(now, mouse);
     if (held) {
-        playing_ = false;
+        stop_playing();
         go_to(under);
     }
     if (!held && requested_ == now.step) requested_ = -1;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,8 +30,12 @@ class TimeBar {
     /// the two parts.
     std::function<void(const std::string& command)> run{};
     std::function<void(const std::string& before, const std::string& after)> insert{};
-    /// Says why the game cannot go to a step.
+    /// Says why the game cannot go to a step; and what else has happened.
     std::function<void(const std::string& problem)> report{};
+    std::function<void(const std::string& line)> note{};
+    /// Whether the game stands because a script failed, and what makes it go on; may be empty.
+    std::function<bool()> halted{};
+    std::function<void()> resume{};
     /// Whether the run is being recorded into a file; without this function there is no button.
     std::function<bool()> records{};
 
@@ -39,6 +44,8 @@ class TimeBar {
         std::int64_t end = 0;  // the last step of all branches
         double dt = 0;
         bool paused = false;
+        bool halted = false;  // by an error
+        bool stands() const { return paused || halted; }
         bool in_past() const { return step < newest; }
     };
     Times times() const;
@@ -55,11 +62,13 @@ class TimeBar {
     /// Pauses the game and goes to a step. If the past does not contain it, nothing changes.
     void go_to(std::int64_t step);
     /// Plays the last seconds up to the newest step; in the past, the steps after the present one.
-    /// At the newest step the game goes on, unless it was paused before.
+    /// At the newest step the game goes on, unless it was paused before. Begins with the next
+    /// `play_on`, so that a command that calls this function changes nothing itself.
     void play_back(double seconds);
-    /// Call once a frame, with its length in seconds: goes on with playing back.
-    void play_on(double seconds);
-    bool plays_back() const { return playing_; }
+    /// Call before each frame: goes on with playing back. An edit by a person ends it, because
+    /// going to the next step would take the edit back. `drags`: such an edit is under way.
+    void play_on(bool drags);
+    bool plays_back() const { return playing_ || to_play_; }
 
     // Rectangles of the parts, for tests.
     const Rect& track() const { return track_; }
@@ -106,8 +115,15 @@ class TimeBar {
     std::string menu_of_;  // the branch whose menu is open
     bool opens_menu_ = false;
     std::vector<std::pair<std::string, Rect>> entries_;  // of the menu, as it was drawn last
+    void begin_playing(const Times& now);
+    void stop_playing();
+    void end_at_edit(const Times& now);
+
+    std::optional<double> to_play_;  // seconds: playing back begins with the next frame
     bool playing_ = false;
-    bool goes_on_ = false;  // the game ran when playing back began
+    bool goes_on_ = false;    // the game ran when playing back began
+    std::size_t edited_ = 0;  // bytes of all edits when playing back began
+    double real_ = 0;         // real time at the last `play_on`, s
     float tip_room_ = 0;
     double played_to_ = 0;  // step, with the part of the next one
 };

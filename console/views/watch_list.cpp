@@ -54,6 +54,17 @@ ObservedText observed_text(const property::Tree& tree, const property::Value& va
     return made;
 }
 
+ObservedText observed_text_in(const property::Tree& tree, const property::Value& value,
+                              const std::string& unit, double largest, float room, float widest) {
+    ObservedText made;
+    for (const float limit : {std::min(room, widest), widest})
+        for (int digits = 4; digits >= 2; --digits) {
+            made = observed_text(tree, value, unit, largest, digits);
+            if (made.place() <= limit) return made;
+        }
+    return made;
+}
+
 void draw_sparkline(ImDrawList& list, const Rect& rect, const Trace& trace) {
     const auto& samples = trace.samples();
     if (samples.size() < 2) return;
@@ -88,16 +99,19 @@ void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float wid
     ImDrawList& list = *ImGui::GetWindowDrawList();
     // A text or a list has no curve.
     const bool curve = pin.samples().size() > 1;
-    const float side = height, spark = curve ? std::min(6 * em, width * 0.22f) : 0;
+    const double largest = pin.largest(sparkline_samples);
+    const float side = height, path_width = text_width(pin.what().text);
+    // The curve leaves room for the whole name beside a short value.
+    const float left = width - side - 2 * em - path_width -
+                       observed_text(tree, pin.value(), pin.what().unit, largest, 2).place();
+    const float widest_curve = std::min(6 * em, width * 0.22f);
+    const float spark = curve ? std::clamp(left, widest_curve / 2, widest_curve) : 0;
     const float room = width - side - spark - em;
     const float widest = room * 0.65f;
-    const double largest = pin.largest(sparkline_samples);
-    ObservedText value{pin.problem()};
-    // A value keeps its unit and its second component, rather than its last digits.
-    for (int digits = 4; pin.problem().empty() && digits >= 2; --digits) {
-        value = observed_text(tree, pin.value(), pin.what().unit, largest, digits);
-        if (value.place() <= widest) break;
-    }
+    const ObservedText value = pin.problem().empty()
+                                   ? observed_text_in(tree, pin.value(), pin.what().unit, largest,
+                                                      room - em - path_width, widest)
+                                   : ObservedText{pin.problem()};
     const float value_width = std::min(value.place(), widest);
     const float shown = std::min(text_width(value.text), value_width);
     const float path_room = room - value_width - em;

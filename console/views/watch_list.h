@@ -26,6 +26,11 @@ struct ObservedText {
 ObservedText observed_text(const property::Tree& tree, const property::Value& value,
                            const std::string& unit, double largest, int digits = 4);
 
+/// With as many digits, 2 to 4, as leave it in `room`, which is what the name beside it leaves; if
+/// even two are too many, as leave it in `widest`, and then the name is shortened.
+ObservedText observed_text_in(const property::Tree& tree, const property::Value& value,
+                              const std::string& unit, double largest, float room, float widest);
+
 class WatchList {
   public:
     /// Runs a command as if it were typed.

@@ -87,7 +87,8 @@ class WindowRun {
                .travel =
                    [this](int steps) {
                        if (session_) session_->travel(steps);
-                   }}) {}
+                   },
+               .console_is_open = [this] { return session_ && session_->console_is_open(); }}) {}
 
     int play() {
         start();
@@ -191,6 +192,8 @@ class WindowRun {
         loop.frame(seconds, options_.steps.value_or(INT64_MAX));
         if (session_->restart_requested()) reload_ = true;
         error_screen_.script_returned();
+        // The time bar of the console lets the game go on, too.
+        if (error_screen_.error() && !loop.halted()) error_screen_.hide();
         play_sounds(loudspeaker_, *session_);
         if (clock.paused) idle_steps_ += seconds / clock.dt;
         game_window_.follow(*session_);

@@ -294,6 +294,8 @@ void Session::make_console(app::Clipboard* clipboard) {
                 return loop_->free_area(whole, console_.get());
             },
         .tweaks = tweaks_.get(),
+        .halted = [this] { return loop_->halted(); },
+        .resume = [this] { loop_->resume(); },
         .review = [this](std::int64_t from, std::int64_t to,
                          const auto& visit) { loop_->timeline().review(from, to, visit); },
         .repeat_with =

@@ -127,6 +127,24 @@ TEST_CASE("in a narrow window all keys are shown and lines break between words")
         CHECK(surface.line_with(word) > 0);
 }
 
+TEST_CASE("while the console is open only the key that closes it is listed") {
+    bool open = true, past = GENERATE(false, true);
+    app::ErrorScreen screen({.reload = {},
+                             .go_on = {},
+                             .viewing_past = [&] { return past; },
+                             .console_is_open = [&] { return open; }});
+    screen.show(an_error());
+    NotingSurface surface;
+    screen.draw(surface, 0);
+    CHECK(surface.line_with("close the console") > 0);
+    CHECK(surface.line_with("reload") < 0);
+    open = false;
+    surface.lines.clear();
+    screen.draw(surface, 0);
+    CHECK(surface.line_with("close the console") < 0);
+    CHECK(surface.line_with("reload") > 0);
+}
+
 TEST_CASE("the caret is below the row of a wrapped line that has the error") {
     app::ErrorScreen screen({.reload = {}, .go_on = {}});
     script::ScriptError error = an_error();

@@ -125,6 +125,39 @@ TEST_CASE("the caret is below the place that it marks where the source line is w
     CHECK(above.substr(marked.find('^'), 4) == "boll");
 }
 
+TEST_CASE("the message of an error that is higher than the log stays in sight") {
+    Rig rig;
+    rig.key("grave");
+    const console::LogView& view = rig.state().views.log_view;
+    for (int i = 0; i < 50; ++i) rig.console.print("line " + std::to_string(i));
+    rig.draw(3);
+    const float height = view.text_end().y;  // of the lower edge of the log
+    const auto y_of = [&](std::string_view text) {
+        const auto rows = view.shown_rows();
+        float y = view.text_end().y;
+        for (std::size_t i = rows.size(); i > 0; --i) {
+            y -= view.line_height();
+            if (rows[i - 1].find(text) != std::string::npos) return y;
+        }
+        return -1.0f;
+    };
+    const ImGuiWindow* log = nullptr;
+    for (const ImGuiWindow* each : ImGui::GetCurrentContext()->Windows)
+        if (std::string_view(each->Name).find("/log_") != std::string_view::npos) log = each;
+    REQUIRE(log != nullptr);
+    script::ScriptError error;
+    error.message = "no such name";
+    error.line = 1;
+    error.source_line = std::string(6000, 'x');
+    error.column = 5900;
+    rig.console.report(error);
+    rig.draw(4);
+    CHECK(y_of("no such name") == Approx(log->Pos.y));
+    rig.console.print("the next line");  // the view follows it
+    rig.draw(4);
+    CHECK(y_of("the next line") + view.line_height() == Approx(height));
+}
+
 TEST_CASE("the topmost row of the log is whole") {
     Rig rig;
     rig.key("grave");

@@ -143,6 +143,19 @@ TEST_CASE("a break on a value waits for a change and all breaks can be ended") {
     CHECK(rig.now == 12);
 }
 
+TEST_CASE("a break whose condition has no value any more says that it pauses") {
+    ObservingRig rig;
+    rig.run("break_when world.crate.mass > 5");
+    rig.step(2);
+    rig.tree.destroy(property::resolve(rig.tree, "world.crate").instance);
+    rig.step(5);
+    CHECK(rig.now == 3);
+    CHECK(rig.value("time.paused") == Value(true));
+    INFO(rig.text());
+    CHECK(rig.text().find("break at step 3: world.crate.mass > 5 has no value any more, so the "
+                          "game is paused: ") != std::string::npos);
+}
+
 TEST_CASE("breaks say what they wait for and are listed and removed singly") {
     ObservingRig rig;
     const auto says = [&](const std::string& command, const char* expected) {

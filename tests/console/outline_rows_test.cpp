@@ -8,6 +8,7 @@
 #include "rig.h"
 
 #include <look/imgui_compat.h>
+#include <look/theme.h>
 
 namespace outline_rows_test {
 
@@ -65,6 +66,31 @@ TEST_CASE("a selection moves neither the inspector nor the rows of the tree") {
     // In a narrow window more of the game is visible without a selection.
     if (width == 1280) CHECK(after.high.y == before.high.y);
     CHECK(after.low.x == before.low.x);
+}
+
+TEST_CASE("the rows of a search show the ends of paths that are too long for them") {
+    const auto picture = [](char last) {
+        Rig rig;
+        const Handle world = rig.tree.child(rig.tree.root(), "world");
+        rig.tree.create(rig.tree.class_named("Body"), world, "rock" + std::string(80, 'x') + last);
+        rig.key("grave");
+        rig.draw(3);
+        rig.key("ctrl+f");
+        rig.draw(3);
+        rig.type("rock");
+        rig.draw(20);
+        return rig.surface.pixels();
+    };
+    CHECK((picture('1') == picture('1')));
+    CHECK((picture('1') != picture('2')));
+}
+
+TEST_CASE("a name with a line end is drawn in its own row") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    rig.state().ui.activate();
+    CHECK(console::shortened("a\nx", 500) == "a↵x");
 }
 
 TEST_CASE("the row of the selected instance is shown after it got another parent") {

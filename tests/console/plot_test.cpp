@@ -70,6 +70,22 @@ TEST_CASE("the legend has the value of a condition at the mouse") {
     CHECK(view.legend().at(0).value == "false");
 }
 
+TEST_CASE("a value has fewer digits where its name needs the room") {
+    ObservingRig rig;
+    rig.show();
+    rig.lua.state().ui.activate();
+    const property::Value value(property::Vec2(3.14159, 2.71828));
+    const auto text = [&](float room) {
+        return console::observed_text_in(rig.tree, value, "m", 5, room, 1000).text;
+    };
+    const std::string whole = text(1000);
+    CHECK(whole == console::observed_text(rig.tree, value, "m", 5).text);
+    const float three = console::observed_text(rig.tree, value, "m", 5, 3).place();
+    CHECK(text(three) == console::observed_text(rig.tree, value, "m", 5, 3).text);
+    CHECK(text(three) != whole);
+    CHECK(text(5) == whole);  // the name is shortened anyway
+}
+
 TEST_CASE("a curve is interrupted where there is no value") {
     ObservingRig rig;
     rig.step(100);

@@ -55,6 +55,7 @@ struct Bar {
         number("step", step);
         number("oldest", 100);
         number("newest", 300);
+        time.properties.push_back({.name = "real", .default_value = Value(0.0)});
         time.properties.push_back(
             {.name = "paused", .type = property::Type::boolean, .default_value = Value(paused)});
         time.properties.push_back(
@@ -72,6 +73,15 @@ struct Bar {
     console::TimeBar& bar() { return rig.state().views.time_bar; }
     void click(const console::Rect& place) { rig.click(place.middle().x, place.middle().y); }
     bool paused() { return rig.value("time.paused").boolean(); }
+    /// Begins a frame that is `seconds` after the last one.
+    void begin_frame(double seconds) {
+        property::set(rig.tree, "time.real", rig.value("time.real").number() + seconds);
+        rig.console.between_frames();
+    }
+    void begin_playing(double seconds) {
+        bar().play_back(seconds);
+        begin_frame(0);
+    }
 };
 
 }  // namespace
@@ -271,19 +281,18 @@ TEST_CASE("playing back shows each step of the past again and ends at the presen
     Bar bar;
     bar.click(bar.bar().play_back_button());
     bar.rig.draw();
+    bar.begin_frame(0);
     CHECK(bar.paused());
-    REQUIRE_FALSE(bar.rig.commands.empty());
-    CHECK(bar.rig.commands.front() == "time:go_to(100)");
+    CHECK(bar.rig.commands == std::vector<std::string>{"time:go_to(100)"});
     CHECK(bar.bar().plays_back());
-    bar.bar().play_on(0.5);  // the test's steps are 1/60 s
-    CHECK(bar.rig.commands.back() ==
-          "time:go_to(" + std::to_string(100 + 30 + bar.rig.commands.size() - 2) + ")");
-    bar.bar().play_on(1e9);
+    bar.begin_frame(0.5);  // the test's steps are 1/60 s
+    CHECK(bar.rig.commands.back() == "time:go_to(130)");
+    bar.begin_frame(1e9);
     CHECK(bar.rig.commands.back() == "time:go_to(300)");
-    bar.rig.draw(2);
+    bar.begin_frame(0);
     CHECK_FALSE(bar.bar().plays_back());
     CHECK_FALSE(bar.paused());  // the game goes on
-    bar.bar().play_back(1);
+    bar.begin_playing(1);
     CHECK(bar.rig.commands.back() == "time:go_to(240)");
     bar.click(bar.bar().play_back_button());  // stops
     bar.rig.draw();
@@ -292,11 +301,80 @@ TEST_CASE("playing back shows each step of the past again and ends at the presen
 
 TEST_CASE("a game that was paused is paused after it was played back") {
     Bar bar(300, true);
-    bar.bar().play_back(1);
-    bar.bar().play_on(1e9);
-    bar.rig.draw(2);
+    bar.begin_playing(1);
+    bar.begin_frame(1e9);
+    bar.begin_frame(0);
     CHECK_FALSE(bar.bar().plays_back());
     CHECK(bar.paused());
+}
+
+TEST_CASE("an edit while the past is played back ends the playing there") {
+    const bool drag = GENERATE(false, true);
+    Bar bar;
+    property::Tree& tree = bar.rig.tree;
+    bar.begin_playing(1);
+    property::set(tree, "time.step", Value(240));
+    bar.begin_frame(0.1);
+    const std::size_t gone = bar.rig.commands.size();
+    if (drag) {  // the edit ends when the button is released
+        bar.rig.console.select(tree.child(tree.child(tree.root(), "world"), "ball"));
+        bar.rig.draw(3);
+        const ImVec2 at = bar.rig.widget("mass");
+        bar.rig.button(true, at.x, at.y);
+        bar.rig.draw();
+        bar.rig.move(at.x + 30, at.y);
+        bar.rig.draw();
+    } else {
+        const property::Tree::CauseScope cause(tree, property::Writer::console);
+        property::set(tree, "world.ball.mass", 5.0);
+    }
+    bar.begin_frame(0.1);
+    bar.begin_frame(0.1);
+    CHECK(bar.rig.commands.size() == gone);
+    CHECK_FALSE(bar.bar().plays_back());
+    CHECK(bar.paused());
+    CHECK(bar.rig.logged("playing back ends at step 240: an edit was made here"));
+}
+
+TEST_CASE("the play button lets a game go on that an error has stopped") {
+    const std::int64_t step = GENERATE(300, 200);
+    bool halted = true;
+    Bar bar(step, step < 300, nullptr,
+            {.halted = [&] { return halted; }, .resume = [&] { halted = false; }});
+    CHECK(bar.bar().times().stands());
+    bar.click(bar.bar().play_button());
+    bar.rig.draw();
+    CHECK_FALSE(halted);
+    CHECK_FALSE(bar.bar().times().stands());
+    halted = true;
+    bar.click(bar.bar().step_button());
+    bar.rig.draw();
+    CHECK(halted == (step < 300));  // a step of the past is shown, and not made
+    CHECK(bar.rig.value("time.step_once").boolean() == (step == 300));
+}
+
+TEST_CASE("a command that plays the past back changes nothing itself") {
+    Bar bar;
+    property::Tree& tree = bar.rig.tree;
+    const property::Tree::CauseScope cause(tree, property::Writer::console);
+    tree.begin_edit("play_back(1)");
+    bar.bar().play_back(1);
+    tree.end_edit();
+    CHECK(tree.history().empty());
+    CHECK_FALSE(bar.paused());
+    CHECK(bar.bar().plays_back());
+}
+
+TEST_CASE("a drag reaches the place of the release if both come in one frame") {
+    Bar bar;
+    const console::Rect track = bar.bar().track();
+    const float y = track.middle().y;
+    bar.rig.button(true, track.high.x - 6, y);
+    bar.rig.draw(2);
+    bar.rig.move(track.middle().x, y);
+    bar.rig.button(false, track.middle().x, y);
+    bar.rig.draw(2);
+    CHECK(bar.rig.commands.back() == "time:go_to(200)");
 }
 
 TEST_CASE("a button of the time bar begins and ends a recording") {

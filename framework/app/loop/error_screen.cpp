@@ -321,8 +321,10 @@ void ErrorScreen::draw_text(Surface& surface, float bottom) {
     }
 }
 
-/// The keys and what they do.
+/// The keys that work now, and what they do.
 std::vector<std::string_view> ErrorScreen::keys() const {
+    if (actions_.console_is_open && actions_.console_is_open())
+        return {"`  close the console, for the keys of this screen"};
     if (running_ && waits_) return {"S  stop it", "R  reload", "`  console"};
     if (running_)
         return {"S  stop it", "W  wait on", "R  reload", "`  console", "\u2191 \u2193  scroll"};

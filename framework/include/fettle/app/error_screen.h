@@ -33,6 +33,8 @@ class ErrorScreen : public Layer {
         std::function<bool()> viewing_past{};
         /// Left and right: goes by this number of steps through the timeline.
         std::function<void(int steps)> travel{};
+        /// Whether the console is open, which then gets all keys.
+        std::function<bool()> console_is_open{};
     };
     explicit ErrorScreen(Actions actions) : actions_(std::move(actions)) {}
 
