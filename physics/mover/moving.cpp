@@ -10,6 +10,9 @@ namespace {
 
 constexpr int most_slides = 6;
 
+/// The heights of a step and of the floor are known to this, m.
+constexpr float step_tolerance = 0.0005f;
+
 }  // namespace
 
 /// The bounds of the planes around it. For a walking mover a slope that is too steep is also a
@@ -113,14 +116,20 @@ bool Moving::step_up(const Position& start, Vec2 motion) {
         return t;
     };
     put_back(start);
-    const float lift = go(settings_.step_height * up) * settings_.step_height;
-    const float forward = go(motion) * wanted;
+    const auto below = ground();
+    const Position floor = start - (below ? below->separation : 0.0f) * up;
+    // Above the step it keeps the gap, too.
+    const float most = settings_.step_height + settings_.skin;
+    const float lift = go(most * up) * most;
+    // It stands up to a skin away from the step. A shorter way would not lead above it.
+    const float way = max(wanted, settings_.skin);
+    const float forward = go(way * ahead) * way;
     const float down = lift + settings_.skin;
     const float t = go(-down * up);
     const float progress = forward - dot(slid - start, ahead);
     const auto reached = t < 1.0f && hit != none ? obstacles_.plane(hit, position) : std::nullopt;
     if (lift > settings_.skin && progress > 0.05f * wanted && reached &&
-        dot(position - start, up) > 1e-4f && walkable(*reached, start, motion) &&
+        dot(position - start, up) > 1e-4f && walkable(*reached, floor, motion) &&
         !obstacles_[hit].dynamic) {
         step = reached;
         return true;
@@ -129,11 +138,12 @@ bool Moving::step_up(const Position& start, Vec2 motion) {
     return false;
 }
 
-/// A plane not far above the feet that is not too steep, or the edge of one towards which the mover
-/// goes: the capsule is round and touches the edge of a step before it stands on it.
-bool Moving::walkable(const Plane& plane, const Position& feet, Vec2 motion) {
-    const float height = dot(plane.point - feet, capsule_.up);
-    if (height > settings_.step_height + settings_.skin) return false;
+/// A plane not higher than a step above the floor that is not too steep, or the edge of one towards
+/// which the mover goes: the capsule is round and touches the edge of a step before it stands on
+/// it.
+bool Moving::walkable(const Plane& plane, const Position& floor, Vec2 motion) {
+    const float height = dot(plane.point - floor, capsule_.up);
+    if (height > settings_.step_height + step_tolerance) return false;
     if (cosine(plane) >= settings_.least_cosine) return true;
     const Vec2 aside = lateral(plane.normal);
     if (cosine(plane) <= 0.01f || dot(aside, motion) >= 0.0f) return false;

@@ -59,7 +59,7 @@ class Moving {
     bool will_step_up(Vec2 motion);
     void record_hits(Vec2 motion, float overlap_allowed);
     std::vector<Bound> bounds(Vec2 motion, bool with_distance) const;
-    bool walkable(const Plane& plane, const Position& feet, Vec2 motion);
+    bool walkable(const Plane& plane, const Position& floor, Vec2 motion);
     float cosine(const Plane& plane) const { return dot(plane.normal, capsule_.up); }
     bool is_steep(const Plane& plane) const {
         return cosine(plane) > 0.01f && cosine(plane) < settings_.least_cosine;

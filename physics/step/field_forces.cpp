@@ -7,21 +7,11 @@
 #include <geometry/trigonometry.h>
 #include <state/limits.h>
 #include <step/gather.h>
+#include <step/push.h>
 #include <step/shape_box.h>
 
 namespace fettle::physics::detail {
 namespace {
-
-/// Effect of the fields on one body.
-struct Push {
-    Vec2 force;
-    float torque = 0.0f;
-
-    void at(Vec2 arm, Vec2 f) {
-        force = force + f;
-        torque += cross(arm, f);
-    }
-};
 
 bool inside(const std::optional<Aabb>& region, const Position& p) {
     return !region || (p.x >= region->min.x && p.x <= region->max.x && p.y >= region->min.y &&
@@ -35,8 +25,7 @@ class FieldOnBody {
         : objects_(objects),
           columns_(columns),
           gravity_(gravity),
-          h_(h),
-          dt_(dt),
+          lead_(0.5f * (dt - h)),
           body_(objects.bodies[body]),
           velocity_(columns.states[body].velocity),
           spin_(columns.states[body].angular_velocity),
@@ -58,41 +47,42 @@ class FieldOnBody {
         each_shape([&](uint32_t shape) {
             const ShapeRecord& m = objects_.shapes[shape];
             const Vec2 arm = centroid_of(shape);
-            const Vec2 u = drag.flow - velocity_at(arm);
-            push_.at(arm, (m.area * (drag.linear + drag.quadratic * length(u))) * u);
-            push_.torque -= m.moment * drag.linear * spin_;
+            const Vec2 u = velocity_at(arm) - drag.flow;
+            const float per_area = drag.linear + drag.quadratic * length(u);
+            push_.resist(arm, double(m.area) * double(per_area), u);
+            push_.resist_turn(double(m.moment) * double(drag.linear), spin_);
         });
     }
 
     void operator()(const BuoyancyField& liquid) {
-        const Vec2 normal = normalized(liquid.normal);
+        const Vec2 normal = normalized(liquid.normal), shift = lead_ * velocity_;
+        const Rotation turned = rotation_of(double(lead_) * double(spin_));
+        const double depth =
+            double(liquid.level) - (double(normal.x) * (double(body_.center.x) + double(shift.x)) +
+                                    double(normal.y) * (double(body_.center.y) + double(shift.y)));
         each_shape([&](uint32_t shape) {
-            const double depth = double(liquid.level) - (double(normal.x) * double(body_.center.x) +
-                                                         double(normal.y) * double(body_.center.y));
-            const AreaPart part = part_below(solid_of(objects_, columns_, shape), normal, depth);
+            const AreaPart part =
+                part_below(solid_of(objects_, columns_, shape), unrotate(turned, normal), depth);
             if (!(part.area > 0.0)) return;
+            const Vec2 arm = rotate(turned, part.centroid);
             const float mass = liquid.density * float(part.area);
-            push_.at(part.centroid, -(mass * gravity_));
-            const Vec2 u = liquid.flow - velocity_at(part.centroid);
-            push_.at(part.centroid, (liquid.drag * mass) * u);
+            push_.at(arm, -(mass * gravity_));
+            push_.resist(arm, double(liquid.drag) * double(mass), velocity_at(arm) - liquid.flow);
             const ShapeRecord& m = objects_.shapes[shape];
-            const float share = m.area > 0.0f ? float(part.area / double(m.area)) : 0.0f;
-            push_.torque -= liquid.drag * liquid.density * share * m.moment * spin_;
+            const double share = m.area > 0.0f ? part.area / double(m.area) : 0.0;
+            push_.resist_turn(
+                double(liquid.drag) * double(liquid.density) * share * double(m.moment), spin_);
         });
     }
 
     void operator()(const AttractorField& attractor) {
-        // The sub-steps move the body with the velocity after each share of the force. One impulse
-        // of the whole force, half a sub-step before the middle of the step, would have the same
-        // effect. With the force at the place of the body at that time this is a leapfrog method,
-        // which keeps orbits closed.
-        const Vec2 d = attractor.center - (body_.center + (0.5f * (dt_ - h_)) * velocity_);
+        const Vec2 d = attractor.center - (body_.center + lead_ * velocity_);
         const float distance = length(d);
         const float far = max(distance, attractor.core);
         float acceleration = attractor.strength;
         for (int i = 0; i < attractor.falloff; ++i) acceleration /= far;
         // Within the core it decreases linearly to 0.
-        push_.force = push_.force + (body_.mass * acceleration / max(far, 1e-6f)) * d;
+        push_.at({}, (body_.mass * acceleration / max(far, 1e-6f)) * d);
     }
 
   private:
@@ -107,7 +97,8 @@ class FieldOnBody {
     void blow_on_edge(const WindField& wind, Vec2 arm, Vec2 n, float length) {
         const float speed = dot(blow(wind, arm), n);
         if (speed >= 0.0f) return;  // on the side away from the wind
-        push_.at(arm, (-0.5f * wind.density * speed * speed * length) * n);
+        push_.resist_along(n, arm, 0.5 * double(wind.density) * double(-speed) * double(length),
+                           -speed);
     }
     void blow_on_polygon(const WindField& wind, const Solid& solid) {
         const Convex& form = solid.form;
@@ -122,7 +113,8 @@ class FieldOnBody {
         }
         // The round corners together form a circle: ∫ cos³θ r dθ over its windward half.
         const Vec2 u = blow(wind, middle);
-        push_.at(middle, (0.5f * wind.density * (4.0f / 3.0f) * form.radius * length(u)) * u);
+        const float resistance = 0.5f * wind.density * (4.0f / 3.0f) * form.radius * length(u);
+        push_.resist(middle, double(resistance), -u);
     }
     /// The same integral over the rim, by the midpoint rule.
     void blow_on_ellipse(const WindField& wind, const EllipseForm& e) {
@@ -147,8 +139,12 @@ class FieldOnBody {
     const ObjectState& objects_;
     const Columns& columns_;
     Vec2 gravity_;
-    float h_;  ///< length of a sub-step, s
-    float dt_;
+    /// The time from the start of the step to the moment at which forces that depend on the place
+    /// are computed. The sub-steps move the body with the velocity after each share of the force.
+    /// One impulse of the whole force, half a sub-step before the middle of the step, would have
+    /// the same effect. With the force at the place of the body at that time this is a leapfrog
+    /// method: orbits stay closed, and what floats gains no height.
+    float lead_;
     const BodyRecord& body_;
     Vec2 velocity_;
     float spin_;
@@ -170,10 +166,19 @@ bool acts_on_body(const ObjectState& objects, const Columns& columns, std::span<
     return any;
 }
 
-/// A resistance removes at most the velocity of the body relative to its surroundings.
-Vec2 limited(Vec2 force, float mass, float dt, Vec2 against) {
-    const float most = mass * length(against) / dt, size = length(force);
-    return size > most && size > 0.0f ? (most / size) * force : force;
+/// Adds the push to the forces of the sub-steps.
+void add_push(const Push& push, const BodyRecord& record, float h, float dt, SolverForce& f) {
+    const double substeps = double(dt) / double(h);
+    const Twist inverse = {record.flags.locked_x ? 0.0 : double(record.inverse_mass),
+                           record.flags.locked_y ? 0.0 : double(record.inverse_mass),
+                           record.flags.locked_rotation ? 0.0 : double(record.inverse_inertia)};
+    const Twist before = {substeps * double(f.change.x), substeps * double(f.change.y),
+                          substeps * double(f.turn_change)};
+    const Twist change = push.change(before, inverse, double(dt));
+    const float limit = 2 * greatest_speed;
+    f.change = {float(bounded(change[0] / substeps, limit)),
+                float(bounded(change[1] / substeps, limit))};
+    f.turn_change = float(bounded(change[2] / substeps, limit));
 }
 
 }  // namespace
@@ -186,29 +191,17 @@ void apply_fields(const ObjectState& objects, const Columns& columns, std::span<
         const uint32_t body = awake[i];
         const BodyRecord& record = objects.bodies[body];
         if (record.mobility != Mobility::dynamic) continue;
-        Push sum;
+        Push push;
+        bool pushed = false;
         for (const FieldRecord& field : objects.fields) {
             if (field.generation == 0 || !field.def.enabled ||
                 !acts_on_body(objects, columns, boxes, body, field.def))
                 continue;
-            Push push;
+            pushed = true;
             std::visit(FieldOnBody(objects, columns, gravity, body, field.def.mask, h, dt, push),
                        field.def.force);
-            const Vec2 velocity = columns.states[body].velocity;
-            if (const auto* wind = std::get_if<WindField>(&field.def.force))
-                push.force = limited(push.force, record.mass, dt, wind->velocity - velocity);
-            if (const auto* drag = std::get_if<DragField>(&field.def.force))
-                push.force = limited(push.force, record.mass, dt, drag->flow - velocity);
-            if (std::get_if<AttractorField>(&field.def.force) == nullptr)
-                push.torque =
-                    clamp(push.torque, -record.inertia * 10.0f / dt, record.inertia * 10.0f / dt);
-            sum.force = sum.force + push.force;
-            sum.torque += push.torque;
         }
-        SolverForce& f = forces[i + 1];
-        const float limit = 2 * greatest_speed;
-        f.change = bounded(f.change + (h * record.inverse_mass) * sum.force, limit);
-        f.turn_change = bounded(f.turn_change + h * record.inverse_inertia * sum.torque, limit);
+        if (pushed) add_push(push, record, h, dt, forces[i + 1]);
     }
 }
 

@@ -18,15 +18,22 @@ bool turned_before(const ObjectState& objects, const BodyRecord& body) {
     return false;
 }
 
+Vec2 limited_speed(Vec2 velocity) {
+    const Vec2 v = bounded(velocity, 2.0f * greatest_speed);
+    if (!(length_squared(v) > greatest_speed * greatest_speed)) return v;
+    return (greatest_speed / length(v)) * v;
+}
+
 void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& piece) {
     const uint32_t slot = in.active.awake_bodies[place];
     const WorldDef& settings = in.settings;
     BodyRecord& record = in.objects.bodies[slot];
     BodyState& state = in.columns.states[slot];
     const SolverBody& b = in.bodies.solver_bodies[place + 1];
-    const float speed_limit = 1.5f * greatest_speed;
-    state.velocity = {bounded(b.velocity.x, speed_limit), bounded(b.velocity.y, speed_limit)};
-    state.angular_velocity = bounded(b.angular_velocity, 1e6f);
+    state.velocity = limited_speed(b.velocity);
+    // A motor may exceed the limit in the last sub-step.
+    const float turn_limit = dt > 0.0f ? greatest_turn * float(in.substeps) / dt : 1e6f;
+    state.angular_velocity = bounded(b.angular_velocity, min(1e6f, turn_limit));
     record.step_load.force = {};
     record.step_load.torque = 0.0f;
 

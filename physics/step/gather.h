@@ -18,8 +18,7 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
 /// Must be called when no later stage of the step needs the ends of the bodies.
 void clear_ends(const ActiveLists& active, BodyScratch& bodies);
 
-// Fields of force: once per step they add to the forces of the sub-steps on the awake bodies. A
-// resistance never removes more velocity in a step than there is, so that dense air is stable.
+// Fields of force: once per step they add to the forces of the sub-steps on the awake bodies.
 
 /// Adds the fields to the forces of a sub-step of length `h`; the step has length `dt`. `boxes`:
 /// the boxes of the shapes, by slot.

@@ -27,6 +27,9 @@ constexpr float centroid_gap = 0.0001f;
 /// An arc is followed in chords of this angle, rad.
 constexpr float chord_turn = 0.05f;
 
+/// A shape that is nearer to an obstacle than this at the start of a step had a contact in it, m.
+constexpr float contact_gap = 0.5f * speculative_margin;
+
 /// An obstacle; computes when a shape or its core reaches it.
 class Obstacle {
   public:
@@ -44,6 +47,7 @@ class Obstacle {
         return is_border_ ? time_of_impact(shape, plane_.normal, plane_.depth, gap, now_)
                           : time_of_impact(shape, obstacle_, gap, now_);
     }
+    bool is_beside(const Sweep& shape) const { return !(time_of(shape, contact_gap) > now_); }
     /// The direction from the obstacle to the shape at time `t`; zero if they overlap.
     Vec2 direction_to(const Sweep& shape, float t) const {
         if (is_border_) return plane_.normal;
@@ -156,6 +160,8 @@ Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, u
     const Obstacle obstacle(in, other, other_motion, now);
     if (obstacle.is_from_behind(place(now))) return {};
     const Solid shape = solid_of(in.objects, in.columns, s);
+    const Sweep swept = {shape, motion, body.extent};
+    const bool is_carried = is_driven(in, s) || is_driven(in, other);
     const float inner = inner_radius(shape, centroid);
     const float gap = min(arrival_gap, 0.05f * inner);
     for (const float part : core_depths) {
@@ -166,19 +172,21 @@ Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, u
         const float entry = obstacle.time_of(swept_core, gap);
         if (entry >= 1.0f) return {};
         if (!(entry > now)) continue;
-        const float arrival = obstacle.time_of({shape, motion, body.extent}, arrival_gap);
+        const float arrival = obstacle.time_of(swept, arrival_gap);
         // If the shapes touch at the start, the contacts hold the shape, but it must not go beyond
         // the entry of the core.
-        const bool is_carried = is_driven(in, s) || is_driven(in, other);
+        const bool slides = is_carried && obstacle.is_beside(swept);
         return {arrival > now ? min(arrival, entry) : entry,
                 {},
-                is_carried ? obstacle.direction_to(swept_core, entry) : Vec2{}};
+                slides ? obstacle.direction_to(swept_core, entry) : Vec2{}};
     }
     // A thick body may have thin pieces.
     if (shape.kind == FormKind::piece && inner < least_depth) return {};
     // A body with its centroid in the obstacle already goes no deeper.
     const float slip = max(inner, least_depth);
-    return obstacle.of_point(place(now), place(1.0f), slip);
+    Impact impact = obstacle.of_point(place(now), place(1.0f), slip);
+    if (impact.time < 1.0f && !(is_carried && obstacle.is_beside(swept))) impact.normal = {};
+    return impact;
 }
 
 bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other) {

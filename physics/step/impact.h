@@ -16,9 +16,9 @@ struct Impact {
     /// If the centroid of the shape is at the obstacle already: the displacement that keeps it from
     /// going farther. Zero otherwise.
     Vec2 back;
-    /// From the obstacle to the shape at that time, in world axes; zero if there is no impact, or
-    /// if the direction is not known. For a core it is computed only if one of the bodies is
-    /// kinematic.
+    /// From the obstacle to the shape at that time, in world axes, if one of the bodies is
+    /// kinematic and they were beside each other before: the step solved their contact, so the
+    /// shape may slide along the obstacle. Zero otherwise.
     Vec2 normal;
 };
 

@@ -211,6 +211,7 @@ class MovingImpacts {
             return;
         }
         const uint32_t carrier = first.driven ? first.body : first.carrier;
+        if (first.driven) ++movers_[k].slides;
         if (second.blocked) {
             if (!first.driven) stop(i, now, true);
         } else if (rank(k) == 0) {
@@ -287,7 +288,8 @@ class MovingImpacts {
     }
     /// The body is carried along: it turns with the carrier and goes no nearer to it. `normal`:
     /// from the carrier to the body; the body keeps its motion along the surface and away from it.
-    /// Without a normal it moves as if it were fixed to the carrier.
+    /// Without a normal it moves as if it were fixed to the carrier: it has just arrived, and if it
+    /// went on, the next step would find no contact that changes its velocity.
     void carry(size_t i, uint32_t carrier, float now, Vec2 normal = {}) {
         const Motion driver = motion_of(carrier);
         const Motion& before = movers_[i].motion;
@@ -299,7 +301,7 @@ class MovingImpacts {
         const double turn = driver.rotation(1.0f) - driver.rotation(now);
         const Rotation turned = rotation_of(turn);
         Position end = driver.center(1.0f) + rotate(turned, motion.from - driver.center(now));
-        if (normal != Vec2{} && ++movers_[i].slides <= most_slides) {
+        if (normal != Vec2{} && movers_[i].slides <= most_slides) {
             const Vec2 own = unrotate(turned, before.center(1.0f) - end);
             end = end + rotate(turned, own - min(dot(own, normal), 0.0f) * normal);
         }

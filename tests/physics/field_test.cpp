@@ -179,6 +179,88 @@ TEST_CASE("drag slows exponentially and quadratic drag to a terminal speed") {
     REQUIRE((box.velocity() - Vec2(2, 0)).length() < 0.5f);
 }
 
+namespace {
+
+/// A body of several shapes off its position, which moves and turns relative to what flows around
+/// it, without gravity. Its greatest energy in later steps, in shares of the energy before.
+float greatest_energy(const FieldDef& field, Vec2 flow) {
+    World world({.gravity = {0, 0}});
+    world.create_field(field);
+    Body body = world.create_body(
+        {.position = {0, -300}, .velocity = flow + Vec2(90, 50), .angular_velocity = 30});
+    body.add(Box{.width = 4, .height = 0.2f, .center = {3, 1}});
+    body.add(Circle{.radius = 0.3f});
+    body.add(Ellipse{});
+    const auto energy = [&] {
+        const float spin = body.angular_velocity();
+        return body.mass() * (body.velocity() - flow).length_squared() +
+               body.inertia() * spin * spin;
+    };
+    const float before = energy();
+    float greatest = 0.0f;
+    for (int i = 0; i < 60; ++i) {
+        world.step(frame);
+        greatest = std::max(greatest, energy() / before);
+    }
+    return greatest;
+}
+
+}  // namespace
+
+TEST_CASE("no resistance of a field gives a body energy however strong it is") {
+    const Vec2 flow = {2, 1};
+    for (const float strength : {0.1f, 2.0f, 50.0f, 1e3f, 1e6f, 1e20f, 1e30f}) {
+        INFO("strength " << strength);
+        CHECK(greatest_energy({.force = BuoyancyField{.drag = strength, .flow = flow}}, flow) <= 1);
+        CHECK(greatest_energy({.force = BuoyancyField{.density = strength, .flow = flow}}, flow) <=
+              1);
+        CHECK(greatest_energy({.force = DragField{.flow = flow, .linear = strength}}, flow) <= 1);
+        CHECK(greatest_energy({.force = DragField{.flow = flow, .quadratic = strength}}, flow) <=
+              1);
+        CHECK(greatest_energy({.force = WindField{.velocity = flow, .density = strength}}, flow) <=
+              1);
+    }
+}
+
+TEST_CASE("a light body rises through a liquid with the speed at which drag holds lift") {
+    for (const float drag : {2.0f, 10.0f, 50.0f})
+        for (const float density : {10.0f, 100.0f, 1000.0f}) {
+            World world;
+            world.create_field({.force = BuoyancyField{.density = density, .drag = drag}});
+            Body box = add_box(world, {0, -3});
+            float fastest = 0.0f;
+            for (int i = 0; i < 600; ++i) {
+                world.step(frame);
+                fastest = std::max(fastest, box.velocity().length());
+            }
+            INFO("density " << density << ", drag " << drag);
+            CHECK(fastest <= 10.0f / drag);
+        }
+}
+
+TEST_CASE("a body that floats without drag swings for a minute and gains no height") {
+    for (const float density : {1.5f, 2.0f, 5.0f})
+        for (const float angle : {0.0f, 0.7f})
+            for (int kind = 0; kind < 3; ++kind) {
+                World world;
+                world.create_field({.force = BuoyancyField{.density = density, .drag = 0}});
+                Body body = world.create_body({.position = {0, -3}, .angle = angle});
+                if (kind == 0) body.add(Box{});
+                if (kind == 1) body.add(Circle{});
+                if (kind == 2) body.add(Segment{{-0.5f, 0}, {0.5f, 0}, 0.2f});
+                float lowest = 0.0f, highest = 0.0f;
+                for (int i = 0; i < 3600; ++i) {
+                    world.step(frame);
+                    lowest = std::min(lowest, body.position().y);
+                    highest = std::max(highest, body.position().y);
+                }
+                INFO("density " << density << ", kind " << kind << ", angle " << angle);
+                CHECK(lowest > -3.03f);
+                CHECK(highest < 3.03f * (density - 1));
+                CHECK(highest > 2.9f * (density - 1));
+            }
+}
+
 TEST_CASE("a planet circles an attractor in the time of its orbit") {
     World world({.gravity = {0, 0}, .substeps = 8});
     world.create_field({.force = AttractorField{.center = {1, 2}, .strength = 16.0f}});

@@ -76,6 +76,29 @@ TEST_CASE("an impulse at a point pushes and turns") {
     REQUIRE(box.angular_velocity() == Approx(8.0f / box.inertia()));
 }
 
+TEST_CASE("after a step no velocity is above its limit though motors and joints want more") {
+    for (const int substeps : {1, 4}) {
+        World world({.substeps = substeps});
+        Body wheel = world.create_body();
+        wheel.add(Box{});
+        world.create_revolute_joint(
+            {.body_b = wheel.id(), .motor_speed = 1e6f, .max_motor_torque = 1e30f});
+        Body slide = world.create_body({.position = {9, 0}});
+        slide.add(Box{});
+        world.create_prismatic_joint({.body_b = slide.id(),
+                                      .anchor_a = {9, 0},
+                                      .axis = {1, 1},
+                                      .motor_speed = 1e6f,
+                                      .max_motor_force = 1e30f});
+        for (int i = 0; i < 20; ++i) {
+            world.step(frame);
+            CHECK(std::fabs(wheel.angular_velocity()) <= 3.001f * 60 * float(substeps));
+            CHECK(slide.velocity().length() <= 10001.0f);
+        }
+        CHECK(wheel.angular_velocity() > 2.9f * 60 * float(substeps));
+    }
+}
+
 TEST_CASE("damping slows exponentially and gravity scale scales") {
     World world;
     Body damped =

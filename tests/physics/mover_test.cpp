@@ -128,6 +128,26 @@ TEST_CASE("a mover climbs steps up to its step height only") {
     CHECK(low.x() < 1.7f);
 }
 
+TEST_CASE("the height of the steps that a mover climbs is true to a millimeter") {
+    // Lower edges are slopes for the round foot.
+    for (const float height : {0.2f, 0.3f, 0.6f})
+        for (const float skin : {0.001f, 0.01f, 0.05f})
+            for (const bool higher : {false, true})
+                for (const float speed : {-3.0f, 0.1f, 0.5f, 9.0f}) {
+                    World world;
+                    add_floor(world);
+                    const float step = height + (higher ? 0.001f : -0.001f);
+                    add_static(world, Box{.width = 8,
+                                          .height = step,
+                                          .center = {speed > 0 ? 6.0f : -6.0f, 0.5f * step}});
+                    Walker hero(world, {0, skin}, {.step_height = height, .skin = skin});
+                    hero.step(speed, int(200 / std::fabs(speed)));
+                    INFO("step height " << height << ", skin " << skin << ", higher " << higher
+                                        << ", speed " << speed << ", at " << hero.y());
+                    CHECK((hero.y() > 0.9f * step) == !higher);
+                }
+}
+
 TEST_CASE("a mover descends steps without leaving the ground") {
     World world;
     for (int i = 0; i < 8; ++i)

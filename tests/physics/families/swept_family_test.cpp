@@ -116,6 +116,40 @@ int left_behind(unsigned kind, float speed, int count, bool rotates, unsigned se
     return behind;
 }
 
+void add_wheel(Body& body, unsigned kind) {
+    if (kind == 0) body.add(Circle{0.5f});
+    if (kind == 1) body.add(Box{});
+    if (kind == 2) body.add(Segment{{0, -0.3f}, {0, 0.3f}, 0.3f});
+    if (kind == 3) body.add(Ellipse{.radius_x = 0.5f, .radius_y = 0.6f});
+    if (kind == 4) body.add(Polygon{.vertices = {{-0.5f, -0.4f}, {0.5f, -0.4f}, {0, 0.6f}}});
+    if (kind == 5)
+        body.add(Concave{
+            .vertices = {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {0, 0.2f}, {-0.5f, 0.5f}}});
+}
+
+/// A fast body towards the middle of a kinematic one; false if it went round it without a contact.
+bool meets_wheel(unsigned kind, unsigned seed) {
+    Random random{std::mt19937(seed)};
+    World world = empty_world();
+    const float speed = random(40, 200);
+    Body wheel = world.create_body(
+        {.type = BodyType::kinematic_body, .position = {random(5, 8), 0}, .angle = random(-3, 3)});
+    if (seed % 2 == 0) wheel.set_velocity({random(-3, 3), 0});
+    add_wheel(wheel, kind);
+    Body body = world.create_body({.angle = random(-3, 3),
+                                   .velocity = {speed, 0},
+                                   .angular_velocity = random(-3, 3),
+                                   .bullet = seed % 4 < 2});
+    add_shape(body, seed % 5, random(0.1f, 0.25f));
+    const float line = body.world_center().y;
+    for (int steps = int(60 * 12 / speed) + 2; steps > 0; --steps) {
+        const bool on_line = std::fabs(body.world_center().y - line) < 0.01f;
+        run(world, 1);
+        if (!world.events().contact_begin.empty()) return on_line;
+    }
+    return false;
+}
+
 /// A plank that rotates in place beside a thin fixed post.
 bool plank_misses_post(unsigned seed) {
     Random random{std::mt19937(seed)};
@@ -192,6 +226,15 @@ TEST_CASE("fast bodies do not pass through a kinematic body that is slow or stan
         through += body.position().x > wall.position().x;
     }
     CHECK(through == 0);
+}
+
+TEST_CASE("a fast body in the way of a kinematic body touches it before it is turned aside") {
+    for (unsigned kind = 0; kind < 6; ++kind) {
+        unsigned missed = 0;
+        for (unsigned seed = 0; seed < 4 * seeds_or(50); ++seed) missed += !meets_wheel(kind, seed);
+        INFO("kind " << kind);
+        CHECK(missed == 0);
+    }
 }
 
 TEST_CASE("a plank that rotates in place does not pass a thin post") {
