@@ -125,7 +125,7 @@ local function think(level)
         local slope = level.map:tile(level.map:cell_at(vec(ahead, y + 0.3)).x, level.map:cell_at(vec(ahead, y + 0.3)).y, "ground")
         if level:solid(vec(ahead, y + 0.4)) and slope ~= 17 and slope ~= 18 then jump = true end
         if not ground_at(level, at.x + way * 0.45, y) then jump = true end
-        if hurts(level, at.x + way * 1.1, y + 0.3) then jump = true end
+        if hurts(level, at.x + way, y + 0.3) then jump = true end
         for _, enemy in ipairs(things:children("Enemy")) do
             local d = enemy.position - at
             if not enemy.dead and d.x * way > 0 and d.x * way < 2.3 and d.y < 1.2 and d.y > -2 then jump = true end
