@@ -151,8 +151,8 @@ struct DistanceConstraint {
     void hold(SolverBody& a, SolverBody& b, float error, const JointStep& step) {
         if (biased) error = ends.close_wide_gap(a, b, line.direction, error, step);
         line.push(ends, a, b,
-                  push_rigid<biased>(impulses.along, ends.share * line.mass, line.velocity(a, b), error,
-                                     step.length_softness(error)));
+                  push_rigid<biased>(impulses.along, ends.share * line.mass, line.velocity(a, b),
+                                     error, step.length_softness(error)));
     }
     template <bool biased>
     void limit(SolverBody& a, SolverBody& b, float distance, const JointStep& step) {
