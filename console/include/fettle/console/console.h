@@ -53,9 +53,10 @@ struct Options {
     std::function<app::ClipRectangle(const app::ClipRectangle& whole)> free_of_others{};
     /// Tweaks to list, keep and drop; null: nothing of them is shown.
     property::Tweaks* tweaks = nullptr;
-    /// Whether the game stands because a script failed, and what makes it go on. Without these
-    /// functions, the buttons of the time bar know pauses only.
+    /// Whether the game stands because a script failed. Without this function and `resume`, the
+    /// buttons of the time bar know pauses only.
     std::function<bool()> halted{};
+    /// Makes a game go on that stands because a script failed.
     std::function<void()> resume{};
     /// Shows the kept past: calls `visit` after each step from `from` to `to`, which may be later
     /// than the present one, with the tree as it was then (app::Timeline::review). Without it,
