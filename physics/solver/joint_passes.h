@@ -74,9 +74,9 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
 /// Passes the bodies with joints to `JointShare`.
 void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips& strips);
 
-/// Number of sweeps of a pass over the joints that bear this load.
+/// Number of sweeps of a pass over the joints of a class: a load, `tuned` or `crowded`.
 int sweeps_of(size_t load, JointPass pass);
-/// Solves the joints of some nodes that bear a load, or those with a stiffness of their own, once.
+/// Solves the joints of a class on some nodes once.
 void sweep_joints(JointPass pass, size_t load, JointScratch& joints, std::span<SolverBody> bodies,
                   const JointStep& step, const StripNodes& nodes);
 /// Runs a pass over the joints of some nodes; several times over those that bear heavy loads.

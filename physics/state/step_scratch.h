@@ -72,7 +72,7 @@ struct JointArray {
     std::vector<std::byte> constraints;  ///< of the same joints, as their type defines them
     std::vector<uint8_t> drives;         ///< 1: the motor of the joint moves its bodies
     std::vector<Softness> softness;      ///< of each joint, if they are tuned one by one
-    std::vector<float> shares;           ///< of each joint, if they are those of crowded bodies
+    std::vector<float> shares;           ///< of each joint: `JointEnds::share`; empty: all are 1
 
     template <class Constraint>
     Constraint* as() {
