@@ -253,28 +253,33 @@ size_t collide_and_create(const NarrowPhaseInput& in) {
     });
 }
 
+/// Calls `visit` for each new contact between bodies that both rest, while some body sleeps.
+void for_each_resting(const NarrowPhaseInput& in, auto&& visit) {
+    if (in.objects.island_slots.count == 0) return;
+    for (const uint64_t pair : in.scratch.new_pairs) {
+        ContactRecord& c =
+            in.objects.contacts[in.list.pairs.find(uint32_t(pair), uint32_t(pair >> 32))];
+        if (c.awake_index == none) visit(c);
+    }
+}
+
 /// Wakes sleeping bodies at sensors of bodies that do not move. Otherwise the sensors would not
 /// report them, since contacts of two bodies that both rest are not collided.
 void wake_for_sensors(const NarrowPhaseInput& in) {
     if (in.objects.sensors == 0) return;
-    for (const uint64_t pair : in.scratch.new_pairs) {
-        const uint32_t slot = in.list.pairs.find(uint32_t(pair), uint32_t(pair >> 32));
-        const ContactRecord& c = in.objects.contacts[slot];
-        if (!c.sensor || c.awake_index != none) continue;
+    for_each_resting(in, [&](const ContactRecord& c) {
+        if (!c.sensor) return;
         for (const uint32_t body : {c.body_a, c.body_b})
             if (in.objects.bodies[body].asleep()) wake_body(in.activity, body);
-    }
+    });
 }
 
 /// Collides new contacts of bodies that were put to sleep before the pair was known: such a body
 /// lies on what is below it, and wakes when that is removed.
 void collide_resting(const NarrowPhaseInput& in) {
-    if (in.objects.island_slots.count == 0) return;
-    for (const uint64_t pair : in.scratch.new_pairs) {
-        ContactRecord& c =
-            in.objects.contacts[in.list.pairs.find(uint32_t(pair), uint32_t(pair >> 32))];
-        if (c.awake_index == none && !c.sensor) update_manifold(in, c);
-    }
+    for_each_resting(in, [&](ContactRecord& c) {
+        if (!c.sensor) update_manifold(in, c);
+    });
 }
 
 }  // namespace

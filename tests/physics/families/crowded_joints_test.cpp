@@ -16,12 +16,9 @@ namespace crowded_joints_test {
 using namespace fettle::physics;
 using families::Random;
 using families::seeds_or;
+using families::turned;
 
 namespace {
-
-Vec2 turned(float angle) {
-    return {std::cos(angle), std::sin(angle)};
-}
 
 /// Bodies without gravity and without contacts, which a push sets in motion.
 class Jointed {

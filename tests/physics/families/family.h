@@ -1,6 +1,9 @@
 #pragma once
 // Seeds of families of tests: random numbers that are equal on every machine, and how many worlds.
 
+#include <fettle/physics/types.h>
+
+#include <cmath>
 #include <cstdlib>
 #include <random>
 #include <string>
@@ -15,6 +18,11 @@ struct Random {
         return low + (high - low) * float(engine()) / 4294967296.0f;
     }
 };
+
+/// The unit vector in that direction.
+inline fettle::physics::Vec2 turned(float angle) {
+    return {std::cos(angle), std::sin(angle)};
+}
 
 /// The number of seeds of a test: FETTLE_SEEDS if that is set; FETTLE_SOAK times `usual` if that
 /// is; else `usual` in a thorough run and a quarter of it in a quick one.

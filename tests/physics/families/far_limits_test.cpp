@@ -15,12 +15,9 @@ namespace far_limits_test {
 using namespace fettle::physics;
 using families::Random;
 using families::seeds_or;
+using families::turned;
 
 namespace {
-
-Vec2 turned(float angle) {
-    return {std::cos(angle), std::sin(angle)};
-}
 
 /// Two bodies with an anchor beside each center, and a joint with one limit that the distance
 /// exceeds, or falls below, by `gap`.
