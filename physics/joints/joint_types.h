@@ -37,14 +37,9 @@ class JointFunctions {
         if constexpr (requires { &Constraint::separation; }) measure = separation;
         bool (*is_rigid)(const JointRecord&) = nullptr;
         if constexpr (requires { &Constraint::holds; }) is_rigid = holds;
-        return {name,        sizeof(Constraint),
-                begin,       check,
-                measure,     is_rigid,
-                prepare,     warm_start,
-                solve,       relax,
-                load,        impulses_of,
-                load_on,     write_rows,
-                store};
+        return {name,    sizeof(Constraint), begin, check, measure, is_rigid,
+                prepare, warm_start,         solve, relax, load,    impulses_of,
+                load_on, write_rows,         store};
     }
 
   private:
