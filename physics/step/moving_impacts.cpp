@@ -22,6 +22,9 @@ namespace {
 /// stops.
 constexpr int most_slides = 2;
 
+/// A way that ends no deeper than this below the surface along which the body slides is kept, m.
+constexpr float end_gap = 0.0002f;
+
 struct Mover {
     uint32_t body = none;
     Motion motion;
@@ -303,7 +306,11 @@ class MovingImpacts {
         Position end = driver.center(1.0f) + rotate(turned, motion.from - driver.center(now));
         if (normal != Vec2{} && movers_[i].slides <= most_slides) {
             const Vec2 own = unrotate(turned, before.center(1.0f) - end);
-            end = end + rotate(turned, own - min(dot(own, normal), 0.0f) * normal);
+            const float inwards = min(dot(own, normal), 0.0f);
+            // Seen from a carrier that turns, its straight way is an arc, which may go into the
+            // surface and out again.
+            if (movers_[i].carrier == carrier && inwards > -end_gap) return;
+            end = end + rotate(turned, own - inwards * normal);
         }
         motion.velocity = (1.0f / left) * (end - motion.from);
         motion.turn = float(turn) / left;
