@@ -77,6 +77,45 @@ TEST_CASE("a reload leaves the settings of the player") {
     CHECK(contains(store, "\"key\": \"j\""));
 }
 
+TEST_CASE(
+    "the top level of a changed file reads the layers and objects of the map that it places") {
+    Run run;
+    run.folder.write("game/game.json", R"({"id": "org.example.map"})");
+    run.folder.write("game/level.json", R"({"type": "map", "orientation": "orthogonal",
+        "width": 2, "height": 1, "tilewidth": 16, "tileheight": 16, "layers": [
+        {"type": "tilelayer", "id": 1, "name": "ground", "width": 2, "height": 1, "data": [0, 0]},
+        {"type": "objectgroup", "id": 2, "name": "things", "objects": [
+            {"id": 1, "name": "start", "x": 16, "y": 0, "point": true},
+            {"id": 2, "name": "coin", "x": 0, "y": 0, "point": true}]}]})");
+    const std::string map =
+        "world.level = Tilemap { map = 'level.json', pixels_per_unit = 16 } "
+        "local level = world.level local things = level.things ";
+    run.folder.write("game/main.lua",
+                     map +
+                         "world.ball = Body { position = things.start.position } "
+                         "after(1, function() things.coin:delete() first = things.start "
+                         "scene.save('begun.json', Object { }) end)");
+    RunningProgram program = run.begin();
+    REQUIRE(program.makes("game/begun.json"));
+    run.folder.write("game/main.lua",
+                     map +
+                         "world.ball = Body { position = things.start.position + vec(0, 4) } "
+                         "level.ground.opacity = 0.5 "
+                         "function reloaded() store.same = things.start == first "
+                         "store.things = #things:children() store.maps = #world:find(Tilemap) "
+                         "store.opacity = world.level.ground.opacity "
+                         "store.x = world.ball.position.x quit() end");
+    const auto end = program.end();
+    INFO(end.out << end.err);
+    CHECK(end.status == 0);
+    CHECK(contains(end.err, "reloaded main.lua in "));
+    const std::string store = run.folder.text("user data/fettle/games/org.example.map/store.json");
+    INFO(store);
+    for (const char* const entry :
+         {"\"same\": true", "\"things\": 1", "\"maps\": 1", "\"opacity\": 0.5", "\"x\": 1"})
+        CHECK(contains(store, entry));
+}
+
 TEST_CASE("an error of a changed file is reported and the game goes on") {
     Run run;
     run.folder.write("game/main.lua",

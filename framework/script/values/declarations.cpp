@@ -193,6 +193,17 @@ void Declarations::place(Handle instance, Handle parent, std::string_view name) 
     places_[instance.key()] = {parent, chosen};
     children_[{parent.key(), chosen}] = instance;
     placed_.push_back(instance);
+    make_its_children(instance);
+}
+
+/// A class may make instances below one of its own when that gets a parent, as a map makes its
+/// layers. The top level may read them, so the instance gets a detached parent for a moment.
+void Declarations::make_its_children(Handle instance) {
+    if (tree_.parent(instance)) return;
+    const Handle parent = tree_.create(tree_.object_class());
+    tree_.move(instance, parent);
+    tree_.move(instance, {});
+    tree_.destroy(parent);
 }
 
 void Declarations::remove(Handle instance) {

@@ -104,6 +104,7 @@ class Declarations {
     const Assignment* last_assignment(property::Handle instance, std::string_view name) const;
     std::string future_path(property::Handle instance) const;
     std::string free_name(property::Handle instance, property::Handle parent);
+    void make_its_children(property::Handle instance);
 
     property::Tree& tree_;
     Recording& recording_;
