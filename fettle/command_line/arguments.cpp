@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <filesystem>
 #include <functional>
 #include <vector>
 
@@ -48,8 +49,12 @@ std::string command_problem(const CLI::App& app, std::string_view first) {
         if (command->get_name() == first) return {};
         names.push_back(command->get_name());
     }
-    return quoted_start(first) + " is not a command; there are " + joined(names) +
-           property::suggestion(first, names);
+    const std::string wrong = quoted_start(first) + " is not a command; ";
+    const std::filesystem::path path(first);
+    std::error_code none;
+    if (path.extension() == ".lua" || std::filesystem::exists(path / "main.lua", none))
+        return wrong + "fettle run " + on_one_line(first) + " plays a game";
+    return wrong + "there are " + joined(names) + property::suggestion(first, names);
 }
 
 std::string left_over_problem(const CLI::App& command) {

@@ -78,6 +78,8 @@ TEST_CASE("a mistake in game.json ends the program with its place") {
                    "game.json:2:3: consle: there is no such setting (did you mean "
                    "\"console\"?)"));
     CHECK(run.out.empty());
+    CHECK(contains(run_with(folder, R"({"title": "A"})", "print(1)").err,
+                   "game.json:1:11: title: belongs into \"window\": { }"));
     const Outcome icon = run_with(folder, R"({"icon": "hreo.png"})", "print(1)");
     CHECK(icon.status == 3);
     CHECK(contains(icon.err, "game.json: icon: there is no file \"hreo.png\""));

@@ -61,6 +61,7 @@ TEST_CASE("an invalid argument is reported in one line with the expected form") 
          "\"rnu\" is not a command; there are run, test, new, where, package, repl, docs (did you "
          "mean \"run\"?)"},
         {{""}, "\"\" is not a command"},
+        {{game}, "\"" + game + "\" is not a command; fettle run " + game + " plays a game"},
         {{"\x1b[31m"}, "\"\\x1b[31m\" is not a command"},
         {{"--steps", "3"}, "\"--steps\" is not an option of fettle"},
         {{"run", game, "--stesp", "3"},

@@ -32,6 +32,13 @@ assert(Body {}.friction > 0.5)
     CHECK_THAT(s.fails("world.ball:hrt(1)"), contains("hurt"));
     CHECK_THAT(s.fails("world.ball.hurt = 3"), contains("is a function of Ball"));
     CHECK_THAT(s.fails("class('B2', Body) { frction = 1 }"), contains("friction"));
+    // A plural with a value of another kind is a property of the game's own.
+    CHECK_THAT(s.fails("class('B5', Body) { positions = vec(1, 2) }"), contains("\"position\"?"));
+    s.run(
+        "Enemy5 = class('Enemy5', Body) { positions = { vec(1, 2) }, names = {} } "
+        "world.enemy = Enemy5 { names = { 'a' } } world.enemy.velocities = { vec(0, 0) } "
+        "assert(world.enemy.names[1] == 'a' and world.enemy.positions[1].y == 2)");
+    CHECK_THAT(s.fails("world.ball.velocitys = vec(0, 0)"), contains("\"velocity\"?"));
     CHECK_THAT(s.fails("class('B3', Body) { mass = -1 }"), contains("mass"));
     CHECK_THAT(s.fails("class('Body') {}"), contains("class of the framework"));
     CHECK_THAT(s.fails("class('no way', Body) {}"), contains("is not a name for a class"));

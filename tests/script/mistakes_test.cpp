@@ -296,14 +296,15 @@ TEST_CASE("a handler that treats the record of its event as the instance gets a 
         world.ball:on("contact_begin", function(e)
             local _, said = pcall(function() e.velocity = vec(0, 1) end)
             local _, read = pcall(function() return e.mass end)
+            local _, gone = pcall(function() e:delete() end)
             e.mine = 3
-            print(said, read, e.mine)
+            print(said, read, gone, e.mine)
         end))");
     const auto ball = s.tree->child(s.world, "ball");
     s.tree->emit(ball, *s.tree->class_of(ball).event("contact_begin"), {s.world, 2.0});
     s.step();
     REQUIRE(s.printed.size() == 1);
-    for (const char* name : {"velocity", "mass"})
+    for (const char* name : {"velocity", "mass", "delete"})
         CHECK_THAT(s.printed[0], contains(std::string(name) +
                                           ": no such field; this is the record "
                                           "of the event, and its `instance` has " +

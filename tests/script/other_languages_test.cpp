@@ -12,6 +12,13 @@ TEST_CASE("words of other languages and of older versions of Lua have a hint") {
     const auto [code, hint] = GENERATE(table<std::string, std::string>({
         {"unpack({1})", "unpack: no such name (write table.unpack(list))"},
         {"local _ = null", "null: no such name (write nil)"},
+        {"super.hit(world)", "super: no such name (write Base.name(self, ...)"},
+        {"os.getenv('HOME')", "(field 'getenv') (a game reaches its own files only"},
+        {"Object.new()", "Object.new: no such name (write Object { ... } to make one)"},
+        {"color = 'red' color('blue')",
+         "(global 'color') (an assignment has replaced what it was)"},
+        {"local _ = 'at ' .. vec(1, 2)", "(write tostring(it) to join it to a text)"},
+        {"local function hit(self, other) return other.mass end hit(1)", "whose event.other is"},
         {"sqrt(2)", "(did you mean \"math.sqrt\"?)"},
         {"math.pow(2, 3)", "(field 'pow') (write a ^ b)"},
         {"local _ = 'a' + 1", "(write .. to join texts)"},

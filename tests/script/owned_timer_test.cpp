@@ -117,7 +117,7 @@ TEST_CASE("a timer in real time goes on while no step is made") {
 TEST_CASE("wrong arguments name the method") {
     Stage s;
     s.run("world.ball = Body {}");
-    CHECK_THAT(s.fails("world.ball:after('x', print)"), contains("after: needs a number"));
+    CHECK_THAT(s.fails("world.ball:after('x', print)"), contains("after: needs a time in seconds"));
     CHECK_THAT(s.fails("world.ball:every(1e-6, print)"), contains("shorter than 0.0001 s"));
     CHECK_THAT(s.fails("world.ball:run(3)"), contains("run: needs a function"));
     CHECK_THAT(s.fails("world.ball.after(1, print)"), contains("after: needs an instance"));

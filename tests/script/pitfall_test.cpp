@@ -93,6 +93,18 @@ TEST_CASE("the name of a deleted instance is not taken for a method") {
     CHECK(message.find("did you mean") == std::string::npos);
 }
 
+TEST_CASE("a coroutine of a timer that yields gets a note once") {
+    Game s;
+    s.run(
+        "after(0, function() wait(0) end) for _ = 1, 2 do game:run(function()\n"
+        "coroutine.yield() end) end");
+    s.step();
+    REQUIRE(s.notes.size() == 1);
+    CHECK(s.notes[0] ==
+          "main.lua:2: after coroutine.yield() only coroutine.resume goes on; wait(0) waits for "
+          "the next step");
+}
+
 TEST_CASE("a vector in a variable is connected and a note says so once") {
     Game s;
     s.run("world.ball = Body {} world.ball.position.x = 3 world.ball.position.y = 4");

@@ -211,7 +211,8 @@ class DescriptorCheck {
     void check_default(const std::string& member, const Property& property) const {
         if (refers_to_instance(property.default_value))
             refuse(ErrorKind::wrong_type, member,
-                   "its default names an instance: a reference must begin empty");
+                   "its default names an instance: a reference must begin empty; a class is "
+                   "declared instead, as in target = Body");
     }
     static bool refers_to_instance(const Value& value) {
         if (value.is(Type::list)) return std::ranges::any_of(value.list(), refers_to_instance);

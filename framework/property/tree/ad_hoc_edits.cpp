@@ -46,8 +46,10 @@ const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
         refuse(ErrorKind::bad_name, quoted + " is a method of " + of.name());
     if (tree.child(instance, name)) refuse(ErrorKind::bad_name, quoted + " is a child here");
     const std::vector<std::string> members = of.member_names();
-    const auto near = std::ranges::find_if(
-        members, [name](const std::string& declared) { return near_miss(name, declared); });
+    const auto near = std::ranges::find_if(members, [&](const std::string& declared) {
+        const Property* const property = of.property(declared);
+        return misspells(name, value.type(), declared, property ? property->type : Type::nil);
+    });
     if (near != members.end())
         refuse(ErrorKind::near_miss,
                of.name() + " has no property " + quoted + " (did you mean \"" + *near + "\"?)");

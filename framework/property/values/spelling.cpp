@@ -95,6 +95,16 @@ bool near_miss(std::string_view name, std::string_view declared) {
            !of_one_series(name, declared);
 }
 
+bool misspells(std::string_view name, Type given, std::string_view declared, Type type) {
+    if (!near_miss(name, declared)) return false;
+    const bool plural = name.ends_with('s') && name.substr(0, name.size() - 1) == declared;
+    const auto numeric = [](Type of) { return of == Type::number || of == Type::integer; };
+    // A text may stand for a color, nil for any value.
+    const bool same_kind = given == type || (numeric(given) && numeric(type)) ||
+                           given == Type::text || given == Type::nil || type == Type::nil;
+    return !plural || same_kind;
+}
+
 std::string nearest(std::string_view name, std::span<const std::string> candidates) {
     // A third of the letters may be wrong, but not all: "velosity" is found by its distance,
     // "frict" and "bounce" as parts of names.

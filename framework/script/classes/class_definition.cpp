@@ -85,7 +85,7 @@ std::vector<std::pair<std::string, std::string>> documentation(lua_State* L, int
 // Refuses names that are almost equal to a declared name of the framework. Names that the game
 // itself declares may be similar.
 void refuse_near_misses(const ScriptClasses& classes, const Class& base,
-                        const std::string& class_name, const std::string& name) {
+                        const std::string& class_name, const std::string& name, Type given) {
     if (base.method(name))
         throw Error(ErrorKind::bad_name,
                     class_name + "." + name + ": is a method of " + base.name());
@@ -94,14 +94,16 @@ void refuse_near_misses(const ScriptClasses& classes, const Class& base,
                                              ": is a method of every instance; a property needs " +
                                              "another name");
     const auto refuse = [&](const std::string& known) {
-        if (property::near_miss(name, known))
-            throw Error(ErrorKind::near_miss, class_name + "." + name + ": " + base.name() +
-                                                  " has no such property (did you mean \"" + known +
-                                                  "\"?)");
+        throw Error(ErrorKind::near_miss, class_name + "." + name + ": " + base.name() +
+                                              " has no such property (did you mean \"" + known +
+                                              "\"?)");
     };
     for (const Property* declared : base.properties())
-        if (!classes.scripted(*declared->owner)) refuse(declared->name);
-    for (const property::Method* method : base.methods()) refuse(method->name);
+        if (!classes.scripted(*declared->owner) &&
+            property::misspells(name, given, declared->name, declared->type))
+            refuse(declared->name);
+    for (const property::Method* method : base.methods())
+        if (property::near_miss(name, method->name)) refuse(method->name);
 }
 
 // Refuses entries without a name: a class table has no children, unlike that of a constructor. Also
@@ -223,8 +225,9 @@ int define_class(lua_State* L) {
                 if (name == key) again.doc = doc;
             definition.properties.push_back(std::move(again));
         } else {
-            refuse_near_misses(machine.classes, *definition.base, definition.name, key);
             Property property = declared(L, definition.name, key);
+            refuse_near_misses(machine.classes, *definition.base, definition.name, key,
+                               property.type);
             for (const auto& [name, doc] : docs)
                 if (name == key) property.doc = doc;
             definition.properties.push_back(std::move(property));

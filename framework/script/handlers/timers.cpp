@@ -13,6 +13,7 @@
 #include <handlers/timers.h>
 #include <lua/environment.h>
 #include <lua/guard.h>
+#include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/life.h>
 #include <lua/machine.h>
@@ -331,6 +332,15 @@ void Timers::resume(lua_State* L, lua_State* thread, int arguments, Lifetime lif
         throw;
     }
     forget_lifetime();
+    if (lua_status(thread) == LUA_YIELD && !waiting_.contains(thread)) note_yield(thread);
+}
+
+/// `coroutine.yield()` in a function of a timer: nothing resumes it by itself.
+void Timers::note_yield(lua_State* thread) {
+    const auto sink = machine_.host.on_note;
+    if (std::exchange(noted_yield_, true) || !sink) return;
+    sink(position(thread) +
+         "after coroutine.yield() only coroutine.resume goes on; wait(0) waits for the next step");
 }
 
 void Timers::start(lua_State* L, Handle owner) {

@@ -168,6 +168,7 @@ class Timers {
     int idle_thread();
     /// Resumes a thread that may wait again.
     void resume(lua_State* L, lua_State* thread, int arguments, Lifetime lifetime);
+    void note_yield(lua_State* thread);
 
     void insert(const Key& key, Timer timer);
     void erase(Queue::iterator entry);
@@ -191,6 +192,7 @@ class Timers {
     bool from_file_ = false;   // its simulation time is that of another run
     bool returned_ = false;  // the game is in the state of another step, and has made no step there
     bool told_ = false;
+    bool noted_yield_ = false;
     Reals real_;
     double parked_until_ = 0;        // s, simulation time of the restored step
     std::uint64_t parked_from_ = 0;  // the number of the next timer at the restored step

@@ -20,7 +20,8 @@ namespace fettle::script {
 namespace {
 
 double seconds_at(lua_State* L, int index) {
-    const double seconds = check_number(L, index, "tween");
+    if (lua_type(L, index) != LUA_TNUMBER) refuse_type(L, index, "tween: needs a time in seconds");
+    const double seconds = lua_tonumber(L, index);
     constexpr double longest_tween = 1e9;
     if (!(seconds >= 0 && seconds <= longest_tween))
         throw Error(ErrorKind::out_of_range, "tween: expected a time from 0 to 1e9 s, got " +

@@ -260,8 +260,9 @@ int construct(lua_State* L) {
     machine.classes.add_function_names(of, names);
     for (const property::Method* method : of.methods()) names.push_back(method->name);
     names.insert(names.end(), generic_names().begin(), generic_names().end());
-    throw Error(ErrorKind::unknown_name,
-                of.name() + "." + name + ": no such name" + property::suggestion(name, names));
+    const std::string hint = name == "new" ? " (write " + of.name() + " { ... } to make one)"
+                                           : property::suggestion(name, names);
+    throw Error(ErrorKind::unknown_name, of.name() + "." + name + ": no such name" + hint);
 }
 
 // Upvalues: a function and a class, which is its first argument.

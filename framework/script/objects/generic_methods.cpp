@@ -109,6 +109,8 @@ int is_a(lua_State* L) {
 
 int add(lua_State* L) {
     const Handle self = check_instance(L, 1, "add");
+    if (instance_at(L, 2) == nullptr && instance_at(L, 3) != nullptr)
+        refuse_type(L, 2, "add: needs an instance, and its name after it");
     const Handle child = check_instance(L, 2, "add");
     Machine& machine = machine_of(L);
     if (machine.tree.parent(child) || child == machine.tree.root())

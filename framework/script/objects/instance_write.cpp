@@ -19,18 +19,37 @@ namespace fettle::script {
 
 namespace {
 
-/// `handles`: the value is a function, so that an event may be meant.
-void refuse_near_miss(Machine& machine, Handle instance, const Class& of, std::string_view name,
-                      bool handles) {
+/// The kind of the value at 3; nil for all that is not compared.
+Type kind_of_value(lua_State* L) {
+    switch (lua_type(L, 3)) {
+        case LUA_TBOOLEAN:
+            return Type::boolean;
+        case LUA_TNUMBER:
+            return Type::number;
+        case LUA_TTABLE:
+            return Type::list;
+        default:
+            return vec_at(L, 3) != nullptr        ? Type::vec2
+                   : instance_at(L, 3) != nullptr ? Type::reference
+                                                  : Type::nil;
+    }
+}
+
+/// The value is at 3.
+void refuse_near_miss(lua_State* L, Machine& machine, Handle instance, const Class& of,
+                      std::string_view name) {
     std::vector<std::string> names = of.member_names();
-    if (handles)
+    const Type given = kind_of_value(L);
+    if (lua_isfunction(L, 3))  // an event may be meant
         for (const property::Event* event : of.events()) names.push_back(event->name);
     machine.classes.add_function_names(of, names);
-    for (const std::string& declared : names)
-        if (property::near_miss(name, declared))
+    for (const std::string& declared : names) {
+        const Property* const property = of.property(declared);
+        if (property::misspells(name, given, declared, property ? property->type : Type::nil))
             throw Error(ErrorKind::near_miss, path_of(machine.tree, instance, name) +
                                                   ": no such name (did you mean \"" + declared +
                                                   "\"?)");
+    }
 }
 
 // The detached instance at 3, which will become a child; a null handle for other values.
@@ -147,7 +166,7 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const Class& 
         throw Error(ErrorKind::wrong_type, path_of(machine.tree, instance, name) +
                                                ": is an event; :on(\"" + std::string(name) +
                                                "\", function) adds a handler");
-    refuse_near_miss(machine, instance, of, name, lua_isfunction(L, 3));
+    refuse_near_miss(L, machine, instance, of, name);
     if (lua_isnil(L, 3)) return;
     if (is_formula(L, 3)) {
         define_formula(L, machine, 3, instance, name);

@@ -19,6 +19,7 @@ constexpr Foreign foreign_names[] = {
     {"True TRUE yes on", "true"},
     {"False FALSE no off", "false"},
     {"this", "self"},
+    {"super", "Base.name(self, ...), with the class that it is derived from"},
     {"unpack", "table.unpack(list)"},
     {"loadstring", "load(text)"},
     {"len", "#list"},
@@ -64,7 +65,9 @@ constexpr Foreign foreign_functions[] = {
 constexpr std::string_view in_math =
     "sin cos tan asin acos atan sqrt abs floor ceil exp fmod modf min max pi huge";
 constexpr std::string_view only_files =
-    " (a game reads and writes files with store, save_game, scene and require only)";
+    " (a game reaches its own files only, with store, save_game, scene and require)";
+
+constexpr std::string_view outside = "execute getenv setenv popen open remove rename tmpname";
 
 /// Words at the beginning of a statement.
 constexpr Foreign foreign_statements[] = {
@@ -165,17 +168,25 @@ std::string hint_for_value(std::string_view message) {
         return at == std::string_view::npos ? std::string_view() : quoted(message, at);
     };
     if (const auto name = name_after("attempt to call a nil value (field "); !name.empty())
-        return name == "execute" ? std::string(only_files)
-                                 : hint_to_write(in_place_of(foreign_functions, name));
+        return holds_word(outside, name) ? std::string(only_files)
+                                         : hint_to_write(in_place_of(foreign_functions, name));
     // A callback that the game does not define is nil; other unknown names are errors.
     if (name_after("attempt to call a nil value (global ") == "step")
         return hint_to_write("time.step_once = true to make one step");
+    // function(self, other) as a handler
+    if (name_after("attempt to index a nil value (local ") == "other")
+        return hint_to_write("function(event), whose event.other is the other one");
     if (const auto name = name_after("attempt to get length of a function value ("); !name.empty())
         return hint_to_write("#it:" + std::string(name) + "() if this is a method of it");
     if (const auto name = name_after("attempt to index a function value ("); !name.empty()) {
         const bool global = message.find("(global '") != std::string_view::npos;
         return hint_to_write((global ? "" : "it:") + std::string(name) + "() to call it");
     }
+    // color = "red", and then color("blue")
+    for (const char* const type : {"string", "number", "boolean"})
+        if (message.find(std::string("attempt to call a ") + type + " value (global '") !=
+            std::string_view::npos)
+            return " (an assignment has replaced what it was)";
     // #008000: the length of the number 8000.
     if (message.find("attempt to get length of a number value") != std::string_view::npos)
         return hint_to_write("a color in quotes, \"#ff8000\"");
@@ -188,6 +199,9 @@ std::string hint_for_value(std::string_view message) {
     if (message.find("(for iterator 'for iterator')") != std::string_view::npos &&
         message.find("attempt to call a nil value") == std::string_view::npos)
         return hint_to_write("for _, each in ipairs(list) do, or pairs(table)");
+    if (message.find("attempt to concatenate a vec value") != std::string_view::npos ||
+        message.find("attempt to concatenate a instance value") != std::string_view::npos)
+        return hint_to_write("tostring(it) to join it to a text");
     if (message.find("attempt to add a 'string' with a ") != std::string_view::npos)
         return hint_to_write(".. to join texts");
     return {};

@@ -70,7 +70,11 @@ property::Color check_color(lua_State* L, int index, const char* what) {
 }
 
 double check_seconds(lua_State* L, const char* what) {
-    const double seconds = check_number(L, 1, what);
+    if (lua_type(L, 1) != LUA_TNUMBER)
+        refuse_type(L, 1,
+                    std::string(what) + ": needs a time in seconds" +
+                        (lua_type(L, 2) == LUA_TNUMBER ? " before the rest" : ""));
+    const double seconds = lua_tonumber(L, 1);
     if (!(seconds >= 0) || std::isinf(seconds))
         throw Error(ErrorKind::out_of_range, std::string(what) + ": " +
                                                  property::number_text(seconds) +

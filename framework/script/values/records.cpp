@@ -46,7 +46,8 @@ std::string hint_at_instance(lua_State* L, const std::string& name) {
     const property::Tree& tree = machine_of(L).tree;
     if (box == nullptr || !tree.alive(box->handle)) return "";
     const property::Class& of = tree.class_of(box->handle);
-    if (of.property(name) == nullptr && of.method(name) == nullptr) return "";
+    const bool every_instance = name == "delete" || name == "alive" || name == "is_a";
+    if (!every_instance && of.property(name) == nullptr && of.method(name) == nullptr) return "";
     return "; this is the record of the event, and its `instance` has " + name;
 }
 

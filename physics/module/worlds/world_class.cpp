@@ -80,7 +80,8 @@ std::vector<Property> simulation(Hosting& hosting) {
          .unit = "m",
          .range = coordinates,
          .doc = "Walls around the world, given by their lower left and upper right corner; nil: "
-                "none.",
+                "none. They are of category 1, so a shape whose `mask` lacks that bit passes "
+                "through them.",
          .binding = accessor(
              hosting, [](Hosting& h, Row row) { return bounds(h, row); },
              [](Hosting& h, Row row, const Value& value) { set_bounds(h, row, value); }),

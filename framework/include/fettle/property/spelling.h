@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fettle/property/export.h>
+#include <fettle/property/value.h>
 
 FETTLE_PROPERTY_BEGIN
 
@@ -26,6 +27,11 @@ bool contains_ignoring_case(std::string_view text, std::string_view part);
 /// they are similar to many others. Names with different numbers or letters at the end (wheel1 and
 /// wheel2, item_a and item_b) are different names.
 bool near_miss(std::string_view name, std::string_view declared);
+
+/// Whether `name` with a value of type `given` is probably a typing error for a declared property
+/// of the type `type`: a near miss. A plural with a value of another kind is a name of its own,
+/// such as `names` for a list, or `bullets` for a number.
+bool misspells(std::string_view name, Type given, std::string_view declared, Type type);
 
 /// Names that differ only in a number or a letter at the end: wheel1 and wheel2, item_a and item_b,
 /// pointA and pointB. They are not typing errors.

@@ -159,24 +159,25 @@ std::uint64_t read_memory(SettingsReader& reader, const Document::Node& node) {
     return static_cast<std::uint64_t>(node.integer);
 }
 
+const std::vector<std::string> window_keys = {"title", "size", "fullscreen", "resizable", "vsync"};
+
 WindowSettings read_window(SettingsReader& reader, const Document::Node& object) {
     WindowSettings window;
-    reader.members(object, {"title", "size", "fullscreen", "resizable", "vsync"},
-                   [&](const Document::Node& node, const std::string& key) {
-                       if (key == "title")
-                           window.title = reader.text(node);
-                       else if (key == "size")
-                           window.size = reader.size(node);
-                       else if (key == "fullscreen")
-                           window.fullscreen = reader.boolean(node);
-                       else if (key == "resizable")
-                           window.resizable = reader.boolean(node);
-                       else if (key == "vsync")
-                           window.vsync = reader.boolean(node);
-                       else
-                           return false;
-                       return true;
-                   });
+    reader.members(object, window_keys, [&](const Document::Node& node, const std::string& key) {
+        if (key == "title")
+            window.title = reader.text(node);
+        else if (key == "size")
+            window.size = reader.size(node);
+        else if (key == "fullscreen")
+            window.fullscreen = reader.boolean(node);
+        else if (key == "resizable")
+            window.resizable = reader.boolean(node);
+        else if (key == "vsync")
+            window.vsync = reader.boolean(node);
+        else
+            return false;
+        return true;
+    });
     return window;
 }
 
@@ -225,6 +226,8 @@ GameSettings game_settings(std::string text, const std::string& file_name,
                            settings.memory = read_memory(reader, node);
                        else if (key == "smooth")
                            settings.smooth = reader.boolean(node);
+                       else if (std::ranges::find(window_keys, key) != window_keys.end())
+                           reader.reject(node, "belongs into \"window\": { }");
                        else
                            return false;
                        return true;
