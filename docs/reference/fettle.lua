@@ -438,7 +438,7 @@ function fettle_Object:on(event, handler) end
 ---@return string?
 function fettle_Object:problem(property) end
 
----Runs the function with the instance as a coroutine, which may call wait(). It ends where it waits when the instance is deleted.
+---Runs the function with the instance as a coroutine, which may call wait(). It ends where it waits when the instance is deleted, or by coroutine.close(thread).
 ---@param action fun(self: Object)
 ---@return thread
 function fettle_Object:run(action) end
@@ -619,7 +619,7 @@ StepStatistics = {}
 
 ---Bodies below it are simulated together. Its child `step` describes the last step.
 ---@class World : Object
----@field bounds vec[]? Walls around the world, given by their lower left and upper right corner; nil: none. · m · -1e8 to 1e8 · default nil · may be nil
+---@field bounds vec[]? Walls around the world, given by their lower left and upper right corner; nil: none. They are of category 1, so a shape whose `mask` lacks that bit passes through them. · m · -1e8 to 1e8 · default nil · may be nil
 ---@field bounds_friction number Friction of the walls of the bounds. · at least 0 · default 0.6
 ---@field bounds_restitution number Share of the speed with which bodies separate from the walls of the bounds. · 0 to 1 · default 0
 ---@field contact_damping number Damping ratio of contacts. · at least 0 · default 10
@@ -3386,7 +3386,7 @@ function assert(value, message, ...) end
 ---@return number
 function collectgarbage(option) end
 
----Ends a coroutine that is suspended.
+---Ends a coroutine that is suspended, also one that waits: it goes on no more.
 ---@param thread thread
 ---@return boolean
 ---@return any

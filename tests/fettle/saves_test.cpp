@@ -116,6 +116,39 @@ function later() world.box = Body {} after(3, function() print("once") end)
     CHECK(run("save_game('b')", "load_game('b')").err == "");
 }
 
+TEST_CASE("timers that call a method of their owner go on after loading a game") {
+    const Folder folder;
+    const std::string file = folder.write("main.lua", R"lua(
+Gun = class("Gun", Object) { shots = 0, burst = 0 }
+Big = class("Big", Gun) {}
+function Gun:fire() self.shots = self.shots + 1 end
+function Gun:volley() self.burst = self.burst + 1 end
+function Gun:ready() self:every(0.05, self.fire) self:after(0.2, self.volley) end
+function Big:fire() self.shots = self.shots + 100 end
+function step()
+    if time.step == 26 then print(world.gun.shots, world.gun.burst, world.big.shots) end
+end
+)lua");
+    const auto run = [&](const std::vector<std::string>& commands) {
+        std::vector<std::string> arguments = {"run", file, "--headless", "--steps", "50"};
+        for (const std::string& each : commands) arguments.insert(arguments.end(), {"--at", each});
+        return fettle(folder, arguments);
+    };
+    const Outcome whole =
+        run({"2:world.gun, world.big = Gun {}, Big {}", "7:save_game('a')", "40:load_game('a')"});
+    INFO(whole.out << whole.err);
+    CHECK(whole.err == "");
+    CHECK(whole.out == "8\t1\t800\n");
+    const Outcome again = run({"2:world.gun, world.big = Gun {}, Big {}", "20:load_game('a')"});
+    INFO(again.out << again.err);
+    CHECK(again.err == "");
+    CHECK(again.out == whole.out);
+    const Outcome other = run({"2:load_game('a')"});
+    INFO(other.out << other.err);
+    CHECK(other.err == "");
+    CHECK(other.out == whole.out);
+}
+
 TEST_CASE("loading a game reports which coroutines its file could not hold") {
     const Folder folder;
     const std::string file = folder.write("main.lua", R"lua(

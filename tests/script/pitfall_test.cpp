@@ -105,6 +105,20 @@ TEST_CASE("a coroutine of a timer that yields gets a note once") {
           "the next step");
 }
 
+TEST_CASE("a coroutine that waits is ended by coroutine.close and does not go on") {
+    Game s;
+    s.run(
+        "done = 0 "
+        "local long = game:run(function() wait(0.05) done = done + 1 end) "
+        "local real = game:run(function() after(0, print, { pauses = false }) wait(0.05) end) "
+        "other = game:run(function() wait(0.05) done = done + 10 end) "
+        "assert(coroutine.close(long) and coroutine.status(long) == 'dead') "
+        "assert(coroutine.close(real))");
+    for (int i = 0; i < 10; ++i) s.step();
+    CHECK(s.prints("print(done, coroutine.status(other))") == "10\tdead");
+    CHECK(s.errors.empty());
+}
+
 TEST_CASE("a vector in a variable is connected and a note says so once") {
     Game s;
     s.run("world.ball = Body {} world.ball.position.x = 3 world.ball.position.y = 4");

@@ -132,8 +132,7 @@ int close(lua_State* L) {
     lua_Debug frame;
     if (thread == L || (lua_status(thread) == LUA_OK && lua_getstack(thread, 0, &frame)))
         throw Error(ErrorKind::rejected, "cannot close a running coroutine");
-    if (machine.timers.waiting(thread))
-        throw Error(ErrorKind::rejected, "cannot close a coroutine that waits");
+    machine.timers.end_waiting(thread);
     if (killed) {
         lua_pushboolean(L, 1);
         return 1;

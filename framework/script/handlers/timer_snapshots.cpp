@@ -90,10 +90,11 @@ std::string Timers::Places::listed() const {
     return text;
 }
 
-Timers::Places Timers::ending() const {
+Timers::Places Timers::ending(const std::unordered_set<std::uint64_t>& stay) const {
     Places found;
     for (const auto& [key, timer] : queue_)
-        if (timer.function && !timer.top && !ended(timer) && ++found.count <= most_looked_at)
+        if (timer.function && !timer.top && !ended(timer) && !stay.contains(key.second) &&
+            ++found.count <= most_looked_at)
             add_place(found, place_of(timer));
     return found;
 }

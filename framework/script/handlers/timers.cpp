@@ -100,6 +100,12 @@ std::uint64_t Timers::add(lua_State* L, double seconds, double interval, Handle 
     return id;
 }
 
+void Timers::add_at(lua_State* L, double due, double interval, Handle owner, Handle scene) {
+    Timer timer = made(L, interval, owner);
+    timer.scene = scene;
+    insert({due, next_id_++}, std::move(timer));
+}
+
 void Timers::wait(lua_State* L, double seconds) {
     lua_pushthread(L);
     const std::uint64_t id = next_id_++;
@@ -140,6 +146,10 @@ void Timers::end(const Noted& noted) {
     lua_State* const thread = lua_tothread(L, -1);
     lua_pop(L, 1);
     luaL_unref(L, LUA_REGISTRYINDEX, noted.thread);
+    end_waiting(thread);
+}
+
+void Timers::end_waiting(lua_State* thread) {
     const auto found = waiting_.find(thread);
     if (found == waiting_.end()) return;
     const auto parked = std::ranges::find(parked_, found->second, &Parked::id);

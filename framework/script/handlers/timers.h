@@ -33,6 +33,9 @@ class Timers {
     /// A timer that `enter` of a scene adds ends with the scene, too.
     /// Returns the timer's number.
     std::uint64_t add(lua_State* L, double seconds, double interval, property::Handle owner = {});
+    /// The same for a timer of a file, which is due at a simulation time and belongs to `scene`, too.
+    void add_at(lua_State* L, double due, double interval, property::Handle owner,
+                property::Handle scene);
     /// The same in real time, in `seconds`: it continues while the game is paused, and is in no
     /// snapshot.
     std::uint64_t add_real(lua_State* L, double seconds, double interval, property::Handle owner);
@@ -64,6 +67,8 @@ class Timers {
     std::vector<Noted> end_noting();
     /// Ends a timer, or a coroutine if it waits.
     void end(const Noted& noted);
+    /// The coroutine waits no longer and is not continued; no effect if it does not wait.
+    void end_waiting(lua_State* thread);
     /// The timer `by` is due when `old` would be, which ends. If `old` has ended, so does `by`.
     void replace(const Noted& old, const Noted& by);
     /// From now on no restore starts this timer again, because a reload has replaced its code.
@@ -114,8 +119,8 @@ class Timers {
         std::vector<std::string> places{};
         std::string listed() const;  ///< "main.lua:3, main.lua:7"
     };
-    /// Timers that `restore_from_file` would end.
-    Places ending() const;
+    /// Timers that `restore_from_file` would end, without those with these numbers.
+    Places ending(const std::unordered_set<std::uint64_t>& stay) const;
     /// Waiting coroutines that the top level of the game has not begun: no file contains them.
     Places coroutines() const;
     /// Estimated bytes, without the functions; these are counted where they were added.

@@ -54,7 +54,7 @@ const std::vector<GlobalDoc>& instance_docs() {
          "What is wrong with the property's formula, or nil."},
         {"run", "run(self: Object, action: fun(self: Object)): thread",
          "Runs the function with the instance as a coroutine, which may call wait(). It ends "
-         "where it waits when the instance is deleted."},
+         "where it waits when the instance is deleted, or by coroutine.close(thread)."},
         {"tween",
          "tween(self: Object, property: string, to: any, seconds: number, ease?: "
          "string|number[]|fun(time: number): number, options?: table): Tween",

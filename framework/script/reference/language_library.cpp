@@ -11,7 +11,7 @@ const std::vector<GlobalDoc>& library_docs() {
         {"collectgarbage", "collectgarbage(option?: \"collect\"|\"step\"|\"count\"): number",
          "Frees unused memory, or returns how many KiB of memory scripts use."},
         {"coroutine.close", "coroutine.close(thread: thread): boolean, any",
-         "Ends a coroutine that is suspended."},
+         "Ends a coroutine that is suspended, also one that waits: it goes on no more."},
         {"coroutine.create", "coroutine.create(action: function): thread",
          "A coroutine that runs the function."},
         {"coroutine.isyieldable", "coroutine.isyieldable(): boolean",

@@ -7,6 +7,7 @@
 #include <library/globals.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <runtime/method_timers.h>
 #include <runtime/runtime_part.h>
 #include <sandbox/random.h>
 #include <values/values.h>
@@ -68,13 +69,16 @@ property::Memory RuntimePart::save(property::ByteWriter& to) const {
     to.put(std::uint64_t{machine_.unplaced.limit});
     machine_.classes.save(to);
     const std::vector<Handle> with_handlers = machine_.connections.instances();
-    const Timers::Places timers = machine_.timers.ending();
+    std::unordered_set<std::uint64_t> stay;
+    const std::vector<MethodTimer> of_methods = method_timers(machine_, stay);
+    const Timers::Places timers = machine_.timers.ending(stay);
     const Timers::Places coroutines = machine_.timers.coroutines();
-    const bool ends = timers.count > 0 || coroutines.count > 0;
-    if (!with_handlers.empty() || ends) to.put(with_handlers);
-    if (ends) {
+    const bool any = timers.count > 0 || coroutines.count > 0 || !of_methods.empty();
+    if (!with_handlers.empty() || any) to.put(with_handlers);
+    if (any) {
         put(timers, to);
         put(coroutines, to);
+        put(of_methods, to);
     }
     auto image = std::make_shared<Image>();
     image->timers = machine_.timers.image();
@@ -102,12 +106,14 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
     std::vector<Handle> had_handlers;
     if (!from.at_end()) had_handlers = from.list<Handle>();
     Timers::Places timers, coroutines;
+    std::vector<MethodTimer> of_methods;
     if (!from.at_end()) {
         timers = places_of(from);
         coroutines = places_of(from);
+        of_methods = method_timers_of(from);
     }
     return [this, random, now, unplaced, limit, put_classes, had_handlers, timers, coroutines,
-            memory] {
+            of_methods, memory] {
         static const Image nothing;
         const Image& image =
             memory ? *static_cast<const Image*>(static_cast<const Held*>(memory.get())) : nothing;
@@ -125,13 +131,17 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
                                   std::clamp<std::size_t>(limit, 64, 2 * unplaced.size() + 64));
         put_classes();
         refresh_classes(machine_);
+        if (memory) return;
+        for (const MethodTimer& each : of_methods)
+            if (!begin_again(machine_, each)) ++ended_timers_.count;
     };
 }
 
 std::vector<std::string> RuntimePart::remarks() const {
     std::vector<std::string> all = lost_handlers();
     constexpr const char* advice =
-        "; what must go on belongs to the top level, a step, a state or a tween";
+        "; what must go on belongs to the top level, a step, a state, a tween or a method, as "
+        "in self:every(1, self.fire)";
     if (ended_timers_.count > 0)
         all.push_back(counted(ended_timers_, "timer") +
                       " that the game had when it was saved ended, since a file holds no "
