@@ -12,6 +12,7 @@ TEST_CASE("words of other languages and of older versions of Lua have a hint") {
     const auto [code, hint] = GENERATE(table<std::string, std::string>({
         {"unpack({1})", "unpack: no such name (write table.unpack(list))"},
         {"local _ = null", "null: no such name (write nil)"},
+        {"visits = visits or 0", "visits: no such name (write rawget(_G, \"visits\") for a name"},
         {"super.hit(world)", "super: no such name (write Base.name(self, ...)"},
         {"os.getenv('HOME')", "(field 'getenv') (a game reaches its own files only"},
         {"Object.new()", "Object.new: no such name (write Object { ... } to make one)"},

@@ -151,6 +151,10 @@ std::string hint_for(lua_State* L, Machine& machine, std::string_view name) {
         for (const std::string& path :
              {machine.hints.path_of_instance(name), machine.hints.path_of_member(name)})
             if (!path.empty()) return " (did you mean \"" + path + "\"?)";
+    // counter = counter or 0
+    const std::string word(name);
+    if (line.find(word + " or ") != std::string::npos)
+        return hint_to_write("rawget(_G, \"" + word + "\") for a name that may be missing");
     return suggest(machine, name);
 }
 
