@@ -1,4 +1,4 @@
-#include <geometry/growth.h>
+#include <geometry/make_room.h>
 #include <partition/union_find.h>
 #include <sleep/rest.h>
 #include <sleep/rocking.h>

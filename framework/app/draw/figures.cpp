@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <draw/canvas.h>
-#include <outlines/rim.h>
+#include <outlines/border_rings.h>
 
 namespace fettle::app {
 
@@ -161,7 +161,7 @@ void Canvas::point(const Vec2& position, Color color, float size) {
 // --- Outlines ------------------------------------------------------------------------------------
 
 /// The visible area for figures; larger than the screen, so that the cuts are not visible.
-Sight Canvas::sight(const Paint& paint) const {
+VisibleArea Canvas::sight(const Paint& paint) const {
     const double margin = 16 + 2 * std::clamp(static_cast<double>(paint.border_width), 0.0, 1e4);
     return {Vec2(-margin, -margin),
             Vec2(static_cast<double>(width()) + margin, static_cast<double>(height()) + margin)};
@@ -291,7 +291,8 @@ void Canvas::draw_rings(bool filled) {
 /// pixel rows.
 void Canvas::draw_any_outline(const Paint& paint) {
     if (outline_.size() < 3) return;
-    const Rim rim = outline_.goes_round_once() ? Rim::inside(paint) : Rim::on_both_sides(paint);
+    const BorderRings rim =
+        outline_.goes_round_once() ? BorderRings::inside(paint) : BorderRings::on_both_sides(paint);
     if (rim.fill.a > 0) {
         rings_.clear();
         outline_.ring(rim.depth, rings_);
@@ -315,9 +316,9 @@ void Canvas::draw_inside(Area::Rule rule, sf::Color color) {
     }
 }
 
-void Canvas::draw_rim(const Rim& rim, std::span<const Bend> bends, bool closed) {
+void Canvas::draw_rim(const BorderRings& rim, std::span<const Bend> bends, bool closed) {
     for (std::size_t r = 0; r + 1 < rim.count; ++r) {
-        const Rim::Ring &outer = rim.rings[r], &inner = rim.rings[r + 1];
+        const BorderRings::Ring &outer = rim.rings[r], &inner = rim.rings[r + 1];
         const std::size_t n = bends.size();
         CanvasVertex* out = start_strip(2 * (n + (closed ? 1 : 0)), outer.at(bends[0]));
         for (std::size_t i = 0; i < n + (closed ? 1 : 0); ++i) {

@@ -14,8 +14,8 @@
 #include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/interpreter.h>
-#include <lua/life.h>
 #include <lua/machine.h>
+#include <lua/runtime_lifetime.h>
 #include <lua/stack.h>
 #include <lua/watchdog.h>
 #include <values/short_text.h>

@@ -3,7 +3,7 @@
 
 #include <classes/class_definition.h>
 #include <classes/reflection.h>
-#include <classes/unplaced.h>
+#include <classes/unplaced_instances.h>
 #include <handlers/formulas.h>
 #include <handlers/subscriptions.h>
 #include <handlers/timers.h>
