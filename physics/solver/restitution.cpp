@@ -101,6 +101,51 @@ bool is_fast(const ContactExtra& extra, float restitution_threshold) {
     return min(extra.approach[0], extra.approach[1]) < -restitution_threshold;
 }
 
+/// The points of a contact that meet within the step.
+struct Meeting {
+    float wanted[2] = {};  ///< changes of the velocities of the points by the impact, m/s
+    bool meets[2] = {};
+    float time = 1.0f;  ///< until the shapes meet, as a share of the step; < 0: they overlap
+
+    /// `extra.approach` has the present velocities. The forces act on the first and on the second
+    /// body.
+    Meeting(const ContactConstraint& c, const ContactExtra& extra, const SolverForce& fa,
+            const SolverForce& fb, int substeps, float dt, float threshold) {
+        for (int k = 0; k < c.count; ++k) {
+            const ConstraintPoint& p = c.points[k];
+            const float velocity = extra.approach[k];
+            // Forces change it by this much in a sub-step.
+            const float change =
+                dot(c.normal, fb.change - fa.change) +
+                (p.normal_lever_b * fb.turn_change - p.normal_lever_a * fa.turn_change);
+            const float mean = velocity + 0.5f * float(substeps + 1) * change;
+            meets[k] =
+                velocity < -threshold && p.separation + dt * mean < 0.0f && p.normal_mass > 0.0f;
+            if (meets[k]) time = min(time, p.separation / (-dt * mean));
+            // Velocities are those half a sub-step before their positions. Without this term, every
+            // bounce would lose the work of the forces in a sub-step.
+            const float v = extra.restitution > 0.0f ? velocity + 0.5f * change
+                                                     : velocity + max(p.separation, 0.0f) / dt;
+            wanted[k] = -(1.0f + extra.restitution) * v;
+        }
+    }
+    bool any() const { return meets[0] || meets[1]; }
+    /// A velocity that the joints of the bodies forbid does not bounce: they take it away. A point
+    /// at which joints hold the bodies does not bounce if a kinematic body drives them.
+    void yield_to_joints(const ContactConstraint& c, const ContactExtra& extra,
+                         const JointedResponse& response, JointResponse& joints,
+                         std::span<const SolverBody> bodies, float threshold) {
+        for (int k = 0; k < c.count; ++k) {
+            const JointResponse::Reaction& reaction = response.reactions[k];
+            const float forbidden = float(joints.forbidden(reaction, bodies));
+            wanted[k] += (1.0f + extra.restitution) * forbidden;
+            meets[k] = meets[k] && extra.approach[k] - forbidden < -threshold;
+            if (joints.are_driven(reaction))
+                meets[k] = meets[k] && !joints.are_held(reaction, response.of(k));
+        }
+    }
+};
+
 /// Impacts with less restitution are solved one after the other: what differs is no more than this
 /// part of their speed.
 constexpr float least_worth = 0.2f;
@@ -120,16 +165,16 @@ struct PairImpact {
     float added[2] = {};     ///< in the present round
 
     PairImpact(uint32_t index, const ContactConstraint& c, const ContactExtra& extra,
-               const float (&wanted)[2], const bool (&meeting)[2], float when)
+               const Meeting& meeting)
         : constraint(index),
-          time(when),
+          time(meeting.time),
           response(c),
           restitution(extra.restitution),
           worth(extra.restitution) {
         for (int k = 0; k < c.count; ++k) {
-            meets[k] = meeting[k];
-            change[k] = wanted[k];
-            after[k] = extra.approach[k] + wanted[k];
+            meets[k] = meeting.meets[k];
+            change[k] = meeting.wanted[k];
+            after[k] = extra.approach[k] + meeting.wanted[k];
         }
     }
     /// Computes the impulses of a round. False if hardly a change of velocity is missing.
@@ -255,37 +300,18 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
         for (int k = 0; k < c.count; ++k) extra.approach[k] = velocity_at(c, k, a, b);
         // Most contacts of a heap only pass small speeds on. Their forces are not read.
         if (!is_fast(extra, restitution_threshold)) continue;
-        const SolverForce &fa = forces[c.a], &fb = forces[c.b];
-        float wanted[2] = {}, time = 1.0f;
-        bool meets[2] = {};
-        for (int k = 0; k < c.count; ++k) {
-            const ConstraintPoint& p = c.points[k];
-            const float velocity = extra.approach[k];
-            // Forces change it by this much in a sub-step.
-            const float change =
-                dot(c.normal, fb.change - fa.change) +
-                (p.normal_lever_b * fb.turn_change - p.normal_lever_a * fa.turn_change);
-            const float mean = velocity + 0.5f * float(substeps + 1) * change;
-            meets[k] = velocity < -restitution_threshold && p.separation + dt * mean < 0.0f &&
-                       p.normal_mass > 0.0f;
-            if (meets[k]) time = min(time, p.separation / (-dt * mean));
-            // Velocities are those half a sub-step before their positions. Without this term, every
-            // bounce would lose the work of the forces in a sub-step.
-            const float v = extra.restitution > 0.0f ? velocity + 0.5f * change
-                                                     : velocity + max(p.separation, 0.0f) / dt;
-            wanted[k] = -(1.0f + extra.restitution) * v;
-        }
-        if (!meets[0] && !meets[1]) continue;
+        Meeting meeting(c, extra, forces[c.a], forces[c.b], substeps, dt, restitution_threshold);
+        if (!meeting.any()) continue;
         const bool jointed = joints != nullptr && joints->acts_on(c.a, c.b);
         if (!jointed && extra.restitution >= least_worth) {
-            impacts.push_back(PairImpact(i, c, extra, wanted, meets, time));
+            impacts.push_back(PairImpact(i, c, extra, meeting));
             // Also if it is left out of this pass: the next one looks at it again.
             mark(c.a);
             mark(c.b);
             continue;
         }
         const auto apply = [&](const PointResponse& response) {
-            const Bounce bounce(response, wanted, meets);
+            const Bounce bounce(response, meeting.wanted, meeting.meets);
             for (int k = 0; k < c.count; ++k) {
                 push(c, k, bounce.impulses[k], bodies);
                 record(extra, k, bounce.impulses[k]);
@@ -300,15 +326,8 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
             continue;
         }
         const JointedResponse response(c, joints);
-        for (int k = 0; k < c.count; ++k) {
-            const float forbidden = float(joints->forbidden(response.reactions[k], bodies));
-            wanted[k] += (1.0f + extra.restitution) * forbidden;
-            meets[k] = meets[k] && extra.approach[k] - forbidden < -restitution_threshold;
-            const JointResponse::Reaction& reaction = response.reactions[k];
-            if (joints->are_driven(reaction))
-                meets[k] = meets[k] && !joints->are_held(reaction, response.of(k));
-        }
-        if (!meets[0] && !meets[1]) continue;
+        meeting.yield_to_joints(c, extra, response, *joints, bodies, restitution_threshold);
+        if (!meeting.any()) continue;
         const Bounce bounce = apply(response);
         for (int k = 0; k < c.count; ++k)
             if (bounce.impulses[k] != 0.0f)
