@@ -11,7 +11,7 @@
 #include <handlers/function_source.h>
 #include <handlers/observed.h>
 #include <lua/budget.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>

@@ -12,7 +12,7 @@
 #include <handlers/coroutines.h>
 #include <handlers/timers.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>

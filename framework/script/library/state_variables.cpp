@@ -6,7 +6,7 @@
 #include <library/globals.h>
 #include <library/library.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/hints.h>

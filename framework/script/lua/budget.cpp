@@ -8,7 +8,7 @@
 
 #include <lua/arena.h>
 #include <lua/budget.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>

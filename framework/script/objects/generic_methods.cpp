@@ -7,7 +7,7 @@
 #include <handlers/formulas.h>
 #include <handlers/subscriptions.h>
 #include <handlers/timers.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <motion/tweens.h>

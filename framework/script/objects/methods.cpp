@@ -8,7 +8,7 @@
 #include <fettle/property/pinned.h>
 #include <fettle/property/spelling.h>
 
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/methods.h>

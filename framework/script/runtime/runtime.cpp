@@ -30,7 +30,7 @@
 #include <lua/stack.h>
 #include <motion/tweens.h>
 #include <objects/hints.h>
-#include <reload/top_level.h>
+#include <reload/reload.h>
 #include <runtime/parts.h>
 #include <values/values.h>
 

@@ -24,9 +24,9 @@ struct InstanceWriter {
 std::vector<InstanceWriter> instance_writers(const property::Tree& tree, double dt);
 
 /// These instances with the colors of their writers.
-class Blame {
+class WriterColors {
   public:
-    Blame(const property::Tree& tree, double dt);
+    WriterColors(const property::Tree& tree, double dt);
     /// Draws all instances again, these in their colors and the others as they are.
     void draw(property::Painter& painter, double alpha) const;
     /// Draws how many instances each writer wrote, at the lower left of `room`; as many writers as

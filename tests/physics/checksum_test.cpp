@@ -3,9 +3,9 @@
 #include "every_method.h"
 #include "saved_worlds.h"
 
-namespace seal_test {
+namespace checksum_test {
 
-// Saved worlds are sealed: no byte of one can change, be missing or be added unnoticed.
+// Saved worlds have a checksum: no byte of one can change, be missing or be added unnoticed.
 
 using namespace scenes;
 
@@ -198,7 +198,7 @@ TEST_CASE("a saved world with missing or additional bytes is refused") {
     }
 }
 
-TEST_CASE("the seal of a saved world covers the number and the order of its bytes") {
+TEST_CASE("the checksum of a saved world covers the number and the order of its bytes") {
     std::vector<std::byte> zeros;
     std::vector<uint64_t> seen;
     for (size_t size = 0; size < 100; ++size) {
@@ -218,7 +218,7 @@ TEST_CASE("the seal of a saved world covers the number and the order of its byte
     REQUIRE((exchanged == bytes || detail::checksum(exchanged) != detail::checksum(bytes)));
 }
 
-TEST_CASE("a world that is saved after other bytes has a seal of its own") {
+TEST_CASE("a world that is saved after other bytes has a checksum of its own") {
     World world;
     add_ball(world, {0, 5});
     std::vector<std::byte> bytes(13, std::byte{7});
@@ -229,7 +229,7 @@ TEST_CASE("a world that is saved after other bytes has a seal of its own") {
     REQUIRE(target.hash() == world.hash());
 }
 
-TEST_CASE("flags of a sealed world are checked before they are read as flags") {
+TEST_CASE("flags of a world with a valid checksum are checked before they are read as flags") {
     World world;
     add_floor(world);
     Body ball = add_ball(world, {0, 0.5f});
@@ -243,7 +243,7 @@ TEST_CASE("flags of a sealed world are checked before they are read as flags") {
     for (size_t at = sizeof(detail::SavedHeader); at < bytes.size(); ++at) {
         auto damaged = bytes;
         damaged[at] ^= std::byte{16};
-        detail::seal(damaged);
+        detail::write_checksum(damaged);
         World target;
         if (is_refused(target, damaged)) {
             ++refused;
@@ -256,4 +256,4 @@ TEST_CASE("flags of a sealed world are checked before they are read as flags") {
     CHECK(accepted > 0);
 }
 
-}  // namespace seal_test
+}  // namespace checksum_test

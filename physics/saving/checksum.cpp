@@ -1,5 +1,5 @@
 #include <fettle/physics/position.h>
-#include <saving/seal.h>
+#include <saving/checksum.h>
 #include <saving/words.h>
 
 #include <cstring>
@@ -67,7 +67,7 @@ std::string other_precision(const char* made) {
            " precision (FETTLE_PHYSICS_DOUBLE)";
 }
 
-void seal(std::span<std::byte> saved) {
+void write_checksum(std::span<std::byte> saved) {
     SavedHeader header = {};
     if (saved.size() < sizeof header) return;
     Decoder{saved.data()}(header);

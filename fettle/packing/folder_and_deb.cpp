@@ -1,4 +1,4 @@
-#include <packing/standalone.h>
+#include <packing/folder_and_deb.h>
 
 #include <link.h>
 #include <spawn.h>

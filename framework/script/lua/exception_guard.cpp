@@ -3,7 +3,7 @@
 #include <fettle/property/spelling.h>
 #include <fettle/property/utf8.h>
 
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/sources.h>

@@ -34,6 +34,6 @@ std::string other_precision(const char* made);
 
 /// Writes size and checksum into the header of a complete saved world. Tests that damage a saved
 /// world call it again, to reach the checks after the checksum.
-void seal(std::span<std::byte> saved);
+void write_checksum(std::span<std::byte> saved);
 
 }  // namespace fettle::physics::detail

@@ -1,4 +1,4 @@
-#include <loop/blame.h>
+#include <loop/writer_colors.h>
 
 #include <algorithm>
 #include <array>
@@ -136,7 +136,7 @@ void join_others(Legend& legend, const std::map<std::string, Color>& colored) {
 
 }  // namespace
 
-Blame::Blame(const Tree& tree, double dt)
+WriterColors::WriterColors(const Tree& tree, double dt)
     : tree_(tree),
       all_(instance_writers(tree, dt)),
       legend_(legend_of(all_)),
@@ -144,7 +144,7 @@ Blame::Blame(const Tree& tree, double dt)
     join_others(legend_, color_);
 }
 
-Color Blame::color_of(const std::string& writer) const {
+Color WriterColors::color_of(const std::string& writer) const {
     const auto found = color_.find(writer);
     return found == color_.end() ? others_color : found->second;
 }
@@ -177,7 +177,7 @@ class Tints : public property::Drawer {
 
 }  // namespace
 
-void Blame::draw(property::Painter& painter, double alpha) const {
+void WriterColors::draw(property::Painter& painter, double alpha) const {
     TintPainter tinted(painter, unknown_color);
     Tints tints(tree_, tinted);
     for (const InstanceWriter& each : all_) {
@@ -190,7 +190,7 @@ void Blame::draw(property::Painter& painter, double alpha) const {
     tree_.draw(tree_.root(), tinted, alpha, &tints);
 }
 
-void Blame::draw_legend(Surface& surface, const ClipRectangle& room) const {
+void WriterColors::draw_legend(Surface& surface, const ClipRectangle& room) const {
     constexpr float row = 20, margin = 8, square = 14, gap = 10, text_size = 15;
     constexpr SurfaceColor text_color{235, 237, 242, 255}, unseen{0, 0, 0, 0};
     const float rows = std::floor((room.height - 4 * margin) / row);

@@ -1,6 +1,6 @@
 // How the shapes of a body determine its mass, center and inertia.
 
-#include <bodies/explanations.h>
+#include <bodies/mass_explanations.h>
 
 #include <cmath>
 

@@ -14,7 +14,7 @@
 #include <lua/stack.h>
 #include <motion/tweens.h>
 #include <reload/merge.h>
-#include <reload/top_level.h>
+#include <reload/reload.h>
 #include <values/declarations.h>
 
 namespace fettle::script {
