@@ -79,13 +79,21 @@ class Obstacle {
     }
 
   private:
+    static float inwards(const Probe& hit, Vec2 way) { return max(-dot(hit.normal, way), 1e-9f); }
+    /// True if a point that begins this way is at the obstacle already.
+    static bool begins_at(const Probe& hit, Vec2 way) {
+        return hit.fraction * inwards(hit, way) < 2.0f * centroid_gap;
+    }
     /// `way`: of a point in the rest of the step, seen from the obstacle.
     Impact arrival(const Probe& hit, Vec2 way) const {
-        const float inwards = max(-dot(hit.normal, way), 1e-9f);
-        if (hit.fraction * inwards < 2.0f * centroid_gap)
-            return {now_, inwards * hit.normal, from_frame(hit.normal, now_)};
-        const float fraction = hit.fraction - centroid_gap / inwards;
-        const float time = now_ + fraction * (1.0f - now_);
+        if (!begins_at(hit, way)) return stop_before(hit, way, 0, 1);
+        return {now_, inwards(hit, way) * hit.normal, from_frame(hit.normal, now_)};
+    }
+    /// A point stops before the obstacle on chord `i` of its way, which has this number of chords
+    /// of equal duration.
+    Impact stop_before(const Probe& hit, Vec2 chord, int i, int chords) const {
+        const float fraction = max(hit.fraction - centroid_gap / inwards(hit, chord), 0.0f);
+        const float time = now_ + (float(i) + fraction) / float(chords) * (1.0f - now_);
         return {time, {}, from_frame(hit.normal, time)};
     }
 
@@ -103,12 +111,9 @@ class Obstacle {
                 from = to;
                 continue;
             }
-            const float inwards = max(-dot(hit.normal, chord), 1e-9f);
-            if (i == 0 && hit.fraction * inwards < 2.0f * centroid_gap)
+            if (i == 0 && begins_at(hit, chord))
                 return arrival({0.0f, hit.normal}, from_obstacle(end, 1.0f) - from);
-            const float fraction = max(hit.fraction - centroid_gap / inwards, 0.0f);
-            const float time = now_ + (float(i) + fraction) / float(chords) * (1.0f - now_);
-            return {time, {}, from_frame(hit.normal, time)};
+            return stop_before(hit, chord, i, chords);
         }
         return {};
     }
