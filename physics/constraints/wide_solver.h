@@ -91,8 +91,8 @@ template <typename Solve>
 inline void for_each_group(const WideStep& step, Solve&& solve) {
     for (std::size_t i = 0; i < step.count; ++i) {
         WideContact& c = step.contacts[i];
-        for (int at = 0; at < lanes; at += width) {
-            if (c.a[at] == c.b[at]) break;  // lanes are filled in order, so the rest is unused
+        for (int at = 0; at < group_size; at += width) {
+            if (c.a[at] == c.b[at]) break;  // group_size are filled in order, so the rest is unused
             Bodies a = gather(step.bodies, c.a + at), b = gather(step.bodies, c.b + at);
             solve(c, at, a, b, i);
             scatter(step.bodies, c.a + at, a);

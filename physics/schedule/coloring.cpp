@@ -221,24 +221,24 @@ struct Coloring {
         const size_t owned = color_count * schedule.first_groups.size();
         for (size_t i = 0; i < blocks.size(); ++i) {
             SolverBlock& block = blocks[i];
-            block.first_group = begin / lanes;
+            block.first_group = begin / group_size;
             for (const uint32_t end = section + schedule.sections_of(block).size(); section < end;
                  ++section) {
-                schedule.first_groups[section] = begin / lanes;
+                schedule.first_groups[section] = begin / group_size;
                 for (size_t color = 0; color < color_count; ++color) {
                     uint32_t last = begin;
                     for (size_t k = section * color_count + color; k < schedule.color_begin.size();
                          k += owned)
                         last += std::exchange(schedule.color_begin[k], last);
-                    begin = (last + lanes - 1) / lanes * lanes;
+                    begin = (last + group_size - 1) / group_size * group_size;
                     for (uint32_t lane = last; lane < begin; ++lane)
                         contacts.spare_lanes.push_back(lane);
                 }
             }
-            block.group_end = begin / lanes;
+            block.group_end = begin / group_size;
         }
-        schedule.first_groups.back() = begin / lanes;
-        contacts.group_results.resize(begin / lanes);
+        schedule.first_groups.back() = begin / group_size;
+        contacts.group_results.resize(begin / group_size);
         contacts.lane_contacts.resize(begin);
         for (const uint32_t lane : contacts.spare_lanes) contacts.lane_contacts[lane] = none;
         parallel_for(threads, uint32_t(contacts.acting_pieces.size()), [&](uint32_t piece) {

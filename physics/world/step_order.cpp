@@ -117,7 +117,7 @@ void store_lengths(WorldState& state, const SubSteps& sub) {
 }  // namespace
 
 void WorldData::step(float dt) {
-    const WideKernels& kernels = wide_kernels(most_lanes);
+    const WideKernels& kernels = wide_kernels(most_width);
     const SubSteps sub = divide(*this, dt);
     StageClock total, clock;
 
