@@ -10,16 +10,15 @@ namespace {
 // Number of sums that are computed in parallel, in vectors.
 constexpr size_t block_words = 8;
 
-/// The words of a block, of which the lowest byte is the first.
+/// Reads the words of a block, with their lowest byte first.
 void load_block(const std::byte* from, uint64_t (&block)[block_words]) {
     for (size_t i = 0; i < block_words; ++i)
         block[i] = load_word<uint64_t>(from + i * sizeof(uint64_t));
 }
 
-/// The sums over the blocks. `mixed` is a one-to-one function of the word for a fixed previous
-/// value, and of the previous value for a fixed word. So a changed word always leaves a difference
-/// in `mixed`. Only the next word of the same sum could cancel it; then the difference remains in
-/// `sum`.
+/// The sums over the blocks. From one previous value, two different words give two different values
+/// of `mixed`; with one word, two different previous values do, too. So one changed word changes
+/// `mixed`. A second changed word of the same sum can undo that, but then `sum` still differs.
 struct Sums {
     uint64_t mixed[block_words] = {1, 2, 3, 4, 5, 6, 7, 8};
     uint64_t sum[block_words] = {};
