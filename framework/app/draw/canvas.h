@@ -129,14 +129,14 @@ class Canvas : public property::Painter, public Surface {
     /// Draws corners_, which must lie near the screen.
     void figure(float rounding, const property::Paint& paint);
     void large_figure(std::vector<property::Vec2> outline, const property::Paint& paint);
-    VisibleArea sight(const property::Paint& paint) const;
+    VisibleArea visible_area(const property::Paint& paint) const;
     void draw_outline(const property::Paint& paint);  // of outline_, convex
     bool draw_sides(sf::Color fill);
     void draw_any_outline(const property::Paint& paint);
     void draw_disc(sf::Vector2f center, float radius, sf::Color color);
     void draw_rings(bool filled);
     void draw_inside(Area::Rule rule, sf::Color color);  // of area_
-    void draw_rim(const BorderRings& rim, std::span<const Bend> bends, bool closed);
+    void draw_border(const BorderRings& rim, std::span<const Bend> bends, bool closed);
 
     // --- In parts.cpp
     bool is_collected(const property::Paint& paint);

@@ -51,7 +51,7 @@ void Canvas::draw_joined(const BorderRings& rim) {
         draw_inside(Area::Rule::forward, rim.fill);
     }
     for (const Run& run : collected_.parts.border(rim.overlap))
-        draw_rim(rim, run.bends, run.closed);
+        draw_border(rim, run.bends, run.closed);
 }
 
 void Canvas::draw_parts() {

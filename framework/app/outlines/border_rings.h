@@ -1,6 +1,6 @@
 #pragma once
-// The rim of a figure that is not convex: rings at given depths inside its outline. Each ring has
-// one color; between two rings the color changes linearly.
+// The border of a figure that is not convex: rings at given depths inside its outline. Each ring
+// has one color; between two rings the color changes linearly.
 
 #include <array>
 #include <cstddef>
