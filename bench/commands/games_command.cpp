@@ -1,5 +1,6 @@
 // `fettle-bench games`: the cost of games: steps, frames, loading, reloading. The figures are
-// processor time of the game's thread, so other load on the machine affects them little.
+// processor time of the game's thread, for the start of the whole process, so other load on the
+// machine affects them little.
 
 #include <iostream>
 
@@ -14,7 +15,7 @@ namespace fettle::bench {
 
 int run_games(const GamesOptions& options) {
     const bool display = app::display_available();
-    if (!display) std::cerr << "there is no display: rows that draw are left out\n";
+    if (!display) std::cerr << "there is no display: figures that need a display are left out\n";
     Verdict verdict("games");
     Table table({"cost", "", "", "bound"});
     for (const GameCost& cost : game_costs()) {

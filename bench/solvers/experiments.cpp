@@ -23,7 +23,8 @@ std::vector<Curve> curves(Fill&& fill) {
     return all;
 }
 
-double lowest_gap(const Engine& engine, std::size_t body, double supposed) {
+/// How far a body is below the height at which it should be, m.
+double sunk_by(const Engine& engine, std::size_t body, double supposed) {
     return supposed - static_cast<double>(engine.motion(body).position.y);
 }
 
@@ -86,7 +87,7 @@ Plot jitter_plot() {
 
 Plot load_plot() {
     Plot plot{.title = "A box under 300 times its weight: how far it sinks in",
-              .x_label = "parts of a step",
+              .x_label = "sub-steps of a step",
               .y_label = "deepest overlap, m",
               .x_logarithmic = true,
               .y_logarithmic = true,
@@ -97,9 +98,8 @@ Plot load_plot() {
             scene.bodies[2].shapes[0].density = 300;
             const auto engine = engine_of(kind, substeps).make(scene);
             run_for(*engine, 5);
-            const double overlap =
-                std::max(lowest_gap(*engine, 1, 0.5),
-                         lowest_gap(*engine, 2, 1.5) - lowest_gap(*engine, 1, 0.5));
+            const double overlap = std::max(sunk_by(*engine, 1, 0.5),
+                                            sunk_by(*engine, 2, 1.5) - sunk_by(*engine, 1, 0.5));
             curve.x.push_back(substeps);
             curve.y.push_back(std::max(overlap, 1e-7));
         }
@@ -120,7 +120,7 @@ Plot chain_plot() {
             const auto engine = engine_of(kind).make(scene);
             run_for(*engine, 5);
             const std::size_t ball = scene.bodies.size() - 1;
-            const double stretch = lowest_gap(*engine, ball, -15.5) / 15;
+            const double stretch = sunk_by(*engine, ball, -15.5) / 15;
             curve.x.push_back(ratio);
             curve.y.push_back(std::clamp(100 * stretch, 1e-5, 1e4));
         }
@@ -129,6 +129,8 @@ Plot chain_plot() {
 }
 
 Plot energy_plot() {
+    // J/kg, from the horizontal to the lowest point, 2 m below it.
+    constexpr double swing = 20;
     Plot plot{.title = "A pendulum: what is left of its energy",
               .x_label = "time, s",
               .y_label = "energy, % of the swing"};
@@ -143,7 +145,7 @@ Plot energy_plot() {
             const double energy = 0.5 * speed * speed + 0.25 * 0.04 * spin * spin +
                                   10 * static_cast<double>(ball.position.y);
             curve.x.push_back(0.5 * (i + 1));
-            curve.y.push_back(100 * (1 + energy / 20));
+            curve.y.push_back(100 * (1 + energy / swing));
         }
     });
     return plot;

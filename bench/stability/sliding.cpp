@@ -12,8 +12,8 @@ namespace {
 constexpr double sliding_gravity = 10;
 constexpr double slope = 20 * std::numbers::pi / 180;
 
-/// A plank through the origin that descends towards +x by `slope`; its top surface passes through
-/// the origin.
+/// A fixed plank whose top surface passes through the origin and descends towards +x at the angle
+/// `slope`.
 SceneBody plank(float friction) {
     constexpr double half_thickness = 1;
     SceneBody body = body_of(Motion::fixed,

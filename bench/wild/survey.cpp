@@ -6,7 +6,7 @@
 #include "measure/timing.h"
 #include "report/table.h"
 #include "wild/checks/facts.h"
-#include "wild/grammar/grammar.h"
+#include "wild/generator/random_world.h"
 #include "wild/minimize.h"
 #include "wild/plans/cpp_text.h"
 #include "wild/same_runs.h"
@@ -27,7 +27,7 @@ class Surveyor {
     }
 
     void run_seed(std::uint64_t seed, Survey& survey) {
-        const WorldPlan plan = draw_world(seed, options_.size);
+        const WorldPlan plan = random_world(seed, options_.size);
         const PlanRun result = try_in_fettle(plan, watched_, compare_);
         ++survey.worlds;
         survey.steps += result.steps;

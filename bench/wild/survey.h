@@ -15,7 +15,7 @@ struct SurveyOptions {
     std::uint64_t seed = 1;  // of the first world; the next has the next seed
     int count = 200;
     double seconds = 0;  // of wall time, after which no further world begins; 0: no limit
-    int size = 1;        // of `draw_world`
+    int size = 1;        // of `random_world`
     std::vector<std::string> invariants;  // empty: all
     bool box2d = false;                   // whether worlds are tried in Box2D as well
     int minimized = 3;                    // findings of each invariant that are minimized

@@ -136,8 +136,8 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
 
 /// Applies what was typed in this frame.
 void PropertyEditor::take_typed(const Target& target) {
-    const bool settled = fields_.take_settled();
-    if (const std::string expression = fields_.take_formula(); !expression.empty())
+    const bool settled = fields_.consume_settled();
+    if (const std::string expression = fields_.consume_formula(); !expression.empty())
         define_formula(target, expression);
     if (std::string typed = fields_.consume_problem(); !typed.empty()) {
         problems_[target.property] = typed;

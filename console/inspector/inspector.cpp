@@ -9,7 +9,7 @@
 #include <fettle/property/natural_order.h>
 #include <fettle/script/reference.h>
 
-#include <inspector/several.h>
+#include <inspector/multi_selection.h>
 #include <look/imgui_compat.h>
 #include <look/theme.h>
 

@@ -201,11 +201,11 @@ std::string Fields::consume_problem() {
     return std::exchange(problem_, {});
 }
 
-std::string Fields::take_formula() {
+std::string Fields::consume_formula() {
     return std::exchange(formula_, {});
 }
 
-bool Fields::take_settled() {
+bool Fields::consume_settled() {
     return std::exchange(settled_, false);
 }
 

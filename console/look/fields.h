@@ -38,29 +38,30 @@ class Fields {
     bool types_into(const char* id) const { return typing_ == ImGui::GetID(id); }
 
     bool typing() const { return typing_ != 0; }
-    /// Goes from the field that has the keyboard to the next one, or to the one before; if none has
+    /// Goes from the field that has the focus to the next one, or to the one before; if none has
     /// it, to the first one. What was typed is entered.
     void move_focus(bool back) { focus_move_ = back ? FocusMove::previous : FocusMove::next; }
     bool moves_focus() const { return focus_move_ != FocusMove::none; }
-    /// `move_focus` also stops at the widget that was drawn last, which is no field: a check box.
-    /// Returns true once after `press_widget`, if it has stopped there.
+    /// Makes the widget that was drawn last a stop of `move_focus`: for widgets that are not
+    /// fields, such as a check box. Returns true once if it has the focus and `press_widget` was
+    /// called.
     bool focus_stop(const char* id);
     bool widget_has_focus() const { return focused_widget_ != 0; }
     void press_widget() { pressed_ = true; }
     void unfocus_widget() { focused_widget_ = 0; }
-    /// True once after no field was found before the first one.
+    /// True once after `move_focus(true)` at the first field.
     bool consume_moved_before_first() { return std::exchange(moved_before_first_, false); }
 
-    /// A field was clicked for typing and gets the keyboard within the next frames.
+    /// A field was clicked for typing and gets the focus within the next frames.
     bool about_to_type() const { return typing_ != 0 && !typing_active_; }
     /// Must be called once per frame, after all fields.
     void end_frame();
     /// The message if the last typed text is not a number, otherwise "".
     std::string consume_problem();
     /// The expression, if "is EXPRESSION" was typed, otherwise "".
-    std::string take_formula();
+    std::string consume_formula();
     /// True once after typing has ended, whatever was typed.
-    bool take_settled();
+    bool consume_settled();
     /// The value that a field has just returned is refused: if it was entered with Enter, the field
     /// keeps the focus and the text, so that it can be mended.
     void refuse();

@@ -11,7 +11,7 @@
 #include <fettle/property/explaining.h>
 #include <fettle/property/path.h>
 
-#include <inspector/several.h>
+#include <inspector/multi_selection.h>
 #include <panel/state.h>
 
 namespace fettle::console {

@@ -7,7 +7,7 @@
 #include <fettle/property/exception_text.h>
 
 #include <in_game/pick.h>
-#include <inspector/several.h>
+#include <inspector/multi_selection.h>
 #include <panel/state.h>
 
 namespace fettle::console {

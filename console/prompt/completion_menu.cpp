@@ -10,7 +10,8 @@ namespace fettle::console {
 
 namespace {
 
-/// The part of the candidate that is already typed. False if the cursor is in front of its place.
+/// The text between the place that the candidate replaces and the cursor. False if the cursor is
+/// before that place.
 bool typed_part(const script::Completion& completion, std::string_view input, std::size_t cursor,
                 std::string_view& typed) {
     if (completion.replace_from > cursor || cursor > input.size()) return false;

@@ -45,6 +45,13 @@ std::vector<Span> spans_of(const LogLine& line) {
     }
 }
 
+/// The path in the line that contains the byte at `offset`.
+std::optional<Span> path_at(const LogLine& line, std::size_t offset) {
+    for (const Span& span : spans_of(line))
+        if (span.token == Token::path && offset >= span.begin && offset < span.end) return span;
+    return std::nullopt;
+}
+
 /// Where the last column of a table begins, if that is between `from` and `end`; otherwise `end`. A
 /// column that begins after the middle of a row is moved to the next row, because little of it
 /// would fit.
@@ -383,6 +390,56 @@ std::string_view LogView::pointed_link() const {
     return std::string_view(found->text).substr(link_.begin, link_.end - link_.begin);
 }
 
+bool LogView::hover(Point point) {
+    const LogLine* found = line(point.line);
+    if (found == nullptr) return false;
+    if (const std::optional<Span> span = path_at(*found, point.offset)) {
+        const std::string_view path =
+            std::string_view(found->text).substr(span->begin, span->end - span->begin);
+        if (is_link && is_link(path)) {
+            hovering_link_ = true;
+            link_line_ = point.line;
+            link_ = *span;
+            ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+            if (ImGui::IsMouseClicked(1) && menu) menu(path);
+        }
+    }
+    for (const ShortNumber& number : found->numbers)
+        if (point.offset >= number.begin && point.offset < number.end) show_tip(number.whole);
+    if (!found->file.empty()) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        show_tip("A click copies the path of the file");
+        if (ImGui::IsMouseClicked(0) && take_file) {
+            take_file(std::string(found->file));
+            return true;
+        }
+    }
+    if (found->kind == LineKind::fold) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        ImGui::SetTooltip("A click opens it; Ctrl+O opens the last one of the log");
+        if (ImGui::IsMouseClicked(0) && unfold) {
+            unfold(static_cast<std::size_t>(point.line - log_.dropped()));
+            return true;
+        }
+    }
+    return false;
+}
+
+void LogView::select_word(Point point) {
+    if (const LogLine* found = line(point.line))
+        for (const Span& span : highlight_output(found->text))
+            if (point.offset >= span.begin && point.offset < span.end)
+                selection_ = Selection{{point.line, span.begin}, {point.line, span.end}};
+}
+
+void LogView::follow_path(Point point) {
+    const LogLine* found = line(point.line);
+    if (found == nullptr || !follow) return;
+    if (const std::optional<Span> span = path_at(*found, point.offset))
+        follow(found->text.substr(span->begin, span->end - span->begin),
+               ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift);
+}
+
 void LogView::mouse(ImVec2 origin, float line_height, float cell) {
     ImVec2 at = ImGui::GetIO().MousePos;
     auto row = static_cast<std::ptrdiff_t>(std::floor((at.y - origin.y) / line_height));
@@ -390,39 +447,7 @@ void LogView::mouse(ImVec2 origin, float line_height, float cell) {
     bool hovered = ImGui::IsItemHovered();
     hovering_link_ = false;
     bool on_text = row >= 0 && row < static_cast<std::ptrdiff_t>(rows_.size()) && column >= 0;
-    if (hovered && on_text && !dragging_) {
-        Point point = point_at(row, column);
-        const LogLine* found = line(point.line);
-        if (found != nullptr && point.offset < found->text.size())
-            for (const Span& span : spans_of(*found)) {
-                if (span.token != Token::path || point.offset < span.begin ||
-                    point.offset >= span.end)
-                    continue;
-                std::string_view path =
-                    std::string_view(found->text).substr(span.begin, span.end - span.begin);
-                if (!is_link || !is_link(path)) continue;
-                hovering_link_ = true;
-                link_line_ = point.line;
-                link_ = span;
-                ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-                if (ImGui::IsMouseClicked(1) && menu) menu(path);
-            }
-        if (found != nullptr)
-            for (const ShortNumber& number : found->numbers)
-                if (point.offset >= number.begin && point.offset < number.end)
-                    show_tip(number.whole);
-        if (found != nullptr && !found->file.empty()) {
-            ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-            show_tip("A click copies the path of the file");
-            if (ImGui::IsMouseClicked(0) && take_file) return take_file(std::string(found->file));
-        }
-        if (found != nullptr && found->kind == LineKind::fold) {
-            ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-            ImGui::SetTooltip("A click opens it; Ctrl+O opens the last one of the log");
-            if (ImGui::IsMouseClicked(0) && unfold)
-                return unfold(static_cast<std::size_t>(point.line - log_.dropped()));
-        }
-    }
+    if (hovered && on_text && !dragging_ && hover(point_at(row, column))) return;
     Point caret = point_at(row, column + 0.5f);  // between the characters nearest to the mouse
     if (hovered && ImGui::IsMouseClicked(0)) {
         selection_ = Selection{caret, caret};
@@ -430,23 +455,11 @@ void LogView::mouse(ImVec2 origin, float line_height, float cell) {
     }
     if (dragging_ && ImGui::IsMouseDown(0) && selection_) selection_->to = caret;
     if (hovered && ImGui::IsMouseDoubleClicked(0) && on_text) {
-        Point point = point_at(row, column);
-        if (const LogLine* found = line(point.line))
-            for (const Span& span : highlight_output(found->text))
-                if (point.offset >= span.begin && point.offset < span.end)
-                    selection_ = Selection{{point.line, span.begin}, {point.line, span.end}};
+        select_word(point_at(row, column));
         dragging_ = false;
     }
     if (ImGui::IsMouseReleased(0)) {
-        if (dragging_ && !selecting() && hovered && follow) {
-            Point point = point_at(row, column);
-            const LogLine* found = on_text ? line(point.line) : nullptr;
-            for (const Span& span : found ? spans_of(*found) : std::vector<Span>())
-                if (span.token == Token::path && point.offset >= span.begin &&
-                    point.offset < span.end)
-                    follow(found->text.substr(span.begin, span.end - span.begin),
-                           ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift);
-        }
+        if (dragging_ && !selecting() && hovered && on_text) follow_path(point_at(row, column));
         dragging_ = false;
     }
 }

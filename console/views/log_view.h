@@ -84,6 +84,12 @@ class LogView {
     void follow_output(float line_height);
     std::optional<float> top_of_high_error(float line_height) const;
     void mouse(ImVec2 origin, float line_height, float cell);
+    /// Shows what is under the mouse: a link, a whole number, a file, a fold. Returns true if a
+    /// click has copied a file's path or opened a fold.
+    bool hover(Point point);
+    void select_word(Point point);
+    /// Calls `follow` for a path at that point.
+    void follow_path(Point point);
     void draw_row(const Row& row, ImVec2 at, float line_height, float cell);
     void draw_selection(const Row& row, ImVec2 at, float line_height, float cell);
     Point point_at(std::ptrdiff_t row, float column) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <look/imgui_compat.h>
@@ -181,14 +182,8 @@ void PromptView::draw_caret(ImVec2 origin, float line_height, float cell, bool f
 
 // --- Candidates
 
-void PromptView::draw_menu(float cell, ImFont* bold) {
-    menu_rect_ = signature_rect_ = {};
+PromptView::MenuLayout PromptView::menu_layout(float cell) const {
     const CompletionMenu& menu = prompt_.menu();
-    if (!menu.open()) {
-        shown_selection_ = 0;
-        draw_signature();
-        return;
-    }
     float label_width = 0, detail_width = 0;
     for (const auto& candidate : menu.candidates()) {
         label_width = std::max(label_width, columns(candidate.completion.label) * cell);
@@ -222,6 +217,21 @@ void PromptView::draw_menu(float cell, ImFont* bold) {
     const ImVec2 at(std::clamp(menu_anchor_.x - style.WindowPadding.x - cell, edge,
                                std::max(edge, screen.x - width - edge)),
                     upward ? rect_.low.y - gap - height : menu_anchor_.y);
+    return {at, width, height, label_width, row_height, rows, scrolls, std::move(description)};
+}
+
+void PromptView::draw_menu(float cell, ImFont* bold) {
+    menu_rect_ = signature_rect_ = {};
+    const CompletionMenu& menu = prompt_.menu();
+    if (!menu.open()) {
+        shown_selection_ = 0;
+        draw_signature();
+        return;
+    }
+    const auto [at, width, height, label_width, row_height, rows, scrolls, description] =
+        menu_layout(cell);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float inner = width - 2 * style.WindowPadding.x;
     ImGui::SetNextWindowPos(at);
     ImGui::SetNextWindowSize(ImVec2(width, height));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::popup);

@@ -43,6 +43,15 @@ class PromptView {
         float height = 0;
     };
     Description describe(float width, float facts_width) const;
+    /// Where the menu of candidates is drawn, in pixels.
+    struct MenuLayout {
+        ImVec2 at;
+        float width, height, label_width, row_height;
+        float rows;    // that are seen at once
+        bool scrolls;  // there are more
+        Description description;
+    };
+    MenuLayout menu_layout(float cell) const;
     void draw_description(const Description& description, float cell, ImFont* bold);
     void draw_signature();
     void follow_caret(ImVec2 size, float line_height, float cell);

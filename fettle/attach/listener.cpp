@@ -225,7 +225,7 @@ void Listener::greet(Connection& connection, std::string_view line) {
     callbacks_.note("a terminal is attached");
 }
 
-/// Callbacks requests of this frame. All terminals take turns. In the next frame, another one is
+/// Answers the requests of this frame. All terminals take turns. In the next frame, another one is
 /// the first.
 void Listener::answer() {
     Turn turn;
@@ -246,7 +246,7 @@ void Listener::answer() {
     }
 }
 
-/// Callbacks the next request, if there is a whole one, and one that may be begun in this frame.
+/// Answers the next request, if there is a whole one, and one that may be begun in this frame.
 bool Listener::answer_next(Connection& to, Turn& turn) {
     if (!to.greeted || to.ending || to.gone || to.out.size() > limits_.kept) return false;
     const std::size_t end = to.in.find('\n');
@@ -282,7 +282,7 @@ std::string Listener::answer_to(const Request& request, Turn& turn) {
     return candidates_text(callbacks_.complete(request.text, request.cursor));
 }
 
-// --- Callbacks and prints
+// --- Answers and prints
 
 void Listener::print(std::string_view line) {
     if (connections_.empty()) return;

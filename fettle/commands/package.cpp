@@ -16,8 +16,8 @@
 #include <files/packed_game.h>
 #include <files/settings.h>
 #include <game/packed_modules.h>
+#include <packing/folder_and_deb.h>
 #include <packing/package_problems.h>
-#include <packing/standalone.h>
 
 namespace fettle::program {
 

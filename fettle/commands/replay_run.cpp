@@ -45,6 +45,30 @@ RunOptions with_start(RunOptions options, const app::RunStart& start) {
     return options;
 }
 
+/// The window of a replay. Without one, nothing is shown.
+class ReplayWindow {
+  public:
+    ReplayWindow(app::Window* window, Session& session) : window_(window), session_(session) {}
+
+    /// Shows and plays the present state of the game.
+    void show() {
+        if (window_ == nullptr) return;
+        for (app::InputEvent event; window_->poll(event);)
+            closed_ = closed_ || event.kind == app::EventKind::closing;
+        play_sounds(loudspeaker_, session_);
+        session_.loop().draw(*window_, 0);
+        window_->present();
+    }
+    /// True if the window was closed or a signal ends the program.
+    bool ended() const { return closed_ || EndRequest::signal() != 0; }
+
+  private:
+    app::Window* window_;
+    Session& session_;
+    app::Loudspeaker loudspeaker_;
+    bool closed_ = false;
+};
+
 }  // namespace
 
 int run_replay(RunOptions options) {
@@ -80,20 +104,11 @@ int run_replay(RunOptions options) {
     session.start();
     app::Replay replay(recording, session.tree(), session.runtime(), session.loop());
     replay.on_selected([&](const std::vector<property::Handle>& all) { session.select(all); });
-    app::Loudspeaker loudspeaker;
-    bool closed = false;
-    const auto show = [&] {
-        for (app::InputEvent event; window->poll(event);)
-            closed = closed || event.kind == app::EventKind::closing;
-        play_sounds(loudspeaker, session);
-        session.loop().draw(*window, 0);
-        window->present();
-    };
+    ReplayWindow shown(window.get(), session);
     const bool test = window != nullptr && !start.test.empty();
-    const auto ended = [&] { return closed || EndRequest::signal() != 0; };
-    while (!ended() && replay.frame()) {
+    while (!shown.ended() && replay.frame()) {
         const bool skipped = test && replay.steps() + last_steps < recording.steps();
-        if (window != nullptr && !skipped) show();
+        if (!skipped) shown.show();
     }
     // The game's drawing functions run for the last picture, too: most errors do not come from
     // them, and if one does, it halts the loop again.
@@ -103,7 +118,7 @@ int run_replay(RunOptions options) {
         session.loop().resume();
     }
     // The picture in which a test failed stays until the window is closed.
-    while (test && options.screenshot.empty() && !ended()) show();
+    while (test && options.screenshot.empty() && !shown.ended()) shown.show();
     if (EndRequest::signal() != 0) return status_of_signal(EndRequest::signal());
     if (!replay.difference().empty()) return complain(script_error, replay.difference());
     std::unique_ptr<app::Screen> picture;
@@ -111,7 +126,7 @@ int run_replay(RunOptions options) {
         picture = picture_of(session, options);
     } else if (!options.screenshot.empty()) {
         window->keep_frame();
-        show();
+        shown.show();
     }
     std::printf("%" PRIu64 " steps, each as it was recorded\n", replay.steps());
     return finish(session, options, window != nullptr ? window.get() : picture.get());

@@ -56,19 +56,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     services_->input.set_foreground(&interface_);
     services_->view.window = window_state(settings_);
     services_->view.screen = services_->view.window.size;
-    tree_.on_handler_error([this](const property::HandlerError& error) {
-        script::ScriptError report;
-        report.message = error.message;
-        report.context = "handler of " + error.path;
-        if (!error.where.empty()) report.context += " (" + error.where + ")";
-        fail(report);
-    });
-    property::on_formula_problem(tree_, [this](const property::FormulaProblem& problem) {
-        script::ScriptError report;
-        report.message = problem.message;
-        report.context = "formula of " + problem.path;
-        report_error(report);  // the run continues, and the property keeps its last valid value
-    });
+    receive_errors_of_tree();
     make_storage();
     const GameQuota quota = quota_of(options, settings_);
     if (quota.files > 0) files_.limit_writes(quota.files);
@@ -103,6 +91,22 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     if (options.test)
         test_ = std::make_unique<TestDriver>(*options.test, folder_of(options.game), files_,
                                              *services_, *runtime_);
+}
+
+void Session::receive_errors_of_tree() {
+    tree_.on_handler_error([this](const property::HandlerError& error) {
+        script::ScriptError report;
+        report.message = error.message;
+        report.context = "handler of " + error.path;
+        if (!error.where.empty()) report.context += " (" + error.where + ")";
+        fail(report);
+    });
+    property::on_formula_problem(tree_, [this](const property::FormulaProblem& problem) {
+        script::ScriptError report;
+        report.message = problem.message;
+        report.context = "formula of " + problem.path;
+        report_error(report);  // the run continues, and the property keeps its last valid value
+    });
 }
 
 /// From now on messages go to stderr only, because the console ends before objects that report to

@@ -162,6 +162,7 @@ class Session {
     bool isolated() const;
     std::uint64_t seed() const;
     void make_storage();
+    void receive_errors_of_tree();
     std::unique_ptr<property::Store> new_store(KeptFile which, const std::filesystem::path& folder);
     void make_recorder();
     void fail(const script::ScriptError& error);

@@ -6,9 +6,9 @@
 
 #include <fettle/property/ended_class.h>
 
-#include <acting/player.h>
 #include <binding/binding.h>
 #include <drawing/picture.h>
+#include <interaction/player.h>
 #include <layout/layout.h>
 #include <widgets/widgets.h>
 

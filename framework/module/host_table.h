@@ -11,7 +11,7 @@
 #include <fettle/property/snapshot.h>
 #include <fettle/property/tree.h>
 
-#include "border_value.h"
+#include "c_values.h"
 
 namespace fettle::module {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <broad_phase/bucket.h>
-#include <geometry/growth.h>
+#include <geometry/make_room.h>
 #include <geometry/vector.h>
 #include <threads/pool.h>
 

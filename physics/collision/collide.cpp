@@ -77,6 +77,50 @@ void collide_circle(const Convex& a, const Convex& circle, Vec2 offset, float ma
     }
 }
 
+/// The edge of the reference, and the edge of the other polygon that faces it.
+struct EdgePair {
+    const Convex &reference, &other;
+    Vec2 to_other;
+    int edge, incident;
+    bool flipped;  ///< the reference is b
+};
+
+/// For cores that are apart. Returns true if their nearest points are vertices of both; then the
+/// direction between the shapes is not the normal of an edge, and the manifold is complete.
+bool collide_vertices(const Convex& a, const Convex& b, Vec2 offset, float margin,
+                      const EdgePair& pair, Manifold& m) {
+    const auto& [reference, other, to_other, edge, incident, flipped] = pair;
+    const int edge2 = edge + 1 < reference.count ? edge + 1 : 0;
+    const int incident2 = incident + 1 < other.count ? incident + 1 : 0;
+    float s, t;
+    if (!nearest_ends(reference.vertices[edge], reference.vertices[edge2],
+                      other.vertices[incident] + to_other, other.vertices[incident2] + to_other, s,
+                      t))
+        return false;
+    const int r = s == 0.0f ? edge : edge2;
+    const int o = t == 0.0f ? incident : incident2;
+    const Vec2 p = reference.vertices[r], q = other.vertices[o] + to_other;
+    const Vec2 n = reference.normals[edge];
+    const Vec2 along = {-n.y, n.x};
+    // Facing edges with level ends give a face contact, not a vertex contact.
+    const Vec2 d = q - p;
+    if (!(std::fabs(dot(d, along)) > 1e-3f * length(d))) return false;
+    // Corners of thick shapes without rounding may still pass each other. (Cards do lean on each
+    // other corner to corner.)
+    const float thin = 20.0f * seam;
+    const Vec2 reference_edge = reference.vertices[edge2] - reference.vertices[edge];
+    const Vec2 other_edge = other.vertices[incident2] - other.vertices[incident];
+    const float shorter = min(length_squared(reference_edge), length_squared(other_edge));
+    if (a.radius + b.radius == 0.0f && shorter > thin * thin) return true;
+    if (!flipped) {
+        single_point(p, q, n, a, b, offset, margin, feature_of(r, o), m);
+    } else {
+        // In the frame of b: converted to the frame of a.
+        single_point(q + offset, p + offset, -n, a, b, offset, margin, feature_of(o, r), m);
+    }
+    return true;
+}
+
 }  // namespace
 
 void collide(const Convex& a, const Convex& b, Vec2 offset, float margin, Manifold& m) {
@@ -110,42 +154,10 @@ void collide(const Convex& a, const Convex& b, Vec2 offset, float margin, Manifo
     // Segments in one line have no normal that tells them apart.
     const bool in_line = a.count == 2 && b.count == 2 && edges.are_beside();
 
-    if (in_line || (flipped ? on_b.separation : on_a.separation) > face_preference) {
-        // The cores are apart. Where two vertices are nearest, the direction between the shapes is
-        // not the normal of an edge.
-        const int edge2 = edge + 1 < reference.count ? edge + 1 : 0;
-        const int incident2 = incident + 1 < other.count ? incident + 1 : 0;
-        float s, t;
-        if (nearest_ends(reference.vertices[edge], reference.vertices[edge2],
-                         other.vertices[incident] + to_other, other.vertices[incident2] + to_other,
-                         s, t)) {
-            const int r = s == 0.0f ? edge : edge2;
-            const int o = t == 0.0f ? incident : incident2;
-            const Vec2 p = reference.vertices[r], q = other.vertices[o] + to_other;
-            const Vec2 n = reference.normals[edge];
-            const Vec2 along = {-n.y, n.x};
-            // Facing edges with level ends give a face contact, not a vertex contact.
-            const Vec2 d = q - p;
-            if (std::fabs(dot(d, along)) > 1e-3f * length(d)) {
-                // Corners of thick shapes without rounding may still pass each other. (Cards do
-                // lean on each other corner to corner.)
-                const float thin = 20.0f * seam;
-                const Vec2 reference_edge = reference.vertices[edge2] - reference.vertices[edge];
-                const Vec2 other_edge = other.vertices[incident2] - other.vertices[incident];
-                const float shorter =
-                    min(length_squared(reference_edge), length_squared(other_edge));
-                if (a.radius + b.radius == 0.0f && shorter > thin * thin) return;
-                if (!flipped) {
-                    single_point(p, q, n, a, b, offset, margin, feature_of(r, o), m);
-                } else {
-                    // In the frame of b: converted to the frame of a.
-                    single_point(q + offset, p + offset, -n, a, b, offset, margin, feature_of(o, r),
-                                 m);
-                }
-                return;
-            }
-        }
-    }
+    if ((in_line || (flipped ? on_b.separation : on_a.separation) > face_preference) &&
+        collide_vertices(a, b, offset, margin,
+                         {reference, other, to_other, edge, incident, flipped}, m))
+        return;
     if (!edges.are_a_seam()) edges.clip(flipped, margin, offset, m);
 }
 

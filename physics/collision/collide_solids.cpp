@@ -1,6 +1,6 @@
-#include <collision/climb.h>
 #include <collision/collide_solids.h>
 #include <collision/ellipse.h>
+#include <collision/extreme_points.h>
 #include <collision/large_polygon.h>
 #include <collision/outline_piece.h>
 #include <collision/turned_copy.h>

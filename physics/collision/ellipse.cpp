@@ -1,5 +1,5 @@
-#include <collision/climb.h>
 #include <collision/ellipse.h>
+#include <collision/extreme_points.h>
 #include <geometry/trigonometry.h>
 
 #include <algorithm>

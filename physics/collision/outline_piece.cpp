@@ -1,6 +1,6 @@
-#include <collision/climb.h>
 #include <collision/clip.h>
 #include <collision/ellipse.h>
+#include <collision/extreme_points.h>
 #include <collision/outline_piece.h>
 
 namespace fettle::physics::detail {

@@ -6,9 +6,9 @@
 
 namespace fettle::physics::detail {
 
-/// The kind of a shape's form. Forms that are not plain convex are handled by `collide_unusual`, so
-/// that common pairs need one test. It has 32 bits because compilers for Windows put two bit fields
-/// into one word only if their types have the same size.
+/// The kind of a shape's form. Forms that are not plain convex are handled by
+/// `collide_special_forms`, so that common pairs need one test. It has 32 bits because compilers
+/// for Windows put two bit fields into one word only if their types have the same size.
 enum class FormKind : uint32_t {
     convex,   ///< a convex polygon grown by a radius; one vertex: a circle, two: a capsule
     border,   ///< a half-plane of the world's border

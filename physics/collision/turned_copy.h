@@ -1,6 +1,6 @@
 #pragma once
 
-#include <collision/climb.h>
+#include <collision/extreme_points.h>
 #include <collision/solid.h>
 
 #include <vector>

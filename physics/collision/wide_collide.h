@@ -112,6 +112,52 @@ inline WideInt meet_at_corners(const WideEdge& r, const WideIncident& i) {
     return ends & ((level < zero ? -level : level) > splat(1e-3f) * length);
 }
 
+/// Lanes in which vertices of both shapes are nearest to each other.
+struct WideCorners {
+    WideInt all = {};
+    WideInt touching = {};  ///< `collide` makes their manifolds; the others may pass each other
+};
+
+inline WideCorners find_corners(const WideEdge& r, const WideIncident& i, WideInt apart,
+                                Wide radii) {
+    if (!any(apart)) return {};
+    const WideInt corners = apart & meet_at_corners(r, i);
+    const Wide r_x = r.x2 - r.x1, r_y = r.y2 - r.y1, i_x = i.x2 - i.x1, i_y = i.y2 - i.y1;
+    const Wide shorter = lesser(r_x * r_x + r_y * r_y, i_x * i_x + i_y * i_y);
+    constexpr float thin = 20.0f * seam;
+    const WideInt passing = (radii == Wide{}) & (shorter > splat(thin * thin));
+    return {corners, corners & ~passing};
+}
+
+/// The incident edge, clipped against the ends of the reference edge.
+struct WideClip {
+    Wide x[2], y[2];
+    WideInt meets;  ///< lanes in which the edges are opposite to each other by more than a seam
+};
+
+inline WideClip clip_edge(const WideEdge& reference, const WideIncident& incident, Wide radii) {
+    const Wide nx = reference.nx, ny = reference.ny;
+    const Wide along_x = incident.x2 - incident.x1, along_y = incident.y2 - incident.y1;
+    const Wide low = -ny * reference.x1 + nx * reference.y1;
+    const Wide high = -ny * reference.x2 + nx * reference.y2;
+    const Wide w1 = -ny * incident.x1 + nx * incident.y1;
+    const Wide w2 = -ny * incident.x2 + nx * incident.y2;
+    const Wide run = w2 - w1;
+    const Wide facing = lesser(high, w2) - greater(low, w1);
+    const WideInt inside = ((w1 >= low) & (w2 <= high)) | ((low >= w1) & (high <= w2));
+    const Wide least = lesser(splat(seam), splat(0.1f) * lesser(high - low, run));
+    const WideInt left = w2 < low, right = (w1 > high) & ~left, beside = left | right;
+    const WideInt long_enough = run > splat(1e-9f);
+    const WideInt cut1 = (w1 < low) & long_enough & ~beside;
+    const WideInt cut2 = (w2 > high) & long_enough & ~beside;
+    const Wide t1 = (low - w1) / run, t2 = (high - w1) / run;
+    return {{left ? incident.x2 : (cut1 ? incident.x1 + t1 * along_x : incident.x1),
+             right ? incident.x1 : (cut2 ? incident.x1 + t2 * along_x : incident.x2)},
+            {left ? incident.y2 : (cut1 ? incident.y1 + t1 * along_y : incident.y1),
+             right ? incident.y1 : (cut2 ? incident.y1 + t2 * along_y : incident.y2)},
+            inside | ~(facing < least) | (radii != Wide{})};
+}
+
 struct WideCandidate {
     Wide separation, x, y;  ///< midway between the surfaces
     WideInt valid, feature;
@@ -173,7 +219,7 @@ uint32_t collide_lanes(const ConvexArrays& arrays, const CollisionBatch& batch, 
     const WidePolygon b = load_polygon(arrays, batch.begin_b + at);
     const Wide offset_x = load(batch.offset_x + at), offset_y = load(batch.offset_y + at);
     const Wide radius_a = load(batch.radius_a + at), radius_b = load(batch.radius_b + at);
-    const Wide margin = load(batch.margin + at), zero = {};
+    const Wide margin = load(batch.margin + at);
     const Wide radii = radius_a + radius_b;
     const WideEdge on_a = deepest_edge(a, b, offset_x, offset_y);
     const WideEdge on_b = deepest_edge(b, a, -offset_x, -offset_y);
@@ -188,39 +234,10 @@ uint32_t collide_lanes(const ConvexArrays& arrays, const CollisionBatch& batch, 
     const Wide to_x = flipped ? -offset_x : offset_x, to_y = flipped ? -offset_y : offset_y;
     const WideIncident incident = incident_edge(reference, a, b, flipped, to_x, to_y);
     const Wide nx = reference.nx, ny = reference.ny;
-    const Wide along_x = incident.x2 - incident.x1, along_y = incident.y2 - incident.y1;
-
-    WideInt keep = near, redo = {};
     const WideInt apart = near & (reference.separation > splat(face_preference));
-    if (any(apart)) {
-        const WideInt corner = apart & meet_at_corners(reference, incident);
-        const Wide rx = reference.x2 - reference.x1, ry = reference.y2 - reference.y1;
-        const Wide shorter = lesser(rx * rx + ry * ry, along_x * along_x + along_y * along_y);
-        constexpr float thin = 20.0f * seam;
-        const WideInt passes = (radii == zero) & (shorter > splat(thin * thin));
-        keep &= ~corner;
-        redo = corner & ~passes;
-    }
-
-    // Clipping the incident edge against the ends of the reference edge.
-    const Wide low = -ny * reference.x1 + nx * reference.y1;
-    const Wide high = -ny * reference.x2 + nx * reference.y2;
-    const Wide w1 = -ny * incident.x1 + nx * incident.y1;
-    const Wide w2 = -ny * incident.x2 + nx * incident.y2;
-    const Wide run = w2 - w1;
-    const Wide facing = lesser(high, w2) - greater(low, w1);
-    const WideInt inside = ((w1 >= low) & (w2 <= high)) | ((low >= w1) & (high <= w2));
-    const Wide least = lesser(splat(seam), splat(0.1f) * lesser(high - low, run));
-    keep &= inside | ~(facing < least) | (radii != zero);
-    const WideInt left = w2 < low, right = (w1 > high) & ~left, beside = left | right;
-    const WideInt long_enough = run > splat(1e-9f);
-    const WideInt cut1 = (w1 < low) & long_enough & ~beside;
-    const WideInt cut2 = (w2 > high) & long_enough & ~beside;
-    const Wide t1 = (low - w1) / run, t2 = (high - w1) / run;
-    const Wide px[2] = {left ? incident.x2 : (cut1 ? incident.x1 + t1 * along_x : incident.x1),
-                        right ? incident.x1 : (cut2 ? incident.x1 + t2 * along_x : incident.x2)};
-    const Wide py[2] = {left ? incident.y2 : (cut1 ? incident.y1 + t1 * along_y : incident.y1),
-                        right ? incident.y1 : (cut2 ? incident.y1 + t2 * along_y : incident.y2)};
+    const WideCorners corners = find_corners(reference, incident, apart, radii);
+    const WideClip clipped = clip_edge(reference, incident, radii);
+    const WideInt keep = near & ~corners.all & clipped.meets;
 
     const WideInt count_a = load_int(batch.count_a + at), count_b = load_int(batch.count_b + at);
     const WideInt edge2 = next_of(reference.index, flipped ? count_b : count_a);
@@ -230,14 +247,14 @@ uint32_t collide_lanes(const ConvexArrays& arrays, const CollisionBatch& batch, 
     const Wide radius = flipped ? radius_b - radius_a : radius_a - radius_b;
     WideCandidate candidates[2];
     for (int k = 0; k < 2; ++k) {
-        const Wide gap = nx * px[k] + ny * py[k] - reference.plane;
+        const Wide x = clipped.x[k], y = clipped.y[k];
+        const Wide gap = nx * x + ny * y - reference.plane;
         const Wide to_middle = splat(0.5f) * (radius - gap);
         candidates[k] = {
-            gap - radii, px[k] + to_middle * nx, py[k] + to_middle * ny,
-            keep & ~(gap - radii > margin),
+            gap - radii, x + to_middle * nx, y + to_middle * ny, keep & ~(gap - radii > margin),
             flipped ? on_other[k] << 8 | on_reference[k] : on_reference[k] << 8 | on_other[k]};
     }
-    const uint32_t again = bits(redo);
+    const uint32_t again = bits(corners.touching);
     const auto manifold = [&](int lane) {
         return (again >> lane & 1) != 0 ? &unused : batch.manifolds[at + lane];
     };

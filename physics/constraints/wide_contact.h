@@ -14,28 +14,29 @@
 
 namespace fettle::physics::detail {
 
-inline constexpr int lanes = 16;
+/// Contacts of a group, one for each lane.
+inline constexpr int group_size = 16;
 
 struct alignas(64) WidePoint {
-    float normal_lever_a[lanes], normal_lever_b[lanes];
-    float tangent_lever_a[lanes], tangent_lever_b[lanes];
-    float separation[lanes];
-    float normal_mass[lanes], tangent_mass[lanes];
-    float normal_impulse[lanes], tangent_impulse[lanes];
+    float normal_lever_a[group_size], normal_lever_b[group_size];
+    float tangent_lever_a[group_size], tangent_lever_b[group_size];
+    float separation[group_size];
+    float normal_mass[group_size], tangent_mass[group_size];
+    float normal_impulse[group_size], tangent_impulse[group_size];
 };
 
 struct alignas(64) WideContact {
-    uint32_t a[lanes], b[lanes];
-    float normal_x[lanes], normal_y[lanes];
-    float friction[lanes];
-    float bias_rate[lanes], mass_scale[lanes], impulse_keep[lanes];  ///< softness
-    float coupling_normal[lanes], coupling_tangent[lanes];
+    uint32_t a[group_size], b[group_size];
+    float normal_x[group_size], normal_y[group_size];
+    float friction[group_size];
+    float bias_rate[group_size], mass_scale[group_size], impulse_keep[group_size];  ///< softness
+    float coupling_normal[group_size], coupling_tangent[group_size];
     WidePoint points[2];
 };
 
 /// The manifolds of a group, for reading and writing back.
 struct ContactLanes {
-    Manifold* manifolds[lanes];
+    Manifold* manifolds[group_size];
     Manifold spare;               ///< for unused lanes
     uint32_t touching = 0;        ///< before the step, one bit for each lane
     uint32_t reports_always = 0;  ///< contacts that are reported in every step, one bit each

@@ -116,7 +116,7 @@ void prepare_lanes(const PrepareStep& step, Manifold* const* manifolds, WideCont
 void prepare_contacts(const PrepareStep& step, std::span<const ContactLanes> from,
                       WideContact* to) {
     for (size_t i = 0; i < from.size(); ++i) {
-        for (int at = 0; at < lanes; at += width) {
+        for (int at = 0; at < group_size; at += width) {
             if (to[i].a[at] == to[i].b[at]) {
                 // Lanes are filled in order, so the rest is unused; the passes stop here, too.
                 break;
@@ -138,7 +138,7 @@ void store_contacts(const WideContact* from, std::span<ContactLanes> to, float n
     for (size_t i = 0; i < to.size(); ++i) {
         ContactLanes& group = to[i];
         group.near = group.within_twice = 0;
-        for (int at = 0; at < lanes; at += width) {
+        for (int at = 0; at < group_size; at += width) {
             if (from[i].a[at] == from[i].b[at]) break;
             Wide least = splat(1e30f);
             WideInt pushes = {};

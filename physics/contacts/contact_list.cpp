@@ -1,6 +1,6 @@
 #include <contacts/contact_list.h>
 #include <contacts/mixing.h>
-#include <geometry/growth.h>
+#include <geometry/make_room.h>
 #include <state/active_lists.h>
 
 namespace fettle::physics::detail {

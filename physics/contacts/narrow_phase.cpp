@@ -3,7 +3,7 @@
 #include <contacts/moving_point.h>
 #include <contacts/narrow_phase.h>
 #include <contacts/pairs.h>
-#include <geometry/growth.h>
+#include <geometry/make_room.h>
 #include <state/active_lists.h>
 #include <state/limits.h>
 
@@ -53,7 +53,7 @@ void update_manifold(const NarrowPhaseInput& in, ContactRecord& c) {
         collide(in.objects.convex(c.shape_a), in.objects.convex(c.shape_b), b.center - a.center,
                 margin, m);
     else
-        collide_unusual(in.objects, in.columns, in.settings, c, margin, old.count > 0, m);
+        collide_special_forms(in.objects, in.columns, in.settings, c, margin, old.count > 0, m);
     if (old.count > 0 && !c.sensor && c.skipped == Skipped::no && (is_segment(a) || is_segment(b)))
         keep_side(in, c, margin, old.normal);
     // A point with the same vertex and the same edge keeps its impulses for the warm start.

@@ -36,8 +36,8 @@ void end_pairs(const ContactList& list, PairScratch& scratch);
 
 /// Computes the manifold of shapes that are not both plain convex. Most worlds have few such pairs.
 /// `had_contact`: they were in contact before.
-void collide_unusual(const ObjectState& objects, const Columns& columns, const WorldDef& settings,
-                     const ContactRecord& contact, float margin, bool had_contact,
-                     Manifold& manifold);
+void collide_special_forms(const ObjectState& objects, const Columns& columns,
+                           const WorldDef& settings, const ContactRecord& contact, float margin,
+                           bool had_contact, Manifold& manifold);
 
 }  // namespace fettle::physics::detail

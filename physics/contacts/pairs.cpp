@@ -1,4 +1,4 @@
-#include <contacts/crowds.h>
+#include <contacts/crowded_shapes.h>
 #include <contacts/pairs.h>
 #include <wide/kernels.h>
 

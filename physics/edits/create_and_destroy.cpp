@@ -2,7 +2,7 @@
 #include <contacts/mixing.h>
 #include <edits/edits.h>
 #include <fettle/physics/hull.h>
-#include <geometry/growth.h>
+#include <geometry/make_room.h>
 #include <geometry/trigonometry.h>
 #include <state/active_lists.h>
 #include <state/limits.h>

@@ -1,5 +1,5 @@
-#include <collision/climb.h>
 #include <collision/ellipse.h>
+#include <collision/extreme_points.h>
 #include <fettle/physics/hull.h>
 #include <forms/corners.h>
 #include <forms/form_data.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <geometry/growth.h>
+#include <geometry/make_room.h>
 #include <geometry/vector.h>
 
 #include <algorithm>

@@ -104,7 +104,7 @@ World::World(const World& other) {
     other.data_->self.may_copy("copying a World");
     data_ = detail::Owned(new WorldData);
     data_->self.link = &acquire_link();
-    data_->most_lanes = other.data_->most_lanes;
+    data_->most_width = other.data_->most_width;
     data_->replace_state(WorldState(*other.data_));
     begin();
 }
@@ -313,7 +313,7 @@ int simd_width() {
 }
 void World::limit_simd_width(int most) {
     WorldData& data = edit(__func__);
-    data.most_lanes = detail::check_simd_width("most", most);
+    data.most_width = detail::check_simd_width("most", most);
 }
 
 void World::wake_all() {

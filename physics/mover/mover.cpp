@@ -116,15 +116,22 @@ void advance(Moving& moving, Obstacles& obstacles, const Capsule& capsule, Vec2 
     moving.find_pushed((1.0f / float(parts)) * motion);
 }
 
-/// The ground below the feet of a mover that may stand. `own`: its body, 0 for none.
+/// What is below the feet of a mover after its motion. `own`: its body, 0 for none. `stands`: false
+/// while it climbs or rises; then only the edge of a step that it has climbed is ground.
 std::optional<Plane> ground_after(const WorldData& data, const Obstacles& obstacles, Moving& moving,
-                                  uint32_t own) {
-    const std::optional<Plane> ground = moving.ground();
-    if (!ground) return {};
-    // A body that falls freely is not ground: nothing has weight on it, and it carries no mover.
-    const Obstacle& below = obstacles[ground->obstacle];
-    if (below.dynamic && !is_supported(data, below.body, own)) return {};
-    return ground;
+                                  uint32_t own, bool stands, Vec2 up) {
+    if (stands) {
+        const std::optional<Plane> ground = moving.ground();
+        // A body that falls freely is not ground: nothing has weight on it, and it carries no
+        // mover.
+        const auto carries = [&](const Obstacle& below) {
+            return !below.dynamic || is_supported(data, below.body, own);
+        };
+        if (ground && carries(obstacles[ground->obstacle])) return ground;
+    }
+    std::optional<Plane> edge = moving.step;
+    if (edge) edge->normal = up;
+    return edge;
 }
 
 /// The shape through which a mover falls, while it exists.
@@ -200,11 +207,8 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
 
     data.read_all();
     const Ride ride = stood && world.is_valid(state_.ground) ? ride_on(data, state_, dt) : Ride{};
-    Vec2 motion = dt * wanted;
-    if (walks) {
-        wanted = wanted - dot(wanted, up) * up;
-        motion = motion_along_ground(wanted, state_.ground_normal, dt);
-    }
+    if (walks) wanted = wanted - dot(wanted, up) * up;
+    Vec2 motion = walks ? motion_along_ground(wanted, state_.ground_normal, dt) : dt * wanted;
     motion = bounded(motion, 1e6f) + ride.motion;
     if (length(motion) > most_motion) motion = most_motion * normalized(motion);
 
@@ -229,12 +233,8 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
 
     moved.velocity = moving.clipped(wanted);
     const uint32_t own = world.is_valid(def_.body) ? def_.body.index : 0;
-    std::optional<Plane> ground;
-    if (!state_.climbing && !lifts) ground = ground_after(data, obstacles, moving, own);
-    if (!ground && moving.step) {  // on the edge of a step
-        ground = moving.step;
-        ground->normal = up;
-    }
+    const std::optional<Plane> ground =
+        ground_after(data, obstacles, moving, own, !state_.climbing && !lifts, up);
     state_.on_ground = moved.on_ground = ground.has_value();
     state_.ground = {};
     state_.ground_normal = {};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <constraints/solver_body.h>
-#include <partition/acting.h>
+#include <partition/solver_end.h>
 
 #include <array>
 #include <span>

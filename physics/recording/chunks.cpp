@@ -1,5 +1,5 @@
 #include <recording/chunks.h>
-#include <saving/seal.h>
+#include <saving/checksum.h>
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include <fettle/physics/recording.h>
 #include <recording/difference.h>
-#include <saving/seal.h>
+#include <saving/checksum.h>
 #include <world/world_data.h>
 
 #include <stdexcept>
@@ -148,7 +148,7 @@ struct Replay::Data {
         const std::vector<std::byte> edited = apply_difference(blocks, in);
         saved.resize(sizeof(SavedHeader));
         saved.insert(saved.end(), edited.begin(), edited.end());
-        seal(saved);
+        write_checksum(saved);
         world.restore(saved);
         return calls;
     }

@@ -1,6 +1,6 @@
 #include <saving/archive.h>
+#include <saving/checksum.h>
 #include <saving/saved_world.h>
-#include <saving/seal.h>
 #include <world/world_data.h>
 
 #include <optional>
@@ -53,7 +53,7 @@ void World::save(std::vector<std::byte>& out) const {
     ArchiveWriter write(out);
     write(header);
     write(state);
-    seal(std::span(out).subspan(begin));
+    write_checksum(std::span(out).subspan(begin));
 }
 
 namespace {

@@ -1,4 +1,4 @@
-#include <collision/climb.h>
+#include <collision/extreme_points.h>
 #include <saving/saved_world.h>
 
 #include <algorithm>

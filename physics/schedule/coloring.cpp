@@ -221,24 +221,24 @@ struct Coloring {
         const size_t owned = color_count * schedule.first_groups.size();
         for (size_t i = 0; i < blocks.size(); ++i) {
             SolverBlock& block = blocks[i];
-            block.first_group = begin / lanes;
+            block.first_group = begin / group_size;
             for (const uint32_t end = section + schedule.sections_of(block).size(); section < end;
                  ++section) {
-                schedule.first_groups[section] = begin / lanes;
+                schedule.first_groups[section] = begin / group_size;
                 for (size_t color = 0; color < color_count; ++color) {
                     uint32_t last = begin;
                     for (size_t k = section * color_count + color; k < schedule.color_begin.size();
                          k += owned)
                         last += std::exchange(schedule.color_begin[k], last);
-                    begin = (last + lanes - 1) / lanes * lanes;
+                    begin = (last + group_size - 1) / group_size * group_size;
                     for (uint32_t lane = last; lane < begin; ++lane)
                         contacts.spare_lanes.push_back(lane);
                 }
             }
-            block.group_end = begin / lanes;
+            block.group_end = begin / group_size;
         }
-        schedule.first_groups.back() = begin / lanes;
-        contacts.group_results.resize(begin / lanes);
+        schedule.first_groups.back() = begin / group_size;
+        contacts.group_results.resize(begin / group_size);
         contacts.lane_contacts.resize(begin);
         for (const uint32_t lane : contacts.spare_lanes) contacts.lane_contacts[lane] = none;
         parallel_for(threads, uint32_t(contacts.acting_pieces.size()), [&](uint32_t piece) {
@@ -371,6 +371,23 @@ std::vector<uint8_t> jointed_bodies(const ObjectState& objects, const ActiveList
     return jointed;
 }
 
+/// True if the groups, which solve the usual contacts, cannot solve this one. Most contacts are not
+/// special, and their surface is in a cache line that is not read.
+bool needs_serial_solver(const ObjectState& objects, const BodyScratch& bodies,
+                         const ContactRecord& record, float dt) {
+    return record.curved ||
+           (record.special &&
+            (record.rolling_resistance != 0.0f || record.surface_speed != 0.0f)) ||
+           on_locked_axis(objects, bodies, record) || passes_corner(objects, bodies, record, dt);
+}
+
+/// The flags that do not depend on velocities.
+uint8_t flags_of(const ContactRecord& record, uint8_t joint_load) {
+    return uint8_t((record.touching ? ActingContact::is_touching : 0) |
+                   (record.hit_events ? ActingContact::reports_hits : 0) |
+                   (joint_load > 1 ? (joint_load - 1) * ActingContact::one_load : 0));
+}
+
 }  // namespace
 
 /// The list has gaps only between the pieces of different threads.
@@ -404,17 +421,11 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
                             b = bodies.solver_ends[record.body_b];
             // The bodies are asleep or kinematic: the impulses stay as they were.
             if (!a.moves() && !b.moves()) continue;
-            // Most contacts are not special, and their surface is in a cache line that is not read.
             const uint8_t joint_load =
                 jointed.empty() ? 0 : std::max(jointed[a.index()], jointed[b.index()]);
-            const bool serially = !groups || joint_load > 1 || record.curved ||
-                                  (record.special && (record.rolling_resistance != 0.0f ||
-                                                      record.surface_speed != 0.0f)) ||
-                                  on_locked_axis(objects, bodies, record) ||
-                                  passes_corner(objects, bodies, record, dt);
-            auto flags = uint8_t((record.touching ? ActingContact::is_touching : 0) |
-                                 (record.hit_events ? ActingContact::reports_hits : 0) |
-                                 (joint_load > 1 ? (joint_load - 1) * ActingContact::one_load : 0));
+            const bool serially =
+                !groups || joint_load > 1 || needs_serial_solver(objects, bodies, record, dt);
+            uint8_t flags = flags_of(record, joint_load);
             if ((record.special && record.restitution > 0.0f) || joint_load > 0) {
                 const bool fast =
                     approaches(record, bodies.solver_bodies[a.index()],

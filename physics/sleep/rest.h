@@ -14,9 +14,10 @@ namespace fettle::physics::detail {
 inline constexpr float usual_extent = 0.07f;
 
 /// A contact of a corner with the very end of an edge may end and begin again forever. The body
-/// then slips back and forth in place: for moments it is up to `jerk` times as fast as the sleep
-/// speed, and on average it is slower than `mean` times that speed.
-inline constexpr float jerk = 6.0f, mean = 0.4f;
+/// then slips back and forth in place: for moments it is up to `most_over_sleep_speed` times as
+/// fast as the sleep speed, and on average it is slower than `mean_over_sleep_speed` times that
+/// speed.
+inline constexpr float most_over_sleep_speed = 6.0f, mean_over_sleep_speed = 0.4f;
 
 /// A body that is slower is at rest, m/s. A small body that moves through its own size in the delay
 /// is not. `sleep_speed`: that of the body or the world, m/s.
@@ -45,7 +46,8 @@ inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, R
                        float angle, float speed, float turning, float dt) {
     const float size = min(body.extent / usual_extent, 1.0f);
     const float slow = rest_speed(sleep_speed, body);
-    const bool jerks = speed >= slow && speed < jerk * slow && body.lists.touching > 0;
+    const bool jerks =
+        speed >= slow && speed < most_over_sleep_speed * slow && body.lists.touching > 0;
     if (speed >= slow && !jerks) {
         body.sleep_time = 0.0f;
         return;
@@ -53,7 +55,7 @@ inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, R
     const bool begins = body.sleep_time == 0.0f;
     const auto turned = [&] { return (angle - rest.angle) * body.extent; };
     const auto moved = [&] { return length(body.center - rest.center) + std::fabs(turned()); };
-    if (begins || (jerks && moved() > mean * slow * size * sleep_delay)) {
+    if (begins || (jerks && moved() > mean_over_sleep_speed * slow * size * sleep_delay)) {
         rest = {body.center, angle};
         body.sleep_time = 0.0f;
     }

@@ -1,4 +1,4 @@
-#include <geometry/growth.h>
+#include <geometry/make_room.h>
 #include <partition/union_find.h>
 #include <sleep/rest.h>
 #include <sleep/rocking.h>
@@ -328,6 +328,100 @@ void calm_rocking(const ObjectState& objects, Columns& columns, ActiveLists& act
               [](const Stay& a, const Stay& b) { return a.body < b.body; });
 }
 
+/// Something drives the body, if it is awake and dynamic.
+void disturb(const ObjectState& objects, uint32_t body, std::span<uint8_t> unrest) {
+    const BodyRecord& record = objects.bodies[body];
+    if (record.solver_index != 0 && record.mobility == Mobility::dynamic)
+        unrest[record.solver_index - 1] = driven;
+}
+
+/// For each awake body why it does not rest, as far as its own motion and its joints tell.
+std::vector<uint8_t> unrest_of_bodies(const ObjectState& objects, const Columns& columns,
+                                      const ActiveLists& active, const JointScratch& joints,
+                                      const WorldDef& settings) {
+    std::vector<uint8_t> unrest(active.awake_bodies.size(), 0);
+    for (size_t i = 0; i < unrest.size(); ++i) {
+        const BodyRecord& record = objects.bodies[active.awake_bodies[i]];
+        const bool alone = record.mobility == Mobility::dynamic && record.lists.first_joint == none;
+        if (record.sleep_time < settings.sleep_delay) unrest[i] = alone ? by_itself : driven;
+        if (!record.flags.can_sleep || (record.mobility != Mobility::dynamic &&
+                                        in_motion(objects, columns, active.awake_bodies[i])))
+            unrest[i] = driven;
+    }
+    for (const JointArray& array : joints.joint_arrays) {
+        for (size_t i = 0; i < array.joints.size(); ++i) {
+            if (array.drives[i] != 0)
+                for (const uint32_t body : objects.joints[array.joints[i]].bodies)
+                    disturb(objects, body, unrest);
+        }
+    }
+    return unrest;
+}
+
+/// Unites the awake bodies that touch or are joined. What moves without being dynamic, and what a
+/// belt carries, does not rest.
+void unite_islands(const ObjectState& objects, const Columns& columns, const ActiveLists& active,
+                   UnionFind& sets, std::vector<uint8_t>& unrest) {
+    const auto link = [&](uint32_t body_a, uint32_t body_b) {
+        const uint32_t a = objects.bodies[body_a].solver_index,
+                       b = objects.bodies[body_b].solver_index;
+        if (a == 0 || b == 0) return;
+        const bool moves_a = objects.bodies[body_a].mobility == Mobility::dynamic;
+        const bool moves_b = objects.bodies[body_b].mobility == Mobility::dynamic;
+        if (moves_a && moves_b)
+            sets.unite(a - 1, b - 1);
+        else if (moves_a && in_motion(objects, columns, body_b))
+            unrest[a - 1] = driven;  // a moving body carries it
+        else if (moves_b && in_motion(objects, columns, body_a))
+            unrest[b - 1] = driven;
+    };
+    for (const uint32_t slot : active.awake_contacts) {
+        const ContactRecord& c = objects.contacts[slot];
+        if (!c.acts()) continue;
+        link(c.body_a, c.body_b);
+        if (!carried_by_belt(objects, columns, c)) continue;
+        disturb(objects, c.body_a, unrest);
+        disturb(objects, c.body_b, unrest);
+    }
+    for (const auto& list : active.awake_joints) {
+        for (const uint32_t joint : list)
+            link(objects.joints[joint].bodies[0], objects.joints[joint].bodies[1]);
+    }
+}
+
+/// The islands, each at the index of the root of its set.
+std::vector<AwakeIsland> islands_of(const ObjectState& objects, const Columns& columns,
+                                    const ActiveLists& active, const WorldDef& settings,
+                                    UnionFind& sets, std::span<const uint8_t> unrest) {
+    std::vector<AwakeIsland> islands(unrest.size());
+    for (uint32_t i = 0; i < unrest.size(); ++i) {
+        AwakeIsland& island = islands[sets.find(i)];
+        island.unrest |= unrest[i];
+        const uint32_t slot = active.awake_bodies[i];
+        const bool fast = unrest[i] != 0 && is_fast(objects.bodies[slot], columns.states[slot],
+                                                    rest_speed_of(objects, settings, slot));
+        ++(fast ? island.fast_bodies : island.slow_bodies);
+    }
+    return islands;
+}
+
+/// The bodies of each island that rests.
+std::vector<std::vector<uint32_t>> resting_bodies(const ActiveLists& active, UnionFind& sets,
+                                                  std::span<const AwakeIsland> islands) {
+    std::vector<std::vector<uint32_t>> resting;
+    std::vector<uint32_t> place_of(islands.size(), none);
+    for (uint32_t i = 0; i < islands.size(); ++i) {
+        const uint32_t root = sets.find(i);
+        if (islands[root].unrest != 0) continue;
+        if (place_of[root] == none) {
+            place_of[root] = uint32_t(resting.size());
+            resting.emplace_back();
+        }
+        resting[place_of[root]].push_back(active.awake_bodies[i]);
+    }
+    return resting;
+}
+
 }  // namespace
 
 void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
@@ -341,78 +435,16 @@ void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
     if (!settings.sleeping) return active.stays.clear();
     continue_stays(objects, columns, active, settings, passed);
     if (candidates == 0 && active.stays.empty()) return;
-    const size_t count = active.awake_bodies.size();
+    std::vector<uint8_t> unrest = unrest_of_bodies(objects, columns, active, joints, settings);
     UnionFind sets;
-    sets.reset(count);
-    std::vector<uint8_t> unrest(count, 0);
-    for (size_t i = 0; i < count; ++i) {
-        const BodyRecord& record = objects.bodies[active.awake_bodies[i]];
-        const bool alone = record.mobility == Mobility::dynamic && record.lists.first_joint == none;
-        if (record.sleep_time < settings.sleep_delay) unrest[i] = alone ? by_itself : driven;
-        if (!record.flags.can_sleep || (record.mobility != Mobility::dynamic &&
-                                        in_motion(objects, columns, active.awake_bodies[i])))
-            unrest[i] = driven;
-    }
-    const auto disturb = [&](uint32_t body) {
-        const BodyRecord& record = objects.bodies[body];
-        if (record.solver_index != 0 && record.mobility == Mobility::dynamic)
-            unrest[record.solver_index - 1] = driven;
-    };
-    for (const JointArray& array : joints.joint_arrays) {
-        for (size_t i = 0; i < array.joints.size(); ++i) {
-            if (array.drives[i] != 0)
-                for (const uint32_t body : objects.joints[array.joints[i]].bodies) disturb(body);
-        }
-    }
-    auto link = [&](uint32_t body_a, uint32_t body_b) {
-        const uint32_t a = objects.bodies[body_a].solver_index,
-                       b = objects.bodies[body_b].solver_index;
-        if (a == 0 || b == 0) return;
-        const bool moves_a = objects.bodies[body_a].mobility == Mobility::dynamic;
-        const bool moves_b = objects.bodies[body_b].mobility == Mobility::dynamic;
-        if (moves_a && moves_b)
-            sets.unite(a - 1, b - 1);
-        else if (moves_a && in_motion(objects, columns, body_b))
-            unrest[a - 1] = driven;  // a moving body carries it
-        else if (moves_b && in_motion(objects, columns, body_a))
-            unrest[b - 1] = driven;
-    };
-    for (uint32_t slot : active.awake_contacts) {
-        const ContactRecord& c = objects.contacts[slot];
-        if (!c.acts()) continue;
-        link(c.body_a, c.body_b);
-        if (!carried_by_belt(objects, columns, c)) continue;
-        disturb(c.body_a);
-        disturb(c.body_b);
-    }
-    for (const auto& list : active.awake_joints) {
-        for (uint32_t joint : list)
-            link(objects.joints[joint].bodies[0], objects.joints[joint].bodies[1]);
-    }
-    std::vector<AwakeIsland> islands(count);
-    for (uint32_t i = 0; i < count; ++i) {
-        AwakeIsland& island = islands[sets.find(i)];
-        island.unrest |= unrest[i];
-        const uint32_t slot = active.awake_bodies[i];
-        const bool fast = unrest[i] != 0 && is_fast(objects.bodies[slot], columns.states[slot],
-                                                    rest_speed_of(objects, settings, slot));
-        ++(fast ? island.fast_bodies : island.slow_bodies);
-    }
+    sets.reset(unrest.size());
+    unite_islands(objects, columns, active, sets, unrest);
+    std::vector<AwakeIsland> islands = islands_of(objects, columns, active, settings, sets, unrest);
     calm_rocking(objects, columns, active, settings, passed, sets, unrest, islands);
-    std::vector<std::vector<uint32_t>> groups;
-    std::vector<uint32_t> group_of(count, none);
-    for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t root = sets.find(i);
-        if (islands[root].unrest != 0) continue;
-        if (group_of[root] == none) {
-            group_of[root] = uint32_t(groups.size());
-            groups.emplace_back();
-        }
-        groups[group_of[root]].push_back(active.awake_bodies[i]);
-    }
-    for (const auto& group : groups)
-        put_to_sleep(activity, group, objects.island_slots.allocate(objects.islands));
-    if (!groups.empty()) compact_awake(objects, active);
+    const std::vector<std::vector<uint32_t>> resting = resting_bodies(active, sets, islands);
+    for (const std::vector<uint32_t>& bodies : resting)
+        put_to_sleep(activity, bodies, objects.island_slots.allocate(objects.islands));
+    if (!resting.empty()) compact_awake(objects, active);
 }
 
 }  // namespace fettle::physics::detail

@@ -25,7 +25,7 @@ VelocitySums::OfJoint& sum_of_joint(VelocitySums& sums, uint32_t slot) {
 
 /// Calls `add(lane)` for the lanes of a group that contain the body.
 void for_lanes(const WideContact& wide, uint32_t body, auto&& add) {
-    for (int lane = 0; lane < lanes; ++lane) {
+    for (int lane = 0; lane < group_size; ++lane) {
         if (wide.a[lane] == wide.b[lane]) return;  // the rest is unused
         if (wide.a[lane] == body || wide.b[lane] == body) add(lane);
     }
@@ -59,7 +59,7 @@ void add_wide(VelocitySums& sums, const SolverInput& input, const SolverBlock& b
             const Vec2 n = {wide.normal_x[lane], wide.normal_y[lane]};
             const bool second = wide.b[lane] == sums.solver_body;
             const float side = second ? 1.0f : -1.0f;
-            const uint32_t acting = input.contacts.lane_contacts[group * lanes + size_t(lane)];
+            const uint32_t acting = input.contacts.lane_contacts[group * group_size + size_t(lane)];
             VelocitySums::OfContact& sum = sum_of(sums, input.contacts.acting[acting].slot);
             Twist twist;
             for (const WidePoint& p : wide.points) {

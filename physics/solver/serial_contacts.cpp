@@ -217,8 +217,8 @@ void mark_passed_impacts(ContactScratch& scratch) {
         if (!(extra.greatest[0] + extra.greatest[1] > 0.0f)) continue;
         const size_t index = size_t(&constraint - scratch.passing.constraints.data());
         const ActingContact& c = scratch.acting[scratch.passing.acting[index]];
-        const auto lane = uint16_t(1u << c.place % lanes);
-        GroupResult& result = scratch.group_results[c.place / lanes];
+        const auto lane = uint16_t(1u << c.place % group_size);
+        GroupResult& result = scratch.group_results[c.place / group_size];
         result.touches |= lane;
         result.reported |= lane;
     }
@@ -234,7 +234,7 @@ void report_wide(ContactScratch& scratch, const Touching& touching, float hit_th
     for (size_t group = 0; group < results.size(); ++group) {
         for (uint32_t left = results[group].reported; left != 0; left &= left - 1) {
             const uint32_t i =
-                scratch.lane_contacts[group * lanes + size_t(std::countr_zero(left))];
+                scratch.lane_contacts[group * group_size + size_t(std::countr_zero(left))];
             reported[i / 64] |= uint64_t{1} << i % 64;
         }
     }
@@ -242,7 +242,8 @@ void report_wide(ContactScratch& scratch, const Touching& touching, float hit_th
     for (size_t word = 0; word < reported.size(); ++word) {
         for (uint64_t left = reported[word]; left != 0; left &= left - 1) {
             const ActingContact& c = scratch.acting[word * 64 + size_t(std::countr_zero(left))];
-            const bool touches = (results[c.place / lanes].touches >> c.place % lanes & 1) != 0;
+            const bool touches =
+                (results[c.place / group_size].touches >> c.place % group_size & 1) != 0;
             if (touches != c.touching()) set_touching(touching, c.slot, touches);
             any_hits |= c.hit_events();
         }

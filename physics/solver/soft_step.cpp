@@ -78,8 +78,8 @@ struct alignas(cache_line_size) SoftStep {
     /// Called before a group is prepared: sets the contacts in its lanes.
     void fill_group(size_t group, WideContact& wide, ContactLanes& from) {
         from.touching = from.reports_always = 0;
-        for (uint32_t lane = 0; lane < uint32_t(lanes); ++lane) {
-            const uint32_t i = contacts.lane_contacts[group * lanes + lane];
+        for (uint32_t lane = 0; lane < uint32_t(group_size); ++lane) {
+            const uint32_t i = contacts.lane_contacts[group * group_size + lane];
             if (i == none) {  // empty lane: body 0 against itself, without mass
                 wide.a[lane] = wide.b[lane] = 0;
                 wide.friction[lane] = 0.0f;

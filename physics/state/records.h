@@ -223,7 +223,7 @@ struct ShapeRecord {
     bool geometry_dirty = false;
     bool moved = false;     ///< in the list of shapes for which pairs are searched
     bool listed = false;    ///< in the list of shapes to refresh
-    bool crowded = false;   ///< its pairs are searched separately: see contacts/crowds.h
+    bool crowded = false;   ///< its pairs are searched separately: see contacts/crowded_shapes.h
     uint32_t capacity = 0;  ///< vertices reserved in the pool
 
     // A chain or a concave polygon collides as its parts, which are shapes that only the library
@@ -260,7 +260,7 @@ inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
 enum class Skipped : uint8_t {
     no,
     by_callback,  ///< in this step
-    crushed       ///< until the shapes part: contacts/crushed.h
+    crushed       ///< until the shapes part: contacts/crushed_bodies.h
 };
 
 /// A pair of shapes whose fat boxes overlap. The slots of awake contacts are listed.

@@ -5,10 +5,10 @@
 #include <constraints/rolling_contact.h>
 #include <constraints/wide_contact.h>
 #include <fettle/physics/events.h>
-#include <partition/acting.h>
 #include <partition/blocks.h>
 #include <partition/hubs.h>
 #include <partition/joint_share.h>
+#include <partition/solver_end.h>
 #include <partition/strips.h>
 #include <state/member_list.h>
 #include <state/stage_results.h>

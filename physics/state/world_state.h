@@ -4,7 +4,7 @@
 #include <broad_phase/tree.h>
 #include <constraints/solver_body.h>
 #include <fettle/physics/world.h>
-#include <geometry/growth.h>
+#include <geometry/make_room.h>
 #include <geometry/vertex_pool.h>
 #include <partition/strips.h>
 #include <state/member_list.h>

@@ -6,8 +6,8 @@
 #include <distance/distance.h>
 #include <geometry/trigonometry.h>
 #include <state/limits.h>
+#include <step/field_effect.h>
 #include <step/gather.h>
-#include <step/push.h>
 #include <step/shape_box.h>
 
 namespace fettle::physics::detail {
@@ -21,7 +21,7 @@ bool inside(const std::optional<Aabb>& region, const Position& p) {
 class FieldOnBody {
   public:
     FieldOnBody(const ObjectState& objects, const Columns& columns, Vec2 gravity, uint32_t body,
-                uint64_t mask, float h, float dt, Push& push)
+                uint64_t mask, float h, float dt, FieldEffect& push)
         : objects_(objects),
           columns_(columns),
           gravity_(gravity),
@@ -30,7 +30,7 @@ class FieldOnBody {
           velocity_(columns.states[body].velocity),
           spin_(columns.states[body].angular_velocity),
           mask_(mask),
-          push_(push) {}
+          effect_(push) {}
 
     void operator()(const WindField& wind) {
         each_shape([&](uint32_t shape) {
@@ -49,8 +49,8 @@ class FieldOnBody {
             const Vec2 arm = centroid_of(shape);
             const Vec2 u = velocity_at(arm) - drag.flow;
             const float per_area = drag.linear + drag.quadratic * length(u);
-            push_.resist(arm, double(m.area) * double(per_area), u);
-            push_.resist_turn(double(m.moment) * double(drag.linear), spin_);
+            effect_.resist(arm, double(m.area) * double(per_area), u);
+            effect_.resist_turn(double(m.moment) * double(drag.linear), spin_);
         });
     }
 
@@ -66,11 +66,11 @@ class FieldOnBody {
             if (!(part.area > 0.0)) return;
             const Vec2 arm = rotate(turned, part.centroid);
             const float mass = liquid.density * float(part.area);
-            push_.at(arm, -(mass * gravity_));
-            push_.resist(arm, double(liquid.drag) * double(mass), velocity_at(arm) - liquid.flow);
+            effect_.at(arm, -(mass * gravity_));
+            effect_.resist(arm, double(liquid.drag) * double(mass), velocity_at(arm) - liquid.flow);
             const ShapeRecord& m = objects_.shapes[shape];
             const double share = m.area > 0.0f ? part.area / double(m.area) : 0.0;
-            push_.resist_turn(
+            effect_.resist_turn(
                 double(liquid.drag) * double(liquid.density) * share * double(m.moment), spin_);
         });
     }
@@ -82,7 +82,7 @@ class FieldOnBody {
         float acceleration = attractor.strength;
         for (int i = 0; i < attractor.falloff; ++i) acceleration /= far;
         // Within the core it decreases linearly to 0.
-        push_.at({}, (body_.mass * acceleration / max(far, 1e-6f)) * d);
+        effect_.at({}, (body_.mass * acceleration / max(far, 1e-6f)) * d);
     }
 
   private:
@@ -97,8 +97,8 @@ class FieldOnBody {
     void blow_on_edge(const WindField& wind, Vec2 arm, Vec2 n, float length) {
         const float speed = dot(blow(wind, arm), n);
         if (speed >= 0.0f) return;  // on the side away from the wind
-        push_.resist_along(n, arm, 0.5 * double(wind.density) * double(-speed) * double(length),
-                           -speed);
+        effect_.resist_along(n, arm, 0.5 * double(wind.density) * double(-speed) * double(length),
+                             -speed);
     }
     void blow_on_polygon(const WindField& wind, const Solid& solid) {
         const Convex& form = solid.form;
@@ -114,7 +114,7 @@ class FieldOnBody {
         // The round corners together form a circle: ∫ cos³θ r dθ over its windward half.
         const Vec2 u = blow(wind, middle);
         const float resistance = 0.5f * wind.density * (4.0f / 3.0f) * form.radius * length(u);
-        push_.resist(middle, double(resistance), -u);
+        effect_.resist(middle, double(resistance), -u);
     }
     /// The same integral over the rim, by the midpoint rule.
     void blow_on_ellipse(const WindField& wind, const EllipseForm& e) {
@@ -149,7 +149,7 @@ class FieldOnBody {
     Vec2 velocity_;
     float spin_;
     uint64_t mask_;
-    Push& push_;
+    FieldEffect& effect_;
 };
 
 bool acts_on_body(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
@@ -167,7 +167,8 @@ bool acts_on_body(const ObjectState& objects, const Columns& columns, std::span<
 }
 
 /// Adds the push to the forces of the sub-steps.
-void add_push(const Push& push, const BodyRecord& record, float h, float dt, SolverForce& f) {
+void add_push(const FieldEffect& push, const BodyRecord& record, float h, float dt,
+              SolverForce& f) {
     const double substeps = double(dt) / double(h);
     const Twist inverse = {record.flags.locked_x ? 0.0 : double(record.inverse_mass),
                            record.flags.locked_y ? 0.0 : double(record.inverse_mass),
@@ -191,7 +192,7 @@ void apply_fields(const ObjectState& objects, const Columns& columns, std::span<
         const uint32_t body = awake[i];
         const BodyRecord& record = objects.bodies[body];
         if (record.mobility != Mobility::dynamic) continue;
-        Push push;
+        FieldEffect push;
         bool pushed = false;
         for (const FieldRecord& field : objects.fields) {
             if (field.generation == 0 || !field.def.enabled ||

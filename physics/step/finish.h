@@ -62,7 +62,7 @@ void finish_shapes(const FinishInput& input, uint32_t body, Rotation q, Finished
 /// Updates the trees and lists after one body was placed.
 void follow_placed(const FinishInput& input, const FinishedPiece& piece);
 
-// continuous.cpp
+// continuous_collision.cpp
 
 /// Lists the awake kinematic bodies. Must be called before bodies are finished.
 void list_driven_bodies(const FinishInput& input);

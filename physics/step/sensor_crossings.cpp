@@ -1,6 +1,6 @@
 #include <contacts/narrow_phase.h>
 #include <distance/distance.h>
-#include <step/impact.h>
+#include <step/time_of_impact.h>
 
 #include <algorithm>
 #include <tuple>
@@ -90,7 +90,7 @@ class Search {
         contact.body_a = body;
         contact.body_b = other_body;
         Manifold manifold;
-        collide_unusual(objects, in_.columns, in_.settings, contact, 0.0f, false, manifold);
+        collide_special_forms(objects, in_.columns, in_.settings, contact, 0.0f, false, manifold);
         return manifold.count > 0;
     }
 

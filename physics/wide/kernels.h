@@ -30,6 +30,6 @@ extern const WideKernels wide_kernels_avx512;
 #endif
 
 /// The widest kernels of this machine with at most `most` lanes (tests compare them).
-const WideKernels& wide_kernels(int most = lanes);
+const WideKernels& wide_kernels(int most = group_size);
 
 }  // namespace fettle::physics::detail

@@ -3,8 +3,8 @@
 
 #include <broad_phase/wide_overlap.h>
 #include <collision/wide_collide.h>
-#include <constraints/wide_passes.h>
 #include <constraints/wide_prepare.h>
+#include <constraints/wide_solver.h>
 #include <wide/kernels.h>
 
 namespace fettle::physics::detail {

@@ -5,8 +5,9 @@
 #include <string_view>
 #include <type_traits>
 
-// Heap memory of a world. Slots grow by a fifth (geometry/growth.h). The scratch data of a step are
-// released when most bodies sleep, so that a world at rest uses little more memory than its state.
+// Heap memory of a world. Slots grow by a fifth (geometry/make_room.h). The scratch data of a step
+// are released when most bodies sleep, so that a world at rest uses little more memory than its
+// state.
 
 namespace fettle::physics {
 

@@ -34,7 +34,7 @@ struct Parts {
 /// A world: its state, the scratch data of its step, and its other data. Member functions are
 /// grouped by the file that defines them.
 struct WorldData : WorldState, StepScratch {
-    int most_lanes = lanes;  ///< limited by tests that compare instruction sets
+    int most_width = group_size;  ///< limited by tests that compare instruction sets
     bool stepping = false;
     WorldSelf self;                 ///< callbacks, owner, threads: not part of the state
     ThreadPool* threads = nullptr;  ///< of `self`

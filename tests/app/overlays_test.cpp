@@ -5,9 +5,9 @@
 #include <array>
 #include <set>
 
-#include <loop/blame.h>
 #include <loop/tint_painter.h>
 #include <loop/wires.h>
+#include <loop/writer_colors.h>
 
 #include "game.h"
 #include "noting_screen.h"
@@ -131,7 +131,7 @@ TEST_CASE("blame draws what is in a layer where the layer places it") {
                 CHECK(paint.fill.a == 0.75f);
         }
     } circles;
-    app::Blame(game.tree, app::tick).draw(circles, 1);
+    app::WriterColors(game.tree, app::tick).draw(circles, 1);
     CHECK(circles.centers == std::vector{Vec2(1, 0), Vec2(11, 0), Vec2(5, 5)});
 }
 
@@ -185,7 +185,7 @@ TEST_CASE("two writers in the legend of blame never have one color") {
                          "main.lua");
     }
     app::NotingSurface screen;
-    app::Blame(game.tree, app::tick).draw_legend(screen, {0, 0, 1280, 800});
+    app::WriterColors(game.tree, app::tick).draw_legend(screen, {0, 0, 1280, 800});
     CHECK(screen.line_with("physics   1") > 0);
     CHECK(screen.line_with("others   4") > 0);
     std::set<std::array<int, 3>> colors;

@@ -47,7 +47,7 @@ TEST_CASE("several terminals send commands and receive what the game prints") {
     { const Client goes = std::move(one); }
     game.frames();
     CHECK(game.listener().connections() == 1);
-    // Of many short commands from terminals, the log shows the same line, and so only their number.
+    // Each terminal that attaches is noted; the end of one is not.
     CHECK(game.notes.size() == 2);
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("there are no more terminals than the limit") {
     CHECK(game.listener().connections() == 2);
 }
 
-TEST_CASE("a completion has a frame of its own and the next one after other requests") {
+TEST_CASE("a completion is answered alone in its frame and the next one after other requests") {
     Game game;
     Client one = game.terminal(), two = game.terminal();
     const std::string run = text_of({.text = "1"}), complete = text_of({Request::Kind::complete});

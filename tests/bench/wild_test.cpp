@@ -4,7 +4,7 @@
 #include <set>
 
 #include "catch.h"
-#include "wild/grammar/grammar.h"
+#include "wild/generator/random_world.h"
 #include "wild/minimize.h"
 #include "wild/plans/cpp_text.h"
 #include "wild/survey.h"
@@ -78,19 +78,19 @@ std::string names_of(const Survey& survey) {
 TEST_CASE("equal seeds draw equal worlds and different seeds different ones") {
     std::set<std::string> texts;
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
-        const std::string text = cpp_text(draw_world(seed));
-        CHECK(text == cpp_text(draw_world(seed)));
+        const std::string text = cpp_text(random_world(seed));
+        CHECK(text == cpp_text(random_world(seed)));
         texts.insert(text);
     }
     CHECK(texts.size() == 100);
 }
 
-TEST_CASE("the grammar draws every kind of shape and joint and edits") {
+TEST_CASE("the generator makes every kind of shape and joint and edits") {
     std::set<std::size_t> shapes;
     std::set<JointType> joints;
     std::set<std::string> setters;
     for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-        const WorldPlan plan = draw_world(seed);
+        const WorldPlan plan = random_world(seed);
         for (const BodyPlan& body : plan.bodies)
             for (const ShapePlan& shape : body.shapes) shapes.insert(shape.geometry.index());
         for (const JointPlan& joint : plan.joints) joints.insert(joint.type);

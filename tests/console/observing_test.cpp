@@ -176,7 +176,7 @@ TEST_CASE("breaks say what they wait for and are listed and removed singly") {
     CHECK(breaks.size() == 3);
     says("breaks", "\"world.ball.position.x >= 7\"");
     says("#breaks()", "3");
-    says("unbreak world.crate.mas", "no break waits for that");
+    says("unbreak world.crate.mas", "no break has that condition");
     says("unbreak world.boss.mass > 3", "that break is removed");
     rig.run("unbreak(breaks()[1])");
     CHECK(breaks.texts() == std::vector<std::string>{"world.crate.mass"});

@@ -63,7 +63,7 @@ TEST_CASE("an assignment to it in the console selects an instance") {
     CHECK(rig.value("world.ball.mass") == Value(3.0));
     rig.run("it = 3");
     INFO(rig.text());
-    CHECK(rig.says("it: it is the selected instance; expected an instance or nil, not an integer"));
+    CHECK(rig.says("`it` is the selected instance: expected an instance or nil, not an integer"));
     CHECK(rig.lua.selected() == rig.tree.child(world, "ball"));
     rig.run("it.mass = 4");
     CHECK(rig.value("world.ball.mass") == Value(4.0));

@@ -1,6 +1,6 @@
 // Several selected instances: in the inspector, in the game, and by keys.
 
-#include <inspector/several.h>
+#include <inspector/multi_selection.h>
 #include "catch.h"
 #include "rig.h"
 

@@ -16,7 +16,7 @@
 #include <fettle/property/snapshot.h>
 #include <fettle/property/storage/scene.h>
 #include <fettle/script/runtime.h>
-#include <saving/seal.h>
+#include <saving/checksum.h>
 
 #include "game.h"
 
@@ -158,7 +158,7 @@ void seal_worlds(const std::vector<std::byte>& before, std::vector<std::byte>& b
     for (std::size_t at = 0; at + sizeof header <= std::min(before.size(), bytes.size()); ++at) {
         std::memcpy(&header, &before[at], sizeof header);
         if (header.magic != 0x77546546 || header.size > bytes.size() - at) continue;
-        physics::detail::seal(std::span(bytes).subspan(at, header.size));
+        physics::detail::write_checksum(std::span(bytes).subspan(at, header.size));
         at += header.size - 1;
     }
 }

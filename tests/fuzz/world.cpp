@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <fettle/physics/physics.h>
-#include <saving/seal.h>
+#include <saving/checksum.h>
 
 using namespace fettle::physics;
 
@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         }
     }
     // One input in four keeps the wrong checksum and must be refused.
-    if (size == 0 || data[0] % 4 != 3) detail::seal(bytes);
+    if (size == 0 || data[0] % 4 != 3) detail::write_checksum(bytes);
     World world;
     try {
         world.restore(bytes);

@@ -66,7 +66,7 @@ TEST_CASE("a label as wide as its text shows all of it wherever it is") {
     for (const double height : {600.0, 720.0, 800.0, 900.0, 1080.0}) {
         s.services.view.screen = {1280, height};
         s.turn();
-        CHECK(s.draw().letters == 100 * 7);
+        CHECK(s.draw().pictures_drawn == 100 * 7);
     }
 }
 
@@ -103,13 +103,13 @@ TEST_CASE("text that is too long wraps or is cut") {
     s.set("l.overflow", Value("cut"));
     const double cut = s.size("l").y;
     CHECK(wrapped >= 2 * cut - 1);
-    const int few = s.draw().letters;
+    const int few = s.draw().pictures_drawn;
     CHECK(few > 5);
     s.set("l.size", Value(Vec2(900, 0)));
-    CHECK(s.draw().letters > few);
+    CHECK(s.draw().pictures_drawn > few);
     s.set("l.text", Value(std::string(5000, 'w')));
     s.set("l.overflow", Value("wrap"));
-    CHECK(s.draw().letters < 200);
+    CHECK(s.draw().pictures_drawn < 200);
     s.set("l.text", Value("one\n\nthree"));
     CHECK(s.size("l").y > 2.5 * cut);
 }
@@ -119,7 +119,7 @@ TEST_CASE("a label without spaces wraps where its language allows it") {
     const double one = s.size("l").y;
     s.set("l.text", Value("我知道，火车一个小时前就开走了，下一班要等到明天早上才会来。"));
     CHECK(s.size("l").y > 1.9 * one);
-    CHECK(s.draw().letters == 30);  // nothing is cut
+    CHECK(s.draw().pictures_drawn == 30);  // nothing is cut
 }
 
 TEST_CASE("each line of a wrapped text runs in the direction of its paragraph") {
@@ -147,10 +147,10 @@ TEST_CASE("a button or a toggle that wraps its text is as high as its lines") {
     for (const std::string name : {"p.button", "p.toggle"}) {
         INFO(name);
         const double one = s.size(name).y;
-        const int few = s.draw().letters;
+        const int few = s.draw().pictures_drawn;
         s.set(name + ".overflow", Value("wrap"));
         CHECK(s.size(name).y > 1.5 * one);
-        CHECK(s.draw().letters > few);
+        CHECK(s.draw().pictures_drawn > few);
     }
 }
 

@@ -36,7 +36,7 @@ class Paper : public Painter {
     void picture(const property::Picture& picture, const PictureArea&, const Vec2& lower,
                  const Vec2&, Color, bool) override {
         note(lower);
-        ++letters;
+        ++pictures_drawn;
         pictures.push_back({&picture, transform()(lower)});
     }
     void part_of(std::uint64_t) override {}
@@ -46,7 +46,7 @@ class Paper : public Painter {
     void end_screen() override { pop(); }
     double pixels_per_unit() const override { return transform().scale(); }
 
-    int drawn = 0, letters = 0;
+    int drawn = 0, pictures_drawn = 0;
     bool finite = true;
     std::vector<Paint> polygons{};  // boxes, and rings around widgets
     struct Placed {
@@ -54,7 +54,7 @@ class Paper : public Painter {
         Vec2 lower;
         bool operator==(const Placed&) const = default;
     };
-    std::vector<Placed> pictures{};  // the letters, too
+    std::vector<Placed> pictures{};  // letters are pictures, too
 
   private:
     void note(const Vec2& at) {

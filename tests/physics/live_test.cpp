@@ -7,7 +7,7 @@ namespace live_test {
 
 using namespace scenes;
 
-// Live means live: an edit takes effect in the next step, on what rests and on what sleeps.
+// An edit takes effect in the next step, also on bodies that rest or sleep.
 
 namespace {
 
@@ -144,7 +144,7 @@ TEST_CASE("every kind of edit wakes a sleeping body") {
         {"locked y", [&] { box.set_locked_y(false); }},
         {"locked rotation", [&] { box.set_locked_rotation(false); }},
         {"mass", [&] { box.set_mass(3.0f); }},
-        {"mass taken back", [&] { box.set_mass(std::nullopt); }},
+        {"mass computed again", [&] { box.set_mass(std::nullopt); }},
         {"inertia", [&] { box.set_inertia(1.0f); }},
         {"center", [&] { box.set_center(Vec2(0, 0.1f)); }},
         {"density", [&] { scene.shape().set_density(2.0f); }},
@@ -297,7 +297,7 @@ TEST_CASE("ten vertices set in a row cost one rebuild") {
     REQUIRE(body.rebuilds() == body_before + 1);
 }
 
-TEST_CASE("a sensor edited mid run lets things through and stops them again") {
+TEST_CASE("a sensor lets a ball through and stops it when it is made solid") {
     World world;
     Body gate = world.create_body({.type = BodyType::static_body});
     Shape shape = gate.add(Box{.width = 10, .height = 1}, {.sensor = true});
@@ -311,7 +311,7 @@ TEST_CASE("a sensor edited mid run lets things through and stops them again") {
     REQUIRE(ball.position().y == Approx(1.0f).margin(0.02));
 }
 
-TEST_CASE("gravity scale and locks edited on a sleeping body take effect") {
+TEST_CASE("gravity scale edited on a sleeping body takes effect") {
     Resting scene;
     scene.box.set_gravity_scale(-1.0f);
     run(scene.world, 1.0f);
@@ -379,7 +379,7 @@ TEST_CASE("the lists of what is awake do not contain stacks that were put to sle
         std::vector<std::byte> bytes;
         world.save(bytes);
         World loaded;
-        loaded.restore(bytes);  // refuses false lists
+        loaded.restore(bytes);  // checks these lists
         loaded.step(1.0f / 60.0f);
         const StepStatistics now = loaded.statistics();
         REQUIRE(now.awake_bodies == 2 * (stacks - 1 - i));

@@ -3,8 +3,8 @@
 #include "catch.h"
 #include "scenes.h"
 
+#include <saving/checksum.h>
 #include <saving/fields.h>
-#include <saving/seal.h>
 #include <saving/words.h>
 
 #include <algorithm>
@@ -62,7 +62,7 @@ void check_flipped_bits(const std::vector<std::byte>& bytes, uint64_t seed, int 
         for (int flips = 0; flips < 3; ++flips)
             damaged[header + (next() >> 20) % (bytes.size() - header)] ^=
                 std::byte(1 << (next() >> 60) % 8);
-        detail::seal(damaged);
+        detail::write_checksum(damaged);
         World target;
         try {
             target.restore(damaged);

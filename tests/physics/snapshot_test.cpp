@@ -307,7 +307,7 @@ TEST_CASE(
                           own;  // may wrap
         std::memcpy(&damaged[second + at], &bytes[first + at], sizeof(uint32_t));
         REQUIRE((damaged != bytes));
-        detail::seal(damaged);
+        detail::write_checksum(damaged);
         REQUIRE_THROWS_WITH(target.restore(damaged), contains(what));
     };
     refuses_shared(&detail::BodyLists::first_shape, "is listed in another body");
@@ -328,7 +328,7 @@ TEST_CASE("a saved shape with another number of vertices than its type has is re
     const size_t own = place_in<ShapeRecord>([](ShapeRecord& s) { s.surface.user_data = 1; });
     const size_t type = place_in<ShapeRecord>([](ShapeRecord& s) { s.type = ShapeType::box; });
     bytes[place_of(mark, bytes) - own + type] = static_cast<std::byte>(ShapeType::box);
-    detail::seal(bytes);
+    detail::write_checksum(bytes);
     REQUIRE_THROWS_WITH(target.restore(bytes), contains("the form of a shape"));
 }
 
@@ -351,7 +351,7 @@ TEST_CASE("a saved world whose awake shape has no proxy in the broad phase is re
     REQUIRE(proxy >= 0);
     proxy = -1;
     std::memcpy(&bytes[at], &proxy, sizeof proxy);
-    detail::seal(bytes);
+    detail::write_checksum(bytes);
     REQUIRE_THROWS_WITH(target.restore(bytes), contains("the proxy of an awake shape"));
     run(target, 0.2f);
     REQUIRE_FALSE(target.validate());
@@ -370,7 +370,7 @@ TEST_CASE("a saved world is refused where the flag of an optional is not a bool"
                             place_in<WorldDef>([](WorldDef& def) { def.bounds = Aabb(); })];
     REQUIRE(flag == std::byte{1});
     flag = std::byte{2};
-    detail::seal(bytes);
+    detail::write_checksum(bytes);
     REQUIRE_THROWS_WITH(target.restore(bytes), contains("a flag is neither 0 nor 1"));
     REQUIRE(target.hash() == world.hash());
 }
@@ -407,7 +407,7 @@ TEST_CASE("a saved world with a number that no setter takes is refused") {
         auto damaged = bytes;
         const float nan = std::numeric_limits<float>::quiet_NaN();
         std::memcpy(&damaged[size_t(place - bytes.begin())], &nan, sizeof nan);
-        detail::seal(damaged);
+        detail::write_checksum(damaged);
         CHECK_THROWS_WITH(target.restore(damaged), contains("damaged"));
         CHECK(target.hash() == world.hash());
     }
@@ -428,12 +428,12 @@ TEST_CASE("a saved field whose flags are not bools is refused") {
         auto damaged = bytes;
         REQUIRE(damaged[begin + flag] == std::byte{1});
         damaged[begin + flag] = std::byte{3};
-        detail::seal(damaged);
+        detail::write_checksum(damaged);
         REQUIRE_THROWS_WITH(target.restore(damaged), contains("a flag is neither 0 nor 1"));
         // The same in the free slot behind it, of which there is a list.
         damaged = bytes;
         damaged[begin + detail::encoded_size<detail::FieldRecord>() + flag] = std::byte{16};
-        detail::seal(damaged);
+        detail::write_checksum(damaged);
         REQUIRE_THROWS_WITH(target.restore(damaged), contains("a flag is neither 0 nor 1"));
     }
 }
@@ -450,7 +450,7 @@ TEST_CASE("a saved joint of no type is refused") {
     const auto with_type = [&](unsigned type) {
         auto bytes = saved(world);
         bytes[place_of(mark, bytes) - own + place] = std::byte(type);
-        detail::seal(bytes);
+        detail::write_checksum(bytes);
         return bytes;
     };
     World target;

@@ -26,7 +26,7 @@ struct Scene {
         std::uniform_real_distribution<float> any(-1.0f, 1.0f), positive(0.1f, 2.0f);
         bodies.resize(1);
         wide.resize(size_t(groups));
-        for (int i = 0; i < groups * lanes; ++i) {
+        for (int i = 0; i < groups * group_size; ++i) {
             ContactConstraint c = {};
             for (uint32_t* end : {&c.a, &c.b}) {
                 if (end == &c.a && i % 5 == 0) {
@@ -54,7 +54,7 @@ struct Scene {
             }
             c.soft = softness[c.fixed];
             single.push_back(c);
-            pack(c, wide[size_t(i / lanes)], i % lanes);
+            pack(c, wide[size_t(i / group_size)], i % group_size);
         }
     }
 

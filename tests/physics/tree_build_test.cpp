@@ -62,7 +62,7 @@ using Pairs = std::set<std::pair<uint32_t, uint32_t>>;
 
 Pairs pairs_of(const Tree& tree) {
     Pairs found;
-    tree.pairs(tree, wide_kernels(lanes).overlaps, [&](uint32_t a, uint32_t b) {
+    tree.pairs(tree, wide_kernels(group_size).overlaps, [&](uint32_t a, uint32_t b) {
         REQUIRE(found.insert({std::min(a, b), std::max(a, b)}).second);
     });
     return found;

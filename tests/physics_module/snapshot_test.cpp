@@ -7,7 +7,7 @@
 #include "catch.h"
 #include "game.h"
 
-#include <saving/seal.h>
+#include <saving/checksum.h>
 
 namespace snapshot_test {
 
@@ -31,7 +31,7 @@ void seal_worlds(std::vector<std::byte>& bytes) {
     for (std::size_t at = 0; at + sizeof header <= bytes.size(); ++at) {
         std::memcpy(&header, &bytes[at], sizeof header);
         if (header.magic != 0x77546546 || header.size > bytes.size() - at) continue;
-        fettle::physics::detail::seal(std::span(bytes).subspan(at, header.size));
+        fettle::physics::detail::write_checksum(std::span(bytes).subspan(at, header.size));
         at += header.size - 1;
     }
 }

@@ -11,7 +11,8 @@ local platforms = {  -- left, top, width, height
 }
 local coins = { vec(5, 3), vec(11, 5), vec(20, 1), vec(23.5, 3), vec(31, 2.2), vec(36.5, 3.8), vec(44, 1) }
 
--- What changes in the game is in the tree, so that saves and going back in time hold it.
+-- Values that change are in the tree, not in local variables, so that saved games and `rewind` include them.
+-- A child of `game` can be used by its name alone: `course`, `world`, `sounds`.
 game.course = Object { coins = 0, falls = 0, won = false, seconds = 0 }
 
 -- `input.move` has the arrow keys, WASD and the stick of a gamepad from the beginning.
@@ -22,7 +23,7 @@ game.sounds = Object { jump = Synth.jump { volume = 0.5 }, coin = Synth.coin(), 
 
 Hero = class("Hero", Body) { air_time = 0.0, facing = 1 }
 
--- Whether something below carries it.
+-- Whether the hero stands on something: one of its contacts points downwards.
 function Hero:stands()
     for _, normal in ipairs(self.contact_normals) do
         if normal.y < -0.7 then return true end
@@ -47,7 +48,7 @@ end
 function Hero:jump()
     if self.air_time > late_jump then return end
     self.velocity.y = jump_speed
-    self.air_time = late_jump + 1
+    self.air_time = late_jump + 1 -- no second jump in the air
     sounds.jump:play()
 end
 
@@ -82,7 +83,7 @@ local function begin()
     world.hero.position, world.hero.velocity = vec(-4, 1), vec(0, 0)
 end
 
--- What is made here, outside of functions, follows the file while the game runs.
+-- When this file is saved, the code outside of functions runs again in the running game.
 view.background = color("#8ecae6")
 view.height = 12
 world.gravity = vec(0, -25)

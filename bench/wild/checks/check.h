@@ -1,6 +1,7 @@
 #pragma once
 // Invariants: statements that are true after each step of any world.
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -34,6 +35,8 @@ struct Moment {
     float substep() const {
         return dt / float(world != nullptr ? world->last_substeps() : plan.def.substeps);
     }
+    /// Joints act as springs of at least this rate, Hz.
+    double joint_hertz() const { return std::min(60.0, 0.25 / double(substep())); }
     bool is_last() const { return step + 1 == plan.steps; }
 };
 

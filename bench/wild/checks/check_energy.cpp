@@ -25,12 +25,11 @@ double kinetic(const BodyNow& body) {
     return 0.5 * (double(body.mass) * body.velocity.length_squared() + spin);
 }
 
-/// Kinetic energy and height never exceed what they were at the last edit, but for
+/// The energy, kinetic and of height, is never larger than at the last edit, but for
 /// - 5 % of the largest kinetic energy: bounces are exact to 1 %, and a body may bounce several
 ///   times before it loses energy;
 /// - 2 cm of height for each body: contacts may sink in by that and spring back;
-/// - what the joints stored at the edit: they are springs of 60 Hz, or of a quarter of the rate of
-///   the sub-steps;
+/// - the energy of joints that are apart at the edit, which act as springs (`Moment::joint_hertz`);
 /// - what pushes overlapping bodies apart: 3 m/s between two bodies, which the library allows for
 ///   it. A body that was deeper than 1 cm in others is pushed by each of them, and pushes what lies
 ///   on it or is joined to it.
@@ -84,7 +83,7 @@ class Energy : public Check {
                        ? double(moment.before[std::size_t(body)].mass)
                        : std::numeric_limits<double>::infinity();
         };
-        const double hertz = std::min(60.0, 0.25 / double(moment.substep()));
+        const double hertz = moment.joint_hertz();
         double sum = 0;
         for (const JointPlan& joint : moment.plan.joints) {
             const double mass = std::min(mass_of(joint.a), mass_of(joint.b));

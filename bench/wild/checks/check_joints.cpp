@@ -37,11 +37,6 @@ float yielding_of(const Moment& moment) {
     return std::pow(std::max(240 * moment.substep(), 1.0f), 2.0f);
 }
 
-/// The rows of a joint are springs of at least this rate.
-double hertz_of(const Moment& moment) {
-    return std::min(60.0, 0.25 / double(moment.substep()));
-}
-
 class Joints : public Check {
   public:
     std::optional<std::string> violation(const Moment& moment) override {
@@ -177,7 +172,7 @@ class Joints : public Check {
             inverse_inertia += 1 / double(body.inertia);
             load = loads[std::size_t(end)];
         }
-        const double compliance = std::pow(2 * std::numbers::pi * hertz_of(moment), -2);
+        const double compliance = std::pow(2 * std::numbers::pi * moment.joint_hertz(), -2);
         return {float(load * mobility * compliance),
                 float(load * 0.5 * size * inverse_inertia * compliance)};
     }

@@ -13,7 +13,7 @@ namespace fettle::bench::wild {
 namespace {
 
 /// Box2D lets heaps of hundreds of bodies sleep within 5 s of their fall, and these worlds have
-/// some tens. A fall from the height of the grammar takes 1.7 s.
+/// some tens. A fall from the height of the generator takes 1.7 s.
 constexpr double allowed = 8;  // s after the last edit or fall
 
 /// A tower may sway for seconds before it falls over. So the time begins again when the center of

@@ -135,7 +135,7 @@ float plausible_speed(const WorldPlan& plan, float seconds) {
         const std::string& setter = edit.setting.setter;
         const float size = edit.setting.value.length();
         if (setter == "set_velocity") speed = std::max(speed, size);
-        // The lightest bodies of the grammar have some grams, so an impulse may give any speed.
+        // The lightest bodies of the generator have some grams, so an impulse may give any speed.
         if (setter == "apply_impulse") return infinity;
         // A joint pulls a teleported body back at any speed.
         if (setter == "set_position" && !plan.joints.empty()) return infinity;

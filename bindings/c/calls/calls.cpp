@@ -43,7 +43,7 @@ fettle_code code_of_exception(const char* function) noexcept {
 float checked(const Finite& number) {
     if (!std::isfinite(number.value))
         throw Failure{FETTLE_INVALID,
-                      stated(number.name, number.value) + ": expected a finite number"};
+                      name_and_value(number.name, number.value) + ": expected a finite number"};
     return number.value;
 }
 

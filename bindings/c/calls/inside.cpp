@@ -6,7 +6,7 @@
 
 namespace fettle::physics_c {
 
-std::string stated(const char* name, float value) {
+std::string name_and_value(const char* name, float value) {
     char text[64];
     std::snprintf(text, sizeof text, "%s = %g", name, double{value});
     return text;

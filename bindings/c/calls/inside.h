@@ -16,7 +16,7 @@
 namespace fettle::physics_c {
 
 /// A value with its name: "dt = nan".
-std::string stated(const char* name, float value);
+std::string name_and_value(const char* name, float value);
 
 /// The arrays to which `fettle_world_events` returned pointers.
 struct ReturnedEvents {

@@ -43,8 +43,8 @@ uint32_t body_slot(const World& world, uint32_t slot) {
 Written written(World& world, uint32_t slot, BodyNumber number, float value) {
     const auto not_negative = [&] {
         if (!(checked(Finite{"value", value}) >= 0.0f))
-            throw Failure{FETTLE_INVALID,
-                          stated("value", value) + ": expected a finite number of at least 0"};
+            throw Failure{FETTLE_INVALID, name_and_value("value", value) +
+                                              ": expected a finite number of at least 0"};
         return value;
     };
     switch (number) {
@@ -232,7 +232,8 @@ fettle_code fettle_world_set_velocity(fettle_world* world, uint32_t slot, float 
 fettle_code fettle_worlds_step(fettle_world* const* worlds, uint32_t world_count, float dt) {
     return guarded(__func__, [&] {
         if (std::isnan(dt))
-            throw Failure{FETTLE_INVALID, stated("dt", dt) + ": expected a number of seconds"};
+            throw Failure{FETTLE_INVALID,
+                          name_and_value("dt", dt) + ": expected a number of seconds"};
         if (world_count > 0) needed("worlds", worlds);
         for (uint32_t i = 0; i < world_count; ++i) editable(worlds[i]);
         for (uint32_t i = 0; i < world_count; ++i) editable(worlds[i]).step(dt);

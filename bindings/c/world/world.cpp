@@ -31,7 +31,8 @@ fettle_code fettle_world_step(fettle_world* world, float dt) {
     return guarded(__func__, [&] {
         World& stepped = editable(world);
         if (std::isnan(dt))
-            throw Failure{FETTLE_INVALID, stated("dt", dt) + ": expected a number of seconds"};
+            throw Failure{FETTLE_INVALID,
+                          name_and_value("dt", dt) + ": expected a number of seconds"};
         stepped.step(dt);
     });
 }

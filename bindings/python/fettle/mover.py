@@ -1,5 +1,6 @@
 """Characters that walk through a world."""
 
+from contextlib import contextmanager
 from typing import NamedTuple, Optional
 
 from ._call import Error, Invalid, check, definition, ffi, lib, list_of, unknown
@@ -45,6 +46,15 @@ class MoverPlane(NamedTuple):
 
 
 _settings = {name: member.type.cname for name, member in ffi.typeof("fettle_mover_def").fields if name != "size"}
+
+
+@contextmanager
+def _errors_of_mover(function):
+    """Errors of this function in C name the mover instead of the function."""
+    try:
+        yield
+    except Error as error:
+        raise type(error)(str(error).replace(function, "Mover")) from None
 
 
 def _shape_or_none(world, id):
@@ -97,10 +107,8 @@ class Mover:
                 made.up.x, made.up.y = pair(value, name)
             else:
                 setattr(made, name, to_number(_settings[name], value, name))
-        try:  # a function that checks everything
+        with _errors_of_mover("fettle_mover_fits"):  # a function that checks everything
             check(lib.fettle_mover_fits(self.world._pointer, made, state, made.height, ffi.new("bool*")))
-        except Error as error:
-            raise type(error)(str(error).replace("fettle_mover_fits", "Mover")) from None
         self._definition, self._state = made, state
 
     @property
@@ -110,10 +118,8 @@ class Mover:
 
     @height.setter
     def height(self, height):
-        try:
+        with _errors_of_mover("fettle_mover_set_height"):
             has_room = self.set_height(height)
-        except Error as error:
-            raise type(error)(str(error).replace("fettle_mover_set_height", "Mover")) from None
         if not has_room:
             raise Error(f"Mover: height = {height}: there is no room for it")
 

@@ -17,11 +17,11 @@ constexpr std::size_t border = 1;  // texels around a patch
 
 /// Pixels of a patch with its border, all of them transparent white, so that filtering does not
 /// darken the rim.
-struct Pixels {
+struct PatchPixels {
     std::size_t width, height;  // without the border
     std::vector<std::uint8_t> all;
 
-    Pixels(std::size_t w, std::size_t h)
+    PatchPixels(std::size_t w, std::size_t h)
         : width(w), height(h), all((w + 2 * border) * (h + 2 * border) * channels) {
         for (std::size_t i = 0; i < all.size(); i += channels) std::fill_n(&all[i], 3, 255);
     }
@@ -52,7 +52,7 @@ void Atlas::draw_discs() {
     radii.push_back(largest_disc);
     for (const float radius : radii) {
         const unsigned width = 2 * static_cast<unsigned>(std::ceil(radius + 1));
-        Pixels pixels(width, width);
+        PatchPixels pixels(width, width);
         const float middle = 0.5f * static_cast<float>(width);
         for (unsigned y = 0; y < width; ++y) {
             for (unsigned x = 0; x < width; ++x) {
@@ -173,7 +173,7 @@ bool Atlas::prepare(const std::u32string& line, unsigned size, Face face) {
         if (width > 0 && height > 0) {
             const std::optional<Patch> patch = place(width, height);
             if (!patch) return false;
-            Pixels pixels(width, height);
+            PatchPixels pixels(width, height);
             for (unsigned y = 0; y < height; ++y) {
                 const std::size_t row =
                     (static_cast<std::size_t>(sfml::top(drawn.textureRect)) + y) *

@@ -16,10 +16,10 @@
 #include <draw/pictures.h>
 #include <draw/shade.h>
 #include <outlines/area.h>
-#include <outlines/joined.h>
+#include <outlines/border_rings.h>
+#include <outlines/joined_figures.h>
 #include <outlines/outline.h>
-#include <outlines/rim.h>
-#include <outlines/sight.h>
+#include <outlines/visible_area.h>
 #include <sfml/sfml.h>
 
 namespace fettle::app {
@@ -129,21 +129,21 @@ class Canvas : public property::Painter, public Surface {
     /// Draws corners_, which must lie near the screen.
     void figure(float rounding, const property::Paint& paint);
     void large_figure(std::vector<property::Vec2> outline, const property::Paint& paint);
-    Sight sight(const property::Paint& paint) const;
+    VisibleArea visible_area(const property::Paint& paint) const;
     void draw_outline(const property::Paint& paint);  // of outline_, convex
     bool draw_sides(sf::Color fill);
     void draw_any_outline(const property::Paint& paint);
     void draw_disc(sf::Vector2f center, float radius, sf::Color color);
     void draw_rings(bool filled);
     void draw_inside(Area::Rule rule, sf::Color color);  // of area_
-    void draw_rim(const Rim& rim, std::span<const Bend> bends, bool closed);
+    void draw_border(const BorderRings& rim, std::span<const Bend> bends, bool closed);
 
     // --- In parts.cpp
     bool is_collected(const property::Paint& paint);
     void collect();  // adds outline_ to collected_
     /// Draws the collected parts of one whole.
     void draw_collected();
-    void draw_joined(const Rim& rim);
+    void draw_joined(const BorderRings& rim);
     void draw_parts();
 
     // --- In lettering.cpp
@@ -182,7 +182,7 @@ class Canvas : public property::Painter, public Surface {
     std::uint64_t whole_ = 0;  // of the figures that are drawn now; 0: of none
     /// Parts of one whole with the same paint, to be drawn together.
     struct Collected {
-        Joined parts{};
+        JoinedFigures parts{};
         std::uint64_t whole = 0;
         property::Paint paint{};
     };

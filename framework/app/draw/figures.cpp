@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <draw/canvas.h>
-#include <outlines/rim.h>
+#include <outlines/border_rings.h>
 
 namespace fettle::app {
 
@@ -56,7 +56,8 @@ void Canvas::circle(const Vec2& center, double radius, const Paint& given) {
     const Vec2 reach(size + 1, size + 1);
     if (outside(middle - reach, middle + reach)) return;
     edge_ = Edge::free;
-    if (size > large_radius) return large_figure(sight(paint).rounded({&middle, 1}, size), paint);
+    if (size > large_radius)
+        return large_figure(visible_area(paint).rounded({&middle, 1}, size), paint);
     const auto small = static_cast<float>(size);
     // A small circle with an opaque fill is drawn as one disc over another.
     if (small <= Atlas::largest_disc && paint.fill.a >= 1 && whole_ == 0 && !shading_ &&
@@ -84,7 +85,7 @@ void Canvas::ellipse(const Vec2& center, const Vec2& radii, double angle, const 
         Vec2(std::sqrt(a.x * a.x + b.x * b.x), std::sqrt(a.y * a.y + b.y * b.y)) + Vec2(1, 1);
     if (outside(middle - reach, middle + reach)) return;
     std::vector<Vec2> rim;
-    sight(paint).arc(middle, a, b, 0, 2 * std::numbers::pi, rim);
+    visible_area(paint).arc(middle, a, b, 0, 2 * std::numbers::pi, rim);
     edge_ = Edge::free;
     if (reach.largest() > large_radius) return large_figure(std::move(rim), paint);
     corners_.clear();
@@ -115,7 +116,7 @@ void Canvas::polygon(std::span<const Vec2> vertices, double rounding, const Pain
     std::vector<Vec2> outline;
     for (const Vec2& vertex : vertices) outline.push_back(exact(vertex));
     if (radius > 0 || outline.size() < 3)
-        outline = sight(paint).rounded(outline, std::max(radius, 0.5));
+        outline = visible_area(paint).rounded(outline, std::max(radius, 0.5));
     large_figure(std::move(outline), paint);
 }
 
@@ -132,7 +133,7 @@ void Canvas::line(const Vec2& from, const Vec2& to, Color color, float width) {
     const float half = 0.5f * std::max(width, 1.0f);
     const Vec2 reach(half + 1.0, half + 1.0);
     if (outside(bounds.lower - reach, bounds.upper + reach)) return;
-    if (!bounds.near() && !sight(paint).cut(start, end)) return;
+    if (!bounds.near() && !visible_area(paint).cut(start, end)) return;
     const sf::Vector2f a = narrow(start), b = narrow(end), along = b - a;
     const float length = std::hypot(along.x, along.y);
     edge_ = Edge::free;
@@ -161,14 +162,14 @@ void Canvas::point(const Vec2& position, Color color, float size) {
 // --- Outlines ------------------------------------------------------------------------------------
 
 /// The visible area for figures; larger than the screen, so that the cuts are not visible.
-Sight Canvas::sight(const Paint& paint) const {
+VisibleArea Canvas::visible_area(const Paint& paint) const {
     const double margin = 16 + 2 * std::clamp(static_cast<double>(paint.border_width), 0.0, 1e4);
     return {Vec2(-margin, -margin),
             Vec2(static_cast<double>(width()) + margin, static_cast<double>(height()) + margin)};
 }
 
 void Canvas::large_figure(std::vector<Vec2> outline, const Paint& paint) {
-    sight(paint).cut(outline);
+    visible_area(paint).cut(outline);
     if (outline.size() < 3) return;
     corners_.clear();
     for (const Vec2& point : outline) corners_.push_back(narrow(point));
@@ -291,7 +292,8 @@ void Canvas::draw_rings(bool filled) {
 /// pixel rows.
 void Canvas::draw_any_outline(const Paint& paint) {
     if (outline_.size() < 3) return;
-    const Rim rim = outline_.goes_round_once() ? Rim::inside(paint) : Rim::on_both_sides(paint);
+    const BorderRings rim =
+        outline_.goes_round_once() ? BorderRings::inside(paint) : BorderRings::on_both_sides(paint);
     if (rim.fill.a > 0) {
         rings_.clear();
         outline_.ring(rim.depth, rings_);
@@ -300,7 +302,7 @@ void Canvas::draw_any_outline(const Paint& paint) {
         draw_inside(outline_.goes_round_once() ? Area::Rule::forward : Area::Rule::any_way,
                     rim.fill);
     }
-    draw_rim(rim, outline_.bends(), true);
+    draw_border(rim, outline_.bends(), true);
 }
 
 void Canvas::draw_inside(Area::Rule rule, sf::Color color) {
@@ -315,9 +317,9 @@ void Canvas::draw_inside(Area::Rule rule, sf::Color color) {
     }
 }
 
-void Canvas::draw_rim(const Rim& rim, std::span<const Bend> bends, bool closed) {
+void Canvas::draw_border(const BorderRings& rim, std::span<const Bend> bends, bool closed) {
     for (std::size_t r = 0; r + 1 < rim.count; ++r) {
-        const Rim::Ring &outer = rim.rings[r], &inner = rim.rings[r + 1];
+        const BorderRings::Ring &outer = rim.rings[r], &inner = rim.rings[r + 1];
         const std::size_t n = bends.size();
         CanvasVertex* out = start_strip(2 * (n + (closed ? 1 : 0)), outer.at(bends[0]));
         for (std::size_t i = 0; i < n + (closed ? 1 : 0); ++i) {

@@ -1,7 +1,7 @@
 // Parts of one whole: they are collected, and drawn together with one border.
 
 #include <draw/canvas.h>
-#include <outlines/rim.h>
+#include <outlines/border_rings.h>
 
 namespace fettle::app {
 
@@ -33,14 +33,14 @@ void Canvas::draw_collected() {
     constexpr float too_small = 12;  // px; in a smaller whole the seams are not visible
     if (collected_.parts.size() > 1 && collected_.parts.extent() > too_small &&
         collected_.parts.find_seams())
-        draw_joined(Rim::inside(collected_.paint));
+        draw_joined(BorderRings::inside(collected_.paint));
     else
         draw_parts();
     collected_.parts.clear();
     collected_.whole = 0;
 }
 
-void Canvas::draw_joined(const Rim& rim) {
+void Canvas::draw_joined(const BorderRings& rim) {
     if (rim.fill.a > 0) {
         area_.clear();
         for (std::size_t i = 0; i < collected_.parts.size(); ++i) {
@@ -51,7 +51,7 @@ void Canvas::draw_joined(const Rim& rim) {
         draw_inside(Area::Rule::forward, rim.fill);
     }
     for (const Run& run : collected_.parts.border(rim.overlap))
-        draw_rim(rim, run.bends, run.closed);
+        draw_border(rim, run.bends, run.closed);
 }
 
 void Canvas::draw_parts() {

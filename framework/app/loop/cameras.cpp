@@ -8,7 +8,7 @@
 #include <fettle/property/drawing.h>
 #include <fettle/property/pose.h>
 
-#include <loop/following.h>
+#include <loop/view_motion.h>
 
 namespace fettle::app {
 

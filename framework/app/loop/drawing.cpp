@@ -14,10 +14,10 @@
 #include <fettle/app/screen.h>
 #include <fettle/property/drawing.h>
 
-#include <loop/blame.h>
 #include <loop/cameras.h>
 #include <loop/effects.h>
 #include <loop/wires.h>
+#include <loop/writer_colors.h>
 #include <time/smoothing.h>
 
 namespace fettle::app {
@@ -154,7 +154,7 @@ void Loop::draw(Screen& screen, double seconds) {
     const View drawn = view.drawn(tree_, clock.alpha);
     property::Painter& painter = screen.painter(drawn);
     if (view.show.grid) draw_grid(painter, drawn);
-    std::optional<Blame> blame;
+    std::optional<WriterColors> blame;
     if (view.show.blame) blame.emplace(tree_, clock.dt);
     services_.cameras().draw(painter, drawn, clock.alpha, [&](property::Painter& on) {
         using Part = property::DrawingPart::Part;

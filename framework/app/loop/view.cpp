@@ -7,7 +7,7 @@
 
 #include <fettle/property/drawing.h>
 
-#include <loop/following.h>
+#include <loop/view_motion.h>
 
 namespace fettle::app {
 

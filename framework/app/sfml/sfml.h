@@ -300,6 +300,37 @@ inline bool load(sf::Font& font, const std::string& file) {
     return font.loadFromFile(file);
 }
 
+/// Converts an event of a gamepad; false for other events.
+inline bool convert_gamepad(const sf::Event& event, InputEvent& out) {
+    const auto gamepad = [&](EventKind kind, unsigned number) {
+        out.kind = kind;
+        out.gamepad = static_cast<int>(number) + 1;
+    };
+    switch (event.type) {
+        case sf::Event::JoystickButtonPressed:
+        case sf::Event::JoystickButtonReleased:
+            gamepad(event.type == sf::Event::JoystickButtonPressed ? EventKind::gamepad_pressed
+                                                                   : EventKind::gamepad_released,
+                    event.joystickButton.joystickId);
+            out.name = std::to_string(event.joystickButton.button + 1);
+            break;
+        case sf::Event::JoystickMoved:
+            gamepad(EventKind::gamepad_axis, event.joystickMove.joystickId);
+            set_axis(out, event.joystickMove.axis, event.joystickMove.position);
+            break;
+        case sf::Event::JoystickConnected:
+            gamepad(EventKind::gamepad_connected, event.joystickConnect.joystickId);
+            out.name = device_of(event.joystickConnect.joystickId);
+            break;
+        case sf::Event::JoystickDisconnected:
+            gamepad(EventKind::gamepad_disconnected, event.joystickConnect.joystickId);
+            break;
+        default:
+            return false;
+    }
+    return true;
+}
+
 /// Converts an event for the rest of the program; false for kinds that are not used.
 inline bool convert(const sf::Event& event, InputEvent& out) {
     out = {};
@@ -316,10 +347,6 @@ inline bool convert(const sf::Event& event, InputEvent& out) {
         out.kind = kind;
         out.name = button_name(event.mouseButton.button);
         place(event.mouseButton.x, event.mouseButton.y);
-    };
-    const auto gamepad = [&](EventKind kind, unsigned number) {
-        out.kind = kind;
-        out.gamepad = static_cast<int>(number) + 1;
     };
     switch (event.type) {
         case sf::Event::Closed:
@@ -360,26 +387,8 @@ inline bool convert(const sf::Event& event, InputEvent& out) {
             out.delta = event.mouseWheelScroll.delta;
             place(event.mouseWheelScroll.x, event.mouseWheelScroll.y);
             break;
-        case sf::Event::JoystickButtonPressed:
-        case sf::Event::JoystickButtonReleased:
-            gamepad(event.type == sf::Event::JoystickButtonPressed ? EventKind::gamepad_pressed
-                                                                   : EventKind::gamepad_released,
-                    event.joystickButton.joystickId);
-            out.name = std::to_string(event.joystickButton.button + 1);
-            break;
-        case sf::Event::JoystickMoved:
-            gamepad(EventKind::gamepad_axis, event.joystickMove.joystickId);
-            set_axis(out, event.joystickMove.axis, event.joystickMove.position);
-            break;
-        case sf::Event::JoystickConnected:
-            gamepad(EventKind::gamepad_connected, event.joystickConnect.joystickId);
-            out.name = device_of(event.joystickConnect.joystickId);
-            break;
-        case sf::Event::JoystickDisconnected:
-            gamepad(EventKind::gamepad_disconnected, event.joystickConnect.joystickId);
-            break;
         default:
-            return false;
+            return convert_gamepad(event, out);
     }
     return true;
 }

@@ -11,7 +11,7 @@
 #include <fettle/property/spelling.h>
 
 #include <time/jumps.h>
-#include <time/packing.h>
+#include <time/keyframe_compression.h>
 
 namespace fettle::app {
 

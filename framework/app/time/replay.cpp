@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -64,73 +66,116 @@ void Recording::fail(int number, const std::string& why) const {
 
 namespace {
 
+/// A reference to an instance; nothing for another value.
+std::optional<Handle> read_instance(Words& words) {
+    const auto value = words.value();
+    if (!value || !value->is(property::Type::reference)) return std::nullopt;
+    return value->reference();
+}
+
+template <class Item>
+bool read_selection(Words& words, Item& item) {
+    do {
+        const auto instance = read_instance(words);
+        if (!instance) return false;
+        item.instances.push_back(*instance);
+    } while (!words.at_end());
+    return true;
+}
+
+/// A write, a reset or the removal of a property.
+template <class Item>
+bool read_write(Words& words, Item& item) {
+    const auto writer = words.integer();
+    const auto instance = read_instance(words);
+    const auto name = words.text();
+    const auto value =
+        item.kind == Item::Kind::write ? words.value() : std::optional<Value>(Value());
+    if (!writer || *writer < 0 || *writer > static_cast<int>(Writer::restore) || !instance ||
+        !name || !value)
+        return false;
+    item.writer = static_cast<Writer>(*writer);
+    item.instance = *instance;
+    item.text = *name;
+    item.value = *value;
+    return true;
+}
+
+template <class Item>
+bool read_step(Words& words, Item& item) {
+    const auto step = words.integer();
+    if (!step || *step < 0) return false;
+    item.step = static_cast<std::uint64_t>(*step);
+    while (!words.at_end()) {
+        const auto part = words.word();
+        const auto hash = words.bits();
+        if (!part || !hash) return false;
+        item.hashes.emplace_back(*part, *hash);
+    }
+    return true;
+}
+
+/// Reads what follows the word of an item of this kind.
+template <class Item>
+bool read_rest(Words& words, Item& item) {
+    using Kind = typename Item::Kind;
+    switch (item.kind) {
+        case Kind::event: {
+            const auto event = parse_event(words);
+            if (event) std::tie(item.event, item.taken) = *event;
+            return event.has_value();
+        }
+        case Kind::command: {
+            const auto text = words.text();
+            if (text) item.text = *text;
+            return text.has_value();
+        }
+        case Kind::selected:
+            return read_selection(words, item);
+        case Kind::write:
+        case Kind::reset:
+        case Kind::removed:
+            return read_write(words, item);
+        case Kind::edit: {
+            const auto scripts = words.integer();
+            const auto name = words.text();
+            if (!scripts || !name) return false;
+            item.scripts = *scripts != 0;
+            item.text = *name;
+            return true;
+        }
+        case Kind::frame: {
+            const auto seconds = words.number();
+            const auto limit = words.integer();
+            if (!seconds || !limit) return false;
+            item.seconds = *seconds;
+            item.limit = *limit;
+            return true;
+        }
+        case Kind::step:
+            return read_step(words, item);
+        case Kind::edit_ends:
+        case Kind::turn:
+            return true;
+    }
+    return false;
+}
+
 template <class Item>
 std::optional<Item> parse(const std::string& word, Words& words) {
     using Kind = typename Item::Kind;
+    static const std::map<std::string, Kind> kinds = {
+        {"event", Kind::event},       {"command", Kind::command},
+        {"selected", Kind::selected}, {"write", Kind::write},
+        {"reset", Kind::reset},       {"removed", Kind::removed},
+        {"edit", Kind::edit},         {"edit_ends", Kind::edit_ends},
+        {"frame", Kind::frame},       {"turn", Kind::turn},
+        {"step", Kind::step}};
+    const auto kind = kinds.find(word);
+    if (kind == kinds.end()) return std::nullopt;
     Item item;
-    if (word == "event") {
-        const auto event = parse_event(words);
-        if (!event) return std::nullopt;
-        item.kind = Kind::event;
-        std::tie(item.event, item.taken) = *event;
-    } else if (word == "command") {
-        const auto text = words.text();
-        if (!text) return std::nullopt;
-        item.kind = Kind::command;
-        item.text = *text;
-    } else if (word == "selected") {
-        item.kind = Kind::selected;
-        do {
-            const auto instance = words.value();
-            if (!instance || !instance->is(property::Type::reference)) return std::nullopt;
-            item.instances.push_back(instance->reference());
-        } while (!words.at_end());
-    } else if (word == "write" || word == "reset" || word == "removed") {
-        const auto writer = words.integer();
-        const auto instance = words.value();
-        const auto name = words.text();
-        const auto value = word == "write" ? words.value() : std::optional<Value>(Value());
-        if (!writer || *writer < 0 || *writer > static_cast<int>(Writer::restore) || !instance ||
-            !instance->is(property::Type::reference) || !name || !value)
-            return std::nullopt;
-        item.kind = word == "write" ? Kind::write : word == "reset" ? Kind::reset : Kind::removed;
-        item.writer = static_cast<Writer>(*writer);
-        item.instance = instance->reference();
-        item.text = *name;
-        item.value = *value;
-    } else if (word == "edit") {
-        const auto scripts = words.integer();
-        const auto name = words.text();
-        if (!scripts || !name) return std::nullopt;
-        item.kind = Kind::edit;
-        item.scripts = *scripts != 0;
-        item.text = *name;
-    } else if (word == "edit_ends") {
-        item.kind = Kind::edit_ends;
-    } else if (word == "frame") {
-        const auto seconds = words.number();
-        const auto limit = words.integer();
-        if (!seconds || !limit) return std::nullopt;
-        item.kind = Kind::frame;
-        item.seconds = *seconds;
-        item.limit = *limit;
-    } else if (word == "turn") {
-        item.kind = Kind::turn;
-    } else if (word == "step") {
-        const auto step = words.integer();
-        if (!step || *step < 0) return std::nullopt;
-        item.kind = Kind::step;
-        item.step = static_cast<std::uint64_t>(*step);
-        while (!words.at_end()) {
-            const auto part = words.word();
-            const auto hash = words.bits();
-            if (!part || !hash) return std::nullopt;
-            item.hashes.emplace_back(*part, *hash);
-        }
-    } else {
-        return std::nullopt;
-    }
-    if (!words.at_end()) return std::nullopt;
+    item.kind = kind->second;
+    if (!read_rest(words, item) || !words.at_end()) return std::nullopt;
     return item;
 }
 

@@ -8,7 +8,7 @@
 #include <fettle/property/error.h>
 
 #include <time/jumps.h>
-#include <time/packing.h>
+#include <time/keyframe_compression.h>
 
 namespace fettle::app {
 

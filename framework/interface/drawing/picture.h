@@ -6,8 +6,8 @@
 #include <fettle/property/media.h>
 #include <fettle/property/painter.h>
 
-#include <acting/player.h>
 #include <binding/binding.h>
+#include <interaction/player.h>
 #include <layout/layout.h>
 #include <widgets/widgets.h>
 

@@ -12,7 +12,7 @@
 #include <fettle/property/tree.h>
 
 #include "../../property/classes/class_registry.h"
-#include "../border_value.h"
+#include "../c_values.h"
 
 namespace fettle::module {
 

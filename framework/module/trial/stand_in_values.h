@@ -9,7 +9,7 @@
 
 #include <fettle/property/tree.h>
 
-#include "../border_value.h"
+#include "../c_values.h"
 
 namespace fettle::module {
 

@@ -69,7 +69,7 @@ void Changes::written(Handle handle, const Node& node, const Property& property,
 
 void Changes::queue_item(QueueItem item) {
     if (replaying) return;
-    growth.add(weight_of_message);
+    weight.add(weight_of_message);
     item.until = watchers.last_id();
     item.trigger = queue.item;
     item.trigger_part = queue.part;

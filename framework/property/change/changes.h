@@ -10,10 +10,10 @@
 #include <writes/writes_log.h>
 
 #include "errors.h"
-#include "growth.h"
 #include "observers.h"
 #include "queue.h"
 #include "shadows.h"
+#include "tree_weight.h"
 #include "watchers.h"
 
 namespace fettle::property {
@@ -25,7 +25,7 @@ struct Changes {
           tree(of.tree),
           lifetime(life),
           errors{life},
-          growth{tree, life, errors},
+          weight{tree, life, errors},
           watchers(*this),
           shadows(writes),
           observers{life} {}
@@ -35,7 +35,7 @@ struct Changes {
     Tree& tree;
     Lifetime& lifetime;
     HandlerErrors errors;
-    Growth growth;
+    TreeWeight weight;
     Authorship author;
     WritesLog writes;
     Watchers watchers;

@@ -60,7 +60,7 @@ Connection Watchers::add(Watcher watcher) {
     watcher.id = ++last_id_;
     Watcher& kept =
         *all_.emplace(last_id_, std::make_unique<Watcher>(std::move(watcher))).first->second;
-    changes_.growth.add(weight_of_watcher);
+    changes_.weight.add(weight_of_watcher);
     list_of(kept)->add(kept);
     if (kept.index != 0) on_index_[kept.index].add(kept);
     if (kept.event != nullptr) ++kept.event->listeners;
@@ -83,7 +83,7 @@ void Watchers::stop(WatcherId id) {
 }
 
 void Watchers::unlist(Watcher& watcher) {
-    changes_.growth.add(-weight_of_watcher);
+    changes_.weight.add(-weight_of_watcher);
     list_of(watcher)->take_out(watcher);
     broad_ -= watcher.broad();
     const auto drop_if_empty = [](auto& map, const auto& key) {

@@ -41,7 +41,7 @@ void Formulas::set(Handle instance, const Property& property, Formula formula) {
     // slow.
     if (order_.size() > 64 + 2 * entries_.size())
         std::erase_if(order_, [](const auto& e) { return e->removed; });
-    changes_.growth.add(weight_of_formula);
+    changes_.weight.add(weight_of_formula);
     const auto made = std::make_shared<Entry>();
     made->cell = cell;
     made->instance = instance;
@@ -65,7 +65,7 @@ void Formulas::remove(Cell cell) {
     const auto found = entries_.find(cell);
     if (found == entries_.end()) return;
     const std::shared_ptr<Entry> gone = found->second;
-    changes_.growth.add(-weight_of_formula);
+    changes_.weight.add(-weight_of_formula);
     set_dependencies(*gone, {});
     if (gone->volatile_sources) --volatile_;
     gone->removed = true;

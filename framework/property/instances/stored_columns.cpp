@@ -240,6 +240,48 @@ void StoredColumns::save(ByteWriter& to) const {
     }
 }
 
+void StoredColumns::load_column(ByteReader& from, std::uint8_t kind, const Property& property,
+                                const std::vector<bool>& free, UnfitValues& unfit) {
+    Column& column = columns_[property.stored_index];
+    if (kind == sparse_kind && property.sparse) {
+        read_sparse(from, rows_, [&](std::uint32_t row, double x) {
+            if (!free[row]) std::get<Sparse>(column)[row] = x;
+        });
+        return;
+    }
+    std::visit(
+        [&](auto& values) {
+            using Values = std::remove_reference_t<decltype(values)>;
+            constexpr bool any = std::is_same_v<Values, std::vector<Value>>;
+            if constexpr (!any && !is_sparse<Values>) {
+                if (kind == column.index()) {
+                    values = from.list<typename Values::value_type>();
+                    from.require(values.size() == rows_, "a column of another length");
+                    if constexpr (std::is_same_v<Values, std::vector<std::uint8_t>>)
+                        for (const std::uint8_t flag : values)
+                            from.require(flag <= 1, "neither true nor false");
+                    return;
+                }
+            }
+            // The property may have another type now.
+            std::vector<Value> saved = any_values(from, kind, rows_, property.default_value);
+            if constexpr (!is_sparse<Values>) values.resize(rows_);
+            for (std::uint32_t row = 0; row < rows_; ++row)
+                if (!free[row])
+                    set(property, row, fit_saved_value(property, std::move(saved[row]), unfit));
+        },
+        column);
+}
+
+void StoredColumns::fill_with_default(const Property& property) {
+    std::visit(
+        [&](auto& values) {
+            if constexpr (!is_sparse<decltype(values)>) values.resize(rows_);
+        },
+        columns_[property.stored_index]);
+    for (std::uint32_t row = 0; row < rows_; ++row) set(property, row, property.default_value);
+}
+
 StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t max_rows,
                                   UnfitValues& unfit) {
     StoredColumns read(of);
@@ -259,51 +301,12 @@ StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t
         ByteReader block = from.block();
         const Property* property = of.property(name);
         if (property == nullptr || property->binding.kind != BindingKind::stored) continue;
-        Column& column = read.columns_[property->stored_index];
         found[property->stored_index] = true;
-        if (kind == sparse_kind && property->sparse) {
-            read_sparse(block, read.rows_, [&](std::uint32_t row, double x) {
-                if (!free[row]) std::get<Sparse>(column)[row] = x;
-            });
-            block.finish();
-            continue;
-        }
-        std::visit(
-            [&](auto& values) {
-                using Values = std::remove_reference_t<decltype(values)>;
-                constexpr bool any = std::is_same_v<Values, std::vector<Value>>;
-                if constexpr (!any && !is_sparse<Values>) {
-                    if (kind == column.index()) {
-                        values = block.list<typename Values::value_type>();
-                        block.require(values.size() == read.rows_, "a column of another length");
-                        if constexpr (std::is_same_v<Values, std::vector<std::uint8_t>>)
-                            for (const std::uint8_t flag : values)
-                                block.require(flag <= 1, "neither true nor false");
-                        return;
-                    }
-                }
-                // The property may have another type now.
-                std::vector<Value> saved =
-                    any_values(block, kind, read.rows_, property->default_value);
-                if constexpr (!is_sparse<Values>) values.resize(read.rows_);
-                for (std::uint32_t row = 0; row < read.rows_; ++row)
-                    if (!free[row])
-                        read.set(*property, row,
-                                 fit_saved_value(*property, std::move(saved[row]), unfit));
-            },
-            column);
+        read.load_column(block, kind, *property, free, unfit);
         block.finish();
     }
-    for (const Property* property : of.stored_) {
-        if (found[property->stored_index]) continue;
-        std::visit(
-            [&](auto& values) {
-                if constexpr (!is_sparse<decltype(values)>) values.resize(read.rows_);
-            },
-            read.columns_[property->stored_index]);
-        for (std::uint32_t row = 0; row < read.rows_; ++row)
-            read.set(*property, row, property->default_value);
-    }
+    for (const Property* property : of.stored_)
+        if (!found[property->stored_index]) read.fill_with_default(*property);
     return read;
 }
 

@@ -71,6 +71,11 @@ class StoredColumns {
     template <class Values>
     static constexpr bool is_sparse = std::is_same_v<std::remove_cvref_t<Values>, Sparse>;
     static Column column_for(const Property& property);
+    /// `kind`: the type of the saved values, as the index in `Column` or `sparse_kind`. Values of
+    /// free rows are not read into the column.
+    void load_column(ByteReader& from, std::uint8_t kind, const Property& property,
+                     const std::vector<bool>& free, UnfitValues& unfit);
+    void fill_with_default(const Property& property);
 
     const Class* class_;
     std::vector<Column> columns_;

@@ -54,12 +54,12 @@ void Structure::destroy_one(std::uint32_t index, const Cause& cause, bool rememb
     // After the lifecycle function, which may begin to watch.
     changes.shadows.forget(tree, self);
     if (instances.stored[of.id()]) instances.stored[of.id()]->remove(nodes[index].stored_row);
-    changes.growth.add(-weight_of_instance - std::int64_t{of.weight()});
-    changes.growth.remove_content(index);
+    changes.weight.add(-weight_of_instance - std::int64_t{of.weight()});
+    changes.weight.remove_content(index);
     if (nodes[index].has_ad_hoc) {
         const auto own = instances.ad_hoc.of_instance.find(index);
         for (const auto& [name_of_own, cell] : own->second)
-            changes.growth.add(-weight_of_own_property - weight_beside(cell.second));
+            changes.weight.add(-weight_of_own_property - weight_beside(cell.second));
         instances.ad_hoc.of_instance.erase(own);
     }
     instances.ad_hoc.tracks.erase(index);

@@ -32,7 +32,7 @@ struct Structure {
     /// Called when the children of `parent`, or their names, have changed.
     void changed(std::uint32_t parent, const NodeName& name);
 
-    // making.cpp
+    // creation.cpp
     /// `again`: the old handle of an instance that comes back.
     std::uint32_t make(const Class& of, std::uint32_t parent, NodeName name, bool named,
                        Handle again = {});

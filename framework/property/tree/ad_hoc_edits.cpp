@@ -17,14 +17,14 @@ const Property& Tree::State::ad_hoc_property(Symbol name) {
     const auto known = instances.ad_hoc.descriptors.find(name);
     if (known != instances.ad_hoc.descriptors.end()) return *known->second;
     const Property& made = instances.ad_hoc.declare(name);
-    changes.growth.add(weight_of_own_descriptor);
+    changes.weight.add(weight_of_own_descriptor);
     made.shortcut.set_interest(changes.watchers.interest(made));
     return made;
 }
 
 void Tree::State::put_ad_hoc(Handle instance, const Property& added, const Value& value) {
     Node& node = instances.require(instance);
-    changes.growth.add(weight_of_own_property + weight_beside(value));
+    changes.weight.add(weight_of_own_property + weight_beside(value));
     instances.ad_hoc.of_instance[instance.index].emplace(added.name, std::pair(&added, value));
     node.has_ad_hoc = true;
     formulas.written(instance, node, added, Value());
@@ -90,7 +90,7 @@ void Tree::remove_ad_hoc(Handle instance, std::string_view name) {
     std::optional<CellState> before = s.history.before_edit(instance, *property);
     if (node.has_formula) s.formulas.remove({instance.index, property->symbol});
     own.erase(found);
-    s.changes.growth.add(-weight_of_own_property - weight_beside(old));
+    s.changes.weight.add(-weight_of_own_property - weight_beside(old));
     if (own.empty()) {
         s.instances.ad_hoc.of_instance.erase(instance.index);
         node.has_ad_hoc = false;

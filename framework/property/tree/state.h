@@ -55,7 +55,7 @@ struct Tree::State {
     /// Rules for properties added to the instance, or nullptr.
     AddedRules* rules_of(Handle instance) const;
 
-    // growth.cpp
+    // weight.cpp
     /// Notes how much memory the text or list has that was just written in place of `old`. It is
     /// read again, since the module may keep less: of a polygon, only the hull.
     void note_content(Handle instance, const Node& node, const Property& property,

@@ -109,7 +109,7 @@ Tree::~Tree() {
     s.history.observe(nullptr);
     s.snapshots.parts.clear();
     s.snapshots.numbers.clear();
-    s.changes.growth.mark = INT64_MAX;
+    s.changes.weight.mark = INT64_MAX;
     s.formulas.clear();
     for (std::uint32_t i = 1; i < s.instances.nodes.end(); ++i)
         if (s.instances.nodes[i].alive() && s.instances.nodes[i].parent == 0)

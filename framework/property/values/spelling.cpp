@@ -25,7 +25,8 @@ bool is_part(std::string_view name, std::string_view longer) {
            (longer[more - 1] == '_' && same_but_for_case(name, longer.substr(more)));
 }
 
-/// "ball" and "all": a word of three letters is similar to many words, so this is no typing error.
+/// True for "ball" and "all": a word of three letters is similar to many others. So if the first
+/// letters and the lengths differ, these are probably different words.
 bool unlike(std::string_view a, std::string_view b) {
     return std::min(a.size(), b.size()) == 3 && a.size() != b.size() && lower(a[0]) != lower(b[0]);
 }
@@ -43,7 +44,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
     const std::size_t shorter = std::min(a.size(), b.size());
     constexpr std::size_t longest = 256;
     if (longer - shorter > limit || longer > longest) return limit + 1;
-    // What both begin or end with changes nothing.
+    // The common beginning and the common end do not change the distance.
     while (!a.empty() && !b.empty() && lower(a.front()) == lower(b.front())) {
         a.remove_prefix(1);
         b.remove_prefix(1);

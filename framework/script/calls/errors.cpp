@@ -9,7 +9,7 @@
 #include <lua/budget.h>
 #include <lua/call_form.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>

@@ -7,11 +7,11 @@
 #include <calls/errors.h>
 #include <calls/protected.h>
 #include <lua/budget.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
-#include <lua/life.h>
 #include <lua/machine.h>
+#include <lua/runtime_lifetime.h>
 #include <lua/sources.h>
 #include <lua/watchdog.h>
 #include <values/moved_lists.h>
@@ -105,7 +105,7 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
                    void* body, bool report_error) {
     // The runtime was destroyed: running calls end, but no new call starts.
     if (!machine.life.in_tree) return false;
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     const Watchdog::Call call(machine.watchdog);
     std::optional<Budget::Scope> limited;
     if (const auto limits = machine.budget.of_call()) limited.emplace(machine.budget, *limits);

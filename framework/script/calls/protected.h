@@ -7,7 +7,7 @@
 
 #include <fettle/property/tree.h>
 
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/lua_api.h>
 
 namespace fettle::script {

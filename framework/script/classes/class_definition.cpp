@@ -8,7 +8,7 @@
 #include <classes/class_definition.h>
 #include <classes/script_classes.h>
 #include <handlers/formulas.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <reference/language.h>
@@ -134,8 +134,8 @@ void check_documented(const ScriptClasses::Definition& definition,
                             property::suggestion(name, names));
 }
 
-/// Whether the table at `index` has a name for each entry, and at least one: a table of states. A
-/// list is the default of a property called `states`.
+/// True if the table at `index` is not empty and all its keys are texts: then it is a table of
+/// states. Otherwise it is the default of a property called `states`.
 bool has_texts_as_keys(lua_State* L, int index) {
     bool any = false;
     index = lua_absindex(L, index);

@@ -12,7 +12,7 @@
 
 #include <calls/protected.h>
 #include <classes/script_classes.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>

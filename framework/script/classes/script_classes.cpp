@@ -7,7 +7,7 @@
 #include <calls/protected.h>
 #include <classes/reflection.h>
 #include <classes/script_classes.h>
-#include <classes/unplaced.h>
+#include <classes/unplaced_instances.h>
 #include <handlers/connections.h>
 #include <handlers/subscriptions.h>
 #include <lua/interpreter.h>

@@ -24,8 +24,8 @@
 #include <lua/budget.h>
 #include <lua/environment.h>
 #include <lua/host.h>
-#include <lua/life.h>
 #include <lua/machine.h>
+#include <lua/runtime_lifetime.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/hints.h>

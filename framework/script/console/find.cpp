@@ -11,7 +11,7 @@
 
 #include <console/find.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/instance_set.h>

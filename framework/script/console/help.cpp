@@ -7,7 +7,7 @@
 #include <classes/script_classes.h>
 #include <console/help.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/generic_methods.h>

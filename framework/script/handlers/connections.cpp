@@ -5,7 +5,7 @@
 #include <handlers/connections.h>
 #include <handlers/timers.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <values/recording.h>

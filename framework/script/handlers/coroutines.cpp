@@ -2,7 +2,7 @@
 #include <handlers/coroutines.h>
 #include <handlers/timers.h>
 #include <lua/budget.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -31,7 +31,7 @@ int run_thread(lua_State* L, lua_State* thread, int arguments, int& results) {
     const int status =
         switch_to(L, thread, [&] { return lua_resume(thread, L, arguments, &results); });
     if (status > LUA_YIELD && lua_status(thread) != status) {
-        // The error of lua_resume itself, such as one of too many coroutines in each other.
+        // lua_resume itself failed, for example because coroutines are nested too deeply.
         const std::string placed = position(L) + string_at(thread, -1);
         lua_pop(thread, 1);
         push_text(thread, placed);

@@ -11,10 +11,10 @@
 #include <handlers/function_source.h>
 #include <handlers/observed.h>
 #include <lua/budget.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/interpreter.h>
-#include <lua/life.h>
 #include <lua/machine.h>
+#include <lua/runtime_lifetime.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
 #include <text/selected_name.h>
@@ -48,7 +48,7 @@ class ScriptFormula {
         if (&tree != &machine.tree)
             throw std::runtime_error(
                 "it is a function of the scripts of another tree, and is computed only there");
-        const Life::Use use(machine.life);
+        const RuntimeLifetime::Use use(machine.life);
         std::optional<Budget::Scope> counted;
         if (!machine.budget.counting())
             counted.emplace(machine.budget, Limits{.instructions = machine.options.console_budget,
@@ -144,7 +144,7 @@ void define_formula(lua_State* L, Machine& machine, int index, Handle instance,
 
 property::Formula compile_formula(Machine& machine, const std::string& source) {
     if (one_line(source).empty()) throw Error(ErrorKind::formula, "the formula has no text");
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     const std::string chunk = "return " + source;
     std::shared_ptr<FunctionRef> function;
     std::string wrong;

@@ -6,8 +6,8 @@
 #include <handlers/function_source.h>
 #include <handlers/observed.h>
 #include <lua/environment.h>
-#include <lua/life.h>
 #include <lua/machine.h>
+#include <lua/runtime_lifetime.h>
 #include <lua/stack.h>
 #include <text/selected_name.h>
 #include <text/words.h>

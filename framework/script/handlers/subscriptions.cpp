@@ -11,7 +11,7 @@
 #include <handlers/connections.h>
 #include <handlers/subscriptions.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/machine.h>
 #include <lua/stack.h>

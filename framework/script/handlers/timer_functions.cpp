@@ -4,7 +4,7 @@
 
 #include <handlers/connections.h>
 #include <handlers/timers.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <values/short_text.h>

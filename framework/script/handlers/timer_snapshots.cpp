@@ -5,7 +5,7 @@
 
 #include <calls/function_ref.h>
 #include <handlers/timers.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>

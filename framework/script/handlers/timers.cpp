@@ -12,11 +12,11 @@
 #include <handlers/coroutines.h>
 #include <handlers/timers.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
-#include <lua/life.h>
 #include <lua/machine.h>
+#include <lua/runtime_lifetime.h>
 #include <lua/stack.h>
 #include <lua/watchdog.h>
 #include <values/short_text.h>

@@ -17,7 +17,7 @@
 #include <handlers/observed.h>
 #include <library/library.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
@@ -32,7 +32,8 @@ namespace fettle::script {
 
 namespace {
 
-/// The function of the console; nullptr in a replay, which does not have all of them.
+/// The console's function `member`. A replay may not have it: then nullptr. Throws in another run
+/// without a console.
 template <class Function>
 const Function* served(const Machine& machine, Function ConsoleFunctions::*member,
                        const char* what) {
@@ -95,7 +96,7 @@ int unbreak(lua_State* L) {
     if (function == nullptr) return 0;
     const bool removed = (*function)(text.empty() ? text : with_selected(machine, text)) > 0;
     if (!removed)
-        print_line(machine, text.empty() ? "no break is set" : "no break waits for that");
+        print_line(machine, text.empty() ? "no break is set" : "no break has that condition");
     else
         print_line(machine, text.empty() ? "no break is set any more" : "that break is removed");
     return 0;
@@ -296,7 +297,7 @@ void assign_it(lua_State* L, int index) {
     if (instance_at(L, index) != nullptr)
         all.push_back(check_instance(L, index, "it"));
     else if (!lua_isnil(L, index))
-        refuse_type(L, index, "it: it is the selected instance; expected an instance or nil");
+        refuse_type(L, index, "`it` is the selected instance: expected an instance or nil");
     if (const auto& select = (*machine.host.console).select)
         select(all);
     else

@@ -10,7 +10,7 @@
 #include <library/globals.h>
 #include <library/library.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/sources.h>

@@ -6,7 +6,7 @@
 
 #include <handlers/observed.h>
 #include <library/library.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <sandbox/sandbox.h>

@@ -10,7 +10,7 @@
 
 #include <calls/protected.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <values/values.h>

@@ -27,7 +27,7 @@
 
 #include <library/pen.h>
 #include <lua/budget.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <sandbox/sandbox.h>

@@ -15,7 +15,7 @@
 #include <library/scene_changes.h>
 #include <library/scene_files.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>

@@ -12,7 +12,7 @@
 
 #include <library/library.h>
 #include <library/scene_files.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <sandbox/sandbox.h>

@@ -8,7 +8,7 @@
 #include <fettle/script/runtime.h>
 
 #include <library/time_functions.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>

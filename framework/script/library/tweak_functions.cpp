@@ -9,7 +9,7 @@
 #include <fettle/script/runtime.h>
 
 #include <library/library.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <sandbox/sandbox.h>
 #include <values/values.h>

@@ -8,10 +8,10 @@
 
 #include <lua/arena.h>
 #include <lua/budget.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/interpreter.h>
-#include <lua/life.h>
 #include <lua/machine.h>
+#include <lua/runtime_lifetime.h>
 #include <lua/stack.h>
 #include <lua/watchdog.h>
 

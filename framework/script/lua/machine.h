@@ -10,7 +10,7 @@ namespace fettle::script {
 
 struct Options;
 struct Interpreter;
-struct Life;
+struct RuntimeLifetime;
 class Arena;
 class Budget;
 class Watchdog;
@@ -29,7 +29,7 @@ class Tweens;
 class Connections;
 class ScriptClasses;
 class Hints;
-struct Unplaced;
+struct UnplacedInstances;
 class Random;
 struct HeldSnapshots;
 struct Pen;
@@ -38,7 +38,7 @@ struct Machine {
     property::Tree& tree;
     const Options& options;
     Interpreter& lua;
-    Life& life;
+    RuntimeLifetime& life;
     Arena& arena;
     Budget& budget;
     Watchdog& watchdog;
@@ -57,7 +57,7 @@ struct Machine {
     Connections& connections;
     ScriptClasses& classes;
     Hints& hints;
-    Unplaced& unplaced;
+    UnplacedInstances& unplaced;
     Random& random;
     HeldSnapshots& snapshots;
     Pen& pen;

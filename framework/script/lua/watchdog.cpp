@@ -8,8 +8,8 @@
 
 #include <lua/budget.h>
 #include <lua/interpreter.h>
-#include <lua/life.h>
 #include <lua/machine.h>
+#include <lua/runtime_lifetime.h>
 #include <lua/watchdog.h>
 
 namespace fettle::script {

@@ -7,7 +7,7 @@
 #include <calls/protected.h>
 #include <lua/machine.h>
 #include <motion/ease.h>
-#include <motion/mixing.h>
+#include <motion/interpolation.h>
 #include <motion/tweens.h>
 
 namespace fettle::script {

@@ -13,7 +13,7 @@
 #include <handlers/connections.h>
 #include <handlers/formulas.h>
 #include <handlers/subscriptions.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>

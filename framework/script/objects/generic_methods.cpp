@@ -3,11 +3,11 @@
 
 #include <classes/class_definition.h>
 #include <classes/reflection.h>
-#include <classes/unplaced.h>
+#include <classes/unplaced_instances.h>
 #include <handlers/formulas.h>
 #include <handlers/subscriptions.h>
 #include <handlers/timers.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <motion/tweens.h>

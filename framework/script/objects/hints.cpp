@@ -7,7 +7,7 @@
 
 #include <classes/script_classes.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>

@@ -9,7 +9,7 @@
 
 #include <classes/script_classes.h>
 #include <handlers/formulas.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/generic_methods.h>

@@ -9,9 +9,9 @@
 #include <fettle/property/spelling.h>
 
 #include <classes/script_classes.h>
-#include <classes/unplaced.h>
+#include <classes/unplaced_instances.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>

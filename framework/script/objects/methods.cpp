@@ -8,7 +8,7 @@
 #include <fettle/property/pinned.h>
 #include <fettle/property/spelling.h>
 
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/methods.h>
@@ -28,9 +28,8 @@ namespace {
 
 constexpr std::size_t max_parameters = 8;
 
-/// Throws for a function at the wrong position: only the parameter `accept` takes one.
-void check_no_function(lua_State* L, int index, const std::string& path, const Method& method) {
-    if (lua_type(L, index) != LUA_TFUNCTION) return;
+/// Throws for the function at `index`, if the method has a parameter `accept` elsewhere.
+void refuse_misplaced_function(int index, const std::string& path, const Method& method) {
     for (std::size_t i = 0; i < method.parameters.size(); ++i)
         if (method.parameters[i].name == property::Acceptance::parameter_name)
             throw Error(ErrorKind::wrong_type,
@@ -66,6 +65,58 @@ void put_in_order(lua_State* L, const std::string& path, const Method& method) {
     while (lua_gettop(L) > 1 && lua_isnil(L, -1)) lua_pop(L, 1);
 }
 
+/// The arguments of a call.
+struct Arguments {
+    std::array<Value, max_parameters> values;
+    std::size_t count = 0;
+    std::optional<property::Acceptance> acceptance{};  // calls the function in place of `accept`
+
+    std::span<const Value> all() const { return {values.data(), count}; }
+};
+
+/// Reads the argument at `index` for the parameter `accept`. Returns false if it is nil; throws if
+/// it is neither nil nor a function.
+bool read_accept(lua_State* L, int index, const Machine& machine, const Method& method,
+                 const std::string& path, std::optional<property::Acceptance>& acceptance) {
+    if (lua_isnil(L, index)) return false;
+    if (lua_type(L, index) != LUA_TFUNCTION)
+        throw Error(ErrorKind::wrong_type, path + ":" + method.name +
+                                               ": accept: expected a function, got " +
+                                               describe_type(L, index) + ": " + signature(method));
+    acceptance.emplace(machine.tree, method.name, [L, index](Handle instance) {
+        lua_pushvalue(L, index);
+        push_instance(L, instance);
+        lua_call(L, 1, 1);
+        const bool accepted = lua_toboolean(L, -1) != 0;
+        lua_pop(L, 1);
+        return accepted;
+    });
+    return true;
+}
+
+void read_arguments(lua_State* L, Machine& machine, const Method& method, Handle self,
+                    Arguments& arguments) {
+    const auto path = [&] { return machine.tree.path(self); };
+    if (are_named(L, method)) put_in_order(L, path(), method);
+    arguments.count = static_cast<std::size_t>(lua_gettop(L) - 1);
+    if (arguments.count > std::min(max_parameters, method.parameters.size()))
+        throw Error(ErrorKind::wrong_type, path() + ":" + method.name + ": takes " +
+                                               std::to_string(method.parameters.size()) +
+                                               " arguments: " + signature(method));
+    for (std::size_t i = 0; i < arguments.count; ++i) {
+        const int index = static_cast<int>(i) + 2;
+        const std::string& parameter = method.parameters[i].name;
+        if (parameter == property::Acceptance::parameter_name &&
+            read_accept(L, index, machine, method, path(), arguments.acceptance)) {
+            arguments.values[i] = true;
+            continue;
+        }
+        if (lua_type(L, index) == LUA_TFUNCTION) refuse_misplaced_function(index, path(), method);
+        arguments.values[i] =
+            to_value(L, index, [&] { return path() + ":" + method.name + ": " + parameter; });
+    }
+}
+
 // Upvalue 1: the method.
 int call_method(lua_State* L) {
     const auto& method = *static_cast<const Method*>(lua_touserdata(L, lua_upvalueindex(1)));
@@ -79,42 +130,8 @@ int call_method(lua_State* L) {
                                                method.name);
     if (method.effect != property::Effect::nothing && !machine.tree.changeable())
         machine.tree.require_changeable("call " + method.name);
-    if (are_named(L, method)) put_in_order(L, machine.tree.path(self->handle), method);
-    std::array<Value, max_parameters> values;
-    const int given = lua_gettop(L) - 1;
-    if (given > static_cast<int>(std::min(max_parameters, method.parameters.size())))
-        throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ":" + method.name +
-                                               ": takes " +
-                                               std::to_string(method.parameters.size()) +
-                                               " arguments: " + signature(method));
-    std::optional<property::Acceptance> acceptance;
-    for (int i = 0; i < given; ++i) {
-        const int index = i + 2;
-        const bool accepts = method.parameters[static_cast<std::size_t>(i)].name ==
-                             property::Acceptance::parameter_name;
-        if (accepts && !lua_isnil(L, index) && lua_type(L, index) != LUA_TFUNCTION)
-            throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ":" + method.name +
-                                                   ": accept: expected a function, got " +
-                                                   describe_type(L, index) + ": " +
-                                                   signature(method));
-        if (accepts && lua_type(L, index) == LUA_TFUNCTION) {
-            values[static_cast<std::size_t>(i)] = true;
-            acceptance.emplace(machine.tree, method.name, [L, index](Handle instance) {
-                lua_pushvalue(L, index);
-                push_instance(L, instance);
-                lua_call(L, 1, 1);
-                const bool accepted = lua_toboolean(L, -1) != 0;
-                lua_pop(L, 1);
-                return accepted;
-            });
-            continue;
-        }
-        check_no_function(L, index, machine.tree.path(self->handle), method);
-        values[static_cast<std::size_t>(i)] = to_value(L, index, [&] {
-            return machine.tree.path(self->handle) + ":" + method.name + ": " +
-                   method.parameters[static_cast<std::size_t>(i)].name;
-        });
-    }
+    Arguments arguments;
+    read_arguments(L, machine, method, self->handle, arguments);
     // During a reload, the existing instances already have the effect of such a call. It is made
     // later, only for new instances, when they have their place.
     if (machine.declarations.reloading() && method.effect != property::Effect::nothing &&
@@ -122,15 +139,14 @@ int call_method(lua_State* L) {
         machine.declarations.calls.push_back(
             {.instance = self->handle,
              .method = &method,
-             .arguments = std::vector<Value>(values.begin(), values.begin() + given)});
+             .arguments = {arguments.all().begin(), arguments.all().end()}});
         return 0;
     }
     const Result result = [&] {
         const property::Pinned pinned(machine.tree, "a method that a script calls");
-        return machine.tree.call(self->handle, method,
-                                 std::span(values.data(), static_cast<std::size_t>(given)));
+        return machine.tree.call(self->handle, method, arguments.all());
     }();
-    if (acceptance) acceptance->finish();
+    if (arguments.acceptance) arguments.acceptance->finish();
     // The console would print nil for a call that returns nothing.
     const auto* const value = std::get_if<Value>(&result);
     if (method.returns.empty() && value != nullptr && value->is_nil()) return 0;

@@ -18,7 +18,7 @@
 #include <library/time_functions.h>
 #include <lua/arena.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>

@@ -6,7 +6,7 @@
 #include <calls/errors.h>
 #include <calls/held_memory.h>
 #include <classes/script_classes.h>
-#include <classes/unplaced.h>
+#include <classes/unplaced_instances.h>
 #include <handlers/connections.h>
 #include <handlers/timers.h>
 #include <library/pen.h>
@@ -16,8 +16,8 @@
 #include <lua/environment.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
-#include <lua/life.h>
 #include <lua/machine.h>
+#include <lua/runtime_lifetime.h>
 #include <lua/sources.h>
 #include <lua/watchdog.h>
 #include <motion/tweens.h>
@@ -46,7 +46,7 @@ struct Parts {
     Machine machine;
     Options options;
     Interpreter lua;
-    Life life;
+    RuntimeLifetime life;
     Arena arena;
     Budget budget{machine};
     Watchdog watchdog{machine};
@@ -66,7 +66,7 @@ struct Parts {
     Connections connections{machine};
     ScriptClasses classes{machine};
     Hints hints{machine};
-    Unplaced unplaced;
+    UnplacedInstances unplaced;
     Random random;
     HeldSnapshots snapshots;
     Pen pen;

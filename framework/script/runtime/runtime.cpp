@@ -10,7 +10,7 @@
 #include <calls/errors.h>
 #include <calls/protected.h>
 #include <classes/script_classes.h>
-#include <classes/unplaced.h>
+#include <classes/unplaced_instances.h>
 #include <console/complete.h>
 #include <console/evaluate.h>
 #include <handlers/connections.h>
@@ -24,13 +24,13 @@
 #include <lua/environment.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
-#include <lua/life.h>
 #include <lua/machine.h>
+#include <lua/runtime_lifetime.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
 #include <motion/tweens.h>
 #include <objects/hints.h>
-#include <reload/top_level.h>
+#include <reload/reload.h>
 #include <runtime/parts.h>
 #include <values/values.h>
 
@@ -101,7 +101,7 @@ Runtime::~Runtime() {
     state_->lifetime.reset();
     if (state_->life.uses > 0) {
         state_->leave();
-        Life& life = state_->life;
+        RuntimeLifetime& life = state_->life;
         life.orphan = std::shared_ptr<State>(std::move(state_));
     }
 }
@@ -188,7 +188,7 @@ bool Runtime::load(const std::filesystem::path& game) {
         throw Error(ErrorKind::bad_structure,
                     "no game can be loaded while a script of this runtime runs: do it "
                     "when that call has returned");
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     std::error_code error;
     const fs::path file = fs::is_directory(game, error) ? game / "main.lua" : game;
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -217,7 +217,7 @@ Reloaded Runtime::reload(const std::vector<std::string>& files) {
     if (state_->game_file.empty() || machine.life.uses > 0)
         throw Error(ErrorKind::bad_structure,
                     "a game can be loaded again only when one is loaded and no script runs");
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     const std::string text = machine.sources.files.read(state_->game_file);
     const std::string name = state_->game_file.filename().string();
     machine.hints.forget();
@@ -236,7 +236,7 @@ Reloaded Runtime::reload(const std::vector<std::string>& files) {
 
 bool Runtime::run(std::string_view chunk, const std::string& name) {
     Machine& machine = live();
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     Limits limits{.memory = machine.options.memory_limit, .subject = "a chunk"};
     if (const auto of_call = machine.budget.of_call()) {
         limits.instructions = of_call->instructions;
@@ -249,7 +249,7 @@ bool Runtime::run(std::string_view chunk, const std::string& name) {
 
 void Runtime::add_library(const std::string& name, std::string_view chunk) {
     Machine& machine = live();
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     state_->libraries.emplace_back(name, chunk);
     run_chunk(machine, std::string(chunk), library_chunk(name), "library");
 }
@@ -260,7 +260,7 @@ double Runtime::random() {
 
 bool Runtime::call(std::string_view callback, std::span<const Value> arguments) {
     Machine& machine = live();
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     return call_ready(machine, callback, arguments);
 }
 
@@ -319,7 +319,7 @@ bool call_with_pen(Machine& machine, const char* callback) {
 
 bool Runtime::draw(property::Painter& painter) {
     Machine& machine = live();
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     struct Holding {
         Pen& pen;
         ~Holding() { pen.painter = nullptr; }
@@ -344,7 +344,7 @@ bool Runtime::draws() const {
 
 void Runtime::advance(double seconds) {
     Machine& machine = live();
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     advance_transition(machine, seconds);
     machine.tweens.advance_real(seconds);
     machine.timers.advance_real(seconds);
@@ -354,7 +354,7 @@ bool Runtime::step(double now, double dt) {
     Machine& machine = live();
     require_seconds("Runtime::step: now", now);
     require_seconds("Runtime::step: dt", dt);
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     machine.timers.now = now;
     collect_unplaced(machine);
     bool ok = machine.classes.deliver_ready();
@@ -373,7 +373,7 @@ bool Runtime::step(double now, double dt) {
 
 Evaluation Runtime::evaluate(std::string_view command) {
     Machine& machine = live();
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     // A copy, because the callback may call `on_command` and so destroy the original.
     if (const auto sink = machine.host.on_command) sink(command);
     require_tree(machine);
@@ -383,7 +383,7 @@ Evaluation Runtime::evaluate(std::string_view command) {
 std::vector<Completion> Runtime::complete(std::string_view input, std::size_t cursor,
                                           std::size_t most) {
     Machine& machine = live();
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     return script::complete(machine, input, cursor, most);
 }
 
@@ -397,7 +397,7 @@ void Runtime::serve_console(ConsoleFunctions functions) {
 
 Observed Runtime::observe(std::string_view expression) {
     Machine& machine = live();
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     return script::observe(machine, expression);
 }
 
@@ -411,7 +411,7 @@ Handle Runtime::selected() const {
 
 void Runtime::add_function(const std::string& name, HostFunction function) {
     Machine& machine = live();
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     add_host_function(machine, name, std::move(function));
 }
 
@@ -471,7 +471,7 @@ std::optional<int> Runtime::quit_status() const {
 
 bool Runtime::defines(std::string_view callback) const {
     Machine& machine = live();
-    const Life::Use use(machine.life);
+    const RuntimeLifetime::Use use(machine.life);
     const std::string name(callback);
     bool found = false;
     protected_run(

@@ -2,7 +2,7 @@
 #include <iterator>
 
 #include <classes/script_classes.h>
-#include <classes/unplaced.h>
+#include <classes/unplaced_instances.h>
 #include <handlers/connections.h>
 #include <library/globals.h>
 #include <lua/machine.h>
@@ -33,7 +33,7 @@ struct Changes : Held {
     Timers::Changes timers;
     Connections::Changes connections;
     ScriptClasses::Changes classes;
-    Unplaced::Changes unplaced;
+    UnplacedInstances::Changes unplaced;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <calls/errors.h>
 #include <lua/arena.h>
 #include <lua/budget.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>

@@ -5,7 +5,7 @@
 
 #include <lua/arena.h>
 #include <lua/budget.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <sandbox/sandbox.h>

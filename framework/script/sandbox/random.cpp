@@ -5,7 +5,7 @@
 #include <fettle/property/split_mix.h>
 #include <fettle/script/runtime.h>
 
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <sandbox/random.h>
 #include <values/values.h>

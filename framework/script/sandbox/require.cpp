@@ -8,7 +8,7 @@
 #include <fettle/property/storage/assets.h>
 
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>

@@ -2,7 +2,7 @@
 
 #include <calls/errors.h>
 #include <fettle/property/error.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <sandbox/sandbox.h>
 #include <values/values.h>

@@ -8,7 +8,7 @@
 #include <string>
 
 #include <lua/budget.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <sandbox/sandbox.h>
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include <lua/budget.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <sandbox/sandbox.h>
 #include <values/moved_lists.h>

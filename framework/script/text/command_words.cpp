@@ -18,7 +18,7 @@ struct Command {
     std::string_view with = {};  // the same with an argument, which stands in place of each %
 };
 
-/// Of several with the same word, the first whose argument fits counts.
+/// If a word is in several rows, the first row whose argument fits is used.
 constexpr Command commands[] = {
     {"cd goto focus select inspect", "it = world.name to select an instance", Argument::path,
      "it = %"},
@@ -208,8 +208,8 @@ std::string call_with_arguments(std::string_view command) {
         if (action.empty()) return {};
         return name + "(" + in_quotes(key) + ", " + in_quotes(action) + ")";
     }
-    const bool clear = is_number(rest) || is_path(rest);
-    return clear ? name + "(" + std::string(rest) + ")" : std::string();
+    const bool unambiguous = is_number(rest) || is_path(rest);
+    return unambiguous ? name + "(" + std::string(rest) + ")" : std::string();
 }
 
 }  // namespace fettle::script

@@ -197,6 +197,16 @@ std::size_t PatternMatcher::back_reference(std::size_t s, char digit) {
     return s + length;
 }
 
+std::size_t PatternMatcher::frontier(std::size_t s, std::size_t p) {
+    if (p >= pattern_.size() || pattern_[p] != '[')
+        throw std::invalid_argument("missing '[' after '%f' in pattern");
+    const std::size_t end = item_end(p);
+    step(2 * (end - p) / bytes_of_set_a_step);
+    const auto before = static_cast<unsigned char>(s == 0 ? '\0' : subject_[s - 1]);
+    const auto after = static_cast<unsigned char>(s < subject_.size() ? subject_[s] : '\0');
+    return !set_contains(before, p, end) && set_contains(after, p, end) ? end : failed;
+}
+
 std::size_t PatternMatcher::match(std::size_t start, std::size_t pattern_start) {
     count_ = 0;
     depth_ = 0;
@@ -231,16 +241,8 @@ std::size_t PatternMatcher::run(std::size_t s, std::size_t p) {
                 continue;
             }
             if (next == 'f') {
-                p += 2;
-                if (p >= pattern_.size() || pattern_[p] != '[')
-                    throw std::invalid_argument("missing '[' after '%f' in pattern");
-                const std::size_t end = item_end(p);
-                step(2 * (end - p) / bytes_of_set_a_step);
-                const auto before = static_cast<unsigned char>(s == 0 ? '\0' : subject_[s - 1]);
-                const auto after =
-                    static_cast<unsigned char>(s < subject_.size() ? subject_[s] : '\0');
-                if (set_contains(before, p, end) || !set_contains(after, p, end)) return failed;
-                p = end;
+                p = frontier(s, p + 2);
+                if (p == failed) return failed;
                 continue;
             }
             if (std::isdigit(static_cast<unsigned char>(next))) {

@@ -41,6 +41,8 @@ class PatternMatcher {
     std::size_t longest(std::size_t s, std::size_t p, std::size_t end);
     std::size_t shortest(std::size_t s, std::size_t p, std::size_t end);
     std::size_t balanced(std::size_t s, std::size_t p);
+    /// The end of the set at `p` if the frontier of that set is at `s`, otherwise `failed`.
+    std::size_t frontier(std::size_t s, std::size_t p);
     std::size_t open_capture(std::size_t s, std::size_t p, Capture::Kind kind);
     std::size_t close_capture(std::size_t s, std::size_t p);
     std::size_t back_reference(std::size_t s, char digit);

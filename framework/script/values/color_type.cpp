@@ -3,7 +3,7 @@
 #include <fettle/property/literal_hint.h>
 #include <fettle/property/spelling.h>
 
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <values/short_text.h>

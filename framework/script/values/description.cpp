@@ -2,7 +2,7 @@
 
 #include <fettle/property/spelling.h>
 
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <values/description.h>

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <values/moved_lists.h>

@@ -1,6 +1,6 @@
 #include <fettle/property/spelling.h>
 
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <values/records.h>

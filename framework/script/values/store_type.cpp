@@ -7,7 +7,7 @@
 
 #include <lua/budget.h>
 #include <lua/environment.h>
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <text/columns.h>

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <lua/guard.h>
+#include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/machine.h>
 #include <lua/stack.h>

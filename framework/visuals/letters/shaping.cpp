@@ -71,7 +71,7 @@ Paragraph letter_by_letter(std::u32string_view text, const Family& family) {
 /// Divides a text into runs.
 class Runs {
   public:
-    Runs(std::u32string_view text, const Family& family, const Order& order)
+    Runs(std::u32string_view text, const Family& family, const BidirectionalOrder& order)
         : text_(text), family_(family), order_(order) {}
 
     /// Calls `visit(font, run)` for each run.
@@ -120,7 +120,7 @@ class Runs {
 
     std::u32string_view text_;
     const Family& family_;
-    const Order& order_;
+    const BidirectionalOrder& order_;
 };
 
 /// Letters that are joined, in the order of their script.
@@ -148,7 +148,7 @@ Paragraph shaped(std::u32string_view text, const Family& family) {
 }
 
 bool runs_right_to_left(std::u32string_view paragraph) {
-    return has_shapes(paragraph) && Order(paragraph).right_to_left();
+    return has_shapes(paragraph) && BidirectionalOrder(paragraph).right_to_left();
 }
 
 }  // namespace fettle::visuals

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include <letters/bidirectional.h>
 #include <letters/fonts.h>
-#include <letters/order.h>
 
 namespace fettle::visuals {
 
@@ -27,8 +27,8 @@ struct Unit {
 /// All lengths are for a font of size 1.
 struct Paragraph {
     std::vector<Unit> units;
-    std::vector<PlacedGlyph> glyphs;  // from the pen position of their unit
-    std::optional<Order> order;       // without: from left to right
+    std::vector<PlacedGlyph> glyphs;          // from the pen position of their unit
+    std::optional<BidirectionalOrder> order;  // without: from left to right
 };
 
 /// Whether a paragraph, which has no line breaks in it, runs from right to left.

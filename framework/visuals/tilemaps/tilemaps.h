@@ -44,7 +44,7 @@ class Tilemaps {
                                const property::Value& y);
     property::Value tile_property(property::Handle map, const property::Value& tile,
                                   const std::string& name);
-    // --- making.cpp
+    // --- map_layers.cpp
     void reload(property::Handle map);
     /// A file of the game has changed: maps that are made of it are made again.
     void renew(const std::string& file);
@@ -107,7 +107,7 @@ class Tilemaps {
     void outdate(property::Handle map);
     property::Lifecycle map_lifecycle();
 
-    // --- making.cpp
+    // --- map_layers.cpp
     /// Makes the instances of the map file unless they were made before.
     void make_if_new(property::Handle map);
     void make(property::Handle map, std::map<std::int64_t, property::Value> changes);

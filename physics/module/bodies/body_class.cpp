@@ -6,7 +6,7 @@
 
 #include <bindings/bindings.h>
 #include <bodies/body_class.h>
-#include <bodies/explanations.h>
+#include <bodies/mass_explanations.h>
 #include <bodies/touches.h>
 #include <events/events.h>
 

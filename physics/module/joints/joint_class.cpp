@@ -25,17 +25,8 @@ physics::Vec2 mouse_anchor_now(Hosting& hosting, Row row) {
     return hosting.body(hosting.tree.row(body)).local_point(target);
 }
 
-void define_joint(Hosting& hosting) {
-    property::ClassDescriptor joint;
-    joint.snapshots = property::Snapshots::natively;
-    joint.name = "Joint";
-    joint.weight = 250;
-    joint.doc =
-        "Connects bodies with each other or with the world. It acts while it and its bodies are "
-        "in the same world.";
-    joint.creatable = false;
-    joint.lifecycle = joint_lifecycle<JointType::mouse>(hosting);
-    joint.properties = {
+std::vector<Property> joint_properties(Hosting& hosting) {
+    std::vector<Property> all = {
         flag("enabled", true, "True if it may act.",
              setting<&Joint::enabled, &Joint::set_enabled>(hosting)),
         amount("break_force", physics::infinity, "N",
@@ -83,18 +74,35 @@ void define_joint(Hosting& hosting) {
         figure("angular_separation", "rad",
                "Difference between the angle of its bodies and the angle that it should hold.",
                reading<&Joint::angular_separation>(hosting))};
-    for (const std::size_t strength : {1, 2, 3, 4}) joint.properties[strength].infinity = true;
-    joint.events = {
-        {.name = "broke",
-         .fields = {{"force", Type::vec2, "N", "Force of the joint when it broke."},
-                    {"torque", Type::number, "N m",
-                     "Torque of the joint when it broke, not counting that of the force."}},
-         .doc = "Its force or torque was larger than break_force or break_torque."},
-        {.name = "loaded",
-         .fields = {{"force", Type::vec2, "N", "Force of the joint in the step."},
-                    {"torque", Type::number, "N m",
-                     "Torque of the joint in the step, not counting that of the force."}},
-         .doc = "Its force or torque was larger than report_force or report_torque."}};
+    for (const std::size_t strength : {1, 2, 3, 4}) all[strength].infinity = true;
+    return all;
+}
+
+std::vector<property::Event> joint_events() {
+    return {{.name = "broke",
+             .fields = {{"force", Type::vec2, "N", "Force of the joint when it broke."},
+                        {"torque", Type::number, "N m",
+                         "Torque of the joint when it broke, not counting that of the force."}},
+             .doc = "Its force or torque was larger than break_force or break_torque."},
+            {.name = "loaded",
+             .fields = {{"force", Type::vec2, "N", "Force of the joint in the step."},
+                        {"torque", Type::number, "N m",
+                         "Torque of the joint in the step, not counting that of the force."}},
+             .doc = "Its force or torque was larger than report_force or report_torque."}};
+}
+
+void define_joint(Hosting& hosting) {
+    property::ClassDescriptor joint;
+    joint.snapshots = property::Snapshots::natively;
+    joint.name = "Joint";
+    joint.weight = 250;
+    joint.doc =
+        "Connects bodies with each other or with the world. It acts while it and its bodies are "
+        "in the same world.";
+    joint.creatable = false;
+    joint.lifecycle = joint_lifecycle<JointType::mouse>(hosting);
+    joint.properties = joint_properties(hosting);
+    joint.events = joint_events();
     const property::Class& defined = hosting.tree.define(std::move(joint));
     hosting.classes.abstract.push_back(&defined);
     hosting.declared.broke = defined.event("broke");

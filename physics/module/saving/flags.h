@@ -18,7 +18,7 @@ inline bool is_flag(const bool& flag) {
 /// True if the flag of the optional is valid. Its position is the byte that differs between an
 /// optional with a value and one without.
 template <class T>
-bool is_optional(const std::optional<T>& value) {
+bool has_valid_flag(const std::optional<T>& value) {
     using Optional = std::optional<T>;
     static const std::size_t at = [] {
         alignas(Optional) unsigned char full[sizeof(Optional)] = {}, empty[sizeof(Optional)] = {};

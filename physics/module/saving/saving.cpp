@@ -46,7 +46,7 @@ struct ModuleData {
 };
 
 bool is_color(const std::optional<property::Color>& color) {
-    if (!is_optional(color)) return false;
+    if (!has_valid_flag(color)) return false;
     if (!color) return true;
     const auto is_channel = [](float value) { return value >= 0.0f && value <= 1.0f; };
     return is_channel(color->r) && is_channel(color->g) && is_channel(color->b) &&
@@ -82,7 +82,8 @@ ModuleData read_module_data(property::ByteReader& from) {
                      "a look");
     for (const auto& color : data.body_colors) from.require(is_color(color), "a color");
     for (const auto& velocity : data.velocities)
-        from.require(is_optional(velocity) && (!velocity || velocity->is_finite()), "a velocity");
+        from.require(has_valid_flag(velocity) && (!velocity || velocity->is_finite()),
+                     "a velocity");
     for (const Ties& ties : data.ties)
         from.require(ties.source <= Source::given, "the source of a measured value");
     from.require(are_valid(data.movers), "a mover");

@@ -21,9 +21,9 @@ class Loudspeaker {
     Loudspeaker& operator=(const Loudspeaker&) = delete;
 
     /// To be called after each frame: from now on the device plays the voices that sound now.
-    /// `halted`: the game stands although its clock is not paused.
+    /// `halted`: the game makes no steps after an error, although its clock is not paused.
     void follow(const Services& services, bool halted);
-    /// Ends all voices, before the services end.
+    /// Stops the sound. Must be called before the services are destroyed.
     void silence();
     /// The reason why there is no sound, once; "" otherwise.
     std::string consume_problem();

@@ -4,8 +4,9 @@
 //
 // The library has its own implementation of `property::Tree`, which forwards all calls through the
 // C interface. So the shared object works with any program with the same interface, whatever its
-// compiler. It has the classes that the module defines; of other classes it has names, bases,
-// and values and methods by name. The program does watching, formulas, history and drawing order.
+// compiler. This tree has the classes that the module defines. Of other classes it has the name
+// and the base; their values and methods are reached by name. Watchers, formulas, history and the
+// order of drawing are done by the program.
 
 #include <memory>
 

@@ -5,7 +5,7 @@
 #include <fettle/property/storage/tweaks.h>
 
 #include <files/durable_file.h>
-#include <files/places.h>
+#include <files/game_folders.h>
 
 namespace fettle::property {
 

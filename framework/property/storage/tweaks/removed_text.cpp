@@ -4,8 +4,8 @@
 #include <vector>
 
 #include <json/json_edit.h>
-#include <kept/instance_moves.h>
 #include <scenes/scene_names.h>
+#include <tweaks_file/instance_moves.h>
 #include <values/scene_value.h>
 
 namespace fettle::property {

@@ -9,7 +9,7 @@
 #include <chrono>
 #include <tuple>
 
-#include <files/places.h>
+#include <files/game_folders.h>
 #include <files/temporary_file.h>
 #include <scenes/scene_names.h>
 #include <tweaks/tweaks_state.h>

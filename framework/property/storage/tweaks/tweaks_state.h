@@ -15,12 +15,12 @@
 #include <fettle/property/storage/game_files.h>
 #include <fettle/property/storage/tweaks.h>
 
-#include <kept/instance_moves.h>
-#include <kept/kept_tweaks.h>
 #include <scenes/image.h>
 #include <scenes/scene_origins.h>
 #include <scenes/scene_text.h>
 #include <tweaks/journal.h>
+#include <tweaks_file/instance_moves.h>
+#include <tweaks_file/kept_tweaks.h>
 
 namespace fettle::property {
 

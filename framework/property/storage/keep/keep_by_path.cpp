@@ -1,0 +1,158 @@
+#include <keep/keep_by_path.h>
+
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include <keep/scene_keeping.h>
+#include <scenes/scene_names.h>
+
+namespace fettle::property {
+
+namespace {
+
+using Kind = JournalRow::Kind;
+
+/// Throws if a script makes an instance at that path, which was moved away now: both would need
+/// the path.
+void require_free(const KeepRun& run, const std::string& home) {
+    if (const std::string other = run.row_paths.moved_from(without_marks(home)); !other.empty())
+        throw Error(ErrorKind::rejected,
+                    "a script gives this name to what is " + other + " now: change the script");
+}
+
+/// Throws for a marked path: the file cannot distinguish two instances with the same home path.
+std::string unmarked(const KeepRun& run, std::string home) {
+    if (!is_marked(home)) return home;
+    std::string path = without_marks(home);
+    while (path != "game" && run.row_paths.moved_from(path).empty()) path = split_path(path).first;
+    throw Error(ErrorKind::rejected, without_marks(home) +
+                                         " is new and has a name that a script gives to " +
+                                         run.row_paths.moved_from(path) + ": change the script");
+}
+
+std::string unmarked_scene(const KeepRun& run, const JournalRow& row) {
+    return run.row_paths.home_scene(row,
+                                    [&](const std::string& home) { return unmarked(run, home); });
+}
+
+const Property* declared(const KeepRun& run, const std::string& home, const std::string& property) {
+    const Handle instance = run.row_paths.instance(home);
+    return instance ? run.state.tree.class_of(instance).property(property) : nullptr;
+}
+
+void apply_to_kept(KeepRun& run, const JournalRow& row) {
+    const std::string home = run.row_paths.home(row);
+    switch (row.kind) {
+        case Kind::value:
+            return run.state.kept.set(
+                unmarked(run, home), row.property, declared(run, home, row.property),
+                run.row_report.kept_image(row, run.row_paths), [&](const std::string& path) {
+                    return unmarked(run, run.row_paths.home_of_live(path));
+                });
+        case Kind::created:
+            check_made(run.state, run.row_paths, row);
+            require_free(run, home);
+            return run.state.kept.add(home, unmarked_scene(run, row));
+        case Kind::restored:
+            return run.state.kept.put_back(home, row.was, unmarked_scene(run, row));
+        case Kind::deleted:
+        case Kind::moved:
+            return;
+    }
+}
+
+/// Returns the rows without those that contradict earlier ones, which are reported.
+template <class Check>
+Rows possible_together(KeepRun& run, const Rows& rows, Check check) {
+    try {
+        check(rows);
+        return rows;
+    } catch (const Error&) {  // not all together: the loop finds the rows that fail
+    }
+    Rows possible;
+    for (JournalRow* row : rows) {
+        possible.push_back(row);
+        if (!run.row_report.tried(*row, [&] { check(possible); })) possible.pop_back();
+    }
+    return possible;
+}
+
+}  // namespace
+
+/// An invalid row must not prevent the others from being kept. It is found by splitting the
+/// rows into halves.
+void keep_by_path(KeepRun& run, const Rows& rows) {
+    const std::size_t reported_before = run.report.problems.size();
+    Rows done;
+    try {
+        for (JournalRow* row : rows)
+            if (row->kind == Kind::deleted &&
+                run.row_report.tried(*row, [&] { require_nothing_moved_out(run.row_paths, *row); }))
+                done.push_back(row);
+        run.take_out(done, &KeptTweaks::remove);
+        Rows others;
+        for (JournalRow* row : rows)
+            if (row->kind != Kind::deleted) others.push_back(row);
+        const Rows into = run.row_report.tried_together(
+            others, run.row_paths,
+            [&] {
+                if (!others.empty()) run.state.kept.reload();
+            },
+            [&](const JournalRow& row) { apply_to_kept(run, row); });
+        done.insert(done.end(), into.begin(), into.end());
+        if (!run.write(run.state.kept.file(), done, [&] { run.state.kept.write(); })) return;
+        run.mark_described(done);
+        run.update_other_scenes(done);
+    } catch (const SceneError& error) {
+        run.state.kept.reload();
+        if (done.size() == 1)
+            return run.row_report.refuse(*done.front(), run.row_paths, error.reason());
+        run.report.problems.resize(reported_before);
+        const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
+        keep_by_path(run, {rows.begin(), middle});
+        keep_by_path(run, {middle, rows.end()});
+    }
+}
+
+void keep_moves_by_path(KeepRun& run, Rows rows) {
+    const auto target = [&](const JournalRow& row) {
+        return path_below(run.row_paths.home_of_new_parent(row), split_path(row.now).second);
+    };
+    std::erase_if(rows, [&](const JournalRow* row) {
+        return !run.row_report.tried(*row, [&] {
+            if (!run.state.kept.makes(row->instance))
+                throw Error(ErrorKind::rejected, given_by_script);
+            run.state.kept.require_movable(row->instance, target(*row));
+        });
+    });
+    std::unordered_set<std::string> moving_away;
+    for (const JournalRow* row : rows) moving_away.insert(row->instance);
+    std::erase_if(rows, [&](const JournalRow* row) {
+        const std::string to = target(*row);
+        return !moving_away.contains(to) &&
+               !run.row_report.tried(*row, [&] { require_free(run, to); });
+    });
+    const auto steps = [&](const Rows& some) {
+        std::vector<MoveStep> moves;
+        for (std::size_t i = 0; i < some.size(); ++i)
+            moves.push_back({i, some[i]->instance, target(*some[i])});
+        return moves;
+    };
+    rows =
+        possible_together(run, rows, [&](const Rows& some) { (void)combined_moves(steps(some)); });
+    if (rows.empty()) return;
+    const std::vector<MoveStep> moves = steps(rows);
+    try {
+        if (run.write(run.state.kept.file(), rows, [&] {
+                run.state.kept.move(moves);
+                run.state.kept.write();
+            }))
+            run.change_homes(moves, run.state.kept.file());
+    } catch (const SceneError& error) {
+        run.state.kept.reload();
+        run.report.problems.emplace_back(error.what());
+    }
+}
+
+}  // namespace fettle::property

@@ -1,0 +1,238 @@
+// Applies kept tweaks from their file to the tree.
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
+#include <fettle/property/storage/scene.h>
+
+#include <scenes/scene_load.h>
+#include <tweaks_file/kept_tweaks.h>
+#include <values/scene_reference.h>
+#include <values/scene_value.h>
+
+namespace fettle::property {
+
+void KeptTweaks::warn(std::size_t offset, const std::string& reason) {
+    warn(*document_, offset, reason);
+}
+
+void KeptTweaks::warn(const Document& document, std::size_t offset, const std::string& reason) {
+    try {
+        document.fail(ErrorKind::rejected, offset, reason);
+    } catch (const SceneError& error) {
+        report(error);
+    }
+}
+
+void KeptTweaks::report(const SceneError& error) {
+    if (reported_.insert(error.what()).second) warn_(error.what());
+}
+
+const KeptTweaks::Node* KeptTweaks::member(std::string_view section, const std::string& key) const {
+    const Node* object = document_->member(document_->root(), section);
+    return object == nullptr ? nullptr : document_->member(*object, key);
+}
+
+/// Assigns the value. False if it refers to an instance that does not exist; if `last`, that is
+/// reported.
+bool KeptTweaks::assign(const Assignment& to, bool last) {
+    const Document& document = *to.document;
+    const Node& node = *to.node;
+    std::function<std::string()> locate = [&] {
+        return file_.filename().string() + ":" + std::to_string(document.line(node.begin));
+    };
+    const Tree::CauseScope cause(tree_, Writer::load, &locate);
+    try {
+        const Property* found = tree_.find(to.instance, to.property);
+        const Type type = found != nullptr ? declared_type(*found) : Type::nil;
+        const Type element = found != nullptr ? found->element : Type::nil;
+        const FormulaText formula = formula_text(document, node);
+        const Node* plain = formula ? formula.value : &node;
+        if (!formula && plain->kind == Document::Kind::null && found != nullptr &&
+            !found->nullable) {
+            tree_.set(to.instance, *found, {});
+            return true;
+        }
+        // The stored value of a formula is used only if the formula cannot be compiled.
+        if (formula && tree_.formula_compiler()) plain = nullptr;
+        Value value;
+        if (plain != nullptr)
+            value = read_value(
+                document, *plain, type, element, [&](const std::string& path, const Node& at) {
+                    return find_reference({tree_, document, to.top, {}, {}}, path, at);
+                });
+        if (formula)
+            tree_.set_formula(to.instance, to.property,
+                              make_formula(tree_, document.text(*formula.is), value));
+        else
+            tree_.set_or_add(to.instance, to.property, value);
+    } catch (const SceneError& error) {
+        if (!last && error.kind() == ErrorKind::unknown_name) return false;
+        report(error.about(to.path));
+    } catch (const Error& error) {
+        warn(document, node.begin, error.what());
+    }
+    return true;
+}
+
+void KeptTweaks::assign_or_wait(Assignment to) {
+    if (!assign(to, false)) waiting_.push_back(std::move(to));
+}
+
+void KeptTweaks::try_waiting(bool last) {
+    std::vector<Assignment> waiting = std::exchange(waiting_, {});
+    for (Assignment& each : waiting)
+        if (tree_.alive(each.instance) && !assign(each, last)) waiting_.push_back(std::move(each));
+}
+
+void KeptTweaks::retry_waiting() {
+    if (!waiting_.empty() && applied_) try_waiting(true);
+}
+
+void KeptTweaks::apply_values(Handle top) {
+    if ((contents_.values.empty() && waiting_.empty()) || !tree_.alive(top)) return;
+    if (top != tree_.root() && !tree_.is_below(top, tree_.root())) return;
+    std::vector<std::pair<Handle, const std::vector<Kept>*>> found;
+    tree_.each_below(top, [&](Handle handle) {
+        if (const auto it = contents_.values.find(tree_.path(handle)); it != contents_.values.end())
+            found.emplace_back(handle, &it->second);
+    });
+    for (const auto& [handle, kept] : found)
+        for (const Kept& each : *kept)
+            if (const Node* node = member("values", each.key); node && tree_.alive(handle))
+                assign_or_wait({handle, each.property, each.key, {}, document_, node});
+    try_waiting(false);
+}
+
+/// The instance that the first `count` names lead to. If it does not exist, that is reported
+/// together with `then`, which says what it means for the tweak. "": no report.
+Handle KeptTweaks::find(const Node& node, const std::string& path, std::size_t count,
+                        const std::string& then) {
+    const std::vector<Segment> segments = parse_path(path);
+    Handle at = tree_.root();
+    for (std::size_t i = 0; i < count && i < segments.size(); ++i) {
+        const std::string& name = std::get<std::string>(segments[i].key);
+        const Handle child = tree_.child(at, name);
+        if (!child) {
+            if (then.empty()) return {};
+            std::vector<std::string> names;
+            for (const Handle each : tree_.children(at)) names.push_back(tree_.name(each));
+            warn(document_->has_key(node) ? node.key_begin : node.begin,
+                 path + ": there is no " + joined_path(segments, i + 1) + suggestion(name, names) +
+                     "; " + then);
+            return {};
+        }
+        at = child;
+    }
+    return at;
+}
+
+void KeptTweaks::report_unused_values() {
+    const Node* values =
+        problem_.empty() && document_ ? document_->member(document_->root(), "values") : nullptr;
+    if (values == nullptr) return;
+    for (const Node* node = document_->first(*values); node; node = document_->next(*node)) {
+        const std::string& path = document_->key(*node);
+        find(*node, path, parse_path(path).size() - 1,
+             "the value is set when an instance of that path is made");
+    }
+}
+
+/// Makes parents before their children, in any order of the file. Sets references after all
+/// instances exist.
+void KeptTweaks::create_all() {
+    std::unordered_map<std::string, const std::string*> open;  // keys by path
+    for (const std::string& key : contents_.created) {
+        const std::vector<Segment> segments = parse_path(key);
+        open.emplace(joined_path(segments, segments.size()), &key);
+    }
+    for (const std::string& key : contents_.created) {
+        const std::vector<Segment> segments = parse_path(key);
+        Handle at = tree_.root();
+        for (std::size_t i = 0; at && i < segments.size(); ++i) {
+            const std::string& name = std::get<std::string>(segments[i].key);
+            if (Handle child = tree_.child(at, name)) {
+                at = child;
+                continue;
+            }
+            const auto found = open.find(joined_path(segments, i + 1));
+            if (found == open.end()) break;
+            create(*found->second);
+            open.erase(found);
+            at = tree_.child(at, name);
+        }
+        if (open.erase(joined_path(segments, segments.size())) != 0) create(key);
+    }
+}
+
+void KeptTweaks::create(const std::string& path) {
+    const Node* node = member("created", path);
+    const std::vector<Segment> segments = parse_path(path);
+    const Handle parent = find(*node, path, segments.size() - 1, "nothing can be made below it");
+    if (!parent) return;
+    const std::string& name = std::get<std::string>(segments.back().key);
+    if (tree_.child(parent, name)) return;
+    try {
+        // The text is padded with lines, so that errors name the right line.
+        std::string text(document_->line(node->begin) - 1, '\n');
+        text += document_->raw(*node);
+        const auto scene = std::make_shared<const Document>(std::move(text), file_.string());
+        std::vector<OpenReference> open;
+        const Handle top = load_scene_document(tree_, *scene, parent, name, open);
+        for (const OpenReference& each : open)
+            waiting_.push_back({each.instance, each.property,
+                                tree_.path(each.instance) + path_suffix(each.property), top, scene,
+                                each.node});
+    } catch (const SceneError& error) {
+        report(error);
+    } catch (const Error& error) {
+        warn(node->begin, path + ": " + error.what());
+    }
+}
+
+void KeptTweaks::apply_all() {
+    const Node* deleted =
+        document_ != nullptr ? document_->member(document_->root(), "deleted") : nullptr;
+    std::size_t next = 0;
+    for (const Node* node = deleted != nullptr ? document_->first(*deleted) : nullptr;
+         node && next < contents_.deleted.size(); node = document_->next(*node)) {
+        const std::string& path = contents_.deleted[next++];
+        // An instance that an edit put in its place is made below in any case, so a missing one is
+        // no error.
+        const bool replaced = member("created", path) != nullptr;
+        const Handle instance =
+            find(*node, path, SIZE_MAX, replaced ? "" : "there is nothing to delete");
+        if (!instance) continue;
+        try {
+            const Tree::CauseScope cause(tree_, Writer::load);
+            tree_.destroy(instance);
+        } catch (const Error& error) {
+            warn(node->begin, path + ": " + error.what());
+        }
+    }
+    applied_ = true;
+    waiting_.clear();  // they are added again
+    create_all();
+    apply_values(tree_.root());
+    try_waiting(true);
+    report_unused_values();
+    run_formulas();
+}
+
+/// Values that modules derive from formulas must be correct before the first barrier.
+void KeptTweaks::run_formulas() {
+    for (const auto& [path, values] : contents_.values)
+        if (const Handle instance = instance_or_none(tree_, path))
+            for (const Kept& each : values)
+                if (const Property* property = tree_.find(instance, each.property);
+                    property != nullptr && tree_.formula(instance, *property) != nullptr)
+                    try {
+                        (void)tree_.get(instance, *property);
+                    } catch (const Error&) {  // the error is stored in the property
+                    }
+}
+
+}  // namespace fettle::property

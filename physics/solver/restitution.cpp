@@ -1,0 +1,346 @@
+#include <solver/contact_solver.h>
+#include <solver/joint_response.h>
+#include <solver/solved_pair.h>
+
+#include <cmath>
+#include <vector>
+
+// Impacts before the sub-steps: docs/design/physics.md, "Bounces come first".
+
+namespace fettle::physics::detail {
+namespace {
+
+/// The velocity along the normal that a unit impulse at point i causes at point k, between two
+/// bodies.
+struct PointResponse {
+    float of_first = 0.0f, of_second = 0.0f, between = 0.0f;
+
+    explicit PointResponse(const ContactConstraint& c)
+        : of_first(inverse_or_zero(c.points[0].normal_mass)),
+          of_second(inverse_or_zero(c.points[1].normal_mass)),
+          between(c.coupling_normal) {}
+    float of(int point) const { return point == 0 ? of_first : of_second; }
+};
+
+/// The same with the joints on these bodies.
+struct JointedResponse : PointResponse {
+    JointResponse::Reaction reactions[2];
+
+    JointedResponse(const ContactConstraint& c, JointResponse* joints) : PointResponse(c) {
+        for (int k = 0; k < c.count; ++k) {
+            const ConstraintPoint& p = c.points[k];
+            reactions[k] = joints->reaction_to(
+                Jacobian::along(c.a, c.b, c.normal, p.normal_lever_a, p.normal_lever_b));
+        }
+        // A body that joints hold completely keeps a little mobility, so that no number is divided
+        // by 0.
+        constexpr float least = 1e-5f;
+        of_first = max(of_first - float(reactions[0].reduction(reactions[0])), least * of_first);
+        if (c.count < 2) return;
+        of_second = max(of_second - float(reactions[1].reduction(reactions[1])), least * of_second);
+        between -= float(reactions[0].reduction(reactions[1]));
+    }
+};
+
+/// The impulses at the points of a contact that change the velocities of those that meet by
+/// `wanted`.
+struct Bounce {
+    float impulses[2] = {};
+
+    Bounce(const PointResponse& response, const float (&wanted)[2], const bool (&meets)[2]) {
+        const float k11 = response.of_first, k22 = response.of_second, k12 = response.between;
+        if (meets[0]) impulses[0] = wanted[0] / k11;
+        if (meets[1]) impulses[1] = wanted[1] / k22;
+        if (!meets[0] || !meets[1]) return;
+        // Solves both points together. Solved one after the other, the first would make the body
+        // spin.
+        const float determinant = k11 * k22 - k12 * k12;
+        if (!(determinant > 1e-4f * k11 * k22)) {
+            for (float& impulse : impulses) impulse *= 0.5f;
+            return;
+        }
+        const float p1 = (k22 * wanted[0] - k12 * wanted[1]) / determinant,
+                    p2 = (k11 * wanted[1] - k12 * wanted[0]) / determinant;
+        if (p1 >= 0.0f && p2 >= 0.0f) {
+            impulses[0] = p1;
+            impulses[1] = p2;
+        } else {
+            // The impulse of the other point also reverses the slower one.
+            impulses[wanted[0] > wanted[1] ? 1 : 0] = 0.0f;
+        }
+    }
+};
+
+float velocity_at(const ContactConstraint& c, int point, const SolverBody& a, const SolverBody& b) {
+    const ConstraintPoint& p = c.points[point];
+    return dot(c.normal, b.velocity - a.velocity) +
+           (p.normal_lever_b * b.angular_velocity - p.normal_lever_a * a.angular_velocity);
+}
+
+void push(const ContactConstraint& c, int point, float impulse, std::span<SolverBody> bodies) {
+    const ConstraintPoint& p = c.points[point];
+    SolvedPair pair(c, bodies[c.a], bodies[c.b]);
+    pair.apply(c.normal, impulse, p.normal_lever_a * impulse, p.normal_lever_b * impulse);
+    pair.store(bodies[c.a], bodies[c.b]);
+}
+
+/// False in the pass in which a contact with this restitution e no longer passes impacts on. A body
+/// passes (1 + e) / 2 of its speed on to an equal one at rest, so an impact is down to a hundredth
+/// after ln 100 / ln (2 / (1 + e)) bodies. Bodies that still approach then are pressed together, by
+/// a motor or between walls; the sub-steps stop them.
+bool passes_on(float restitution, uint8_t pass) {
+    constexpr float spent = 0.01f;
+    const float passed_on = 0.5f * (1.0f + restitution);
+    float left = 1.0f;
+    for (uint8_t i = 1; i < pass && left > spent; ++i) left *= passed_on;
+    return left > spent;
+}
+
+/// True if a point approaches fast enough to bounce.
+bool is_fast(const ContactExtra& extra, float restitution_threshold) {
+    return min(extra.approach[0], extra.approach[1]) < -restitution_threshold;
+}
+
+/// The points of a contact that meet within the step.
+struct Meeting {
+    float wanted[2] = {};  ///< changes of the velocities of the points by the impact, m/s
+    bool meets[2] = {};
+    float time = 1.0f;  ///< until the shapes meet, as a share of the step; < 0: they overlap
+
+    /// `extra.approach` has the present velocities. The forces act on the first and on the second
+    /// body.
+    Meeting(const ContactConstraint& c, const ContactExtra& extra, const SolverForce& fa,
+            const SolverForce& fb, int substeps, float dt, float threshold) {
+        for (int k = 0; k < c.count; ++k) {
+            const ConstraintPoint& p = c.points[k];
+            const float velocity = extra.approach[k];
+            // Forces change it by this much in a sub-step.
+            const float change =
+                dot(c.normal, fb.change - fa.change) +
+                (p.normal_lever_b * fb.turn_change - p.normal_lever_a * fa.turn_change);
+            const float mean = velocity + 0.5f * float(substeps + 1) * change;
+            meets[k] =
+                velocity < -threshold && p.separation + dt * mean < 0.0f && p.normal_mass > 0.0f;
+            if (meets[k]) time = min(time, p.separation / (-dt * mean));
+            // Velocities are those half a sub-step before their positions. Without this term, every
+            // bounce would lose the work of the forces in a sub-step.
+            const float v = extra.restitution > 0.0f ? velocity + 0.5f * change
+                                                     : velocity + max(p.separation, 0.0f) / dt;
+            wanted[k] = -(1.0f + extra.restitution) * v;
+        }
+    }
+    bool any() const { return meets[0] || meets[1]; }
+    /// A velocity that the joints of the bodies forbid does not bounce: they take it away. A point
+    /// at which joints hold the bodies does not bounce if a kinematic body drives them.
+    void yield_to_joints(const ContactConstraint& c, const ContactExtra& extra,
+                         const JointedResponse& response, JointResponse& joints,
+                         std::span<const SolverBody> bodies, float threshold) {
+        for (int k = 0; k < c.count; ++k) {
+            const JointResponse::Reaction& reaction = response.reactions[k];
+            const float forbidden = float(joints.forbidden(reaction, bodies));
+            wanted[k] += (1.0f + extra.restitution) * forbidden;
+            meets[k] = meets[k] && extra.approach[k] - forbidden < -threshold;
+            if (joints.are_driven(reaction))
+                meets[k] = meets[k] && !joints.are_held(reaction, response.of(k));
+        }
+    }
+};
+
+/// Impacts with less restitution are solved one after the other: what differs is no more than this
+/// part of their speed.
+constexpr float least_worth = 0.2f;
+
+/// An impact of two bodies in a pass.
+struct PairImpact {
+    uint32_t constraint = 0;
+    float time = 0.0f;  ///< until the shapes meet, as a share of the step; < 0: they overlap
+    PointResponse response;
+    bool meets[2] = {};
+    float after[2] = {};   ///< wanted velocities of the points, m/s
+    float change[2] = {};  ///< in the first round, m/s
+    float restitution = 0.0f;
+    float worth = 0.0f;      ///< of the velocity that is missing after a round
+    float share = 1.0f;      ///< of the impulses that would be right if it were alone
+    float impulses[2] = {};  ///< of all rounds
+    float added[2] = {};     ///< in the present round
+
+    PairImpact(uint32_t index, const ContactConstraint& c, const ContactExtra& extra,
+               const Meeting& meeting)
+        : constraint(index),
+          time(meeting.time),
+          response(c),
+          restitution(extra.restitution),
+          worth(extra.restitution) {
+        for (int k = 0; k < c.count; ++k) {
+            meets[k] = meeting.meets[k];
+            change[k] = meeting.wanted[k];
+            after[k] = extra.approach[k] + meeting.wanted[k];
+        }
+    }
+    /// Computes the impulses of a round. False if hardly a change of velocity is missing.
+    bool approach(const ContactConstraint& c, std::span<const SolverBody> bodies, float part) {
+        constexpr float accuracy = 0.001f;
+        const SolverBody &a = bodies[c.a], &b = bodies[c.b];
+        float missing[2] = {};
+        bool any = false;
+        for (int k = 0; k < c.count; ++k) {
+            if (!meets[k]) continue;
+            missing[k] = after[k] - velocity_at(c, k, a, b);
+            any = any || std::fabs(missing[k]) > accuracy * std::fabs(change[k]);
+        }
+        added[0] = added[1] = 0.0f;
+        if (!any) return false;
+        const Bounce bounce(response, missing, meets);
+        for (int k = 0; k < c.count; ++k) added[k] = max(part * bounce.impulses[k], -impulses[k]);
+        return true;
+    }
+    void add(const ContactConstraint& c, std::span<SolverBody> bodies) {
+        for (int k = 0; k < c.count; ++k) {
+            push(c, k, added[k], bodies);
+            impulses[k] += added[k];
+        }
+    }
+};
+
+void for_moving(const ContactConstraint& c, std::span<const SolverBody> bodies, auto&& act) {
+    if (moves(bodies[c.a])) act(c.a);
+    if (moves(bodies[c.b])) act(c.b);
+}
+
+/// Leaves out impacts that come later than another one of the same body: after that one, the body
+/// moves elsewhere. The others get their share: 1 / the number of impacts of one of its bodies.
+void keep_first(std::vector<PairImpact>& impacts, std::span<const ContactConstraint> constraints,
+                std::span<const SolverBody> bodies, std::span<FirstImpact> first) {
+    constexpr float same = 1e-4f;
+    for (const PairImpact& impact : impacts)
+        for_moving(constraints[impact.constraint], bodies,
+                   [&](uint32_t body) { first[body] = {}; });
+    for (const PairImpact& impact : impacts)
+        for_moving(constraints[impact.constraint], bodies,
+                   [&](uint32_t body) { first[body].time = min(first[body].time, impact.time); });
+    std::erase_if(impacts, [&](const PairImpact& impact) {
+        const ContactConstraint& c = constraints[impact.constraint];
+        bool later = false;
+        for_moving(c, bodies,
+                   [&](uint32_t body) { later |= impact.time > first[body].time + same; });
+        if (!later) for_moving(c, bodies, [&](uint32_t body) { ++first[body].count; });
+        return later;
+    });
+}
+
+/// Impacts that happen at the same time. Solved one after the other, the first would get more: a
+/// ball that meets two others in the middle would leave to the side. So in each round all impulses
+/// are computed from the same velocities, each a share of what would be right if it were alone. In
+/// a narrow wedge such rounds would take long, so the last ones are one after the other. What is
+/// missing at the end is left to the next pass, which bounces it: after n rounds this is worth
+/// about eⁿ with the restitution e, and no less than `least_worth`.
+void solve_together(std::vector<PairImpact>& impacts,
+                    std::span<const ContactConstraint> constraints, std::span<SolverBody> bodies,
+                    std::span<const FirstImpact> first) {
+    constexpr int rounds_together = 12, rounds_in_all = 60;
+    std::vector<PairImpact*> shared;  // Alone, an impact is exact after the first round.
+    for (PairImpact& impact : impacts) {
+        const ContactConstraint& c = constraints[impact.constraint];
+        uint32_t count = 1;
+        for_moving(c, bodies, [&](uint32_t body) { count = max(count, first[body].count); });
+        impact.share = 1.0f / float(count);
+        impact.approach(c, bodies, impact.share);
+        if (count > 1) shared.push_back(&impact);
+    }
+    for (PairImpact& impact : impacts) impact.add(constraints[impact.constraint], bodies);
+    for (int round = 1; round < rounds_in_all && !shared.empty(); ++round) {
+        const bool in_turn = round >= rounds_together;
+        bool any = false;
+        for (PairImpact* const impact : shared) {
+            const ContactConstraint& c = constraints[impact->constraint];
+            any |= impact->approach(c, bodies, in_turn ? 1.0f : impact->share);
+            if (in_turn) impact->add(c, bodies);
+        }
+        if (!any) return;
+        for (PairImpact* const impact : shared)
+            if (!in_turn) impact->add(constraints[impact->constraint], bodies);
+        std::erase_if(shared, [&](PairImpact* impact) {
+            impact->worth *= impact->restitution;
+            return impact->worth < least_worth;
+        });
+    }
+}
+
+}  // namespace
+
+bool ContactSolver::may_bounce() const {
+    for (const ContactExtra& extra : extras)
+        if (extra.in_impact && is_fast(extra, restitution_threshold)) return true;
+    return false;
+}
+
+bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
+                           JointResponse* joints) {
+    const float dt = float(substeps) / inverse_h;
+    const std::span<uint8_t> changed = bounced.last_pass;
+    std::vector<PairImpact> impacts;
+    bool any = false;
+    const auto mark = [&](uint32_t body) {
+        if (moves(bodies[body])) changed[body] = pass;
+    };
+    const auto record = [&](ContactExtra& extra, int point, float impulse) {
+        extra.greatest[point] = max(extra.greatest[point], impulse);
+        extra.total[point] += impulse;
+        extra.impact[point] += impulse / float(substeps);
+    };
+    for (uint32_t i = 0; i < constraints.size(); ++i) {
+        const ContactConstraint& c = constraints[i];
+        // Neither body has changed since the last pass.
+        if (pass > 1 && changed[c.a] + 1 < pass && changed[c.b] + 1 < pass) continue;
+        if (c.extra == 0 || !extras[c.extra - 1].in_impact) continue;
+        ContactExtra& extra = extras[c.extra - 1];
+        if (!passes_on(extra.restitution, pass)) continue;
+        const SolverBody &a = bodies[c.a], &b = bodies[c.b];
+        // After the impulses of other contacts.
+        for (int k = 0; k < c.count; ++k) extra.approach[k] = velocity_at(c, k, a, b);
+        // Most contacts of a heap only pass small speeds on. Their forces are not read.
+        if (!is_fast(extra, restitution_threshold)) continue;
+        Meeting meeting(c, extra, forces[c.a], forces[c.b], substeps, dt, restitution_threshold);
+        if (!meeting.any()) continue;
+        const bool jointed = joints != nullptr && joints->acts_on(c.a, c.b);
+        if (!jointed && extra.restitution >= least_worth) {
+            impacts.push_back(PairImpact(i, c, extra, meeting));
+            // Also if it is left out of this pass: the next one looks at it again.
+            mark(c.a);
+            mark(c.b);
+            continue;
+        }
+        const auto apply = [&](const PointResponse& response) {
+            const Bounce bounce(response, meeting.wanted, meeting.meets);
+            for (int k = 0; k < c.count; ++k) {
+                push(c, k, bounce.impulses[k], bodies);
+                record(extra, k, bounce.impulses[k]);
+            }
+            any = true;
+            mark(c.a);
+            mark(c.b);
+            return bounce;
+        };
+        if (!jointed) {
+            apply(PointResponse(c));
+            continue;
+        }
+        const JointedResponse response(c, joints);
+        meeting.yield_to_joints(c, extra, response, *joints, bodies, restitution_threshold);
+        if (!meeting.any()) continue;
+        const Bounce bounce = apply(response);
+        for (int k = 0; k < c.count; ++k)
+            if (bounce.impulses[k] != 0.0f)
+                joints->apply(response.reactions[k], double(bounce.impulses[k]), bodies, mark);
+    }
+    if (impacts.empty()) return any;
+    keep_first(impacts, constraints, bodies, bounced.first);
+    solve_together(impacts, constraints, bodies, bounced.first);
+    for (const PairImpact& impact : impacts) {
+        const ContactConstraint& c = constraints[impact.constraint];
+        for (int k = 0; k < c.count; ++k) record(extras[c.extra - 1], k, impact.impulses[k]);
+    }
+    return true;
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <step/finish.h>
+
+// Impacts on the way. A body that moved far compared with its thickness may have passed through a
+// thin obstacle. The core of a shape is the part that is deeper than half of its inner radius. If
+// the core met an obstacle on the way, the body must not go beyond the point where the shape itself
+// arrived. Only the core counts, so that bodies that slide over a floor of many pieces are not
+// stopped at every seam.
+
+namespace fettle::physics::detail {
+
+/// How far a shape may follow its motion.
+struct Impact {
+    float time = 1.0f;  ///< from now to 1; 1: it meets nothing
+    /// If the centroid of the shape is at the obstacle already: the displacement that keeps it from
+    /// going farther. Zero otherwise.
+    Vec2 back;
+    /// From the obstacle to the shape at that time, in world axes, if one of the bodies is
+    /// kinematic and they were beside each other before: the step solved their contact, so the
+    /// shape may slide along the obstacle. Zero otherwise.
+    Vec2 normal;
+};
+
+/// How far `shape` may follow its motion from `now` without passing through `obstacle`.
+Impact time_of_impact(const FinishInput& in, uint32_t shape, const Motion& motion,
+                      uint32_t obstacle, const Motion& obstacle_motion, float now);
+
+/// The same for all fixed obstacles together.
+Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Motion& motion,
+                                 float now);
+
+/// A box around the shape on its way from `now` to 1.
+Box4 swept_box(const FinishInput& in, uint32_t shape, const Motion& motion, float now);
+
+/// False if the two shapes do not collide, or if their contact does not act.
+bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other);
+
+/// Moves the body from the pose of its vertices to where its motion ends.
+void follow_motion(const FinishInput& in, uint32_t body, const Motion& motion,
+                   FinishedPiece& piece);
+
+/// Removes the change of velocity that forces made in `share` of the step. The motion of a body
+/// that an impact stops ends before the step does: the forces of the remaining time would add
+/// energy for a distance that the body did not move.
+void undo_forces(const FinishInput& in, uint32_t body, float share);
+
+// continuous_collision_joints.cpp
+
+/// Puts bodies back that have joints with a body that a fixed shape stopped.
+void put_back_joined(const FinishInput& in);
+
+// continuous_collision_moving.cpp
+
+/// Stops bullets where they meet other moving bodies, and lets kinematic bodies carry other bodies
+/// along.
+void meet_moving_bodies(const FinishInput& in);
+
+// sensor_crossings.cpp
+
+/// Reports the sensors that fast bodies moved through within the step.
+void report_crossings(const FinishInput& in);
+
+}  // namespace fettle::physics::detail
