@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "wild/checks/facts.h"
 
@@ -139,14 +140,19 @@ void Passages::add_passages(const Pair& pair, const Moment& moment,
         const Vec2 low = begin.min(end), high = begin.max(end);
         const bool near = low.x <= outline.box.max.x && low.y <= outline.box.max.y &&
                           high.x >= outline.box.min.x && high.y >= outline.box.min.y;
+        // In the order of the way: a body that clips a corner enters before it leaves.
+        std::vector<std::pair<float, Passage>> at;
         for (const Edge& edge : outline.edges) {
             if (!near) break;
             if (const int sense = crossing(edge, begin, end); sense != 0) {
                 const Vec2 along = (edge.to - edge.from).normalized();
-                crossed.push_back({pair.body, pair.core, pair.obstacle, pair.shape, sense,
-                                   Vec2{-along.y, along.x}, outline.kind});
+                at.push_back({part_of_way(edge, begin, end),
+                              {pair.body, pair.core, pair.obstacle, pair.shape, sense,
+                               Vec2{-along.y, along.x}, outline.kind}});
             }
         }
+        std::ranges::stable_sort(at, {}, &std::pair<float, Passage>::first);
+        for (const auto& [part, passage] : at) crossed.push_back(passage);
     };
     std::vector<Passage> on_way, straight;
     const Vec2 first = from;
