@@ -118,6 +118,35 @@ TEST_CASE("a body that clips a corner in a step does not pass through") {
     }
 }
 
+TEST_CASE("a thin body that is pressed in by its own thickness does not pass through") {
+    struct Pressed {
+        fettle::physics::Geometry body, obstacle;
+        float depth;
+        bool through;
+    };
+    const fettle::physics::Geometry thick = Box{.height = 1}, thin = Box{.height = 0.01f};
+    const fettle::physics::Geometry line = Segment{.from = {-5, 0}, .to = {5, 0}};
+    const fettle::physics::Geometry grain = Circle{.radius = 0.01f}, ball = Circle{.radius = 0.2f};
+    for (const Pressed& each : {Pressed{grain, line, 0.005f, false},
+                                {grain, line, 0.02f, true},
+                                Pressed{ball, line, 0.02f, true},
+                                {grain, thick, 0.005f, false},
+                                Pressed{grain, thick, 0.02f, true},
+                                {ball, thick, 0.02f, true},
+                                Pressed{grain, thin, 0.004f, true}}) {
+        CAPTURE(each.depth, each.through);
+        const bool on_line = std::holds_alternative<Segment>(each.obstacle);
+        const float top = on_line ? 0 : 0.5f * std::get<Box>(each.obstacle).height;
+        WorldPlan plan;
+        plan.bodies.push_back(
+            {.def = {.type = BodyType::static_body}, .shapes = {{each.obstacle}}});
+        plan.bodies.push_back({.def = {.position = {0, top + 0.3f}}, .shapes = {{each.body}}});
+        HandMade world("through", plan);
+        CHECK_FALSE(world.finds_within(0.1f));  // a body that is made inside another is not judged
+        CHECK(world.finds_on_way(1, {0, top - each.depth}) == each.through);
+    }
+}
+
 TEST_CASE("the invariant of energy allows a push to move what is joined to its body at once") {
     for (const bool overlaps : {false, true}) {
         CAPTURE(overlaps);

@@ -87,6 +87,26 @@ bool Passages::is_around_line(int body, const Moment& moment) const {
     });
 }
 
+bool Passages::is_past(const Passage& passage, const Moment& moment) const {
+    // A pile presses a body that is thinner than this in by half of it, and the body comes back.
+    constexpr float pressed_in = 0.01f;
+    const auto obstacle = std::size_t(passage.obstacle), shape = std::size_t(passage.shape);
+    const BodyNow& body = moment.after[std::size_t(passage.body)];
+    const BodyNow& other = moment.after[obstacle];
+    float least = pressed_in;
+    for (const Core& core : cores_of(moment.plan.bodies[obstacle].shapes[shape].geometry))
+        if (passage.kind == Outline::Kind::solid) least = std::min(least, 0.5f * core.depth);
+    return std::ranges::any_of(pairs_, [&](const Pair& pair) {
+        if (std::tuple(pair.body, pair.core, pair.obstacle, pair.shape) != passage.pair())
+            return false;
+        const Vec2 deep =
+            local(placed(pair.deep.point, body.position, body.angle), other.position, other.angle);
+        return std::ranges::all_of(outlines_[obstacle][shape].edges, [&](const Edge& edge) {
+            return distance_to(edge, deep) > std::min(least, pair.deep.depth);
+        });
+    });
+}
+
 void Passages::add_passages(const Pair& pair, const Moment& moment,
                             std::vector<Passage>& found) const {
     const BodyNow& b0 = moment.before[std::size_t(pair.body)];
