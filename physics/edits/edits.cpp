@@ -4,6 +4,7 @@
 #include <forms/corners.h>
 #include <geometry/trigonometry.h>
 #include <state/active_lists.h>
+#include <state/crowding.h>
 #include <state/limits.h>
 #include <state/place_shape.h>
 
@@ -47,6 +48,11 @@ void mark_mass(ObjectState& objects, ActiveLists& active, uint32_t body) {
 void mark_placement(ObjectState& objects, ActiveLists& active, uint32_t body) {
     objects.bodies[body].flags.placement_dirty = true;
     list_body(objects, active, body);
+}
+
+void mark_joints(ObjectState& objects, ActiveLists& active, uint32_t body) {
+    if (body != 0 && objects.bodies[body].lists.joint_count >= least_crowding)
+        list_body(objects, active, body);
 }
 
 void mark_moved(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape) {
@@ -225,6 +231,7 @@ void refresh(const Editing& e) {
         if (!e.objects.bodies[body].listed) continue;
         refresh_mass(e, body);
         refresh_placement(e, body);
+        e.objects.bodies[body].may_be_crowded = may_be_crowded(e.objects, body);
         e.objects.bodies[body].listed = false;
     }
     e.active.edited_bodies.clear();
@@ -431,6 +438,9 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
         moves && !(record.flags.locked_x && record.flags.locked_y) ? bounded_inverse(mass) : 0.0f;
     record.inverse_inertia =
         moves && !record.flags.locked_rotation ? bounded_inverse(inertia) : 0.0f;
+    objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
+        mark_joints(objects, e.active, objects.joints[joint].bodies[side ^ 1]);
+    });
 }
 
 void teleport(const Activity& activity, uint32_t body, const Position& position, float angle) {

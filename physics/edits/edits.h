@@ -29,6 +29,9 @@ struct Editing {
 void mark_geometry(ObjectState& objects, ActiveLists& active, uint32_t shape);
 void mark_mass(ObjectState& objects, ActiveLists& active, uint32_t body);
 void mark_placement(ObjectState& objects, ActiveLists& active, uint32_t body);
+/// Must be called after the mass of the body or its number of joints changed: it is computed anew
+/// whether its joints may crowd it.
+void mark_joints(ObjectState& objects, ActiveLists& active, uint32_t body);
 /// Must be called when an edit moved the shape or changed which shapes it collides with: all its
 /// pairs are searched again.
 void mark_moved(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape);
@@ -126,6 +129,8 @@ ShapeDef with_own(const ShapeDef& of_shape, const SegmentSurface& own);
 
 // joints.cpp, break_joints.cpp
 
+/// Must be called with each edit of a joint: its bodies wake.
+void edit_joint(const Activity& activity, uint32_t joint);
 uint32_t create_joint(const Editing& editing, const JointRecord& record);
 void destroy_joint(const Editing& editing, uint32_t joint);
 /// 0: the world; if both are, the joint is dormant.

@@ -45,12 +45,18 @@ void refilter_joint(const Editing& e, uint32_t joint) {
 
 /// Must be called after an edit that may change the effect of the joint.
 void update_joint(const Editing& e, uint32_t joint) {
-    wake_joint(e.activity, joint);
+    edit_joint(e.activity, joint);
     list_joint(e.objects, e.active, joint);
     refilter_joint(e, joint);
 }
 
 }  // namespace
+
+void edit_joint(const Activity& activity, uint32_t joint) {
+    wake_joint(activity, joint);
+    for (const uint32_t body : activity.objects.joints[joint].bodies)
+        mark_joints(activity.objects, activity.active, body);
+}
 
 uint32_t create_joint(const Editing& e, const JointRecord& record) {
     const uint32_t slot =
@@ -65,7 +71,7 @@ uint32_t create_joint(const Editing& e, const JointRecord& record) {
 }
 
 void destroy_joint(const Editing& e, uint32_t joint) {
-    wake_joint(e.activity, joint);
+    edit_joint(e.activity, joint);
     e.objects.joints[joint].enabled = false;
     list_joint(e.objects, e.active, joint);
     refilter_joint(e, joint);
@@ -78,7 +84,7 @@ void destroy_joint(const Editing& e, uint32_t joint) {
 
 void set_joint_bodies(const Editing& e, uint32_t joint, uint32_t a, uint32_t b) {
     JointRecord& record = e.objects.joints[joint];
-    wake_joint(e.activity, joint);
+    edit_joint(e.activity, joint);
     const bool enabled = std::exchange(record.enabled, false);
     refilter_joint(e, joint);  // the two bodies may collide now
     e.objects.dormant_joints -= record.dormant();
@@ -107,7 +113,7 @@ void set_joint_broken(const Editing& e, uint32_t joint, bool broken) {
 
 void set_joint_collide(const Editing& e, uint32_t joint, bool collide) {
     e.objects.joints[joint].collide = collide;
-    wake_joint(e.activity, joint);
+    edit_joint(e.activity, joint);
     refilter_joint(e, joint);
 }
 

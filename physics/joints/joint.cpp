@@ -196,7 +196,7 @@ FETTLE_JOINT_READ(uint64_t, user_data)
     void Joint::set_anchor_##letter(const Position& anchor) {                                \
         WorldData& data = edited(__func__);                                                  \
         data.joints[id_.index].anchors[side] = check_coordinates("anchor_" #letter, anchor); \
-        data.change<wake_joint>(id_.index);                                                  \
+        data.change<edit_joint>(id_.index);                                                  \
     }                                                                                        \
     Position Joint::world_anchor_##letter() const {                                          \
         const Body body = body_##letter();                                                   \
@@ -218,7 +218,7 @@ void Joint::set_collide(bool collide) {
     void Joint::set_##name(float value) {                  \
         WorldData& data = edited(__func__);                \
         data.joints[id_.index].name = check(#name, value); \
-        data.change<wake_joint>(id_.index);                \
+        data.change<edit_joint>(id_.index);                \
     }
 FETTLE_JOINT_VALUE(break_force, check_strength)
 FETTLE_JOINT_VALUE(break_torque, check_strength)

@@ -79,7 +79,7 @@ Settings& Joint::edit(const char* of, const char* function) const {
     Settings& settings = settings_as<Settings>();
     detail::WorldData& data = live();
     data.self.may_edit(of, function);
-    data.change<detail::wake_joint>(id_.index);
+    data.change<detail::edit_joint>(id_.index);
     return settings;
 }
 

@@ -123,8 +123,8 @@ void fields(auto& io, Some<BodyRecord> auto& s) {
     fields_of<BodyRecord>(io, s.center, s.local_center, s.inverse_mass, s.inverse_inertia,
                           s.gravity_scale, s.linear_damping, s.angular_damping, s.load, s.step_load,
                           s.angle_rest, s.extent, s.thickness, s.sleep_time, s.solver_index,
-                          mobility, listed, s.type, s.flags, s.lists, s.mass, s.inertia, s.given,
-                          s.rebuilds, s.traits, s.user_data);
+                          mobility, listed, s.type, s.flags, s.may_be_crowded, s.lists, s.mass,
+                          s.inertia, s.given, s.rebuilds, s.traits, s.user_data);
     if constexpr (!std::is_const_v<std::remove_reference_t<decltype(s)>>) {
         s.mobility = mobility;
         s.listed = listed;

@@ -1,6 +1,7 @@
 // Checks that redundant lists of a deserialized world agree.
 
 #include <saving/saved_world.h>
+#include <state/crowding.h>
 
 namespace fettle::physics::detail {
 namespace {
@@ -325,6 +326,9 @@ Fault check_joints(const WorldState& data) {
             });
         if (count != data.bodies[body].lists.joint_count)
             return "body " + to_string(body) + " has a broken list of joints";
+        if (data.edited_bodies.empty() && data.edited_shapes.empty() &&
+            data.bodies[body].may_be_crowded != may_be_crowded(data, body))
+            return "it is not known whether joints crowd body " + to_string(body);
         edges += count;
     }
     if (edges != 2 * live) return std::string("a joint is not listed in its bodies");

@@ -1,81 +1,12 @@
 #include <solver/crowded_joints.h>
 #include <state/active_lists.h>
+#include <state/crowding.h>
 
 #include <array>
 #include <cmath>
 
 namespace fettle::physics::detail {
 namespace {
-
-/// Bodies of a lower strength are not crowded. A node of a grid has 2.
-constexpr float least_strength = 2.5f, strength_of_grid = 2.0f;
-
-/// Calls `visit(number of its code, joint)` for each acting joint that holds rigidly.
-void for_each_held(const ObjectState& objects, const ActiveLists& active,
-                   const std::vector<uint8_t>& codes, auto&& visit) {
-    size_t code = 0;
-    for (size_t type = 0; type < joint_type_count; ++type) {
-        const auto& awake = active.awake_joints[type];
-        const auto holds = joint_kind(JointType(type)).holds;
-        for (size_t i = 0; holds != nullptr && i < awake.size(); ++i) {
-            const JointRecord& joint = objects.joints[awake[i]];
-            if (codes[code + i] != 0 && holds(joint)) visit(code + i, joint);
-        }
-        code += awake.size();
-    }
-}
-
-// --- A bound without the current levers ----------------------------------------------------------
-
-/// The parts of a body in the directions and in the angle of its joints, if the other bodies did
-/// not turn. Most bodies need no closer look.
-struct Bound {
-    float along = 0.0f, turn = 0.0f;
-    Vec2 arms;  ///< sum, in the coordinates of the body: 0 if the joints are all around
-    float lengths = 0.0f;
-    uint32_t count = 0;
-    bool welded = false;
-
-    bool may_be_crowded() const {
-        constexpr uint32_t least_joints = 3;
-        if (count < least_joints) return false;
-        if (welded) return true;
-        const float aside = lengths > 0.0f ? (std::abs(arms.x) + std::abs(arms.y)) / lengths : 0.0f;
-        const float half = 0.5f * (along - turn);
-        const float greatest =
-            0.5f * (along + turn) + std::sqrt(half * half + aside * aside * along * turn);
-        return greatest > 1.05f * least_strength;  // a grid that is fixed to the world has 2.6
-    }
-};
-
-std::vector<Bound> bounds_of(const JointSource& source, const ActiveLists& active,
-                             const std::vector<uint8_t>& codes) {
-    const std::vector<SolverBody>& bodies = source.bodies.solver_bodies;
-    std::vector<Bound> bounds(bodies.size());
-    for_each_held(source.objects, active, codes, [&](size_t, const JointRecord& joint) {
-        uint32_t index[2];
-        for (const size_t side : {0, 1})
-            index[side] = source.bodies.solver_ends[joint.bodies[side]].index();
-        const float inverse = bodies[index[0]].inverse_mass + bodies[index[1]].inverse_mass;
-        for (const size_t side : {0, 1}) {
-            const SolverBody& body = bodies[index[side]];
-            if (body.inverse_mass == 0.0f) continue;
-            const Vec2 arm =
-                Vec2(joint.anchors[side]) - source.objects.bodies[joint.bodies[side]].local_center;
-            const float by_turn = body.inverse_inertia * dot(arm, arm);
-            Bound& bound = bounds[index[side]];
-            bound.along += body.inverse_mass / inverse;
-            bound.turn += by_turn / (inverse + by_turn);
-            bound.arms = bound.arms + arm;
-            bound.lengths += std::abs(arm.x) + std::abs(arm.y);
-            bound.welded |= joint.type == JointType::weld;
-            ++bound.count;
-        }
-    });
-    return bounds;
-}
-
-// --- The strength of the joints of a body --------------------------------------------------------
 
 using Rows = std::array<std::array<float, 3>, 3>;
 
@@ -168,50 +99,56 @@ struct Strength {
     }
 };
 
+/// Calls `visit(joint, side of the body, number of its code)` for each acting joint of a body that
+/// holds rigidly.
+class HeldJoints {
+  public:
+    HeldJoints(const ObjectState& objects, const ActiveLists& active,
+               const std::vector<uint8_t>& codes)
+        : objects_(objects), codes_(codes) {
+        size_t sum = 0;
+        for (size_t type = 0; type < joint_type_count; ++type) {
+            first_codes_[type] = sum;
+            sum += active.awake_joints[type].size();
+        }
+    }
+    void for_each(uint32_t body, auto&& visit) const {
+        objects_.for_each_joint(body, [&](uint32_t slot, uint32_t side) {
+            const JointRecord& joint = objects_.joints[slot];
+            const auto holds = joint_kind(joint.type).holds;
+            if (joint.awake_index == none || holds == nullptr || !holds(joint)) return;
+            const size_t code = first_codes_[size_t(joint.type)] + joint.awake_index;
+            if (codes_[code] != 0) visit(joint, side, code);
+        });
+    }
+
+  private:
+    const ObjectState& objects_;
+    const std::vector<uint8_t>& codes_;
+    std::array<size_t, joint_type_count> first_codes_;
+};
+
 }  // namespace
 
 std::vector<float> shares_of_crowded(const JointSource& source, const ActiveLists& active,
                                      const std::vector<uint8_t>& codes) {
-    if (codes.empty()) return {};
-    const std::vector<Bound> bounds = bounds_of(source, active, codes);
-    std::vector<uint32_t> places;  // by solver body: in `strengths`
-    std::vector<Strength> strengths;
-    for (size_t i = 1; i < bounds.size(); ++i) {
-        if (!bounds[i].may_be_crowded()) continue;
-        if (places.empty()) places.assign(bounds.size(), none);
-        places[i] = uint32_t(strengths.size());
-        strengths.emplace_back();
+    std::vector<float> shares;
+    const HeldJoints held(source.objects, active, codes);
+    for (const uint32_t body : source.bodies.maybe_crowded) {
+        Strength strength;
+        held.for_each(body, [&](const JointRecord& joint, uint32_t side, size_t) {
+            const JointEnds ends = source.ends_of(joint);
+            const HeldRows rows(joint, ends, source.bodies.solver_bodies[ends.a],
+                                source.bodies.solver_bodies[ends.b]);
+            strength.add(side == 0 ? rows.a : rows.b, rows.count);
+        });
+        const float greatest = strength.greatest();
+        if (!(greatest > least_strength)) continue;
+        shares.resize(codes.size(), 1.0f);
+        held.for_each(body, [&](const JointRecord&, uint32_t, size_t code) {
+            shares[code] = min(shares[code], strength_of_grid / greatest);
+        });
     }
-    if (strengths.empty()) return {};
-    const auto places_of = [&](const JointRecord& joint) {
-        const auto place = [&](uint32_t body) {
-            return places[source.bodies.solver_ends[body].index()];
-        };
-        return std::array{place(joint.bodies[0]), place(joint.bodies[1])};
-    };
-    for_each_held(source.objects, active, codes, [&](size_t, const JointRecord& joint) {
-        const auto [at_a, at_b] = places_of(joint);
-        if (at_a == none && at_b == none) return;
-        const JointEnds ends = source.ends_of(joint);
-        const HeldRows rows(joint, ends, source.bodies.solver_bodies[ends.a],
-                            source.bodies.solver_bodies[ends.b]);
-        if (at_a != none) strengths[at_a].add(rows.a, rows.count);
-        if (at_b != none) strengths[at_b].add(rows.b, rows.count);
-    });
-    std::vector<float> greatest;
-    bool any = false;
-    for (const Strength& strength : strengths) {
-        greatest.push_back(strength.greatest());
-        any = any || greatest.back() > least_strength;
-    }
-    if (!any) return {};
-    std::vector<float> shares(codes.size(), 1.0f);
-    for_each_held(source.objects, active, codes, [&](size_t code, const JointRecord& joint) {
-        float strength = 0.0f;
-        for (const uint32_t at : places_of(joint))
-            if (at != none) strength = max(strength, greatest[at]);
-        if (strength > least_strength) shares[code] = strength_of_grid / strength;
-    });
     return shares;
 }
 

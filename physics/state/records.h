@@ -115,6 +115,7 @@ struct BodyRecord {
     uint8_t listed : 4 = 0;  ///< in the list of bodies to refresh
     BodyType type = BodyType::dynamic_body;
     BodyFlags flags;
+    bool may_be_crowded = false;  ///< by its joints: state/crowding.h
     BodyLists lists;
 
     float mass = 0.0f, inertia = 0.0f;

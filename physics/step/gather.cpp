@@ -15,7 +15,8 @@ enum Gathered : uint8_t {
     some_locked = 1,
     some_axis_locked = 2,
     some_driven = 4,
-    some_crowded = 8
+    some_touched_by_many = 8,
+    some_maybe_crowded = 16
 };
 
 uint8_t gather_body(const BodyRecord& record, const BodyState& state, Vec2 gravity, float h,
@@ -41,7 +42,8 @@ uint8_t gather_body(const BodyRecord& record, const BodyState& state, Vec2 gravi
     const bool axis = record.flags.locked_x || record.flags.locked_y;
     return uint8_t((axis ? some_axis_locked | some_locked : 0) |
                    (record.flags.locked_rotation ? some_locked : 0) |
-                   (record.lists.contact_count >= Hubs::least_contacts ? some_crowded : 0));
+                   (record.lists.contact_count >= Hubs::least_contacts ? some_touched_by_many : 0) |
+                   (record.may_be_crowded ? some_maybe_crowded : 0));
 }
 
 }  // namespace
@@ -78,12 +80,17 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
     });
     uint8_t found = 0;
     hubs.begin(strips.count());
+    bodies.maybe_crowded.clear();
     for (size_t piece = 0; piece < bodies.gathered.size(); ++piece) {
         found |= bodies.gathered[piece];
+        const size_t begin = piece * gathered_at_a_time;
+        const size_t end = std::min(begin + gathered_at_a_time, count);
+        for (size_t i = begin; (bodies.gathered[piece] & some_maybe_crowded) != 0 && i < end; ++i)
+            if (records[awake[i]].may_be_crowded) bodies.maybe_crowded.push_back(awake[i]);
         // Solvers that solve one contact after the other need no hubs.
-        if ((bodies.gathered[piece] & some_crowded) != 0 && settings.solver == Solver::soft_step)
-            find_hubs(objects, awake, piece * gathered_at_a_time,
-                      std::min((piece + 1) * gathered_at_a_time, count), bodies, hubs);
+        if ((bodies.gathered[piece] & some_touched_by_many) != 0 &&
+            settings.solver == Solver::soft_step)
+            find_hubs(objects, awake, begin, end, bodies, hubs);
     }
     bodies.axes_locked = (found & some_axis_locked) != 0;
     bodies.driven = (found & some_driven) != 0;

@@ -38,6 +38,18 @@ class HandMade {
             if (check_->violation({plan_, step_++, dt, false, edited, bodies, bodies})) return true;
         return false;
     }
+    /// True if the check finds something in a step in which a body moves to that place, or in the
+    /// second after it.
+    bool finds_on_way(std::size_t body, Vec2 to) {
+        const std::vector<BodyNow> before = bodies;
+        BodyNow& moved = bodies[body];
+        moved.velocity = (to - moved.position) / dt;
+        moved.position = moved.center = to;
+        const std::vector<bool> edited(bodies.size(), false);
+        time_ += dt;
+        return check_->violation({plan_, step_++, dt, false, edited, before, bodies}) ||
+               finds_within(1);
+    }
     std::vector<BodyNow> bodies;
 
   private:
@@ -79,6 +91,69 @@ TEST_CASE("the invariant of frozen bodies allows what joints hold at a body in a
         world.bodies[0].touched = {the_world};
         world.bodies[1].velocity = {2, 0};
         CHECK(world.finds_within(0.2f) == (overlap == 0));
+    }
+}
+
+TEST_CASE("a body that clips a corner in a step does not pass through") {
+    struct Way {
+        Vec2 from, to;
+        bool through;
+    };
+    // Both ways round each corner, and through the middle.
+    std::vector<Way> ways = {{{0, -1}, {0, 1}, true}, {{2, 0}, {-2, 0}, true}};
+    for (const float x : {-1.0f, 1.0f})
+        for (const float y : {-1.0f, 1.0f}) {
+            ways.push_back({{1.27f * x, 0.13f * y}, {1.2f * x, 0.17f * y}, false});
+            ways.push_back({{1.2f * x, 0.17f * y}, {1.27f * x, 0.13f * y}, false});
+        }
+    for (const Way& way : ways) {
+        CAPTURE(way.from.x, way.from.y, way.to.x);
+        WorldPlan plan;
+        plan.bodies.push_back({.def = {.type = BodyType::static_body},
+                               .shapes = {{Box{.width = 2.5f, .height = 0.3f}}}});
+        plan.bodies.push_back(
+            {.def = {.position = way.from}, .shapes = {{Circle{.radius = 0.01f}}}});
+        HandMade world("through", plan);
+        CHECK(world.finds_on_way(1, way.to) == way.through);
+    }
+}
+
+TEST_CASE("a thin body that is pressed in by its own thickness does not pass through") {
+    struct Pressed {
+        fettle::physics::Geometry body, obstacle;
+        float depth;
+        bool through;
+    };
+    const fettle::physics::Geometry thick = Box{.height = 1}, thin = Box{.height = 0.01f};
+    const fettle::physics::Geometry line = Segment{.from = {-5, 0}, .to = {5, 0}};
+    const fettle::physics::Geometry grain = Circle{.radius = 0.01f}, ball = Circle{.radius = 0.2f};
+    for (const Pressed& each : {Pressed{grain, line, 0.005f, false},
+                                {grain, line, 0.02f, true},
+                                Pressed{ball, line, 0.02f, true},
+                                {grain, thick, 0.005f, false},
+                                Pressed{grain, thick, 0.02f, true},
+                                {ball, thick, 0.02f, true},
+                                Pressed{grain, thin, 0.004f, true}}) {
+        CAPTURE(each.depth, each.through);
+        const bool on_line = std::holds_alternative<Segment>(each.obstacle);
+        const float top = on_line ? 0 : 0.5f * std::get<Box>(each.obstacle).height;
+        WorldPlan plan;
+        plan.bodies.push_back(
+            {.def = {.type = BodyType::static_body}, .shapes = {{each.obstacle}}});
+        plan.bodies.push_back({.def = {.position = {0, top + 0.3f}}, .shapes = {{each.body}}});
+        HandMade world("through", plan);
+        CHECK_FALSE(world.finds_within(0.1f));  // a body that is made inside another is not judged
+        CHECK(world.finds_on_way(1, {0, top - each.depth}) == each.through);
+    }
+}
+
+TEST_CASE("the invariant of energy allows a push to move what is joined to its body at once") {
+    for (const bool overlaps : {false, true}) {
+        CAPTURE(overlaps);
+        HandMade world("energy", two_boxes(JointType::revolute));
+        world.bodies[1].mass = 10;
+        world.bodies[0].deepest = overlaps ? 0.1f : 0.0f;
+        CHECK(world.finds_on_way(1, world.bodies[1].position + Vec2(2.5f * dt, 0)) != overlaps);
     }
 }
 

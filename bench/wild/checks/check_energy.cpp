@@ -44,6 +44,10 @@ class Energy : public Check {
         double moving = 0, allowed = 0;
         overlapped_.resize(moment.after.size(), false);
         pushes_.resize(moment.after.size(), 1);
+        // A push moves what is joined to its body in the same step.
+        for (std::size_t i = 0; i < moment.after.size(); ++i)
+            if (std::max(moment.after[i].deepest, moment.before[i].deepest) > 0.01f)
+                overlapped_[i] = true;
         for (const JointPlan& joint : moment.plan.joints)
             for (const auto& [from, to] : {std::pair(joint.a, joint.b), {joint.b, joint.a}})
                 if (from != the_world && to != the_world && overlapped_[std::size_t(from)])
@@ -52,7 +56,6 @@ class Energy : public Check {
             const BodyNow& body = moment.after[i];
             if (!moves_freely(body)) continue;
             moving += kinetic(body);
-            if (std::max(body.deepest, moment.before[i].deepest) > 0.01f) overlapped_[i] = true;
             allowed += body.mass * gravity * std::abs(body.gravity_scale) * 0.02;
             for (const int other : body.touched)
                 if (other != the_world && overlapped_[std::size_t(other)]) overlapped_[i] = true;

@@ -12,7 +12,7 @@ namespace {
 
 /// The library pushes overlapping shapes apart with up to 3 m/s, so an overlap that it still pushes
 /// back is gone after a quarter of a second. A body that is inside or behind an obstacle for longer
-/// has passed through it.
+/// has passed through it, unless a load holds it a little way in.
 constexpr double push_time = 0.25;  // s
 
 /// A body that was made inside another one is outside when it has overlapped none for this long.
@@ -48,7 +48,7 @@ class Through : public Check {
             const BodyNow& body = moment.after[std::size_t(passage.body)];
             if (passages_.is_left_out(passage.body) || passages_.is_left_out(passage.obstacle))
                 continue;
-            if (body.exists && time_ - entry.time > push_time)
+            if (body.exists && time_ - entry.time > push_time && passages_.is_past(passage, moment))
                 return words(" passes through body ", passage, entry.step);
         }
         return {};

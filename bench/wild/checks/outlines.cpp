@@ -153,4 +153,10 @@ int crossing(const Edge& edge, const Vec2& p, const Vec2& q) {
     return p_in_front ? 1 : -1;
 }
 
+float part_of_way(const Edge& edge, const Vec2& p, const Vec2& q) {
+    const Vec2 along = edge.to - edge.from;
+    const float before = cross(along, p - edge.from), after = cross(along, q - edge.from);
+    return before / (before - after);
+}
+
 }  // namespace fettle::bench::wild

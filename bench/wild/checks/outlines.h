@@ -38,5 +38,7 @@ float distance_to(const Edge& edge, const Vec2& point);
 
 /// How the line from p to q crosses an edge: 1 from its front, -1 from behind, 0: not at all.
 int crossing(const Edge& edge, const Vec2& p, const Vec2& q);
+/// How much of a way from p to q that crosses the line of an edge lies before it, 0 to 1.
+float part_of_way(const Edge& edge, const Vec2& p, const Vec2& q);
 
 }  // namespace fettle::bench::wild

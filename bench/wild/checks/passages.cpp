@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "wild/checks/facts.h"
 
@@ -86,6 +87,26 @@ bool Passages::is_around_line(int body, const Moment& moment) const {
     });
 }
 
+bool Passages::is_past(const Passage& passage, const Moment& moment) const {
+    // A pile presses a body that is thinner than this in by half of it, and the body comes back.
+    constexpr float pressed_in = 0.01f;
+    const auto obstacle = std::size_t(passage.obstacle), shape = std::size_t(passage.shape);
+    const BodyNow& body = moment.after[std::size_t(passage.body)];
+    const BodyNow& other = moment.after[obstacle];
+    float least = pressed_in;
+    for (const Core& core : cores_of(moment.plan.bodies[obstacle].shapes[shape].geometry))
+        if (passage.kind == Outline::Kind::solid) least = std::min(least, 0.5f * core.depth);
+    return std::ranges::any_of(pairs_, [&](const Pair& pair) {
+        if (std::tuple(pair.body, pair.core, pair.obstacle, pair.shape) != passage.pair())
+            return false;
+        const Vec2 deep =
+            local(placed(pair.deep.point, body.position, body.angle), other.position, other.angle);
+        return std::ranges::all_of(outlines_[obstacle][shape].edges, [&](const Edge& edge) {
+            return distance_to(edge, deep) > std::min(least, pair.deep.depth);
+        });
+    });
+}
+
 void Passages::add_passages(const Pair& pair, const Moment& moment,
                             std::vector<Passage>& found) const {
     const BodyNow& b0 = moment.before[std::size_t(pair.body)];
@@ -139,14 +160,19 @@ void Passages::add_passages(const Pair& pair, const Moment& moment,
         const Vec2 low = begin.min(end), high = begin.max(end);
         const bool near = low.x <= outline.box.max.x && low.y <= outline.box.max.y &&
                           high.x >= outline.box.min.x && high.y >= outline.box.min.y;
+        // In the order of the way: a body that clips a corner enters before it leaves.
+        std::vector<std::pair<float, Passage>> at;
         for (const Edge& edge : outline.edges) {
             if (!near) break;
             if (const int sense = crossing(edge, begin, end); sense != 0) {
                 const Vec2 along = (edge.to - edge.from).normalized();
-                crossed.push_back({pair.body, pair.core, pair.obstacle, pair.shape, sense,
-                                   Vec2{-along.y, along.x}, outline.kind});
+                at.push_back({part_of_way(edge, begin, end),
+                              {pair.body, pair.core, pair.obstacle, pair.shape, sense,
+                               Vec2{-along.y, along.x}, outline.kind}});
             }
         }
+        std::ranges::stable_sort(at, {}, &std::pair<float, Passage>::first);
+        for (const auto& [part, passage] : at) crossed.push_back(passage);
     };
     std::vector<Passage> on_way, straight;
     const Vec2 first = from;

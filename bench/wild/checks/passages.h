@@ -34,6 +34,8 @@ class Passages {
     /// Whether a segment or a chain is deeper than 1 cm in a body. A one-sided one has no contact
     /// with a body that is mostly behind it.
     bool is_around_line(int body, const Moment& moment) const;
+    /// Whether a body is farther in or behind the obstacle than a load presses it.
+    bool is_past(const Passage& passage, const Moment& moment) const;
     bool is_left_out(int body) const { return left_out_[std::size_t(body)]; }
 
   private:

@@ -118,7 +118,88 @@ class Jointed {
     std::string what_;
 };
 
+/// A hub with spokes, one of which has two more joints. All that decides whether joints crowd a
+/// body is edited.
+class EditedHub {
+  public:
+    EditedHub() {
+        for (int i = 0; i < 8; ++i) {
+            bodies_.push_back(world_.create_body({.position = i == 0 ? Vec2() : turned(float(i))}));
+            bodies_.back().add(Circle{.radius = 0.3f}, {.mask = 0});
+        }
+        for (size_t i = 1; i < bodies_.size(); ++i) connect(bodies_[0], bodies_[i]);
+        connect(bodies_[1], bodies_[2]);
+        connect(bodies_[1], bodies_[3]);
+    }
+    void edit(Random& random) {
+        Body body = bodies_[size_t(random(0, 7.99f))];
+        const size_t at = size_t(random(0, float(joints_.size()) - 0.01f));
+        DistanceJoint& joint = joints_[at];
+        switch (int(random(0, 9.99f))) {
+            case 0:
+                body.set_mass(random(0, 1) < 0.5f ? 0.02f : 5.0f);
+                break;
+            case 1:
+                body.set_inertia(random(0.001f, 1.0f));
+                break;
+            case 2:
+                body.set_type(body.type() == BodyType::dynamic_body ? BodyType::kinematic_body
+                                                                    : BodyType::dynamic_body);
+                break;
+            case 3:
+                body.set_enabled(!body.enabled());
+                break;
+            case 4:
+                joint.set_enabled(!joint.enabled());
+                break;
+            case 5:
+                joint.set_broken(!joint.broken());
+                break;
+            case 6:
+                joint.set_hertz(joint.hertz() < 100 ? infinity : 5.0f);
+                break;
+            case 7:
+                joint.set_anchor_a({random(-2, 2), random(-2, 2)});
+                break;
+            case 8:
+                body.set_center(Vec2(random(-1, 1), random(-1, 1)));
+                break;
+            default:
+                if (joint.body_a() != body && joint.body_b() != body) joint.set_body_a(body);
+        }
+    }
+    void replace_a_joint() {
+        joints_.front().destroy();
+        joints_.erase(joints_.begin());
+        connect(bodies_[0], bodies_[4]);
+    }
+    World& world() { return world_; }
+
+  private:
+    void connect(const Body& a, const Body& b) {
+        joints_.push_back(world_.create_distance_joint({.body_a = a.id(), .body_b = b.id()}));
+    }
+    World world_{WorldDef{.gravity = {0, 0}}};
+    std::vector<Body> bodies_;
+    std::vector<DistanceJoint> joints_;
+};
+
 }  // namespace
+
+TEST_CASE("every edit that lets joints crowd a body is noticed") {
+    for (unsigned seed = 0; seed < seeds_or(50); ++seed) {
+        Random random{std::mt19937(seed)};
+        EditedHub hub;
+        for (int i = 0; i < 100; ++i) {
+            hub.edit(random);
+            if (i % 16 == 15) hub.replace_a_joint();
+            hub.world().step(1.0f / 60);
+            const auto fault = hub.world().validate();
+            INFO("seed " << seed << ", edit " << i << ": " << fault.value_or(""));
+            REQUIRE(!fault);
+        }
+    }
+}
 
 TEST_CASE("bodies with many joints gain no energy") {
     for (unsigned seed = 0; seed < seeds_or(400); ++seed) {
