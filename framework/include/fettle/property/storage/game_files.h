@@ -50,7 +50,8 @@ class GameFiles {
 
     /// While the result lives, no other process with this lock changes files of this game. Needed
     /// for reading a file, changing it and writing it again. Throws FileError if another process
-    /// holds the lock for more than five seconds. Null if nothing is written, or no folder is set.
+    /// holds the lock for more than five seconds. Null if the files are held in memory, or if no
+    /// folder is set.
     [[nodiscard]] std::shared_ptr<void> lock();
 
     /// The state in which the run found a file.
@@ -80,7 +81,8 @@ class GameFiles {
     std::vector<std::filesystem::path> seen() const;
     /// How often that file was read, or looked for.
     std::size_t times_seen(const std::filesystem::path& file) const;
-    /// Names below the folder of files that are held in memory, with forward slashes.
+    /// The files below `folder` that are held in memory: their names relative to it, with forward
+    /// slashes.
     std::vector<std::string> names_in_memory(const std::filesystem::path& folder) const;
     /// Bytes that may be written from now on, all files together; further writes throw FileError.
     void limit_writes(std::size_t bytes) { writable_ = bytes; }
