@@ -318,10 +318,14 @@ void Console::State::draw_observed(float right) {
     float list = 0;
     if (pinned)
         list = stacked ? wide : std::min(wide, plotted ? std::min(28 * em, wide * 0.5f) : 34 * em);
+    // A list above which a plot stands leaves it the least room, and scrolls.
+    const float of_plot = plotted && stacked ? std::ceil(low_plot * em + margin) + 1 : 0;
+    const float list_room = std::max(low_list * em, room - of_plot);
     if (room < low_list * em)
         views.watch_list.hide();
     else
-        views.watch_list.draw(ImVec2(margin, low), list, room, tree, observing.pins(), opacity);
+        views.watch_list.draw(ImVec2(margin, low), list, list_room, tree, observing.pins(),
+                              opacity);
     const bool under = pinned && stacked && !views.watch_list.rect().empty();
     const float bottom = under ? views.watch_list.rect().low.y - margin : low;
     const float left = margin + (pinned && !stacked ? list + margin : 0);

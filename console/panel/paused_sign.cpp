@@ -38,9 +38,8 @@ bool Console::State::hides_pause() const {
 void Console::State::draw_paused_sign(app::Surface& surface) {
     screen.paused_sign = {};
     if (!hides_pause()) return;
-    const std::string key = settings.text("key");
     const std::string text =
-        "paused · click here to go on, " + (key == "grave" ? "`" : key) + " opens the console";
+        "paused · click here to go on, " + settings.shown_key() + " opens the console";
     const float size = std::clamp(
         std::round(settings.number("font_size") * settings.number("scale")), 6.0f, 96.0f);
     const auto wide = [&](std::string_view part) {
@@ -73,6 +72,10 @@ bool Console::State::click_paused_sign(const app::InputEvent& event) {
 
 void Console::show_pause() {
     state_->status.used = true;
+}
+
+std::string Console::shown_key() const {
+    return state_->settings.shown_key();
 }
 
 }  // namespace fettle::console

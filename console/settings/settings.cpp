@@ -156,6 +156,11 @@ std::string Settings::text(std::string_view name) {
     return value(name).text();
 }
 
+std::string Settings::shown_key() {
+    const std::string key = text("key");
+    return key == "grave" ? "`" : key;
+}
+
 void Settings::set(std::string_view name, const Value& value) {
     property::Tree::CauseScope cause(tree_,
                                      property::Writer::module);  // no edits for undo

@@ -18,6 +18,8 @@ class Settings {
     bool flag(std::string_view name);
     float number(std::string_view name);
     std::string text(std::string_view name);
+    /// The key that opens the console, as the player sees it: "`" for the grave key.
+    std::string shown_key();
     /// Writes a setting. Undo does not revert it, because it is not an edit by a person.
     void set(std::string_view name, const property::Value& value);
 

@@ -135,7 +135,10 @@ void TweakList::draw_row(int row) {
     // It has the same height without buttons.
     ImGui::TableNextRow(0, button_height() + 2 * ImGui::GetStyle().CellPadding.y);
     ImGui::TableNextColumn();
-    fitted(palette::path, tweak.path, ImGui::GetContentRegionAvail().x, draw_path_fit,
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float path_room = ImGui::GetContentRegionAvail().x;
+    drawn_.push_back({row, "path", {at, ImVec2(at.x + path_room, at.y + 1)}});
+    fitted(palette::path, tweak.path, path_room, draw_path_fit,
            times_ ? "" : tweak.path + "\n" + when(tweak));
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemClicked(0) && follow) follow(tweak.path);
@@ -172,10 +175,12 @@ void TweakList::draw(float height) {
                           ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_PadOuterX;
     // The times and the buttons are never cut; paths and values may be. In a narrow window the
     // times are in the tooltip of the path.
-    float times = 0, files = 0;
+    float times = 0, files = 0, paths = 0, changes = 0;
     bool earlier = false;
     for (const Tweak& tweak : rows_) {
         times = std::max(times, text_width(when(tweak)));
+        paths = std::max(paths, text_width(tweak.path));
+        changes = std::max(changes, text_width(tweak.was) + text_width(tweak.now));
         earlier = earlier || tweak.earlier;
         if (tweak.kept) files = std::max(files, text_width(kept_text(tweak)));
     }
@@ -192,8 +197,14 @@ void TweakList::draw(float height) {
                             least_values * ImGui::GetFontSize();
     const float last = std::max(buttons, std::min(files, left_over));
     if (!ImGui::BeginTable("tweaks", times_ ? 4 : 3, flags, ImVec2(0, left))) return;
-    ImGui::TableSetupColumn("what", 0, 3);
-    ImGui::TableSetupColumn("change", 0, 4);
+    // Paths are not cut where the changes leave them room.
+    const float room = std::max(1.0f, ImGui::GetContentRegionAvail().x - last -
+                                          (times_ ? times : 0) - 8 * style.CellPadding.x);
+    const float needed = std::min(1.0f, (paths + style.CellPadding.x) / room);
+    const float left_by_changes = 1 - changes / room;
+    const float share = std::clamp(left_by_changes, std::min(needed, 0.4f), std::min(needed, 0.8f));
+    ImGui::TableSetupColumn("what", 0, std::max(share, 0.05f));
+    ImGui::TableSetupColumn("change", 0, 1 - std::min(share, 0.95f));
     if (times_) ImGui::TableSetupColumn("when", ImGuiTableColumnFlags_WidthFixed, times);
     ImGui::TableSetupColumn("do", ImGuiTableColumnFlags_WidthFixed, last);
     ImGuiListClipper clipper;

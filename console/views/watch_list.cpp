@@ -19,6 +19,7 @@ constexpr int watch_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoM
                             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
 constexpr std::size_t sparkline_samples = 240;
 constexpr std::size_t longest_text = 60;  // code points
+constexpr std::size_t most_name_rows = 3;
 
 }  // namespace
 
@@ -92,52 +93,103 @@ void draw_sparkline(ImDrawList& list, const Rect& rect, const Trace& trace) {
     if (trace.is_vector()) stroke(&Trace::Sample::y, palette::axis_y);
 }
 
-void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float width) {
-    const float em = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float y = at.y + (height - ImGui::GetTextLineHeight()) / 2;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+namespace {
+
+/// The text in rows that are at most `width` wide; the last one is shortened if there are too many.
+/// Rows end after a space, else before a point.
+std::vector<std::string> in_rows(std::string_view text, float width) {
+    std::vector<std::string> rows;
+    while (rows.size() + 1 < most_name_rows && text_width(text) > width) {
+        std::size_t fitting = code_point_offset(text, 1), space = 0, point = 0;
+        for (std::size_t next = fitting; next < text.size();) {
+            next += code_point_offset(text.substr(next), 1);
+            if (text_width(text.substr(0, next)) > width) break;
+            fitting = next;
+            if (text[next - 1] == ' ') space = next;
+            if (next < text.size() && text[next] == '.') point = next;
+        }
+        std::size_t end = fitting;
+        for (const std::size_t at : {space, point})
+            if (end == fitting && at > fitting / 2) end = at;
+        rows.emplace_back(text.substr(0, end));
+        text.remove_prefix(end);
+    }
+    rows.push_back(shortened(text, width));
+    return rows;
+}
+
+}  // namespace
+
+WatchList::Row WatchList::row_of(const property::Tree& tree, const Trace& pin, float width) const {
+    Row row;
+    const float em = ImGui::GetFontSize(), side = ImGui::GetFrameHeight();
     // A text or a list has no curve.
     const bool curve = pin.samples().size() > 1;
     const double largest = pin.largest(sparkline_samples);
-    const float side = height, path_width = text_width(pin.what().text);
+    const std::string& name = pin.what().text;
+    const float name_width = text_width(name);
     // The curve leaves room for the whole name beside a short value.
-    const float left = width - side - 2 * em - path_width -
+    const float left = width - side - 2 * em - name_width -
                        observed_text(tree, pin.value(), pin.what().unit, largest, 2).place();
     const float widest_curve = std::min(6 * em, width * 0.22f);
-    const float spark = curve ? std::clamp(left, widest_curve / 2, widest_curve) : 0;
-    const float room = width - side - spark - em;
-    const float widest = room * 0.65f;
-    const ObservedText value = pin.problem().empty()
-                                   ? observed_text_in(tree, pin.value(), pin.what().unit, largest,
-                                                      room - em - path_width, widest)
-                                   : ObservedText{pin.problem()};
-    const float value_width = std::min(value.place(), widest);
-    const float shown = std::min(text_width(value.text), value_width);
-    const float path_room = room - value_width - em;
+    row.curve = curve ? std::clamp(left, widest_curve / 2, widest_curve) : 0;
+    row.room = width - side - row.curve - em;
+    const float widest = row.room * 0.65f;
+    const auto value_in = [&](float room, float most) {
+        return pin.problem().empty()
+                   ? observed_text_in(tree, pin.value(), pin.what().unit, largest, room, most)
+                   : ObservedText{pin.problem()};
+    };
+    row.value = value_in(row.room - em - name_width, widest);
+    row.value_width = std::min(row.value.place(), widest);
+    row.name_width = row.room - row.value_width - em;
+    if (name_width > row.name_width) {
+        row.above = in_rows(shortened(name, 1e9f), width - side - em);
+        row.value = value_in(row.room - em, row.room - em);
+        row.value_width = row.room - em;
+    }
+    row.height =
+        ImGui::GetFrameHeight() + static_cast<float>(row.above.size()) * ImGui::GetTextLineHeight();
+    return row;
+}
 
-    ImGui::InvisibleButton("text", ImVec2(std::max(1.0f, width - side), height));
+void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float width) {
+    const Row row = row_of(tree, pin, width);
+    const float em = ImGui::GetFontSize(), side = ImGui::GetFrameHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetTextLineHeight();
+    const float above = static_cast<float>(row.above.size()) * line, low = at.y + row.height;
+    const float y = at.y + above + (side - line) / 2;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float shown = std::min(text_width(row.value.text), row.value_width);
+
+    ImGui::InvisibleButton("text", ImVec2(std::max(1.0f, width - side), row.height));
     const bool hovered = ImGui::IsItemHovered();
     const bool path = !pin.what().path.empty();
     if (hovered) {
-        list.AddRectFilled(at, ImVec2(at.x + width - side, at.y + height), palette::hover,
+        list.AddRectFilled(at, ImVec2(at.x + width - side, low), palette::hover,
                            ImGui::GetStyle().FrameRounding);
         const std::string now = pin.problem().empty() ? tree.text(pin.value()) : pin.problem();
         show_tip(pin.what().text + "\n" + now);
     }
     if (path && ImGui::IsItemClicked(0) && follow) follow(pin.what().path);
     if (path && ImGui::IsItemClicked(1) && menu) menu(pin.what().path);
-    draw_path_fit(list, ImVec2(at.x + em * 0.3f, y), path ? palette::path : palette::text,
-                  pin.what().text, path_room);
-    draw_text_fit(list, ImVec2(at.x + room - shown, y),
-                  pin.problem().empty() ? palette::number : palette::error, value.text, shown);
-    draw_sparkline(
-        list,
-        {ImVec2(at.x + room + em * 0.5f, at.y + 3), ImVec2(at.x + room + spark, at.y + height - 3)},
-        pin);
+    const ImU32 color = path ? palette::path : palette::text;
+    for (std::size_t i = 0; i < row.above.size(); ++i)
+        draw_text(list,
+                  ImVec2(at.x + em * 0.3f, at.y + static_cast<float>(i) * line + (side - line) / 2),
+                  color, row.above[i]);
+    if (row.above.empty())
+        draw_path_fit(list, ImVec2(at.x + em * 0.3f, y), color, pin.what().text, row.name_width);
+    draw_text_fit(list, ImVec2(at.x + row.room - shown, y),
+                  pin.problem().empty() ? palette::number : palette::error, row.value.text, shown);
+    draw_sparkline(list,
+                   {ImVec2(at.x + row.room + em * 0.5f, low - side + 3),
+                    ImVec2(at.x + row.room + row.curve, low - 3)},
+                   pin);
     ImGui::SameLine(0, 0);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    if (ImGui::InvisibleButton("unpin", ImVec2(side, height))) unpinned_ = pin.what().text;
+    if (ImGui::InvisibleButton("unpin", ImVec2(side, row.height))) unpinned_ = pin.what().text;
     buttons_.push_back(item_rect());
     const bool hot = ImGui::IsItemHovered();
     draw_text(list, ImVec2(corner.x + (side - text_width("×")) / 2, y),
@@ -150,7 +202,9 @@ void WatchList::draw(ImVec2 corner, float width, float room, const property::Tre
     buttons_.clear();
     if (pins.empty()) return hide();
     ImGuiStyle& style = ImGui::GetStyle();
-    const float rows = static_cast<float>(pins.size()) * ImGui::GetFrameHeightWithSpacing();
+    float rows = 0;
+    for (const Trace& pin : pins)
+        rows += row_of(tree, pin, width - 2 * style.WindowPadding.x).height + style.ItemSpacing.y;
     const float height =
         std::max(1.0f, std::min(rows - style.ItemSpacing.y + 2 * style.WindowPadding.y, room));
     ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y - height));

@@ -48,6 +48,17 @@ class WatchList {
         return index < buttons_.size() ? buttons_[index] : Rect();
     }
 
+    /// How a pin is drawn in that width.
+    struct Row {
+        std::vector<std::string> above{};  // the name, if it does not fit beside the value
+        ObservedText value{};
+        float name_width = 0, value_width = 0;  // px, of their places
+        float room = 0;                         // px, of both together
+        float curve = 0;                        // px, of the place of the curve
+        float height = 0;                       // px
+    };
+    Row row_of(const property::Tree& tree, const Trace& pin, float width) const;
+
   private:
     void draw_row(const property::Tree& tree, const Trace& pin, float width);
 

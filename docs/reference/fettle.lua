@@ -3088,7 +3088,7 @@ table = {}
 
 utf8 = {}
 
----Shows the last seconds twice, side by side: A as they were, and B with that value of the property from their beginning on. Scripts do not run again: what they wrote then is written in B, too. seconds: 4 if it is left out, 0.1 to 60. The game does not change. Without a path the comparison ends. ab("world.ball.mass", 3).
+---Shows the last seconds twice, side by side: A with everything at its place of then, and B with that value of the property from their beginning on. Both have the shapes and colors of now. Scripts do not run again: what they wrote then is written in B, too. seconds: 4 if it is left out, 0.1 to 60. The game does not change. Without a path the comparison ends. ab("world.ball.mass", 3).
 ---@param path? string
 ---@param value? any
 ---@param seconds? number
@@ -3309,7 +3309,7 @@ function snapshot() end
 ---@return any
 function state(name, value) end
 
----Lists what people, and scripts inside edit(), changed while the game ran, in this run and in earlier ones, and which of these changes are kept.
+---Lists what people, and scripts inside edit(), changed while the game ran, in this run and in earlier ones, and which of these changes are kept. After going back it lists the changes of this run that hold at that moment.
 function tweaks() end
 
 ---Moves a property from its value to another in that much simulation time. The property holds a number, an integer, a vector, a color, or a list of these. An ease is a name such as "out_quad" (`Tween.properties.ease.enumerators` lists them), a function from 0..1 to 0..1, or a list of numbers. It begins at the next step; a tween that begins later with the same property ends it. Options are `pauses`, `loops` and `alternate` of the tween: tween(view, "height", 12, 1, "linear", { loops = 0, alternate = true }).

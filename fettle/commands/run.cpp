@@ -88,7 +88,9 @@ class WindowRun {
                    [this](int steps) {
                        if (session_) session_->travel(steps);
                    },
-               .console_is_open = [this] { return session_ && session_->console_is_open(); }}) {}
+               .console_is_open = [this] { return session_ && session_->console_is_open(); },
+               .console_key =
+                   [this] { return session_ ? session_->console_key() : std::string(); }}) {}
 
     int play() {
         start();

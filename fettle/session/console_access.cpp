@@ -29,6 +29,13 @@ bool Session::console_is_open() const {
 #endif
 }
 
+std::string Session::console_key() const {
+#ifdef FETTLE_WITH_CONSOLE
+    if (console_) return console_->shown_key();
+#endif
+    return {};
+}
+
 std::shared_ptr<const console::Continuation> Session::console_continuation() const {
 #ifdef FETTLE_WITH_CONSOLE
     if (console_) return console_->continuation();

@@ -64,6 +64,8 @@ class Session {
     /// Reports something that a person should know and that is not an error of the game.
     void note(const std::string& text);
     bool console_is_open() const;
+    /// The key that opens the console, as it is shown to the player; "": there is no console.
+    std::string console_key() const;
     /// For the console of the next run in the same window; null without a console.
     std::shared_ptr<const console::Continuation> console_continuation() const;
     /// To be called before `start`. Does nothing for null, or without a console.

@@ -145,6 +145,29 @@ TEST_CASE("while the console is open only the key that closes it is listed") {
     CHECK(surface.line_with("reload") > 0);
 }
 
+TEST_CASE("the error screen names the key of the console if there is one") {
+    std::string key = "f1";
+    bool open = false;
+    app::ErrorScreen screen({.reload = {},
+                             .go_on = {},
+                             .console_is_open = [&] { return open; },
+                             .console_key = [&] { return key; }});
+    screen.show(an_error());
+    const auto has = [&](const char* text) {
+        NotingSurface surface;
+        screen.draw(surface, 0);
+        return surface.line_with(text) > 0;
+    };
+    CHECK(has("f1  console"));
+    CHECK_FALSE(has("`"));
+    open = true;
+    CHECK(has("f1  close the console"));
+    open = false;
+    key.clear();
+    CHECK_FALSE(has("console"));
+    CHECK(has("back in time"));
+}
+
 TEST_CASE("the caret is below the row of a wrapped line that has the error") {
     app::ErrorScreen screen({.reload = {}, .go_on = {}});
     script::ScriptError error = an_error();

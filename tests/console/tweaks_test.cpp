@@ -34,7 +34,9 @@ struct TweakedRig : Place, Rig {
     }
     void edit(const char* path, double value) {
         const property::Tree::CauseScope cause(tree, property::Writer::console);
-        property::set(tree, path, value);
+        const auto [instance, name] = std::pair(property::get(tree, "world.ball").reference(),
+                                                std::string(path).substr(sizeof "world.ball"));
+        tree.set_or_add(instance, name, value);
     }
     void press(int row, const char* label) {
         const Rect at = state().views.tweak_list.button(row, label);
@@ -70,6 +72,22 @@ TEST_CASE("a click in the list of tweaks keeps or drops the tweak") {
     std::ifstream file(rig.folder.path / "main.tweaks.json");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     CHECK(text.find("\"world.ball.mass\": 5") != std::string::npos);
+}
+
+TEST_CASE("the list of tweaks does not cut a path where there is room") {
+    TweakedRig rig;
+    rig.edit("world.ball.linear_damping_of_a_very_long_name_indeed", 5);
+    rig.draw(60);  // the list is read anew a few times in a second
+    REQUIRE(rig.tweaks->list().size() == 3);
+    const Rect path = rig.state().views.tweak_list.button(2, "path");
+    CHECK(path.high.x - path.low.x >= console::text_width(rig.tweaks->list()[2].path));
+    CHECK_FALSE(rig.state().views.tweak_list.button(2, "drop").empty());
+    // Where there is none, the change keeps a part of it.
+    console::test::RasterSurface narrow(400, 700);
+    for (int i = 0; i < 3; ++i) rig.console.draw(narrow, 1.0 / 60);
+    const Rect less = rig.state().views.tweak_list.button(2, "path");
+    const Rect keep = rig.state().views.tweak_list.button(2, "keep");
+    CHECK(keep.low.x - less.high.x > 40);
 }
 
 TEST_CASE("a row of the list of tweaks stays in its place when the one above it is kept") {

@@ -140,6 +140,30 @@ TEST_CASE("a command of the console is one step of undo") {
                contains("load, step") && contains("; later steps may have"));
 }
 
+TEST_CASE("the console refuses a formula whose value its property cannot have") {
+    Stage s;
+    s.run("world.ball = Body { velocity = vec(1, 2) } world.n = 3 world.t = 'text'");
+    s.console("world.ball.mass is world.n + 1");
+    const std::size_t edits = s.tree->history().size();
+    const std::string refused = s.console("world.ball.velocity is world.n");
+    INFO(refused);
+    // The message is that of the value.
+    const std::string said = "world.ball.velocity: expected a vec2 in m/s, got integer 3";
+    CHECK(refused.find(said) != std::string::npos);
+    CHECK(s.console("world.ball.velocity = 3").find(said) != std::string::npos);
+    CHECK(s.console("world.ball.velocity") == "vec(1, 2) m/s");
+    CHECK(s.console("world.ball.mass is world.t").find("error") == 0);
+    CHECK(s.console("world.ball.mass = formula(function() return world.t end)").find("error") == 0);
+    s.step();
+    CHECK(s.console("world.ball.mass") == "4 kg");  // the earlier formula is still there
+    CHECK(s.tree->history().size() == edits);
+    // What fails now, or has no value yet, may have one later.
+    CHECK(s.console("world.ball.velocity is nothing_yet and world.n").find("is nothing") !=
+          std::string::npos);
+    s.console("world.u = vec(3, 4)");
+    CHECK(s.console("world.ball.velocity is world.u").find("= vec(3, 4) m/s") != std::string::npos);
+}
+
 TEST_CASE("an error that goes through many formulas names the last one and where it began") {
     Stage s;
     s.run(R"(

@@ -33,6 +33,8 @@ TEST_CASE("words of other languages and of older versions of Lua have a hint") {
         {"local _ = vec(3, 4).magnitude", "(did you mean \"length\"?)"},
         {"if 1 != 2 then end", "near '!' (write ~= for \"not equal\")"},
         {"x = 1 x += 1", "near '+' (write a = a + b)"},
+        {"x = 1 x *= 2", "near '*' (write a = a * b)"},
+        {"x = 1 x -= 2", "near '-' (write a = a - b)"},
         {"if x = 1 then end", "near '=' (write == to compare)"},
         {"if true { x = 1 }", "near '{' (write then ... end)"},
         {"while true: x = 1", "near ':' (write do ... end)"},

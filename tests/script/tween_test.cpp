@@ -26,6 +26,28 @@ struct Game : Stage {
 
 }  // namespace
 
+TEST_CASE("undo of a deletion says that tweens of the instance ended with it") {
+    Game s;
+    const auto undone = [&] {
+        std::string lines;
+        for (const std::string& line : s.runtime->evaluate("undo").lines) lines += line + "\n";
+        return lines;
+    };
+    const std::string note =
+        "tweens of world.ball ended when it was deleted; they are not brought back";
+    s.run("tween(ball, 'mass', 4, 1) tween(ball, 'position', vec(1, 2), 1)");
+    s.step(2);
+    s.runtime->evaluate("world.ball:delete()");
+    s.step(2);
+    CHECK(s.tweens() == 0);
+    const std::string lines = undone();
+    INFO(lines);
+    REQUIRE(lines.find(note) != std::string::npos);
+    CHECK(lines.find(note) == lines.rfind(note));
+    s.runtime->evaluate("world.ball.mass = 7");
+    CHECK(undone().find("tweens") == std::string::npos);
+}
+
 TEST_CASE("a tween moves a number from its value to another in the given time") {
     Game s;
     s.run("ball.mass = 2 tween(ball, 'mass', 4, 1)");

@@ -70,6 +70,55 @@ TEST_CASE_METHOD(Writing, "edits by people keep their writer when the past is re
     CHECK(who("world.crate.mass").text() == "module, step 45");
 }
 
+TEST_CASE_METHOD(Writing,
+                 "at the step after which a value was edited the writer is the one before") {
+    run(25);
+    {
+        const property::Tree::CauseScope cause(tree, Writer::console);
+        property::set(tree, "world.ball.mass", Value(5.0));
+        property::set(tree, "world.crate.mass", Value(5.0));
+    }
+    CHECK(who("world.ball.mass").text() == "console, step 25");
+    run(5);
+    const std::uint64_t made = who("world.crate.position").step;
+    time().go_to(25);
+    CHECK(get("world.ball.mass") == Value(22.0));
+    CHECK(who("world.ball.mass").text() == "script, step 20");
+    CHECK(who("world.crate.mass").writer != Writer::console);
+    time().go_to(26);
+    CHECK(get("world.ball.mass") == Value(5.0));
+    CHECK(who("world.ball.mass").text() == "console, step 25");
+    time().go_to(20);
+    CHECK(who("world.ball.mass").text() == "script, step 20");
+    time().go_to(25);
+    run(1);  // without the edit
+    CHECK(get("world.ball.mass") == Value(22.0));
+    CHECK(who("world.ball.mass").text() == "script, step 20");
+    CHECK(who("world.crate.position").step == made);
+}
+
+TEST_CASE_METHOD(Writing,
+                 "an edit after the newest step has its writer when the game returns to it") {
+    run(25);
+    const auto edit = [&](double value) {
+        const property::Tree::CauseScope cause(tree, Writer::console);
+        property::set(tree, "world.ball.mass", Value(value));
+    };
+    edit(5);
+    time().go_to(22);
+    CHECK(who("world.ball.mass").text() == "script, step 20");
+    time().go_to(25);
+    CHECK(get("world.ball.mass") == Value(5.0));
+    CHECK(who("world.ball.mass").text() == "console, step 25");
+    run(1);
+    edit(6);
+    run(1);
+    time().go_to(26);
+    CHECK(who("world.ball.mass").text() == "console, step 25");
+    time().go_to(25);
+    CHECK(who("world.ball.mass").text() == "script, step 20");
+}
+
 TEST_CASE_METHOD(Writing, "a write in a past that was left is not the last write") {
     run(70);
     time().go_to(30);

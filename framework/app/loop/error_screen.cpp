@@ -322,18 +322,19 @@ void ErrorScreen::draw_text(Surface& surface, float bottom) {
 }
 
 /// The keys that work now, and what they do.
-std::vector<std::string_view> ErrorScreen::keys() const {
+std::vector<std::string> ErrorScreen::keys() const {
+    const std::string key = actions_.console_key ? actions_.console_key() : std::string();
     if (actions_.console_is_open && actions_.console_is_open())
-        return {"`  close the console, for the keys of this screen"};
-    if (running_ && waits_) return {"S  stop it", "R  reload", "`  console"};
-    if (running_)
-        return {"S  stop it", "W  wait on", "R  reload", "`  console", "\u2191 \u2193  scroll"};
-    return {"R  reload",
-            "Esc  go on",
-            "C  copy",
-            "`  console",
-            "\u2190 \u2192  back in time",
-            "\u2191 \u2193  scroll"};
+        return {key + "  close the console, for the keys of this screen"};
+    std::vector<std::string> all = {"R  reload", "Esc  go on", "C  copy"};
+    if (running_ && waits_)
+        all = {"S  stop it", "R  reload"};
+    else if (running_)
+        all = {"S  stop it", "W  wait on", "R  reload"};
+    if (!key.empty()) all.push_back(key + "  console");
+    if (!running_) all.emplace_back("\u2190 \u2192  back in time");
+    if (!running_ || !waits_) all.emplace_back("\u2191 \u2193  scroll");
+    return all;
 }
 
 /// Draws the keys in a bar, `bottom` being its upper edge. In a narrow window they are closer
@@ -343,8 +344,8 @@ void ErrorScreen::draw_keys(Surface& surface, float bottom) const {
     constexpr float size = 14, least_size = 9;
     const auto drawn = [&](std::size_t gap, float left, float letters, SurfaceColor color) {
         std::string line;
-        for (const std::string_view key : keys())
-            line += (line.empty() ? "" : std::string(gap, ' ')) + std::string(key);
+        for (const std::string& key : keys())
+            line += (line.empty() ? "" : std::string(gap, ' ')) + key;
         return surface.text(left, bottom + 16, line, letters, color, Face::plain);
     };
     constexpr SurfaceColor unseen{0, 0, 0, 0};

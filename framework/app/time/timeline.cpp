@@ -142,6 +142,7 @@ void Timeline::end_step() {
     }
     open_.number = place_.here = clock_.step;
     note(open_, open_.after);
+    log_->end_step();
     if (too_much(open_)) return restart();
     open_.bytes += sizeof(Step) + step_overhead;
     bytes_.logged += open_.bytes;

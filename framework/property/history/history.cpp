@@ -260,7 +260,10 @@ void History::clear(Transactions& list) {
 }
 
 Memory History::image() const {
-    return std::make_shared<const Image>(Image{structure_.changes.lifetime.mark, lists_});
+    EditMoment moment = observer_ != nullptr ? observer_->moment() : EditMoment{};
+    observed_bytes_ += moment.bytes;
+    return std::make_shared<const Image>(
+        Image{structure_.changes.lifetime.mark, lists_, std::move(moment.state)});
 }
 
 bool History::owns(const Memory& image) const {
@@ -271,7 +274,9 @@ bool History::owns(const Memory& image) const {
 // The image of the nodes contains the slots that are reserved for undo.
 void History::restore(const Memory& image) {
     unresolved_.clear();
-    lists_ = owns(image) ? static_cast<const Image*>(image.get())->lists : Lists{};
+    const Image* const known = owns(image) ? static_cast<const Image*>(image.get()) : nullptr;
+    lists_ = known != nullptr ? known->lists : Lists{};
+    if (observer_ != nullptr) observer_->went_to(known != nullptr ? known->observed : Memory{});
     bytes_.reset();
     // An edit that is open now continues after the restore.
     open_.steps.clear();

@@ -76,7 +76,11 @@ class History {
     std::size_t bytes_ever() const { return bytes_ever_; }
     std::size_t edits_without_undo() const { return edits_without_undo_; }
 
-    /// The current lists, for `restore`. The cost does not depend on the length of the lists.
+    /// Bytes that the states of the observer in all images took when they were made.
+    std::size_t observed_bytes() const { return observed_bytes_; }
+
+    /// The current lists, for `restore`, and the state of the observer. The cost does not depend on
+    /// the length of the lists.
     Memory image() const;
     /// An image of another tree, or null, puts back nothing: an empty history. Edits hold classes
     /// and formulas of their tree.
@@ -95,6 +99,7 @@ class History {
     struct Image {
         std::weak_ptr<const Tree*> of;
         Lists lists;
+        Memory observed;  // state of the observer
     };
     /// While it lives and instances are deleted, the references of living instances are known as
     /// they were before the first deletion.
@@ -124,6 +129,7 @@ class History {
     void inform(What what) {
         if (observer_ == nullptr) return;
         const Pin pin(structure_.changes.lifetime, "an observer of edits");
+        ++version_;
         what(*observer_);
     }
     void clear(Transactions& list);
@@ -151,7 +157,7 @@ class History {
     Tree& tree_;
     EditObserver* observer_ = nullptr;
     Lists lists_;
-    std::uint64_t version_ = 0;  // counts changes of both lists
+    std::uint64_t version_ = 0;  // counts changes of both lists, and calls of the observer
     Transaction open_;
     std::size_t open_bytes_ = 0;
     // For each cell, the step of the open edit that wrote it. Cleared when an instance is created
@@ -187,6 +193,7 @@ class History {
     mutable std::optional<std::size_t> bytes_ = 0;  // bytes of both lists, if known
     std::size_t bytes_ever_ = 0;
     std::size_t edits_without_undo_ = 0;  // ever
+    mutable std::size_t observed_bytes_ = 0;
     std::size_t limit_ = std::size_t{64} << 20;
 };
 

@@ -61,15 +61,20 @@ LoggedWrites WriteLog::take() {
     const History& history = tree_.state().history;
     if (history.version() != history_version_) {
         piece.history = history.image();
-        piece.history_bytes = history.bytes_ever() - history_bytes_;
+        piece.history_bytes = history.bytes_ever() + history.observed_bytes() - history_bytes_;
         note_history();
     }
     return piece;
 }
 
+void WriteLog::end_step() {
+    tree_.state().changes.writes.end_step();
+}
+
 void WriteLog::note_history() {
     history_version_ = tree_.state().history.version();
-    history_bytes_ = tree_.state().history.bytes_ever();
+    const History& history = tree_.state().history;
+    history_bytes_ = history.bytes_ever() + history.observed_bytes();
 }
 
 void WriteLog::put_plain(std::vector<std::byte>& bytes, std::span<const PlainWrite> writes) {

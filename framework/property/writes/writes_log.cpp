@@ -26,9 +26,14 @@ void WritesLog::next_chunk() {
 void WritesLog::mark_reported(Writer writer, std::uint64_t step, bool repeated) {
     const std::uint64_t count = ever();
     if (runs_.empty() || runs_.back().writer != writer || runs_.back().step != step ||
-        runs_.back().lost != repeated || runs_.back().end == arrived_) {
+        runs_.back().lost != repeated || runs_.back().end == arrived_ ||
+        runs_.back().presence.between_steps != between_steps_) {
         while (!runs_.empty() && runs_.front().end + max_count <= count) runs_.pop_front();
-        runs_.push_back({.end = reported_, .step = step, .writer = writer, .lost = repeated});
+        runs_.push_back({.end = reported_,
+                         .step = step,
+                         .writer = writer,
+                         .lost = repeated,
+                         .presence = {.from = step, .between_steps = between_steps_}});
     }
     if (!repeated) latest_step_ = std::max(latest_step_, step);
     // Allocations up to here may fail; then nothing has been reported yet.
@@ -45,29 +50,65 @@ void WritesLog::take_back(PlainWrite& entry) {
         entry.instance = {};
 }
 
+void WritesLog::note_in_full(Handle instance, Symbol property, const Cause& cause, Value left) {
+    if (full_.size() >= max_count) {
+        full_.clear();
+        full_between_.clear();
+    }
+    const Cell cell{instance.index, property};
+    full_[cell] = {.generation = instance.generation,
+                   .cause = cause,
+                   .left = std::move(left),
+                   .presence = {.from = cause.step, .between_steps = between_steps_}};
+    if (between_steps_) full_between_.insert(cell);
+}
+
 void WritesLog::note_jump(std::uint64_t from, std::uint64_t to) {
     arrival_step_ = to;
+    between_steps_ = true;
     if (from == to) return;
     if (latest_step_ > from) {
         for (Run& run : runs_)
             if (run.end > arrived_) run.lost = true;
-        std::erase_if(full_, [&](const auto& each) { return each.second.cause.step == from; });
+        std::erase_if(full_, [&](const auto& each) {
+            const Presence& its = each.second.presence;
+            return its.between_steps && its.from == from;
+        });
     }
     arrived_ = reported_;
 }
 
 void WritesLog::begin_step(std::uint64_t step) {
-    if (latest_step_ < step || step == 0) return;
-    for (Run& run : runs_)
-        if (run.step >= step) run.lost = true;
-    std::erase_if(full_, [&](const auto& each) { return each.second.cause.step >= step; });
-    latest_step_ = step - 1;
+    if (latest_step_ >= step && step != 0) {
+        for (Run& run : runs_)
+            if (run.presence.from >= step) run.lost = true;
+        std::erase_if(full_, [&](const auto& each) { return each.second.presence.from >= step; });
+        latest_step_ = step - 1;
+    }
+    between_steps_ = false;
+    if (step == 0) return;
+    // What was written after the last step is in the states from this one on.
+    const auto move = [&](Presence& its) {
+        if (its.between_steps && its.from == step - 1) its.from = latest_step_ = step;
+    };
+    for (auto run = runs_.rbegin(); run != runs_.rend(); ++run)
+        if (!run->lost) {
+            if (run->step + 1 < step) break;
+            move(run->presence);
+        }
+    for (const Cell& cell : full_between_)
+        if (const auto full = full_.find(cell); full != full_.end()) move(full->second.presence);
+    full_between_.clear();
 }
 
 void WritesLog::forget_after(std::uint64_t step) {
     for (Run& run : runs_)
-        if (run.step >= step) run = {.end = run.end, .step = step, .writer = Writer::restore};
-    std::erase_if(full_, [&](const auto& each) { return each.second.cause.step >= step; });
+        if (run.presence.is_after(step))
+            run = {.end = run.end,
+                   .step = step,
+                   .writer = Writer::restore,
+                   .presence = {.from = step, .between_steps = false}};
+    std::erase_if(full_, [&](const auto& each) { return each.second.presence.is_after(step); });
     latest_step_ = std::min(latest_step_, step);
 }
 
@@ -101,7 +142,7 @@ Provenance WritesLog::find(Handle instance, Symbol property, std::uint64_t now) 
     std::uint64_t number = last_number(instance, property, reported_);
     for (; number != 0; number = last_number(instance, property, number - 1)) {
         const Run& run = run_of(number);
-        if (!run.lost && run.step <= now) {
+        if (!run.lost && run.presence.from <= now) {
             out = {.known = true, .cause = {.writer = run.writer, .where = {}, .step = run.step}};
             break;
         }
@@ -110,7 +151,7 @@ Provenance WritesLog::find(Handle instance, Symbol property, std::uint64_t now) 
     const auto full = full_.find({instance.index, property});
     if (full != full_.end() && full->second.generation == instance.generation) {
         const Cause& cause = full->second.cause;
-        if (cause.step <= now && (!out.known || cause.step >= out.cause.step))
+        if (full->second.presence.from <= now && (!out.known || cause.step >= out.cause.step))
             return {.known = true, .cause = cause};
     }
     if (!out.known && later)

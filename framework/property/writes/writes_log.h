@@ -9,6 +9,7 @@
 #include <deque>
 #include <memory>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -77,10 +78,10 @@ class WritesLog {
         mark_reported(writer, step);
     }
     /// `left`: the value after the write, if the simulation may change it without a report.
-    void note_in_full(Handle instance, Symbol property, const Cause& cause, Value left = {}) {
-        if (full_.size() >= max_count) full_.clear();
-        full_[{instance.index, property}] = {instance.generation, cause, std::move(left)};
-    }
+    void note_in_full(Handle instance, Symbol property, const Cause& cause, Value left = {});
+    /// Must be called when all writes of a step were made: the next ones are in the states after
+    /// later steps. All entries must have been reported.
+    void end_step() { between_steps_ = true; }
     /// Must be called after the tree has gone from its state at step `from` to that at step `to`.
     /// If `from` was not the latest step, the writes since the last call are marked as lost,
     /// because they are not in the kept past.
@@ -89,8 +90,7 @@ class WritesLog {
     /// this step and of later ones are marked as lost: they are on the abandoned timeline.
     void begin_step(std::uint64_t step);
     /// Must be called when the state of another past is restored that is the same up to `step`. The
-    /// writer of later entries becomes `restore`, because the real ones are unknown. A person may
-    /// have written at `step` itself, so its entries are included.
+    /// writer of later entries becomes `restore`, because the real ones are unknown.
     void forget_after(std::uint64_t step);
     /// Among the writes up to the step `now`. The writer is `restore` if there are only later ones.
     Provenance find(Handle instance, Symbol property, std::uint64_t now) const;
@@ -104,18 +104,31 @@ class WritesLog {
     static constexpr std::size_t max_spare = 64;
     using Chunk = std::array<PlainWrite, in_chunk>;
 
+    /// The states of the tree that contain a write. A write between two steps is in the state after
+    /// the first one only as long as the second was not made.
+    struct Presence {
+        std::uint64_t from = 0;  // the first step
+        bool between_steps = false;
+        /// Whether a past that is the same up to `step` lacks the write.
+        bool is_after(std::uint64_t step) const {
+            return from > step || (between_steps && from == step);
+        }
+    };
+
     /// Consecutive writes by one writer in one step.
     struct Run {
         std::uint64_t end;  // number of all writes up to its end
         std::uint64_t step;
         Writer writer;
         bool lost = false;  // its writes are not in the present timeline
+        Presence presence{};
     };
 
     struct FullWrite {
         std::uint32_t generation = 0;
         Cause cause{};
         Value left{};
+        Presence presence{};
     };
 
     void next_chunk();
@@ -139,6 +152,8 @@ class WritesLog {
     std::uint64_t arrival_step_ = 0;
     std::uint64_t arrived_ = 0;  // number of entries when the tree came to its state
     std::unordered_map<Cell, FullWrite, CellHash> full_;
+    bool between_steps_ = false;
+    std::unordered_set<Cell, CellHash> full_between_;  // of `full_`: written since the last step
 };
 
 }  // namespace fettle::property

@@ -9,6 +9,7 @@
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <motion/tweens.h>
 #include <sandbox/sandbox.h>
 #include <text/columns.h>
 #include <text/folded_rows.h>
@@ -53,6 +54,14 @@ void report(Machine& machine, const char* what, const property::UndoResult& resu
         print_line(machine, "  " + hint);
 }
 
+/// Tweens of an instance that was deleted have ended, and are not part of the history.
+void report_ended_tweens(Machine& machine, const std::vector<Handle>& deleted_targets) {
+    for (const Handle each : deleted_targets)
+        if (machine.tree.alive(each))
+            print_line(machine, "  tweens of " + machine.tree.path(each) +
+                                    " ended when it was deleted; they are not brought back");
+}
+
 /// Calls `reverse` as often as the argument says: once without one.
 int repeat(lua_State* L, const char* what, property::UndoResult (property::Tree::*reverse)()) {
     Machine& machine = machine_of(L);
@@ -66,9 +75,11 @@ int repeat(lua_State* L, const char* what, property::UndoResult (property::Tree:
     }
     bool done = true;
     for (lua_Integer i = 0; i < count && done; ++i) {
+        const std::vector<Handle> deleted_targets = machine.tweens.deleted_targets();
         const property::UndoResult result = (machine.tree.*reverse)();
         done = result.done;
         if (done || i == 0) report(machine, what, result);
+        report_ended_tweens(machine, deleted_targets);
     }
     return 0;
 }

@@ -18,6 +18,7 @@ namespace {
 
 // Sums of steps have rounding errors, so a tween this near its end has reached it.
 constexpr double tolerance = 1e-9;
+constexpr std::size_t most_deleted_targets = 256;
 
 std::pair<std::uint64_t, std::string> moved_by(const Tree& tree, const TweenClasses& classes,
                                                Handle tween) {
@@ -162,6 +163,18 @@ Handle Tweens::add_group(const char* kind, const std::vector<Handle>& members) {
     return made;
 }
 
+void Tweens::note_deleted(Handle target) {
+    if (std::ranges::find(deleted_targets_, target) != deleted_targets_.end()) return;
+    deleted_targets_.push_back(target);
+    if (deleted_targets_.size() > most_deleted_targets) deleted_targets_.pop_front();
+}
+
+std::vector<Handle> Tweens::deleted_targets() {
+    // Going back in time brings back an instance with its tweens.
+    std::erase_if(deleted_targets_, [&](Handle each) { return machine_.tree.alive(each); });
+    return {deleted_targets_.begin(), deleted_targets_.end()};
+}
+
 // --- Running
 
 bool Tweens::over(Handle each) const {
@@ -246,7 +259,9 @@ std::optional<double> Tweens::advance_group(Handle group, double dt, int depth) 
 std::optional<double> Tweens::advance_tween(Handle tween, double dt) {
     Tree& tree = machine_.tree;
     const bool moves = !tree.get(tween, classes_.property).text().empty();
-    if (moves && !tree.alive(tree.get(tween, classes_.target).reference())) {
+    const Handle moved = tree.get(tween, classes_.target).reference();
+    if (moves && !tree.alive(moved)) {
+        note_deleted(moved);
         tree.destroy(tween);
         return dt;
     }

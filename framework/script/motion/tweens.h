@@ -2,6 +2,7 @@
 // Runs the tweens of a tree, in simulation time.
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -43,6 +44,9 @@ class Tweens {
     /// Whether the instance is a tween or a group that `add_group` takes.
     bool groupable(Handle each) const;
 
+    /// The last deleted instances whose tweens ended for that reason. Undo may bring them back.
+    std::vector<Handle> deleted_targets();
+
     /// All tweens and groups that are in no group.
     std::vector<Handle> all() const;
 
@@ -62,6 +66,7 @@ class Tweens {
     bool running(Handle each) const;
     bool over(Handle each) const;
     void end(Handle each, std::string_view why);
+    void note_deleted(Handle target);
     std::optional<double> advance(Handle each, double dt, int depth);
     std::optional<double> advance_tween(Handle tween, double dt);
     std::optional<double> advance_group(Handle group, double dt, int depth);
@@ -74,6 +79,7 @@ class Tweens {
 
     Machine& machine_;
     const TweenClasses classes_;
+    std::deque<Handle> deleted_targets_;
     /// The tweens that have begun, by instance and property. Listed when the first tween of a run
     /// begins: each tween that begins ends the others of its property, and many may begin in a
     /// step.

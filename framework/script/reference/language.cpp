@@ -8,8 +8,10 @@ namespace fettle::script {
 const std::vector<GlobalDoc>& global_docs() {
     static const std::vector<GlobalDoc> docs = {
         {"ab", "ab(path?: string, value?: any, seconds?: number)",
-         "Shows the last seconds twice, side by side: A as they were, and B with that value of the "
-         "property from their beginning on. Scripts do not run again: what they wrote then is "
+         "Shows the last seconds twice, side by side: A with everything at its place of then, and "
+         "B "
+         "with that value of the property from their beginning on. Both have the shapes and colors "
+         "of now. Scripts do not run again: what they wrote then is "
          "written in B, too. seconds: 4 if it is left out, 0.1 to 60. The game does not change. "
          "Without a path the comparison ends. ab(\"world.ball.mass\", 3)."},
         {"after", "after(seconds: number, action: fun(), options?: table): Connection",
@@ -183,7 +185,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "before a reload stays. Returns the current value."},
         {"tweaks", "tweaks()",
          "Lists what people, and scripts inside edit(), changed while the game ran, in this run "
-         "and in earlier ones, and which of these changes are kept."},
+         "and in earlier ones, and which of these changes are kept. After going back it lists "
+         "the changes of this run that hold at that moment."},
         {"tween",
          "tween(target: Object, property: string, to: any, seconds: number, ease?: "
          "string|number[]|fun(time: number): number, options?: table): Tween",

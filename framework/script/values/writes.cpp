@@ -1,6 +1,7 @@
 #include <utility>
 
 #include <fettle/property/formula_problems.h>
+#include <fettle/property/question.h>
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/script/runtime.h>
 
@@ -100,12 +101,39 @@ void write_property(Machine& machine, Handle instance, const Property& property,
     declarations.wrote(instance, name);
 }
 
+namespace {
+
+/// Refuses a formula whose value now the property cannot have, as it refuses the value itself. A
+/// formula that fails now, or has no value, may have one later.
+void require_fitting(Machine& machine, Handle instance, std::string_view name,
+                     const property::Formula& formula) {
+    property::Tree& tree = machine.tree;
+    const Property* const property = tree.find(instance, name);
+    if (property == nullptr || property->binding.kind == property::BindingKind::node) return;
+    Value value;
+    try {
+        const property::Inquiry inquiry(tree, "a formula", "cannot");
+        value = formula.function(tree);
+    } catch (const std::exception&) {
+        return;
+    }
+    if (value.is_nil()) return;
+    try {
+        (void)tree.coerce(instance, *property, value);
+    } catch (const Error& error) {
+        if (error.kind() == ErrorKind::wrong_type) throw;
+    }
+}
+
+}  // namespace
+
 void write_formula(Machine& machine, Handle instance, std::string_view name,
                    property::Formula formula) {
     const std::string source = formula.source.empty() ? "a function" : one_line(formula.source);
     Declarations& declarations = machine.declarations;
     if (declarations.defers(instance))
         return declarations.defer(instance, name, std::move(formula));
+    if (machine.recording.active) require_fitting(machine, instance, name, formula);
     declarations.writing(instance, name);
     const bool added = machine.tree.find(instance, name) == nullptr;
     machine.tree.set_formula(instance, name, std::move(formula));

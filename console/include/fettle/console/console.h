@@ -149,6 +149,8 @@ class Console : public app::Layer {
 
     bool is_open() const;         ///< whether the player sees it
     void open(bool open = true);  ///< opens or closes it
+    /// The key that opens and closes it, as a text for players: "`" for the grave key.
+    std::string shown_key() const;
     /// The state of this console for that of the next run.
     std::shared_ptr<const Continuation> continuation() const;
     /// Goes on where the console of an earlier run ended. To be called before the first frame.

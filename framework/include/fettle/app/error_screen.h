@@ -35,6 +35,8 @@ class ErrorScreen : public Layer {
         std::function<void(int steps)> travel{};
         /// Whether the console is open, which then gets all keys.
         std::function<bool()> console_is_open{};
+        /// The key that opens and closes the console, as it is shown; "": there is no console.
+        std::function<std::string()> console_key{};
     };
     explicit ErrorScreen(Actions actions) : actions_(std::move(actions)) {}
 
@@ -75,7 +77,7 @@ class ErrorScreen : public Layer {
     bool handle_key(const std::string& key);
     ClipRectangle free_part(const Surface& surface) const;
     void draw_text(Surface& surface, float bottom);
-    std::vector<std::string_view> keys() const;
+    std::vector<std::string> keys() const;
     void draw_keys(Surface& surface, float bottom) const;
     /// These two return the upper edge of what they have drawn.
     float draw_strip(Surface& surface, float bottom) const;

@@ -3,6 +3,7 @@
 // so the observer costs a game nothing.
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -25,6 +26,12 @@ struct CellState {
     std::optional<Formula> formula{};  ///< in place of a plain value
 };
 
+/// What an observer of edits knows at one moment.
+struct EditMoment {
+    std::shared_ptr<const void> state{};  ///< never changes; null: nothing
+    std::size_t bytes = 0;  ///< that it takes besides earlier states of the observer, estimated
+};
+
 /// Receives every edit by a person (console, inspector, remote, an `edit` block of a script), and
 /// the changes by undo and redo, right after they are made. Members must not throw and must not
 /// change the tree; `Tree::cause()` is the writer.
@@ -40,6 +47,12 @@ class EditObserver {
     virtual void instance_deleting(Handle) {}
     /// The instance has another name or parent. Null parent: it was detached.
     virtual void moved(Handle, Handle /*old_parent*/, const std::string& /*old_name*/) {}
+    /// Snapshots, and the log from which steps are repeated, contain this state.
+    virtual EditMoment moment() { return {}; }
+    /// The tree is at the moment of that `state` of `moment` again; the steps of a log may follow.
+    /// Null: the state of a file or of another tree. Called while the tree is being restored, so
+    /// the observer must not read it.
+    virtual void went_to(const std::shared_ptr<const void>& /*state*/) {}
 };
 
 /// How many edits have ended so far that cannot be undone, because they took more memory than the

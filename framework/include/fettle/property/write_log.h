@@ -38,6 +38,9 @@ class WriteLog : public Observer {
 
     /// Returns the log since the last call.
     LoggedWrites take();
+    /// Must be called when all changes of a step were made and taken: the last writer of a value is
+    /// asked for at a step, and later changes are not in its state.
+    void end_step();
     /// True if there is something to take.
     bool any() const { return !bytes_.empty() || !kept_.empty(); }
     /// Bytes it holds now.

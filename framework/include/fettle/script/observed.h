@@ -48,7 +48,7 @@ struct ConsoleFunctions {
     std::function<std::vector<std::string>()> breaks{};
     /// Searches the kept past for the last step at which the condition was true, and goes there.
     std::function<void(Observed)> last_time{};
-    /// Shows the last seconds twice: as they were, and with that value of the property from their
+    /// Shows the last seconds twice: as they passed, and with that value of the property from their
     /// beginning on. Without a path: ends that.
     std::function<void(const std::string& path, const property::Value& value, double seconds)> ab{};
     /// Shows the present branch of the past and another one, and their differences; "" is the

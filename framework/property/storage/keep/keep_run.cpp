@@ -37,6 +37,7 @@ void KeepRun::mark_described(const Rows& rows) {
             Tweaks::State::Entry& its = state.entry_of(*row);
             Tweaks::State::Entry& deletion = *state.deleted.at(its.handle.key());
             deletion.gone = true;
+            deletion.kept_version = 0;  // the file has it again
             state.touch(deletion);
         }
         if (row->kind != Kind::created || row->run != 0) continue;
@@ -77,7 +78,7 @@ InstanceMoves KeepRun::change_homes(const std::vector<MoveStep>& moves,
     std::vector<std::pair<JournalRow*, std::string>> homes;
     for (JournalRow& row : state.earlier.rows)
         if (row.state == RowState::open) homes.emplace_back(&row, all.now(row_paths.home(row)));
-    state.homes_changed([&](const std::string& home) { return all.now(home); });
+    state.homes_changed([all](const std::string& home) { return all.now(home); });
     for (const auto& [row, home] : homes)
         if (row->kind == Kind::moved) row->instance = home;
     row_paths = RowPaths(state);  // the moves have new home paths

@@ -28,6 +28,7 @@ class SceneValues {
     /// Forgets the instance and those that are below it in the tree.
     void forget(const Tree& tree, Handle instance);
     void clear();
+    std::size_t bytes() const;  // that it takes, estimated
     /// Whether any of the values may have references.
     bool may_name() const { return !naming_.empty(); }
     /// Replaces paths in all references. Returns whether there was one that `mention` may name.

@@ -44,6 +44,14 @@ void SceneValues::clear() {
     naming_.clear();
 }
 
+std::size_t SceneValues::bytes() const {
+    constexpr std::size_t node = 64;  // of a container, besides the texts
+    std::size_t sum = (values_.size() + naming_.size()) * 2 * node;
+    for (const auto& [instance, values] : values_)
+        for (const auto& [name, text] : values) sum += node + name.size() + text.size();
+    return sum;
+}
+
 bool SceneValues::rename(const Tree& tree, const std::string& mention, const NewPath& path) {
     bool renamed = false;
     for (const auto& [cell, instance] : naming_) {

@@ -1,10 +1,46 @@
-// Finding tweaks by the instances that they are about and that they name.
+// Adding tweaks, and finding them by the instances that they are about and that they name.
 
 #include <algorithm>
+#include <utility>
 
 #include <tweaks/tweaks_state.h>
 
 namespace fettle::property {
+
+Tweaks::State::Entry& Tweaks::State::entry(Kind kind, const std::string& instance,
+                                           const std::string& property, Handle handle,
+                                           bool* begins) {
+    Entry*& found = by_key[key_of(kind, instance, property)];
+    // An entry that a deletion has made void belongs to the deleted instance, not to the next one
+    // of that path.
+    const bool other = found == nullptr || (found->deletion != nullptr && found->handle != handle);
+    if (begins != nullptr) *begins = other || found->away;
+    if (other) {
+        found = &add_entry(kind, instance, handle);
+    } else if (std::exchange(found->away, false)) {
+        const std::int64_t number = found->row.number;
+        static_cast<EntryState&>(*found) = {};
+        found->row.number = number;
+        found->row.kind = kind;
+        found->row.instance = instance;
+    }
+    found->row.property = property;
+    found->handle = handle;
+    return *found;
+}
+
+/// Adds an entry that cannot be found by its path, because several instances may have had that
+/// path.
+Tweaks::State::Entry& Tweaks::State::add_entry(Kind kind, const std::string& instance,
+                                               Handle handle) {
+    Entry& its = *entries.emplace_back(std::make_unique<Entry>());
+    its.row.kind = kind;
+    its.row.number = ++last_number;
+    its.row.instance = instance;
+    its.handle = handle;
+    index(its);
+    return its;
+}
 
 bool Tweaks::State::may_name(const Entry& entry) {
     const auto has_text = [](const std::string& json) {
@@ -16,6 +52,8 @@ bool Tweaks::State::may_name(const Entry& entry) {
 }
 
 void Tweaks::State::index(Entry& entry) {
+    entry.saved = nullptr;
+    last_moment = nullptr;
     if (may_name(entry))
         naming.insert(&entry);
     else

@@ -35,9 +35,16 @@ void Tweaks::State::set_state(JournalRow& row, RowState state) {
     if (row.run == JournalRow::elsewhere) return;
     if (row.run != 0) return earlier.changed.push_back(&row);
     Entry& its = entry_of(row);
-    if (its.dirty) return;
-    its.dirty = true;
-    dirty.push_back(&its);
+    index(its);
+    add_to_dirty(its);
+    if (state == RowState::dropped) its.dropped_version = last_version;
+    if (state != RowState::kept) return;
+    its.kept_version = its.version;
+    if (row.kind == Kind::value) its.in_file = its.now;
+    // A file that has lost an instance does not describe it any more, whoever had made it.
+    if (const auto made = created.find(its.handle.key());
+        row.kind == Kind::deleted && made != created.end())
+        made->second->kept_version = 0;
 }
 
 /// Returns the number of dropped rows. Rows without a valid path match only the pattern "**".

@@ -148,41 +148,14 @@ Tweaks::State::Entry* Tweaks::State::created_above(Handle instance) const {
     return nullptr;
 }
 
-Tweaks::State::Entry& Tweaks::State::entry(Kind kind, const std::string& instance,
-                                           const std::string& property, Handle handle) {
-    Entry*& found = by_key[key_of(kind, instance, property)];
-    // An entry that a deletion has made void belongs to the deleted instance, not to the next one
-    // of that path.
-    if (found == nullptr || (found->deletion != nullptr && found->handle != handle)) {
-        found = &add_entry(kind, instance, handle);
-        found->row.property = property;
-    }
-    found->handle = handle;
-    return *found;
-}
-
-/// Adds an entry that cannot be found by its path, because several instances may have had that
-/// path.
-Tweaks::State::Entry& Tweaks::State::add_entry(Kind kind, const std::string& instance,
-                                               Handle handle) {
-    Entry& its = *entries.emplace_back(std::make_unique<Entry>());
-    its.row.kind = kind;
-    its.row.number = ++last_number;
-    its.row.instance = instance;
-    its.handle = handle;
-    index(its);
-    return its;
-}
-
 void Tweaks::State::touch(Entry& entry) {
+    entry.version = ++last_version;
     entry.row.state = RowState::open;
     entry.row.step = static_cast<std::int64_t>(tree.step());
     entry.row.time = seconds_now();
     index(entry);
     barriers_to_retry = 0;
-    if (entry.dirty) return;
-    entry.dirty = true;
-    dirty.push_back(&entry);
+    add_to_dirty(entry);
 }
 
 void Tweaks::State::note_origin(Entry& entry, Handle instance) const {
@@ -194,17 +167,18 @@ void Tweaks::State::note_origin(Entry& entry, Handle instance) const {
 
 void Tweaks::State::edited(Handle instance, const Property& property, const CellState& before) {
     if (property.transient || !attached(instance)) return;
+    settle();
     if (is_fresh(instance)) return update_restored_values(instance, property);
     if (!deleted.empty()) undelete_above(instance);
     if (Entry* creation = created_above(instance)) {
         creation->inside.emplace_back(instance, property.symbol);
         return touch(*creation);
     }
-    const std::size_t known = entries.size();
-    Entry& its = entry(Kind::value, tree.path(instance), property.name, instance);
-    if (entries.size() > known) {
-        its.was = image_of(tree, property, before);
-        name_deleted(its.was, before.value);
+    bool begins = false;
+    Entry& its = entry(Kind::value, tree.path(instance), property.name, instance, &begins);
+    if (begins) {
+        its.was = its.in_file ? *its.in_file : image_of(tree, property, before);
+        if (!its.in_file) name_deleted(its.was, before.value);
         note_origin(its, instance);
     }
     if (its.row.state == RowState::kept) its.was = its.now;  // the file contains that value
@@ -253,12 +227,14 @@ void Tweaks::State::name_deleted(Image& image, const Value& value) const {
 }
 
 void Tweaks::State::instance_created(Handle instance) {
+    settle();
     if (attached(instance)) rename_mentions(path_of_deleted(instance), tree.path(instance));
     if (is_in_fresh.insert(instance.key()).second) fresh.push_back(instance);
     barriers_to_retry = 0;
 }
 
 void Tweaks::State::instance_deleting(Handle instance) {
+    settle();
     if (attached(instance)) rename_mentions(tree.path(instance), path_of_deleted(instance));
     // An instance that was created since the last barrier leaves no entry.
     if (is_in_fresh.erase(instance.key()) != 0) {
@@ -309,15 +285,20 @@ Tweaks::State::Entry& Tweaks::State::add_deletion(Handle instance, const std::st
     Entry& deletion = known != deleted.end()             ? *known->second
                       : created.contains(instance.key()) ? add_entry(Kind::deleted, home, instance)
                                                          : entry(Kind::deleted, home, {}, instance);
+    const bool in_file = deletion.away && deletion.kept_version > 0;
     deletion.row.instance = home;
     deletion.row.now = path;
     deletion.row.was_text = with_article(tree.class_of(instance).name());
     deletion.row.now_text = "deleted";
-    deletion.gone = false;
+    deletion.gone = deletion.away = false;
     deletion.deletion = deletion.with = nullptr;
     deleted[instance.key()] = &deletion;
     note_origin(deletion, instance);
     touch(deletion);
+    if (in_file) {  // it was kept before the game went back
+        deletion.row.state = RowState::kept;
+        deletion.kept_version = deletion.version;
+    }
     return deletion;
 }
 
@@ -370,6 +351,7 @@ void Tweaks::State::make_void(const std::string& path, const std::string& home, 
 }
 
 void Tweaks::State::revive(Entry& deletion) {
+    deletion.saved = nullptr;
     for (Entry* const each : in_order(deletion.voided)) {
         Entry& its = *each;
         if (its.gone && its.deletion == &deletion) {
@@ -391,6 +373,7 @@ void Tweaks::State::revive(Entry& deletion) {
 // --- Reports
 
 std::vector<Tweak> Tweaks::list() const {
+    state_->settle();
     std::vector<Tweak> all;
     const auto add = [&all](const JournalRow& row, bool is_earlier, bool committed) {
         all.push_back({.path = path_of(row),

@@ -25,11 +25,12 @@ constexpr std::string_view mention_of_deleted = "\"game[\\\"\\\\000";
 }  // namespace
 
 bool Tweaks::State::visible(const Entry& entry) const {
-    if (entry.gone || entry.row.state == RowState::dropped) return false;
+    if (entry.gone || entry.away || entry.row.state == RowState::dropped) return false;
     return entry.row.kind != Kind::value || !(entry.was == entry.now);
 }
 
 void Tweaks::State::barrier() {
+    settle();
     if (fresh.empty() && dirty.empty() && earlier.changed.empty() && earlier.renamed.empty() &&
         earlier.removed.empty())
         return;
@@ -89,7 +90,7 @@ void Tweaks::State::make_fresh_entry(Handle instance) {
     its.values = std::move(fresh_one.values);
     its.row.was_text = "nothing";
     its.row.now_text = "new " + tree.class_of(instance).name();
-    its.gone = false;
+    its.gone = its.away = false;
     its.inside.clear();
     created[instance.key()] = &its;
     its.row.file.clear();

@@ -14,6 +14,7 @@
 namespace fettle::property {
 
 void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string& old_name) {
+    settle();
     const bool was = old_parent && tree.alive(old_parent) && attached(old_parent);
     const bool is = attached(instance);
     const std::string old_path = was ? path_below(tree.path(old_parent), old_name) : std::string();
@@ -32,6 +33,7 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     const bool first = its == nullptr;
     if (first) its = &add_entry(Kind::moved, old_path, instance);
     Entry& move = *its;
+    move.away = false;
     if (first) move.gone = true;                      // until its home path is set
     if (first || move.row.state == RowState::kept) {  // the files contain its home path
         move.row.instance = path_below(home_of(old_parent), old_name);
@@ -45,7 +47,7 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     touch(move);
     move.gone = is_home(move);
     if (Entry* above = into_new ? created_above(tree.parent(instance)) : nullptr)
-        above->values.forget(tree, instance);  // it has a tweak of its own
+        above->values.forget(tree, instance), index(*above);  // it has a tweak of its own
 }
 
 bool Tweaks::State::is_home(const Entry& move) const {
@@ -117,11 +119,12 @@ bool Tweaks::State::is_removed(const JournalRow& row) {
 }
 
 void Tweaks::State::homes_changed(const NewPath& now_at) {
-    for (const auto& each : entries) {
-        JournalRow& row = each->row;
-        if (row.kind == Kind::value || row.kind == Kind::created) continue;
-        const bool in_no_file = is_removed(row) && !each->gone;
-        each->taken_out = with_new_homes(tree, each->taken_out, row.instance, now_at);
+    for (const auto& each : entries)
+        each->taken_out = with_new_homes(tree, each->taken_out, each->row.instance, now_at);
+    rename_in_entries([this, now_at](Entry& its) {
+        JournalRow& row = its.row;
+        if (row.kind == Kind::value || row.kind == Kind::created) return;
+        const bool in_no_file = is_removed(row) && !its.gone;
         bool renamed = false;
         if (row.kind == Kind::restored) {
             const std::string was = with_new_homes(tree, row.was, row.instance, now_at);
@@ -131,13 +134,13 @@ void Tweaks::State::homes_changed(const NewPath& now_at) {
                                            : now_at(row.instance).value_or(row.instance);
         if (now != row.instance) {
             renamed = true;
-            if (row.kind != Kind::moved) rekey(*each, now);
+            if (row.kind != Kind::moved) rekey(its, now);
             row.instance = now;
             if (row.kind == Kind::moved) row.was_text = row.instance;
         }
-        index(*each);
-        if (renamed && row.state == RowState::open && !each->gone) touch(*each);
-    }
+        index(its);
+        if (renamed && row.state == RowState::open && !its.gone) add_to_dirty(its);
+    });
     for (JournalRow& row : earlier.rows) {
         if (row.kind != Kind::restored) continue;
         row.was = with_new_homes(tree, row.was, row.instance, now_at);
@@ -152,7 +155,7 @@ void Tweaks::State::renamed_earlier(JournalRow& row) {
 
 void Tweaks::State::steps_renamed(const std::filesystem::path& file,
                                   const SceneOrigins::Names& names) {
-    const auto rename = [&](JournalRow& row, std::string* taken_out, bool gone) {
+    const auto rename = [file, names](JournalRow& row, std::string* taken_out, bool gone) {
         const bool here = row.file == file.string() && !row.inside.empty();
         const SceneSteps steps = here ? read_steps(row.inside) : SceneSteps();
         for (std::string* text : {taken_out, row.kind == Kind::restored ? &row.was : nullptr})
@@ -163,11 +166,16 @@ void Tweaks::State::steps_renamed(const std::filesystem::path& file,
                                                          : renamed_steps(steps, names));
     };
     for (const auto& each : entries) {
-        const std::string before = each->row.inside;
-        rename(each->row, &each->taken_out, each->gone);
-        if (each->row.inside != before && each->row.state == RowState::open && !each->gone)
-            touch(*each);
+        JournalRow copy = each->row;
+        rename(copy, &each->taken_out, each->gone);
     }
+    rename_in_entries([this, rename](Entry& its) {
+        const std::string before = its.row.inside;
+        rename(its.row, nullptr, its.gone);
+        index(its);
+        if (its.row.inside != before && its.row.state == RowState::open && !its.gone)
+            add_to_dirty(its);
+    });
     for (JournalRow& row : earlier.rows) {
         const std::string before = row.inside;
         rename(row, nullptr, false);
@@ -179,6 +187,7 @@ void Tweaks::State::set_former_value(const JournalRow& row) {
     const auto found = by_key.find(key_of(Kind::value, row.instance, row.property));
     if (found == by_key.end()) return;
     found->second->was = read_image(row.now);
+    found->second->in_file = found->second->was;
     index(*found->second);
 }
 
@@ -265,12 +274,13 @@ void Tweaks::State::rename_mentions(const std::string& from, const std::string& 
             renamed = true;
         };
         try {
-            if (its.row.kind == Kind::value)
-                for (Image* image : {&its.was, &its.now})
-                    rename_in(image->value, [&](const std::string& value) {
-                        return value_with_paths(value, now_at);
-                    });
-            else if (its.row.kind == Kind::created)
+            if (its.row.kind == Kind::value) {
+                for (Image* image : {&its.was, &its.now, its.in_file ? &*its.in_file : nullptr})
+                    if (image != nullptr)
+                        rename_in(image->value, [&](const std::string& value) {
+                            return value_with_paths(value, now_at);
+                        });
+            } else if (its.row.kind == Kind::created)
                 renamed = its.values.rename(tree, quoted, now_at);
             else
                 rename_in(its.scene, [&](const std::string& scene) {
@@ -278,12 +288,16 @@ void Tweaks::State::rename_mentions(const std::string& from, const std::string& 
                 });
         } catch (const Error&) {  // errors are reported on keeping
         }
-        if (renamed && open) touch(its);
+        if (renamed && open)
+            touch(its);
+        else if (renamed)
+            index(its);
         // It was kept as null while the target of the reference was deleted.
         if (!renamed || its.row.state != RowState::kept || its.gone || !is_of_deleted(from))
             continue;
         if (its.row.kind == Kind::value) {
             its.was.value = "null";
+            its.in_file = its.was;
             touch(its);
         } else if (its.row.kind == Kind::created && tree.alive(its.handle)) {
             values_named_again.emplace_back(&its, to);
@@ -309,9 +323,9 @@ void Tweaks::State::add_reference_tweaks(Entry& made, const std::string& path) {
         const Property* property =
             instance ? tree.find(instance, scene.document().key(*each.node)) : nullptr;
         if (property == nullptr) continue;
-        const std::size_t known = entries.size();
-        Entry& its = entry(Kind::value, tree.path(instance), property->name, instance);
-        if (entries.size() > known) {
+        bool begins = false;
+        Entry& its = entry(Kind::value, tree.path(instance), property->name, instance, &begins);
+        if (begins) {
             its.was.kind = Image::Kind::by_default;
             note_origin(its, instance);
         }

@@ -28,12 +28,13 @@ struct Tweaks::State : EditObserver {
     using Kind = JournalRow::Kind;
     using RowState = JournalRow::State;
 
-    /// A tweak of this run. It is identified by its object, so editing a property twice is one
-    /// tweak, and undoing the edit removes it.
-    struct Entry {
+    struct Entry;
+    /// What a tweak is at a moment of the game. Going back in time restores it.
+    struct EntryState {
         JournalRow row;
-        Image was, now;     // for a value
-        std::string scene;  // for a new or restored instance
+        std::int64_t version = 0;  // number of its last change, counted over all tweaks
+        Image was, now;            // for a value
+        std::string scene;         // for a new or restored instance
         // For a new instance: the values of its scene when it was made, with later edits by people.
         // A scene written now would also contain changes by the simulation.
         SceneValues values;
@@ -42,12 +43,30 @@ struct Tweaks::State : EditObserver {
         bool gone = false;          // its object was deleted, or the edit was undone
         Entry* with = nullptr;      // for a deletion: the other deletion that it is part of
         Entry* deletion = nullptr;  // the deletion that made it void
-        bool committed = false;     // the journal contains it
-        bool dirty = false;
         std::vector<std::pair<Handle, Symbol>> inside;  // of a creation: edited cells
-        std::string taken_out;       // for a kept deletion: the text removed from the file
-        std::string found_at;        // the path in `by_path`; "" if it is not in it
         std::vector<Entry*> voided;  // entries whose `deletion` or `with` is or was this one
+    };
+    struct SavedEntry {
+        EntryState state;
+        std::size_t renames;  // number of `renames` that it contains
+    };
+    /// A tweak of this run. It is identified by its object, so editing a property twice is one
+    /// tweak, and undoing the edit removes it. Its own members are true at all moments.
+    struct Entry : EntryState {
+        bool away = false;  // its edit was made in another branch or later, so it does not hold
+        bool committed = false;  // the journal contains it
+        bool dirty = false;
+        // The versions that were kept and dropped last; 0: none.
+        std::int64_t kept_version = 0, dropped_version = 0;
+        std::optional<Image> in_file;  // for a value: what this run has written into its file
+        std::string taken_out;         // for a kept deletion: the text removed from the file
+        std::string found_at;          // the path in `by_path`; "" if it is not in it
+        std::shared_ptr<const SavedEntry> saved;  // null: it has changed since it was saved
+    };
+    /// All tweaks of this run that are known at a moment.
+    struct Moment {
+        std::shared_ptr<const char> of;  // the mark of its `State`
+        std::vector<std::shared_ptr<const SavedEntry>> entries;
     };
 
     /// Rows that earlier runs left in the journal.
@@ -79,8 +98,9 @@ struct Tweaks::State : EditObserver {
     bool attached(Handle instance) const;
     bool is_fresh(Handle instance) const;
     Entry* created_above(Handle instance) const;
-    Entry& entry(Kind kind, const std::string& instance, const std::string& property,
-                 Handle handle);
+    /// `begins`: set to true if it has no edit at this moment yet.
+    Entry& entry(Kind kind, const std::string& instance, const std::string& property, Handle handle,
+                 bool* begins = nullptr);
     Entry& add_entry(Kind kind, const std::string& instance, Handle handle);
     void touch(Entry& entry);
     void name_deleted(Image& image, const Value& value) const;
@@ -92,7 +112,19 @@ struct Tweaks::State : EditObserver {
     void make_void(const std::string& path, const std::string& home, Entry& deletion);
     void revive(Entry& deletion);
 
-    // entry_index.cpp: finds the tweaks of an instance without a search through all of them
+    // moments.cpp: the tweaks that hold at the moment to which the game has gone
+    EditMoment moment() override;
+    void went_to(const std::shared_ptr<const void>& state) override;
+    /// Must be called before entries are used.
+    void settle();
+    void put(Entry& its, const std::shared_ptr<const SavedEntry>& saved);
+    void leave(Entry& its);
+    static RowState state_now(const Entry& its);
+    void add_to_dirty(Entry& its);
+    /// Files got other names of instances: changes all entries, also those that are restored later.
+    void rename_in_entries(std::function<void(Entry&)> rename);
+
+    // entry_index.cpp: adds tweaks, and finds those of an instance without a search through all
     /// Must be called after the path of an entry or the texts that may name instances have changed.
     void index(Entry& entry);
     /// The entries at that path and below it, but for restorations, in order.
@@ -185,7 +217,11 @@ struct Tweaks::State : EditObserver {
     // By instance (`key`).
     std::unordered_map<std::uint64_t, Entry*> created, deleted, restorations, moved_entries;
     EarlierRows earlier;
-    std::int64_t last_number = 0;
+    std::int64_t last_number = 0, last_version = 0;
+    const std::shared_ptr<const char> mark = std::make_shared<const char>();
+    std::shared_ptr<const Moment> last_moment;  // null: entries have changed since
+    std::shared_ptr<const Moment> pending;      // the game has gone there
+    std::vector<std::function<void(Entry&)>> renames;
     std::string last_failure;   // reported once
     int barriers_to_retry = 0;  // barriers before a failed commit is tried again
 };

@@ -1,0 +1,125 @@
+// The tweaks at the moment of the game: they follow it when it goes back in time, to another branch
+// or to a snapshot. Files do not go back: what was kept is in them at every moment, and what was
+// dropped stays dropped.
+
+#include <algorithm>
+#include <utility>
+
+#include <tweaks/tweaks_state.h>
+
+namespace fettle::property {
+
+namespace {
+
+using Kind = JournalRow::Kind;
+using RowState = JournalRow::State;
+
+}  // namespace
+
+EditMoment Tweaks::State::moment() {
+    settle();
+    make_fresh_entries();
+    if (last_moment != nullptr) return {last_moment, 0};
+    auto now = std::make_shared<Moment>();
+    now->of = mark;
+    std::size_t bytes = sizeof(Moment) + entries.size() * sizeof(now->entries[0]);
+    now->entries.reserve(entries.size());
+    for (const auto& each : entries) {
+        Entry& its = *each;
+        if (its.away) continue;
+        if (its.saved == nullptr) {
+            its.saved = std::make_shared<const SavedEntry>(SavedEntry{its, renames.size()});
+            bytes += sizeof(SavedEntry) + its.values.bytes() + its.scene.size() +
+                     2 * (its.row.now.size() + its.row.was.size() + its.row.inside.size() +
+                          its.row.instance.size() + its.row.file.size());
+        }
+        now->entries.push_back(its.saved);
+    }
+    last_moment = std::move(now);
+    return {last_moment, bytes};
+}
+
+/// A state of a file or of another tree does not say which edits hold: all stay.
+void Tweaks::State::went_to(const std::shared_ptr<const void>& state) {
+    auto to = std::static_pointer_cast<const Moment>(state);
+    if (to != nullptr && to->of == mark) pending = std::move(to);
+}
+
+void Tweaks::State::settle() {
+    const std::shared_ptr<const Moment> to = std::exchange(pending, nullptr);
+    if (to == nullptr || to == last_moment || tree_life.expired()) return;
+    fresh.clear();
+    is_in_fresh.clear();
+    std::vector<bool> holds(entries.size());
+    for (const auto& saved : to->entries) {
+        const auto index_of = static_cast<std::size_t>(saved->state.row.number) - 1;
+        holds[index_of] = true;
+        put(*entries[index_of], saved);
+    }
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (!holds[i]) leave(*entries[i]);
+    // Several entries may have had one path; that of the instance which is there now comes last.
+    std::vector<Entry*> all;
+    for (const auto& each : entries)
+        if (each->row.kind != Kind::created && each->row.kind != Kind::moved)
+            all.push_back(each.get());
+    const auto rank = [this](const Entry* its) {
+        const bool there =
+            !its->away && tree.alive(its->handle) && tree.path(its->handle) == its->row.instance;
+        return there ? 2 : its->away ? 0 : 1;
+    };
+    std::ranges::stable_sort(all, {}, rank);
+    by_key.clear();
+    for (Entry* its : all)
+        by_key[key_of(its->row.kind, its->row.instance, its->row.property)] = its;
+    last_moment = nullptr;
+    barriers_to_retry = 0;
+}
+
+void Tweaks::State::put(Entry& its, const std::shared_ptr<const SavedEntry>& saved) {
+    if (its.saved == saved && !its.away) return;
+    its.away = false;
+    std::string kept_in = std::move(its.row.kept_in);
+    static_cast<EntryState&>(its) = saved->state;
+    its.row.kept_in = std::move(kept_in);
+    for (std::size_t i = saved->renames; i < renames.size(); ++i) renames[i](its);
+    its.row.state = state_now(its);
+    if (its.row.state != RowState::kept && its.in_file) its.was = *its.in_file;
+    index(its);
+    add_to_dirty(its);
+}
+
+/// The edit does not hold at this moment. What a file contains is still true of the instance.
+void Tweaks::State::leave(Entry& its) {
+    if (its.away) return;
+    its.away = true;
+    const bool in_file = its.kept_version > 0 && tree.alive(its.handle) && attached(its.handle);
+    if (its.row.kind == Kind::moved && in_file) {  // the file has the later name
+        its.row.state = RowState::open;
+        its.row.now = tree.path(its.handle);
+        its.gone = is_home(its);
+    } else if (its.row.kind != Kind::deleted || !in_file || created.contains(its.handle.key())) {
+        its.gone = true;
+    }
+    index(its);
+    add_to_dirty(its);
+}
+
+Tweaks::State::RowState Tweaks::State::state_now(const Entry& its) {
+    const bool by_version = its.row.kind == Kind::value || its.row.kind == Kind::moved;
+    if (its.kept_version > 0 && (!by_version || its.kept_version == its.version))
+        return RowState::kept;
+    return its.version <= its.dropped_version ? RowState::dropped : RowState::open;
+}
+
+void Tweaks::State::add_to_dirty(Entry& its) {
+    if (std::exchange(its.dirty, true)) return;
+    dirty.push_back(&its);
+}
+
+void Tweaks::State::rename_in_entries(std::function<void(Entry&)> rename) {
+    for (const auto& each : entries) rename(*each);
+    renames.push_back(std::move(rename));
+}
+
+}  // namespace fettle::property

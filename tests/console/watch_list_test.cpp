@@ -1,0 +1,43 @@
+// The list of pinned values in windows of different sizes.
+
+#include "catch.h"
+#include "observing_rig.h"
+
+namespace watch_list_test {
+
+using namespace fettle;
+using console::test::ObservingRig;
+
+TEST_CASE("the whole name of a pin is readable in a small window") {
+    ObservingRig rig;
+    const std::string path = "world.ball.position.x",
+                      sum = "world.ball.position.x + world.ball.position.y * 2 - world.ball.mass";
+    rig.run("pin " + path);
+    rig.run("pin " + sum);
+    rig.run("pin " + sum + " + 1 - 1 + 1 - 1 + 1 - 1 + 1 - 1 + 1 - 1 + 1 - 1 + 1 - 1 + 1 - 1 + 1");
+    REQUIRE(rig.pins().size() == 3);
+    rig.step(30);
+    console::test::RasterSurface small(400, 600);
+    rig.show();
+    for (int i = 0; i < 3; ++i) rig.lua.draw(small, 1.0 / 60);
+    const console::WatchList& list = rig.lua.state().views.watch_list;
+    const float width = list.rect().high.x - list.rect().low.x;
+    const auto row = [&](std::size_t pin, float wide) {
+        return list.row_of(rig.tree, rig.pins()[pin], wide);
+    };
+    const auto name = [&](std::size_t pin) {
+        std::string all;
+        for (const std::string& part : row(pin, width).above) all += part;
+        return all;
+    };
+    CHECK(name(1) == sum);
+    CHECK(row(1, width).height > row(0, width).height);
+    CHECK(row(1, 1200).above.empty());  // beside the value
+    CHECK(row(2, width).above.size() == 3);
+    CHECK(name(2).ends_with("…"));  // a tooltip has the rest
+    // The rows do not overlap.
+    CHECK(list.button(1).low.y >= list.button(0).high.y);
+    CHECK(list.button(1).high.y - list.button(1).low.y >= row(1, width).height - 1);
+}
+
+}  // namespace watch_list_test

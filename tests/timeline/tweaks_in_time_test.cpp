@@ -1,0 +1,498 @@
+// The list of tweaks at every moment: the edits by persons that hold there, in the branch that the
+// game is on.
+
+#include <fettle/property/storage/tweaks.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <random>
+#include <set>
+
+#include "catch.h"
+#include "playing.h"
+#include "temporary_folder.h"
+#include "thorough.h"
+
+namespace tweaks_in_time_test {
+
+using namespace fettle;
+using namespace fettle::app;
+using property::Handle;
+using property::Tweak;
+using property::Value;
+
+namespace {
+
+constexpr const char* three_balls = R"(
+    world.a = Body { position = vec(-3, 4), Circle {} }
+    world.b = Body { position = vec(0, 4), Circle {} }
+    world.c = Body { position = vec(3, 4), Circle {} }
+    world.wall = Body { type = "static", position = vec(0, -9), Box {} }
+)";
+
+struct Tweaked : TemporaryFolder, Playing {
+    property::Tweaks tweaks;
+    std::vector<std::string> warnings;
+
+    Tweaked()
+        : Playing(three_balls),
+          tweaks(tree, path, [this](const std::string& text) { warnings.push_back(text); }) {
+        loop->after_barrier([this] { tweaks.barrier(); });
+        run(1);
+    }
+    ~Tweaked() { loop->after_barrier({}); }
+
+    void run(int steps) {
+        for (int i = 0; i < steps; ++i) loop->turn();
+    }
+    template <class What>
+    auto person(What what) {
+        const property::Tree::CauseScope scope(tree, property::Writer::console);
+        return what();
+    }
+    void edit(const std::string& path_of_cell, double value) {
+        person([&] { property::set(tree, path_of_cell, value); });
+    }
+    Handle at(const std::string& path_of_instance) const {
+        return property::get(tree, path_of_instance).reference();
+    }
+    void make(const std::string& name) { tree.create(*tree.find_class("Body"), at("world"), name); }
+    void barrier() {
+        tree.barrier();
+        tweaks.barrier();
+    }
+    std::vector<std::string> list() {
+        barrier();
+        std::vector<std::string> all;
+        for (const Tweak& each : tweaks.list())
+            all.push_back(each.path + ": " + each.was + " → " + each.now +
+                          (each.kept ? ", kept" : ""));
+        return all;
+    }
+    std::string kept_file() const {
+        std::ifstream file(path / "main.tweaks.json");
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+};
+
+using Lines = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("an edit is listed exactly where it holds") {
+    Tweaked game;
+    game.run(9);
+    game.edit("world.a.gravity_scale", 2);
+    game.run(10);
+    game.edit("world.a.gravity_scale", 3);
+    game.run(10);
+    const Lines later{"world.a.gravity_scale: 1 → 3"};
+    CHECK(game.list() == later);
+    game.time().go_to(15);
+    CHECK(game.list() == Lines{"world.a.gravity_scale: 1 → 2"});
+    game.time().go_to(5);
+    CHECK(game.list().empty());
+    CHECK(game.tweaks.keep("**").count == 0);
+    game.time().go_to(25);
+    CHECK(game.list() == later);
+    CHECK(game.tweaks.list()[0].step == 20);
+}
+
+TEST_CASE("each branch lists its own edits") {
+    Tweaked game;
+    game.run(9);
+    game.edit("world.a.gravity_scale", 2);
+    game.run(10);
+    game.time().go_to(5);
+    game.edit("world.b.gravity_scale", 0.5);
+    game.run(10);
+    const Lines second{"world.b.gravity_scale: 1 → 0.5"};
+    CHECK(game.list() == second);
+    game.time().switch_to("1");
+    CHECK(game.list() == Lines{"world.a.gravity_scale: 1 → 2"});
+    game.time().switch_to("2");
+    CHECK(game.list() == second);
+    CHECK(game.tweaks.keep("**").count == 1);
+    CHECK(game.kept_file().find("world.a") == std::string::npos);
+}
+
+TEST_CASE("a drag that has not ended is listed after looking at the past") {
+    Tweaked game;
+    game.run(4);
+    game.tree.begin_edit("drag");
+    for (int i = 1; i <= 9; ++i) {
+        game.edit("world.a.gravity_scale", i + 1);
+        game.run(1);
+    }
+    game.time().go_to(9);
+    CHECK(game.list() == Lines{"world.a.gravity_scale: 1 → 5"});
+    game.tree.end_edit();
+}
+
+TEST_CASE("what was dropped stays dropped after going back and returning") {
+    Tweaked game;
+    game.edit("world.a.gravity_scale", 2);
+    game.run(5);
+    game.edit("world.a.gravity_scale", 3);
+    game.run(5);
+    CHECK(game.tweaks.drop("**").count == 1);
+    game.time().go_to(4);
+    CHECK(game.list().empty());
+    game.time().go_to(11);
+    CHECK(game.list().empty());
+    game.time().go_to(4);
+    game.edit("world.a.gravity_scale", 4);
+    CHECK(game.list() == Lines{"world.a.gravity_scale: 1 → 4"});
+}
+
+TEST_CASE("a tweak from before the kept one starts from the value in the file") {
+    Tweaked game;
+    game.edit("world.a.gravity_scale", 2);
+    game.run(5);
+    game.edit("world.a.gravity_scale", 3);
+    game.run(5);
+    CHECK(game.tweaks.keep("**").count == 1);
+    CHECK(game.list() == Lines{"world.a.gravity_scale: 1 → 3, kept"});
+    game.time().go_to(4);
+    CHECK(game.list() == Lines{"world.a.gravity_scale: 3 → 2"});
+    game.time().go_to(1);
+    CHECK(game.list().empty());
+    game.time().go_to(11);
+    CHECK(game.list() == Lines{"world.a.gravity_scale: 1 → 3, kept"});
+    game.time().go_to(1);
+    game.edit("world.a.gravity_scale", 3);  // the file has it
+    CHECK(game.list().empty());
+    game.edit("world.a.gravity_scale", 1);
+    CHECK(game.list() == Lines{"world.a.gravity_scale: 3 → 1"});
+    CHECK(game.tweaks.keep("**").count == 1);
+    CHECK(game.kept_file().find("\"world.a.gravity_scale\": null") != std::string::npos);
+}
+
+TEST_CASE("made and deleted and renamed instances are listed where they are so") {
+    Tweaked game;
+    game.run(4);
+    game.person([&] { game.make("lamp"); });
+    game.run(5);
+    game.edit("world.lamp.gravity_scale", 2);
+    game.person([&] { game.tree.destroy(game.at("world.wall")); });
+    game.run(5);
+    game.person([&] { game.tree.rename(game.at("world.c"), "last"); });
+    game.run(5);
+    const Lines all{"world.lamp: nothing → new Body", "world.wall: a Body → deleted",
+                    "world.c: world.c → moved to world.last"};
+    CHECK(game.list() == all);
+    game.time().go_to(12);
+    CHECK(game.list() == Lines(all.begin(), all.begin() + 2));
+    game.time().go_to(7);
+    CHECK(game.list() == Lines(all.begin(), all.begin() + 1));
+    game.time().go_to(2);
+    CHECK(game.list().empty());
+    game.time().go_to(20);
+    CHECK(game.list() == all);
+    game.time().go_to(7);
+    CHECK(game.tweaks.keep("**").count == 1);
+    CHECK(game.kept_file().find("gravity_scale") == std::string::npos);  // edited later
+    CHECK(game.kept_file().find("lamp") != std::string::npos);
+    CHECK(game.kept_file().find("wall") == std::string::npos);
+}
+
+TEST_CASE("a deletion that was kept is not listed before it and can be kept again") {
+    Tweaked game;
+    game.run(4);
+    const auto remove_wall = [&] {
+        game.person([&] { game.tree.destroy(game.at("world.wall")); });
+    };
+    remove_wall();
+    game.run(5);
+    CHECK(game.tweaks.keep("**").count == 1);
+    CHECK(game.list() == Lines{"world.wall: a Body → deleted, kept"});
+    game.time().go_to(3);
+    CHECK(game.list().empty());
+    remove_wall();  // as in the file
+    CHECK(game.list() == Lines{"world.wall: a Body → deleted, kept"});
+    game.time().go_to(3);
+    game.edit("world.wall.gravity_scale", 2);
+    CHECK(game.list().size() == 2);
+    CHECK(game.tweaks.keep("**").problems == Lines{});
+    CHECK(game.kept_file().find("\"deleted\"") == std::string::npos);
+    CHECK(game.kept_file().find("\"world.wall.gravity_scale\": 2") != std::string::npos);
+    CHECK(game.warnings.empty());
+}
+
+TEST_CASE("the next run does not find edits that the game has left behind") {
+    const TemporaryFolder folder;
+    {
+        property::Tree tree;
+        property::Tweaks tweaks(tree, folder.path, [](const std::string&) {});
+        tree.set_or_add(tree.root(), "mark", 1);
+        const property::Snapshot before = tree.snapshot();
+        {
+            const property::Tree::CauseScope scope(tree, property::Writer::console);
+            tree.set_or_add(tree.root(), "mark", 2);
+        }
+        tree.barrier();
+        tweaks.barrier();
+        CHECK(tweaks.list().size() == 1);
+        tree.restore(before);
+        tweaks.barrier();
+    }
+    property::Tree tree;
+    const property::Tweaks tweaks(tree, folder.path, [](const std::string&) {});
+    CHECK(tweaks.list().empty());
+}
+
+namespace {
+
+/// The rule in its simplest form: everything that is known at a moment is copied for each moment.
+struct Model {
+    struct Change {
+        std::string cell;
+        double before, after;
+    };
+    struct State {
+        std::map<std::string, double> values;
+        std::map<std::string, int> last;  // the number of the last change of each cell
+        std::vector<Change> done, undone;
+        std::set<std::string> made;
+        bool operator==(const State&) const = delete;
+    };
+    struct Branch {
+        std::map<std::int64_t, State> after;  // by step
+        std::optional<State> tail;            // edited after the newest step
+    };
+
+    State now;
+    std::int64_t here = 0;
+    int changes = 0;
+    std::string name = "1";
+    std::map<std::string, Branch> branches;
+    std::map<std::string, double> in_file;
+    std::map<std::string, int> kept, dropped;
+
+    std::int64_t newest() { return branches[name].after.rbegin()->first; }
+    void change(const std::string& cell, double value) {
+        now.values[cell] = value;
+        now.last[cell] = ++changes;
+    }
+    static double was(const State& state, const std::string& cell) {
+        const auto found = state.values.find(cell);
+        return found == state.values.end() ? 1 : found->second;
+    }
+    void leave() {
+        if (here == newest()) branches[name].tail = now;
+    }
+    void go_to(std::int64_t step) {
+        leave();
+        Branch& branch = branches[name];
+        now = step == newest() && branch.tail ? *branch.tail : branch.after[step];
+        here = step;
+    }
+    /// `branch`: the name of the branch after the step.
+    void stepped(std::int64_t step, const std::string& branch) {
+        if (branch != name) {
+            branches[branch] = {branches[name].after, {}};
+            auto& after = branches[branch].after;
+            after.erase(after.upper_bound(here), after.end());
+            name = branch;
+        }
+        branches[name].after[step] = now;
+        branches[name].tail.reset();
+        here = step;
+    }
+    bool is_open(const std::string& cell, int last) const {
+        const auto at = [&](const std::map<std::string, int>& of) {
+            const auto found = of.find(cell);
+            return found == of.end() ? 0 : found->second;
+        };
+        return last != at(kept) && last > at(dropped);
+    }
+    Lines open() const {
+        Lines all;
+        for (const auto& [cell, last] : now.last) {
+            const auto file = in_file.find(cell);
+            const double value = now.values.at(cell);
+            if (value != (file == in_file.end() ? 1 : file->second) && is_open(cell, last))
+                all.push_back(cell + " " + std::to_string(static_cast<int>(value)));
+        }
+        for (const std::string& instance : now.made) all.push_back(instance + " made");
+        std::sort(all.begin(), all.end());
+        return all;
+    }
+};
+
+struct Session : Tweaked {
+    Model model;
+    std::mt19937 random;
+    struct Copy {
+        property::Snapshot snapshot;
+        Model::State state;
+        std::int64_t step;
+    };
+    std::vector<Copy> copies;
+    int instances = 0;
+
+    explicit Session(unsigned seed) : random(seed) {
+        tree.set_history_limit(std::size_t{64} << 20);
+        run(1);
+        for (std::int64_t step = time().oldest(); step <= services.clock.step; ++step)
+            model.branches["1"].after[step] = {};
+        model.here = services.clock.step;
+    }
+    std::size_t below(std::size_t count) { return random() % count; }
+    std::string some_cell() { return std::string("world.") + "abc"[below(3)] + ".gravity_scale"; }
+    Lines open() {
+        barrier();
+        Lines all;
+        for (const Tweak& each : tweaks.list())
+            if (!each.kept)
+                all.push_back(each.path + " " + (each.value ? each.now : std::string("made")));
+        std::sort(all.begin(), all.end());
+        return all;
+    }
+    std::string act();
+    void undo(bool back);
+    void restore();
+    std::string go();
+};
+
+void Session::undo(bool back) {
+    const bool done = (back ? tree.undo() : tree.redo()).done;
+    std::vector<Model::Change>& from = back ? model.now.done : model.now.undone;
+    REQUIRE(done == !from.empty());
+    if (!done) return;
+    const Model::Change change = from.back();
+    from.pop_back();
+    (back ? model.now.undone : model.now.done).push_back(change);
+    if (change.cell.find(".gravity") != std::string::npos)
+        model.change(change.cell, back ? change.before : change.after);
+    else if (back)
+        model.now.made.erase(change.cell);
+    else
+        model.now.made.insert(change.cell);
+}
+
+void Session::restore() {
+    const Copy& copy = copies[below(copies.size())];
+    const std::int64_t oldest = time().oldest(), newest = time().newest();
+    tree.restore(copy.snapshot);
+    time().go_near(copy.step);  // the timeline notices the restored state now
+    Model::Branch& branch = model.branches[model.name];
+    if (copy.step < oldest || copy.step > newest) {
+        model.branches.clear();
+    } else {
+        branch.after.erase(branch.after.lower_bound(copy.step), branch.after.end());
+        branch.tail.reset();
+    }
+    model.now = copy.state;
+    model.here = copy.step;
+    model.branches[model.name].after[copy.step] = model.now;
+}
+
+std::string Session::go() {
+    if (const auto others = time().branches(); !others.empty() && below(3) == 0) {
+        const std::string to = others[below(others.size())].name;
+        model.leave();
+        time().switch_to(to);
+        model.name = to;
+        model.here = -1;
+        model.go_to(model.newest());
+        return "switch to " + to;
+    }
+    const std::int64_t oldest = time().oldest();
+    const std::int64_t step =
+        oldest +
+        static_cast<std::int64_t>(below(static_cast<std::size_t>(time().newest() - oldest + 1)));
+    time().go_to(step);
+    model.go_to(step);
+    return "go to " + std::to_string(step);
+}
+
+std::string Session::act() {
+    switch (below(12)) {
+        case 0:
+        case 1:
+        case 2: {
+            const std::string cell = some_cell();
+            const double value = 1 + static_cast<double>(below(4));
+            const double before = Model::was(model.now, cell);
+            if (value == before) return "nothing";
+            edit(cell, value);
+            model.now.done.push_back({cell, before, value});
+            model.now.undone.clear();
+            model.change(cell, value);
+            return cell + " = " + std::to_string(value);
+        }
+        case 3: {
+            const std::string name = "made" + std::to_string(++instances);
+            person([&] { make(name); });
+            model.now.done.push_back({"world." + name, 0, 0});
+            model.now.undone.clear();
+            model.now.made.insert("world." + name);
+            return "make " + name;
+        }
+        case 4:
+            undo(true);
+            return "undo";
+        case 5:
+            undo(false);
+            return "redo";
+        case 6:
+        case 7:
+            for (std::size_t n = 1 + below(5); n > 0; --n) {
+                loop->turn();
+                model.stepped(services.clock.step, services.clock.branch);
+            }
+            return "steps to " + std::to_string(services.clock.step);
+        case 8: {
+            const std::string cell = some_cell();
+            const std::size_t count = tweaks.keep(cell).count;
+            const Lines open = model.open();
+            const bool listed = std::any_of(open.begin(), open.end(), [&](const std::string& line) {
+                return line.starts_with(cell);
+            });
+            REQUIRE(count == listed);
+            if (listed) {
+                model.in_file[cell] = model.now.values.at(cell);
+                model.kept[cell] = model.now.last.at(cell);
+            }
+            return "keep " + cell;
+        }
+        case 9: {
+            const std::string cell = some_cell();
+            const bool listed = tweaks.drop(cell).count > 0;
+            if (listed) model.dropped[cell] = model.changes;
+            return "drop " + cell;
+        }
+        case 10:
+            if (copies.size() < 4 || below(3) == 0)
+                copies.push_back({tree.snapshot(), model.now, services.clock.step});
+            else
+                restore();
+            return "copy or restore at " + std::to_string(services.clock.step);
+        default:
+            return go();
+    }
+}
+
+}  // namespace
+
+TEST_CASE("at every moment of random sessions the list has the edits that hold") {
+    const unsigned seeds = thorough() ? 200 : 40;
+    for (unsigned seed = 1; seed <= seeds; ++seed) {
+        Session session(seed);
+        std::string done;
+        for (int i = 0; i < 120; ++i) {
+            done += session.act() + "\n";
+            CAPTURE(seed, done);
+            for (const auto& [cell, value] : session.model.now.values)
+                REQUIRE(session.get(cell) == Value(value));
+            REQUIRE(session.open() == session.model.open());
+        }
+        REQUIRE(session.errors.empty());
+        REQUIRE(session.warnings.empty());
+    }
+}
+
+}  // namespace tweaks_in_time_test
