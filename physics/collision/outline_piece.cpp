@@ -136,7 +136,7 @@ void collide_circle(const OutlinePiece& a, Vec2 center, float radius, Vec2 offse
     const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center); });
     if (axes.greatest() > radius + margin) return;
     const bool in_front = a.faces(center, had_contact ? radius + far_behind : 0.0f);
-    // The center is outside an inner edge: the circle meets another piece first.
+    // Beyond an inner edge, the circle meets another piece first.
     const bool hidden = !a.one_sided() && axes.inner > max(axes.outer.separation, 0.0f);
     const int edge = axes.outer.edge;
     if (edge < 0) return;
@@ -296,16 +296,16 @@ class PolygonOnPiece {
         const Vec2 middle_a = Facets(a_.form).middle() - offset_;
         const Vec2 middle_b = Facets(b_).middle() + offset_;
         const auto meets_others = [&](float separation) {
-            return is_behind_inner(a_, on_a.inner, separation, middle_b, lowest_of_b) ||
-                   (piece_b_ != nullptr &&
-                    is_behind_inner(*piece_b_, on_b.inner, separation, middle_a, lowest_of_a));
+            if (is_behind_inner(a_, on_a.inner, separation, middle_b, lowest_of_b)) return true;
+            if (piece_b_ == nullptr || on_b.inner <= separation + beyond) return false;
+            return piece_b_->one_sided() ||
+                   is_behind_inner(*piece_b_, on_b.inner, separation, middle_a, lowest_of_a);
         };
         if (front && !meets_others(best)) push_with_edges(on_a.outer, on_b.outer);
-        if (m_.count == 0 && front && best < -beyond && !a_.one_sided() &&
-            (piece_b_ == nullptr || !piece_b_->one_sided()))
+        const bool sided = a_.one_sided() || (piece_b_ != nullptr && piece_b_->one_sided());
+        if (m_.count == 0 && front && best < -beyond && !sided)
             push_along_next(on_a.outer, on_b.outer, meets_others, lowest_of_a, lowest_of_b);
-        // Not for two outlines: two tips that catch on each other would touch and part again in
-        // turns.
+        // Not for two outlines: two tips that catch on each other would touch and part in turns.
         const bool apart = max(best, on_a.inner) > face_preference;
         if (m_.count == 0 && apart && piece_b_ == nullptr) push_with_corner(front);
     }
