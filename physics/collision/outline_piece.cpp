@@ -68,14 +68,21 @@ struct Axes {
     float greatest() const { return max(outer.separation, inner); }
 };
 
-Axes axes_of(const OutlinePiece& piece, auto&& nearest) {
+/// The order of edges from the greatest separation to the least.
+bool is_after(EdgeGap first, EdgeGap second) {
+    return second.separation < first.separation ||
+           (second.separation == first.separation && second.edge > first.edge);
+}
+
+/// Outer edges up to `last` in the order of their separation are left out.
+Axes axes_of(const OutlinePiece& piece, auto&& nearest, EdgeGap last = {-1, 1e30f}) {
     const Convex& form = piece.form;
     Axes axes;
     for (int i = 0; i < form.count; ++i) {
         const float s = nearest(form.normals[i]) - form.offsets[i];
         if (piece.is_inner(i))
             axes.inner = max(axes.inner, s);
-        else if (s > axes.outer.separation)
+        else if (s > axes.outer.separation && is_after(last, {i, s}))
             axes.outer = {i, s};
     }
     return axes;
@@ -105,11 +112,22 @@ bool is_left_by_all(const OutlinePiece& piece, float least, float through_face) 
     return piece.one_sided() && least > 0.0f && through_face < 4.0f * least + beyond;
 }
 
-/// True if the shape is in front of another piece: the overlap through an inner edge is smaller.
-/// The back of a segment has no other piece behind it. A body that touches the segment may be
-/// behind it by more than the thickness of the body.
-bool is_behind_inner(const OutlinePiece& piece, float inner, float outer) {
-    return !piece.one_sided() && inner > outer + beyond;
+/// True if the shape is in front of another piece: the overlap through an inner edge is smaller,
+/// and the middle of the shape is beyond this edge. It is beyond it for only one of the two pieces
+/// that share the edge, so they never both leave the shape to each other. The back of a segment has
+/// no other piece behind it. A body that touches the segment may be behind it by more than the
+/// thickness of the body. `nearest(normal)`: the coordinate of the nearest point of the shape.
+bool is_behind_inner(const OutlinePiece& piece, float inner, float outer, Vec2 middle,
+                     auto&& nearest) {
+    if (piece.one_sided() || !(inner > outer + beyond)) return false;
+    const Convex& form = piece.form;
+    for (int i = 0; i < form.count; ++i) {
+        const Vec2 n = form.normals[i];
+        if (piece.is_inner(i) && dot(n, middle) > form.offsets[i] &&
+            nearest(n) - form.offsets[i] > outer + beyond)
+            return true;
+    }
+    return false;
 }
 
 /// A circle: its center is a point, so the nearest feature of the piece decides.
@@ -118,10 +136,8 @@ void collide_circle(const OutlinePiece& a, Vec2 center, float radius, Vec2 offse
     const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center); });
     if (axes.greatest() > radius + margin) return;
     const bool in_front = a.faces(center, had_contact ? radius + far_behind : 0.0f);
-    // The circle is outside an inner edge, or nearer to it than to any other: it meets another
-    // piece first.
-    const bool hidden = !a.one_sided() && (axes.inner > max(axes.outer.separation, 0.0f) ||
-                                           is_behind_inner(a, axes.inner, axes.outer.separation));
+    // Beyond an inner edge, the circle meets another piece first.
+    const bool hidden = !a.one_sided() && axes.inner > max(axes.outer.separation, 0.0f);
     const int edge = axes.outer.edge;
     if (edge < 0) return;
     const int next = edge + 1 < a.form.count ? edge + 1 : 0;
@@ -186,11 +202,12 @@ void push_with_corner(const OutlinePiece& a, const EllipseForm& e, Vec2 offset, 
 void collide_ellipse(const OutlinePiece& a, const EllipseForm& e, Vec2 offset, float margin,
                      bool had_contact, Manifold& m) {
     const Vec2 center = e.center + offset;
-    const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center) - e.reach(n); });
+    const auto nearest = [&](Vec2 n) { return dot(n, center) - e.reach(n); };
+    const Axes axes = axes_of(a, nearest);
     const float depth = had_contact ? e.reach(a.form.normals[0]) + far_behind : 0.0f;
     if (axes.greatest() > margin || axes.outer.edge < 0) return;
     const bool in_front = a.faces(center, depth);
-    if (!in_front || is_behind_inner(a, axes.inner, axes.outer.separation)) {
+    if (!in_front || is_behind_inner(a, axes.inner, axes.outer.separation, center, nearest)) {
         push_with_corner(a, e, offset, margin, in_front, m);
         return;
     }
@@ -214,7 +231,8 @@ void collide_ellipse(const OutlinePiece& a, const EllipseForm& e, Vec2 offset, f
     const RimPoint rim = nearest_on_rim(e, p - offset);
     if (a.decide(vertex, -rim.normal) != OutlinePiece::Verdict::pushes) {
         const float gap = axes.outer.separation;
-        if (is_left_by_all(a, -rim.distance, -gap))
+        const bool deep = !a.one_sided() && -rim.distance > beyond;
+        if (deep || is_left_by_all(a, -rim.distance, -gap))
             one_point(deepest - gap * n, n, gap, 0.0f, offset, margin, feature_of(edge, 254), m);
         else
             push_with_corner(a, e, offset, margin, in_front, m);
@@ -262,7 +280,8 @@ class PolygonOnPiece {
 
     void collide() {
         const float reach = b_.radius + margin_;
-        const Axes on_a = axes_of(a_, [&](Vec2 n) { return lowest(b_, n) + dot(n, offset_); });
+        const auto lowest_of_b = [&](Vec2 n) { return lowest(b_, n) + dot(n, offset_); };
+        const Axes on_a = axes_of(a_, lowest_of_b);
         if (on_a.greatest() > reach || on_a.outer.edge < 0) return;
         const auto lowest_of_a = [&](Vec2 n) { return lowest(a_.form, n) - dot(n, offset_); };
         Axes on_b;
@@ -274,10 +293,19 @@ class PolygonOnPiece {
         const float best = max(on_a.outer.separation, on_b.outer.separation);
         if (piece_b_ && !in_front(*piece_b_, a_.form, -offset_)) return;
         const bool front = in_front(a_, b_, offset_);
-        if (front && !is_behind_inner(a_, on_a.inner, best) && on_b.inner <= best + beyond)
-            push_with_edges(on_a.outer, on_b.outer);
-        // Not for two outlines: two tips that catch on each other would touch and part again in
-        // turns.
+        const Vec2 middle_a = Facets(a_.form).middle() - offset_;
+        const Vec2 middle_b = Facets(b_).middle() + offset_;
+        const auto meets_others = [&](float separation) {
+            if (is_behind_inner(a_, on_a.inner, separation, middle_b, lowest_of_b)) return true;
+            if (piece_b_ == nullptr || on_b.inner <= separation + beyond) return false;
+            return piece_b_->one_sided() ||
+                   is_behind_inner(*piece_b_, on_b.inner, separation, middle_a, lowest_of_a);
+        };
+        if (front && !meets_others(best)) push_with_edges(on_a.outer, on_b.outer);
+        const bool sided = a_.one_sided() || (piece_b_ != nullptr && piece_b_->one_sided());
+        if (m_.count == 0 && front && best < -beyond && !sided)
+            push_along_next(on_a.outer, on_b.outer, meets_others, lowest_of_a, lowest_of_b);
+        // Not for two outlines: two tips that catch on each other would touch and part in turns.
         const bool apart = max(best, on_a.inner) > face_preference;
         if (m_.count == 0 && apart && piece_b_ == nullptr) push_with_corner(front);
     }
@@ -302,6 +330,33 @@ class PolygonOnPiece {
         if (m_.count == 0 && best <= face_preference &&
             is_left_by_all(a_, b_.radius - best, b_.radius - on_a.separation))
             push_alone(on_a, on_b);
+    }
+
+    /// The next of the edges of the other shape, in the order of their separation.
+    EdgeGap next_of_b(EdgeGap last, auto&& lowest_of_a) const {
+        if (piece_b_ != nullptr) return axes_of(*piece_b_, lowest_of_a, last).outer;
+        EdgeGap next = {-1};
+        for (int i = 0; i < b_.count; ++i) {
+            const EdgeGap gap = {i, lowest_of_a(b_.normals[i]) - b_.offsets[i]};
+            if (gap.separation > next.separation && is_after(last, gap)) next = gap;
+        }
+        return next;
+    }
+
+    /// Pushes along the direction of least overlap among those that the pieces do not leave to
+    /// others. A direction that a piece leaves is not that of the outline, which is deeper there.
+    void push_along_next(EdgeGap on_a, EdgeGap on_b, auto&& meets_others, auto&& lowest_of_a,
+                         auto&& lowest_of_b) {
+        while (m_.count == 0) {
+            if (on_b.separation > on_a.separation + face_preference)
+                on_b = next_of_b(on_b, lowest_of_a);
+            else
+                on_a = axes_of(a_, lowest_of_b, on_a).outer;
+            if ((on_a.edge < 0 && on_b.edge < 0) ||
+                meets_others(max(on_a.separation, on_b.separation)))
+                return;
+            push_with_edges(on_a, on_b);
+        }
     }
 
     /// Pushes where no other segment does: with the face, or with the end of the segment if the

@@ -47,7 +47,7 @@ float stars_to_rest(unsigned seed, float limit) {
 
 TEST_CASE("heaps of stars come to rest") {
     std::vector<float> times;
-    const unsigned seeds = families::seeds_or(10);
+    const unsigned seeds = families::seeds_or(20);
     for (unsigned seed = 0; seed < seeds; ++seed) times.push_back(stars_to_rest(seed, 40));
     std::ranges::sort(times);
     INFO("half after " << times[seeds / 2] << " s, the last after " << times.back() << " s");
