@@ -9,7 +9,7 @@ namespace {
 /// Contacts hold a joint open if those of each of its bodies push it outwards with this part of the
 /// force of the joint. A load on a chain or a bridge pulls the joint apart through other joints.
 constexpr float least_part = 0.7f;
-/// A narrower gap, as a part of the width of the thinner body of a contact, is that of a load.
+/// A gap that is narrower than this part of the width of what is in it may come from a load.
 constexpr float least_gap = 0.1f;
 /// What is heavier than a body of the joint by more than this is a load, and must not fall through.
 constexpr float most_masses = 20.0f;
@@ -44,9 +44,9 @@ class OpenJoint {
     bool is_held_by(uint32_t contact) const {
         const uint32_t body = passed(), other = objects_.other_body(contact, body);
         const BodyRecord &own = objects_.bodies[body], &holding = objects_.bodies[other];
-        const float width = 2.0f * min(own.thickness, holding.thickness);
         return outward_impulse(contact, side_) > 0.0f && is_dynamic(other) &&
-               holding.mass < most_masses * own.mass && width_ > least_gap * width;
+               holding.mass < most_masses * own.mass &&
+               width_ > least_gap * 2.0f * holding.thickness;
     }
 
   private:
