@@ -1,5 +1,6 @@
 #include <collision/climb.h>
 #include <collision/clip.h>
+#include <collision/collide_solids.h>
 #include <collision/ellipse.h>
 #include <collision/outline_piece.h>
 
@@ -260,19 +261,20 @@ class PolygonOnPiece {
           had_contact_(had_contact),
           m_(m) {}
 
-    void collide() {
+    /// Returns false if the shapes are too far apart for a contact.
+    bool collide() {
         const float reach = b_.radius + margin_;
         const Axes on_a = axes_of(a_, [&](Vec2 n) { return lowest(b_, n) + dot(n, offset_); });
-        if (on_a.greatest() > reach || on_a.outer.edge < 0) return;
+        if (on_a.greatest() > reach || on_a.outer.edge < 0) return false;
         const auto lowest_of_a = [&](Vec2 n) { return lowest(a_.form, n) - dot(n, offset_); };
         Axes on_b;
         if (piece_b_ != nullptr)
             on_b = axes_of(*piece_b_, lowest_of_a);
         else
             on_b.outer = deepest_edge(Facets(b_), Facets(a_.form).middle() - offset_, lowest_of_a);
-        if (on_b.greatest() > reach) return;
+        if (on_b.greatest() > reach) return false;
         const float best = max(on_a.outer.separation, on_b.outer.separation);
-        if (piece_b_ && !in_front(*piece_b_, a_.form, -offset_)) return;
+        if (piece_b_ && !in_front(*piece_b_, a_.form, -offset_)) return true;
         const bool front = in_front(a_, b_, offset_);
         if (front && !is_behind_inner(a_, on_a.inner, best) && on_b.inner <= best + beyond)
             push_with_edges(on_a.outer, on_b.outer);
@@ -280,6 +282,7 @@ class PolygonOnPiece {
         // turns.
         const bool apart = max(best, on_a.inner) > face_preference;
         if (m_.count == 0 && apart && piece_b_ == nullptr) push_with_corner(front);
+        return true;
     }
 
   private:
@@ -422,6 +425,17 @@ class PolygonOnPiece {
     Manifold& m_;
 };
 
+/// Of two faces that are almost parallel, either may push, and the choice is arbitrary. But a face
+/// may leave a corner of the other piece to the next piece, which is too far away. Then the other
+/// face pushes.
+void collide_pieces(const OutlinePiece& a, const OutlinePiece& b, Vec2 offset, float margin,
+                    bool had_contact, Manifold& m) {
+    const bool near = PolygonOnPiece(a, b.form, &b, offset, margin, had_contact, m).collide();
+    if (!near || m.count > 0 || a.one_sided() || b.one_sided()) return;
+    PolygonOnPiece(b, a.form, &a, -offset, margin, had_contact, m).collide();
+    swap_shapes(m);
+}
+
 }  // namespace
 
 void collide_piece(const Solid& piece, const Solid& other, Vec2 offset, float margin,
@@ -435,8 +449,7 @@ void collide_piece(const Solid& piece, const Solid& other, Vec2 offset, float ma
         collide_circle(a, other.form.vertices[0] + offset, other.form.radius, offset, margin,
                        had_contact, m);
     } else if (other.kind == FormKind::piece) {
-        const OutlinePiece b(other);
-        PolygonOnPiece(a, other.form, &b, offset, margin, had_contact, m).collide();
+        collide_pieces(a, OutlinePiece(other), offset, margin, had_contact, m);
     } else {
         PolygonOnPiece(a, other.form, nullptr, offset, margin, had_contact, m).collide();
     }

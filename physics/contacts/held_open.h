@@ -5,12 +5,11 @@
 
 // Joints that contacts hold open. A limb that an impact has pressed between the two bodies of a
 // hinge would stay there for ever: the contacts push the two bodies apart, the hinge pulls them
-// together with hundreds of times their weight, and neither can win. So large a force does not
-// stay in balance. The solver computes with the normals and lever arms of the beginning of a step,
-// so each turn of such a knot by a small angle adds energy in proportion to the force, and limbs of
-// ragdolls whipped at 13 m/s for ever. A joint has priority over contacts between dynamic bodies:
-// what holds it open passes through one of its two bodies, as a kinematic body passes through what
-// it crushes (contacts/crushed.h), and the joint closes.
+// together with hundreds of times their weight, and neither can win. Forces that large do not stay
+// in balance over a step, whose contacts have the normals and lever arms of its beginning: knotted
+// limbs of ragdolls whipped at 13 m/s. So a joint has priority over contacts between dynamic
+// bodies: what holds it open passes through one of its two bodies, as a kinematic body passes
+// through what it crushes (contacts/crushed.h), and the joint closes.
 
 namespace fettle::physics::detail {
 
