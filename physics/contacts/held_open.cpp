@@ -95,6 +95,8 @@ class OpenJoint {
 void release(const Touching& touching, uint32_t slot, float h) {
     ObjectState& objects = touching.objects;
     JointRecord& joint = objects.joints[slot];
+    for (const uint32_t body : joint.bodies)
+        if (objects.bodies[body].lists.first_contact == none) return;
     OpenJoint open(objects, touching.columns, joint);
     if (!open.is_held(h * length(joint.force))) return;
     std::vector<uint32_t> pressed;
@@ -113,6 +115,7 @@ void release(const Touching& touching, uint32_t slot, float h) {
 }  // namespace
 
 void release_held_open(const Touching& touching, const JointScratch& joints, float h) {
+    if (touching.objects.contact_slots.count == 0) return;
     for (const JointArray& array : joints.joint_arrays) {
         const auto begin = array.open.begin(), end = array.open.end();
         for (auto at = std::find(begin, end, 1); at != end; at = std::find(at + 1, end, 1))
