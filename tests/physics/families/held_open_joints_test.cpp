@@ -94,8 +94,8 @@ struct Pile {
     }
 };
 
-/// Two limbs with a joint between their ends, which are apart by 60 to 120 % of the width of a third
-/// limb between them, or of two side by side.
+/// Two limbs with a joint between their ends, which are apart by 60 to 120 % of the width of a
+/// third limb between them, or of two side by side.
 struct Knee {
     World world{{.gravity = {0, 0}}};
     Joint joint;
