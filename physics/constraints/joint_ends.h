@@ -115,6 +115,14 @@ struct JointEnds {
                          const JointStep& step) const {
         return dot(direction, close_wide_gap(body_a, body_b, gap * direction, step));
     }
+    /// True if the two anchors are apart, and the joint does not bring them together now.
+    bool stays_open(const SolverBody& body_a, const SolverBody& body_b) const {
+        constexpr float wide = 0.01f, slow = 0.5f;  // m, m/s
+        const Vec2 between = gap(body_a, body_b);
+        const float square = length_squared(between);
+        return square > wide * wide &&
+               std::abs(dot(between, velocity(body_a, body_b))) < slow * std::sqrt(square);
+    }
     float inverse_along(Vec2 d) const { return detail::inverse_along(d, inverse_a, inverse_b); }
 
   private:

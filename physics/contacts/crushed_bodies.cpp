@@ -137,14 +137,12 @@ class Pressure {
     std::vector<Pressed> pressed_;
 };
 
-/// Sets the impulses of the contacts of a pressed body to 0. They balance those of the presser and
-/// are far greater than all other forces on the body: without the presser they would throw it.
+}  // namespace
+
 void clear_impulses_of(ObjectState& objects, uint32_t body) {
     objects.for_each_contact(body,
                              [&](uint32_t contact) { objects.contacts[contact].clear_impulses(); });
 }
-
-}  // namespace
 
 bool skip_crushed(const Touching& touching, const ActiveLists& active) {
     ObjectState& objects = touching.objects;

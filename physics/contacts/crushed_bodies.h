@@ -17,6 +17,10 @@ namespace fettle::physics::detail {
 /// Returns true if a contact of an awake kinematic body does not act because of that.
 bool skip_crushed(const Touching& touching, const ActiveLists& active);
 
+/// Sets the impulses of the contacts of a pressed body to 0. They balance those of what presses it
+/// and are far greater than all other forces on the body: without it they would throw the body.
+void clear_impulses_of(ObjectState& objects, uint32_t body);
+
 /// Must be called when the touch of a kinematic body ends: bodies that it pressed together would be
 /// thrown by the stored impulses, which balanced those of the presser.
 void release_pressed(ObjectState& objects, const ContactRecord& ended);

@@ -149,6 +149,9 @@ class JointFunctions {
             array.drives[i] = 0;
             if constexpr (requires { &Constraint::moves_bodies; })
                 array.drives[i] = c.moves_bodies(bodies[c.ends.a], bodies[c.ends.b]);
+            if constexpr (requires { &Constraint::holds_point; })
+                array.open[i] =
+                    c.holds_point() && c.ends.stays_open(bodies[c.ends.a], bodies[c.ends.b]);
             JointRecord& joint = objects.joints[array.joints[i]];
             const JointLoad load = c.load();
             // The next step begins with these impulses, so an overflow would never disappear.

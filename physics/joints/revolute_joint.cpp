@@ -49,6 +49,7 @@ struct RevoluteConstraint {
         return length(place.gap());
     }
     static bool holds(const Settings&) { return true; }
+    static bool holds_point() { return true; }
     void prepare(const Settings& settings, const JointFrame&, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
         angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);

@@ -51,6 +51,7 @@ struct WeldConstraint {
         return settings.point.is_rigid() ? length(place.gap()) : 0.0f;
     }
     static bool holds(const Settings& settings) { return settings.point.is_rigid(); }
+    bool holds_point() const { return rigid_point; }
     void prepare(const Settings& settings, const JointFrame&, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
         reference = settings.reference_angle;

@@ -204,6 +204,7 @@ struct JointLists {
             next[i] = array.nodes.places();
             array.joints.resize(array.nodes.size());
             array.drives.resize(array.nodes.size());
+            array.open.assign(array.nodes.size(), 0);
             const bool shared = !shares.empty() && i / joint_type_count >= JointScratch::tuned;
             array.shares.resize(shared ? array.nodes.size() : 0);
         }

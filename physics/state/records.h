@@ -261,7 +261,8 @@ inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
 enum class Skipped : uint8_t {
     no,
     by_callback,  ///< in this step
-    crushed       ///< until the shapes part: contacts/crushed_bodies.h
+    /// Until the shapes part: contacts/crushed_bodies.h, contacts/held_open.h.
+    crushed
 };
 
 /// A pair of shapes whose fat boxes overlap. The slots of awake contacts are listed.

@@ -72,6 +72,7 @@ struct JointArray {
     NodeRanges nodes;
     std::vector<std::byte> constraints;  ///< of the same joints, as their type defines them
     std::vector<uint8_t> drives;         ///< 1: the motor of the joint moves its bodies
+    std::vector<uint8_t> open;           ///< 1: its two points are apart, and stay so
     std::vector<Softness> softness;      ///< of each joint, if they are tuned one by one
     std::vector<float> shares;           ///< of each joint: `JointEnds::share`; empty: all are 1
 
@@ -85,7 +86,8 @@ struct JointArray {
         return const_cast<JointArray*>(this)->as<Constraint>();
     }
 
-    FETTLE_SCRATCH(JointArray, s.joints, s.nodes, s.constraints, s.drives, s.softness, s.shares)
+    FETTLE_SCRATCH(JointArray, s.joints, s.nodes, s.constraints, s.drives, s.open, s.softness,
+                   s.shares)
 };
 
 struct JointScratch {

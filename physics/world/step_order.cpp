@@ -1,5 +1,6 @@
 #include <checks/hooks.h>
 #include <contacts/crushed_bodies.h>
+#include <contacts/held_open.h>
 #include <contacts/narrow_phase.h>
 #include <contacts/pairs.h>
 #include <contacts/reports.h>
@@ -203,6 +204,7 @@ void WorldData::store_results(const SubSteps& sub, const JointStep& joint_step, 
     store_joints(objects(), body_scratch(), joint_scratch(), joint_step, threads);
     break_joints(editing(), joint_scratch(), joint_step.inverse_h / float(sub.settings.substeps));
     store_contacts(contact_scratch(), touching(), settings.hit_threshold, threads);
+    release_held_open(touching(), joint_scratch(), joint_step.h);
     if (settings.persist_events)
         report_persisting(objects(), columns(), active(), uint32_t(steps), sub.settings.substeps,
                           events);

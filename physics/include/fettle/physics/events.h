@@ -34,7 +34,7 @@ struct ContactBeginEvent {
 };
 
 /// Two shapes no longer touch, or one of them was destroyed, detached or disabled, or a kinematic
-/// body crushed the other one.
+/// body crushed the other one, or because the touch held a joint open.
 struct ContactEndEvent {
     ShapeId shape_a;  ///< the normal points away from it
     ShapeId shape_b;  ///< the other shape
