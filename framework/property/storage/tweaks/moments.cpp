@@ -1,5 +1,6 @@
 // The tweaks at the moment of the game: they follow it when it goes back in time, to another branch
-// or to a snapshot. Files do not go back: what was kept is in them at every moment, and what was
+// or to a snapshot. An edit of a value that is not in that moment stays as it was: nobody loses it
+// by going back. Files do not go back: what was kept is in them at every moment, and what was
 // dropped stays dropped.
 
 #include <algorithm>
@@ -89,10 +90,12 @@ void Tweaks::State::put(Entry& its, const std::shared_ptr<const SavedEntry>& sav
     add_to_dirty(its);
 }
 
-/// The edit does not hold at this moment. What a file contains is still true of the instance.
+/// The edit does not hold at this moment. An edited value stays in the list, so that it can be kept
+/// after going back. What a file contains is still true of the instance.
 void Tweaks::State::leave(Entry& its) {
     if (its.away) return;
     its.away = true;
+    if (its.row.kind == Kind::value && tree.alive(its.handle)) return;
     const bool in_file = its.kept_version > 0 && tree.alive(its.handle) && attached(its.handle);
     if (its.row.kind == Kind::moved && in_file) {  // the file has the later name
         its.row.state = RowState::open;

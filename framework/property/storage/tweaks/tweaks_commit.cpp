@@ -25,8 +25,8 @@ constexpr std::string_view mention_of_deleted = "\"game[\\\"\\\\000";
 }  // namespace
 
 bool Tweaks::State::visible(const Entry& entry) const {
-    if (entry.gone || entry.away || entry.row.state == RowState::dropped) return false;
-    return entry.row.kind != Kind::value || !(entry.was == entry.now);
+    if (entry.gone || entry.row.state == RowState::dropped) return false;
+    return entry.row.kind == Kind::value ? !(entry.was == entry.now) : !entry.away;
 }
 
 void Tweaks::State::barrier() {
