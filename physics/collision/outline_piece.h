@@ -21,6 +21,9 @@ class OutlinePiece {
           limits_(solid.limits),
           normals_(solid.normals) {}
 
+    /// Corners with a smaller angle are flat, and directions that differ by less are equal (rad).
+    static constexpr float flat_angle = 1e-3f;
+
     const Convex& form;
 
     bool one_sided() const { return form.count == 2; }
@@ -54,6 +57,8 @@ class OutlinePiece {
     const Vec2* limits_;
     const Vec2* normals_;
 };
+
+// collide_piece.cpp
 
 /// Contact points of a piece and another shape, as `collide`; the normal points away from the
 /// piece. `had_contact`: the shapes were already in contact, so at any depth the other shape did
