@@ -33,7 +33,8 @@ class Timers {
     /// A timer that `enter` of a scene adds ends with the scene, too.
     /// Returns the timer's number.
     std::uint64_t add(lua_State* L, double seconds, double interval, property::Handle owner = {});
-    /// The same for a timer of a file, which is due at a simulation time and belongs to `scene`, too.
+    /// The same for a timer of a file, which is due at a simulation time and belongs to `scene`,
+    /// too.
     void add_at(lua_State* L, double due, double interval, property::Handle owner,
                 property::Handle scene);
     /// The same in real time, in `seconds`: it continues while the game is paused, and is in no
