@@ -3,7 +3,6 @@
 #include <fettle/property/tree.h>
 
 #include <classes/script_classes.h>
-#include <handlers/timers.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <runtime/method_timers.h>
@@ -30,13 +29,13 @@ Methods methods_of(Machine& machine, const property::Class& of) {
 
 }  // namespace
 
-std::vector<MethodTimer> method_timers(Machine& machine,
+std::vector<MethodTimer> method_timers(Machine& machine, const Timers::Queue& queue,
                                        std::unordered_set<std::uint64_t>& numbers) {
     lua_State* const L = machine.lua.main;
     std::vector<MethodTimer> found;
     if (lua_checkstack(L, 4) == 0) return found;
     std::unordered_map<const property::Class*, Methods> known;
-    for (const auto& [key, timer] : machine.timers.image()) {
+    for (const auto& [key, timer] : queue) {
         if (timer.top || !timer.owner || !machine.tree.alive(timer.owner)) continue;
         if (timer.scene && !machine.tree.alive(timer.scene)) continue;
         const property::Class& of = machine.tree.class_of(timer.owner);

@@ -10,6 +10,8 @@
 #include <fettle/property/bytes.h>
 #include <fettle/property/value.h>
 
+#include <handlers/timers.h>
+
 namespace fettle::script {
 
 struct Machine;
@@ -22,9 +24,9 @@ struct MethodTimer {
     double interval = -1;  // s; below 0: once
 };
 
-/// The timers that call a method of their owner's class, in the order in which they are due.
+/// Those of `queue` that call a method of their owner's class, in the order in which they are due.
 /// `numbers` gets their numbers. Timers of the top level are left out.
-std::vector<MethodTimer> method_timers(Machine& machine,
+std::vector<MethodTimer> method_timers(Machine& machine, const Timers::Queue& queue,
                                        std::unordered_set<std::uint64_t>& numbers);
 
 void put(const std::vector<MethodTimer>& all, property::ByteWriter& to);

@@ -70,7 +70,9 @@ property::Memory RuntimePart::save(property::ByteWriter& to) const {
     machine_.classes.save(to);
     const std::vector<Handle> with_handlers = machine_.connections.instances();
     std::unordered_set<std::uint64_t> stay;
-    const std::vector<MethodTimer> of_methods = method_timers(machine_, stay);
+    auto image = std::make_shared<Image>();
+    image->timers = machine_.timers.image();
+    const std::vector<MethodTimer> of_methods = method_timers(machine_, image->timers, stay);
     const Timers::Places timers = machine_.timers.ending(stay);
     const Timers::Places coroutines = machine_.timers.coroutines();
     const bool any = timers.count > 0 || coroutines.count > 0 || !of_methods.empty();
@@ -80,8 +82,6 @@ property::Memory RuntimePart::save(property::ByteWriter& to) const {
         put(coroutines, to);
         put(of_methods, to);
     }
-    auto image = std::make_shared<Image>();
-    image->timers = machine_.timers.image();
     image->next_timer = machine_.timers.next_number();
     image->connections = machine_.connections.image();
     image->bytes =

@@ -3,6 +3,8 @@
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <reference/language.h>
+#include <text/words.h>
 #include <values/records.h>
 #include <values/short_text.h>
 #include <values/values.h>
@@ -46,8 +48,8 @@ std::string hint_at_instance(lua_State* L, const std::string& name) {
     const property::Tree& tree = machine_of(L).tree;
     if (box == nullptr || !tree.alive(box->handle)) return "";
     const property::Class& of = tree.class_of(box->handle);
-    const bool every_instance = name == "delete" || name == "alive" || name == "is_a";
-    if (!every_instance && of.property(name) == nullptr && of.method(name) == nullptr) return "";
+    if (of.property(name) == nullptr && of.method(name) == nullptr && !among(generic_names(), name))
+        return "";
     return "; this is the record of the event, and its `instance` has " + name;
 }
 
