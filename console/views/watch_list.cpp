@@ -153,8 +153,8 @@ WatchList::Row WatchList::row_of(const property::Tree& tree, const Trace& pin, f
     return row;
 }
 
-void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float width) {
-    const Row row = row_of(tree, pin, width);
+void WatchList::draw_row(const property::Tree& tree, const Trace& pin, const Row& row,
+                         float width) {
     const float em = ImGui::GetFontSize(), side = ImGui::GetFrameHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float line = ImGui::GetTextLineHeight();
@@ -202,19 +202,27 @@ void WatchList::draw(ImVec2 corner, float width, float room, const property::Tre
     buttons_.clear();
     if (pins.empty()) return hide();
     ImGuiStyle& style = ImGui::GetStyle();
-    float rows = 0;
-    for (const Trace& pin : pins)
-        rows += row_of(tree, pin, width - 2 * style.WindowPadding.x).height + style.ItemSpacing.y;
-    const float height =
-        std::max(1.0f, std::min(rows - style.ItemSpacing.y + 2 * style.WindowPadding.y, room));
+    const auto rows_in = [&](float inside) {
+        std::vector<Row> rows;
+        for (const Trace& pin : pins) rows.push_back(row_of(tree, pin, inside));
+        return rows;
+    };
+    float inside = width - 2 * style.WindowPadding.x;
+    std::vector<Row> rows = rows_in(inside);
+    float whole = 2 * style.WindowPadding.y - style.ItemSpacing.y;
+    for (const Row& row : rows) whole += row.height + style.ItemSpacing.y;
+    const float height = std::max(1.0f, std::min(whole, room));
     ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y - height));
     ImGui::SetNextWindowSize(ImVec2(width, height));
     ImGui::SetNextWindowBgAlpha(opacity);
     ImGui::Begin("##watch", nullptr, watch_flags & ~ImGuiWindowFlags_NoScrollbar);
     rect_ = window_rect();
+    // A scroll bar takes a part of the width.
+    if (const float left = ImGui::GetContentRegionAvail().x; left != inside)
+        rows = rows_in(inside = left);
     for (std::size_t i = 0; i < pins.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        draw_row(tree, pins[i], ImGui::GetContentRegionAvail().x);
+        draw_row(tree, pins[i], rows[i], inside);
         ImGui::PopID();
     }
     ImGui::End();

@@ -60,7 +60,7 @@ class WatchList {
     Row row_of(const property::Tree& tree, const Trace& pin, float width) const;
 
   private:
-    void draw_row(const property::Tree& tree, const Trace& pin, float width);
+    void draw_row(const property::Tree& tree, const Trace& pin, const Row& row, float width);
 
     Rect rect_;
     std::vector<Rect> buttons_;
