@@ -220,9 +220,11 @@ void Listener::greet(Connection& connection, std::string_view line) {
     if (terminals() == limits_.terminals)
         return refuse(connection, "a game has at most " + std::to_string(limits_.terminals) +
                                       " terminals, and there are as many");
+    // The others are told, and not this one: a program that sends a command receives its answer
+    // alone.
+    callbacks_.note("a terminal is attached");
     connection.greeted = true;
     connection.out += welcome_text(place_.game.string());
-    callbacks_.note("a terminal is attached");
 }
 
 /// Answers the requests of this frame. All terminals take turns. In the next frame, another one is

@@ -160,6 +160,13 @@ TEST_CASE("the entries that a list leaves out are folded into the line with thei
     REQUIRE(many.folded.size() == 1);
     CHECK(many.folded[0].lines.size() == 1001);
     CHECK(many.folded[0].lines.back() == "… 970 more");
+
+    // A table with any number of keys is sorted before it is cut.
+    const stage::Evaluation keys = s.runtime->evaluate(
+        "(function() local t = {} for i = 20000, 1, -1 do t['k' .. i] = i end return t end)()");
+    CHECK(keys.lines[0] == "  k1     1");
+    CHECK(keys.lines[29] == "  k30    30");
+    CHECK(keys.lines[30] == "… 19970 more (20000 entries)");
 }
 
 TEST_CASE("folded rows have the columns of the rows above them") {

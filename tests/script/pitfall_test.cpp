@@ -182,6 +182,17 @@ TEST_CASE("a note names the instances that a game made and does not use") {
           "main.lua:2: throw is a new variable and not a state (did you mean \"throws\"?)");
     CHECK(notes_about("state('throws', 0) throw = 'a ball' throws = 2 other = 3") == "");
 
+    CHECK(
+        notes_about("draw = 5") ==
+        "draw is no function, so that the callback draw does nothing: write function draw(...), or "
+        "give the variable another name");
+    CHECK(notes_about("step = function() end draw = setmetatable({}, {__call = print})") == "");
+
+    CHECK(notes_about("\nclass('Foe', Body)") ==
+          "main.lua:2: no class Foe, because its class has no table (write class(\"Foe\", "
+          "Body) { })");
+    CHECK(notes_about("class('Foe', Body) { }") == "");
+
     CHECK(notes_about("-- start\nlocal function start() end") ==
           "main.lua:2: nothing calls start, because it is local: write function start(...)");
     CHECK(notes_about("local function step(n) end\nstep(3)") == "");

@@ -199,6 +199,27 @@ std::string nothing_found(const property::Tree& tree, const std::string& pattern
     return text;
 }
 
+// An entry of a table whose key is not in its list.
+struct NamedEntry {
+    std::string key;   // the key as it is printed
+    std::string text;  // the value; of a text key it is found later
+    bool is_text;      // whether the key is a text
+};
+
+// All entries of the table at `index` except the first `length` of its list, in no order.
+std::vector<NamedEntry> named_entries(lua_State* L, int index, lua_Integer length) {
+    std::vector<NamedEntry> named;
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+        if (lua_isinteger(L, -2) && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= length)
+            continue;
+        if (lua_type(L, -2) == LUA_TSTRING)
+            named.push_back({.key = string_at(L, -2), .text = {}, .is_text = true});
+        else
+            named.push_back({.key = key_text(L, -2), .text = short_text(L, -1), .is_text = false});
+    }
+    return named;
+}
+
 std::vector<std::string> table_lines(lua_State* L, int index, std::string_view command,
                                      TableLines& table, FoldedLines& folded) {
     Machine& machine = machine_of(L);
@@ -216,23 +237,24 @@ std::vector<std::string> table_lines(lua_State* L, int index, std::string_view c
         rows.push_back({"  " + std::to_string(i), short_text(L, -1)});
         lua_pop(L, 1);
     }
-    std::vector<std::vector<std::string>> named;
-    std::size_t total = static_cast<std::size_t>(length);
-    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
-        if (lua_isinteger(L, -2) && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= length)
-            continue;
-        ++total;
-        if (named.size() >= 10'000) continue;
-        const std::string text = lua_type(L, -2) == LUA_TSTRING
-                                     ? entry_text(L, machine.tree, string_at(L, -2))
-                                     : short_text(L, -1);
-        const std::string key =
-            lua_type(L, -2) == LUA_TSTRING ? cut(string_at(L, -2), 40) : key_text(L, -2);
-        named.push_back({"  " + key, text});
+    std::vector<NamedEntry> named = named_entries(L, index, length);
+    const std::size_t total = static_cast<std::size_t>(length) + named.size();
+    const std::size_t wanted = std::min(named.size(), max_rows + max_folded - rows.size());
+    // Only what is listed is sorted and gets a text: a table may have a million keys.
+    std::partial_sort(named.begin(), named.begin() + static_cast<std::ptrdiff_t>(wanted),
+                      named.end(), [](const NamedEntry& a, const NamedEntry& b) {
+                          return property::NaturalOrder{}(a.key, b.key);
+                      });
+    named.resize(wanted);
+    for (NamedEntry& entry : named) {
+        if (entry.is_text) {
+            lua_pushlstring(L, entry.key.data(), entry.key.size());
+            lua_rawget(L, index);
+            entry.text = entry_text(L, machine.tree, entry.key);
+            lua_pop(L, 1);
+        }
+        rows.push_back({"  " + cut(entry.key, 40), std::move(entry.text)});
     }
-    std::sort(named.begin(), named.end(), property::NaturalOrder{});
-    for (auto& row : named)
-        if (rows.size() < max_rows + max_folded) rows.push_back(std::move(row));
     table.head = false;
     std::vector<std::string> lines = columns(rows, &table.cells);
     fold_table(lines, 0, total, "entries", table, folded);

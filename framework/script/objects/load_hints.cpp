@@ -90,15 +90,32 @@ void Hints::check_globals() {
     lua_State* L = machine_.lua.main;
     const std::vector<std::string>& known = callback_names();
     for (const std::string& name : machine_.globals.assigned) {
-        if (among(known, name)) continue;
         push_text(L, name);
-        if (lua_rawget(L, -2) == LUA_TFUNCTION && lua_iscfunction(L, -1) == 0) {
+        const int type = lua_rawget(L, -2);
+        if (among(known, name)) {
+            // A table or an instance may be callable.
+            if (type == LUA_TNUMBER || type == LUA_TSTRING || type == LUA_TBOOLEAN)
+                report(name, name + " is no function, so that the callback " + name +
+                                 " does nothing: write function " + name +
+                                 "(...), or give the variable another name");
+        } else if (type == LUA_TFUNCTION && lua_iscfunction(L, -1) == 0) {
             const std::string meant = meant_by(name, known);
             if (!meant.empty() && !is_called(name))
                 report(name, definition(L) + "nothing calls " + name + hint_of(meant));
         }
         lua_pop(L, 1);
     }
+}
+
+std::string Hints::of_unfinished_class(std::string_view name) const {
+    if (!unfinished_classes_.contains(name)) return {};
+    return ", because its class has no table" +
+           hint_to_write("class(\"" + std::string(name) + "\", Body) { }");
+}
+
+void Hints::check_unfinished_classes() {
+    for (const auto& [name, place] : unfinished_classes_)
+        report("unfinished " + name, place + "no class " + name + of_unfinished_class(name));
 }
 
 void Hints::check_classes() {
@@ -246,6 +263,7 @@ void Hints::game_loaded() {
     check_replaced();
     lua_pop(L, 1);
     check_classes();
+    check_unfinished_classes();
     check_local_callbacks();
     check_keys();
     check_dropped();
