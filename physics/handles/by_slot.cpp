@@ -1,5 +1,6 @@
 // Functions for hosts that store slots: the values that they read and write most. They do not check
-// that the body lives.
+// that the body lives. Those that write refuse a slot that there is not, because the memory behind
+// the columns belongs to others.
 
 #include <fettle/physics/world.h>
 #include <geometry/bits.h>
@@ -45,6 +46,10 @@ bool same(const Vec2& a, const Vec2& b) {
     return unchanged && !record.listed ? Written::same : Written::refused;
 }
 
+bool has_slot(const WorldData& data, uint32_t index) {
+    return index < data.bodies.size();
+}
+
 template <class T>
 Written store(const WorldData& data, BodyRecord& record, T& cell, const T& value) {
     const bool unchanged = same(cell, value);
@@ -58,6 +63,8 @@ Written store(const WorldData& data, BodyRecord& record, T& cell, const T& value
 }  // namespace
 
 bool World::set_velocity(uint32_t index, const Vec2& velocity) {
+    if (!has_slot(*data_, index)) [[unlikely]]
+        return false;
     BodyRecord& record = data_->bodies[index];
     if (!is_awake_and_current(*data_, record)) [[unlikely]]
         return wake_and_set(*data_, index, velocity);
@@ -67,17 +74,23 @@ bool World::set_velocity(uint32_t index, const Vec2& velocity) {
 }
 
 Written World::write_velocity(uint32_t index, const Vec2& velocity) {
+    if (!has_slot(*data_, index)) [[unlikely]]
+        return Written::refused;
     return store(*data_, data_->bodies[index], data_->states[index].velocity, velocity);
 }
 
 template <>
 Written World::write<BodyNumber::angular_velocity>(uint32_t index, float value) {
+    if (!has_slot(*data_, index)) [[unlikely]]
+        return Written::refused;
     return store(*data_, data_->bodies[index], data_->states[index].angular_velocity, value);
 }
 // Values that only the next step reads.
 #define FETTLE_WRITE(number, cell)                                          \
     template <>                                                             \
     Written World::write<BodyNumber::number>(uint32_t index, float value) { \
+        if (!has_slot(*data_, index)) [[unlikely]]                          \
+            return Written::refused;                                        \
         BodyRecord& record = data_->bodies[index];                          \
         return store(*data_, record, record.cell, value);                   \
     }

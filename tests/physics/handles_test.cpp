@@ -288,6 +288,26 @@ TEST_CASE("a mouse joint requires a body in every function that sets its bodies"
     REQUIRE(things.mouse.body() == things.third);
 }
 
+TEST_CASE("writing to a slot that there is not is refused and writes nowhere") {
+    World world;
+    Body body = world.create_body();
+    body.add(Circle{});
+    world.step(0.01f);  // a body that was just made is refused, too
+    const uint64_t before = world.hash();
+    // Far behind the columns, so that a write there ends the program at once.
+    for (const uint32_t slot : {1u << 28, ~0u}) {
+        CHECK_FALSE(world.set_velocity(slot, {1, 1}));
+        CHECK(world.write_velocity(slot, {1, 1}) == Written::refused);
+        CHECK(world.write<BodyNumber::angular_velocity>(slot, 1) == Written::refused);
+        CHECK(world.write<BodyNumber::torque>(slot, 1) == Written::refused);
+        CHECK(world.write<BodyNumber::gravity_scale>(slot, 2) == Written::refused);
+        CHECK(world.write<BodyNumber::linear_damping>(slot, 1) == Written::refused);
+        CHECK(world.write<BodyNumber::angular_damping>(slot, 1) == Written::refused);
+    }
+    CHECK(world.hash() == before);
+    CHECK(world.write_velocity(body.index(), {1, 1}) == Written::done);
+}
+
 TEST_CASE("messages contain counts as whole numbers") {
     World world;
     REQUIRE_THROWS_WITH(world.set_threads(2147483647),
