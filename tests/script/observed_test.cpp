@@ -276,4 +276,11 @@ TEST_CASE("wrong arguments of the console's functions are named") {
     CHECK(s.pinned.empty());
 }
 
+TEST_CASE("an alias that hides a function says so") {
+    Served s;
+    CHECK_THAT(s.console("alias('undo', 'rewind(1)')"), contains("alias(\"undo\") ends that"));
+    CHECK(s.console("alias('undo')").empty());
+    CHECK(s.console("alias('heavy', 'world.ball.mass =')").empty());
+}
+
 }  // namespace observed_test
