@@ -178,7 +178,7 @@ void TimeBar::draw(ImVec2 corner, float width, float opacity, ImFont* bold) {
     }
     const float room = ImGui::GetContentRegionAvail().x;
     float text = text_width("0000000 · 00000.00 s   to the present ") + 24;
-    const bool narrow = room - text < 8 * em;
+    const bool narrow = room - text < std::max(8 * em, room / 2);
     if (narrow) text = short_text;
     draw_track(now, std::max(40.0f, room - text));
     ImGui::SameLine();

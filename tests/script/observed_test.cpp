@@ -42,6 +42,9 @@ struct Served : TwoBodies {
         f.bind = [this](const std::string& key, const std::string& command) {
             texts.push_back(key + ": " + command);
         };
+        f.alias = [this](const std::string& word, const std::string& command) {
+            texts.push_back(word + " = " + command);
+        };
         runtime->serve_console(std::move(f));
     }
 };
@@ -274,6 +277,13 @@ TEST_CASE("wrong arguments of the console's functions are named") {
     CHECK(s.console("unpin it.mass").empty());
     CHECK(s.texts.back() == "unpin world.ball.mass");
     CHECK(s.pinned.empty());
+}
+
+TEST_CASE("an alias that hides a function says so") {
+    Served s;
+    CHECK_THAT(s.console("alias('undo', 'rewind(1)')"), contains("alias(\"undo\") ends that"));
+    CHECK(s.console("alias('undo')").empty());
+    CHECK(s.console("alias('heavy', 'world.ball.mass =')").empty());
 }
 
 }  // namespace observed_test

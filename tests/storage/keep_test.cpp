@@ -438,4 +438,20 @@ TEST_CASE("tweaks of earlier runs are the same after conversion to text") {
     CHECK_THROWS_AS(Tweaks(again.tree, folder.path(), {}, {.earlier = {{{"value", "1"}}}}), Error);
 }
 
+TEST_CASE("the last writer of a kept value is the line of the file") {
+    const GameFolder folder;
+    folder.write("main.tweaks.json",
+                 "{\n  \"fettle_tweaks\": 1,\n  \"values\": {\n    \"world.mark\": 2\n  }\n}\n");
+    Run run(folder);
+    run.tree.set_or_add(run.world, "mark", 1);
+    run.tweaks->game_loaded();
+    const auto writer = [&] {
+        return run.tree.last_writer(run.world, *run.tree.find(run.world, "mark")).cause;
+    };
+    CHECK(run.tree.get(run.world, "mark") == Value(2));
+    CHECK(writer().where == "main.tweaks.json:4");
+    run.tree.set(run.world, "mark", Value(3));  // places are found for kept values only
+    CHECK(writer().where.empty());
+}
+
 }  // namespace keep_test

@@ -1,5 +1,7 @@
 // Public functions of the history.
 
+#include <fettle/property/located_writes.h>
+
 #include "state.h"
 
 namespace fettle::property {
@@ -47,6 +49,14 @@ void Tree::set_history_limit(std::size_t bytes) {
 
 void Tree::locate_writes(bool on) {
     state_->changes.writes.close(WritesLog::Reason::located, on);
+}
+
+LocatedWrites::LocatedWrites(Tree& tree)
+    : tree_(tree), before_(tree.state().changes.writes.closed_for(WritesLog::Reason::located)) {
+    tree_.locate_writes(true);
+}
+LocatedWrites::~LocatedWrites() {
+    tree_.locate_writes(before_);
 }
 
 void Tree::forget_writers_after(std::uint64_t step) {

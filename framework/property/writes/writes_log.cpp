@@ -57,6 +57,7 @@ void WritesLog::note_in_full(Handle instance, Symbol property, const Cause& caus
     }
     const Cell cell{instance.index, property};
     full_[cell] = {.generation = instance.generation,
+                   .number = ever(),
                    .cause = cause,
                    .left = std::move(left),
                    .presence = {.from = cause.step, .between_steps = between_steps_}};
@@ -151,7 +152,7 @@ Provenance WritesLog::find(Handle instance, Symbol property, std::uint64_t now) 
     const auto full = full_.find({instance.index, property});
     if (full != full_.end() && full->second.generation == instance.generation) {
         const Cause& cause = full->second.cause;
-        if (full->second.presence.from <= now && (!out.known || cause.step >= out.cause.step))
+        if (full->second.presence.from <= now && (!out.known || full->second.number >= number))
             return {.known = true, .cause = cause};
     }
     if (!out.known && later)

@@ -126,6 +126,7 @@ class WritesLog {
 
     struct FullWrite {
         std::uint32_t generation = 0;
+        std::uint64_t number = 0;  // of all entries when it was logged: a later one is newer
         Cause cause{};
         Value left{};
         Presence presence{};

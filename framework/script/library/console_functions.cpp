@@ -23,6 +23,7 @@
 #include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/instance_set.h>
+#include <reference/language.h>
 #include <sandbox/sandbox.h>
 #include <text/words.h>
 #include <values/short_text.h>
@@ -228,8 +229,11 @@ int alias(lua_State* L) {
     if (!property::is_identifier(word))
         throw Error(ErrorKind::bad_name,
                     "alias: \"" + word + "\" is not a word of letters, digits and underscores");
-    call_console<&ConsoleFunctions::alias>(L, "alias", word,
-                                           text_or_nothing(L, 2, "alias: the command is a text"));
+    const std::string command = text_or_nothing(L, 2, "alias: the command is a text");
+    call_console<&ConsoleFunctions::alias>(L, "alias", word, command);
+    if (!command.empty() && global_doc(word) != nullptr)
+        print_line(machine_of(L), "alias: typed commands that begin with " + word +
+                                      " run the alias now; alias(\"" + word + "\") ends that");
     return 0;
 }
 

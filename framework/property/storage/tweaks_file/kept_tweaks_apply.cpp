@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <utility>
 
+#include <fettle/property/located_writes.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/scene.h>
@@ -45,6 +46,7 @@ bool KeptTweaks::assign(const Assignment& to, bool last) {
         return file_.filename().string() + ":" + std::to_string(document.line(node.begin));
     };
     const Tree::CauseScope cause(tree_, Writer::load, &locate);
+    const LocatedWrites located(tree_);
     try {
         const Property* found = tree_.find(to.instance, to.property);
         const Type type = found != nullptr ? declared_type(*found) : Type::nil;
