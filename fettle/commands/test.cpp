@@ -44,15 +44,14 @@ void print_indented(const std::string& lines, const char* indent) {
     }
 }
 
-void print_outcome(const TestOutcome& outcome) {
+void print_outcome(const TestOutcome& outcome, bool always_output) {
     const std::string name = outcome.file + (outcome.name.empty() ? "" : ": " + outcome.name);
     print_line((outcome.passed ? "ok    " : "FAIL  ") + name);
     for (const std::string& picture : outcome.skipped)
         print_line("      the picture " + picture + " was not compared: there is no display");
-    if (outcome.passed) return;
     print_indented(outcome.message, "      ");
     print_indented(outcome.details, "      ");
-    if (!outcome.output.empty()) {
+    if (!outcome.output.empty() && (always_output || !outcome.passed)) {
         print_line("      it printed");
         print_indented(outcome.output, "        ");
     }
@@ -100,7 +99,7 @@ class Suite {
         }
     }
     void add(TestOutcome outcome) {
-        print_outcome(outcome);
+        print_outcome(outcome, options_.output);
         (void)all_printed();  // shown while the next test runs
         outcomes_.push_back(std::move(outcome));
     }
@@ -131,6 +130,8 @@ Command add_test(CLI::App& app) {
                  "Write a report in the format JUnit XML there");
     command.flag("--update", &TestOptions::update,
                  "Write the pictures of t:screenshot instead of comparing them");
+    command.flag("--output", &TestOptions::output,
+                 "Show what the game printed in each test, also in one that passes");
     command.number("--timeout", &TestOptions::timeout, 1, longest_test,
                    "Stop a test that takes longer than this number of seconds; 60 by default");
     command.text("--module", &TestOptions::modules, "a file or a name",

@@ -248,6 +248,25 @@ test("green", function(t) expect(1):is(2) end)
     CHECK(contains(none.out, "no test has \"blue\""));
 }
 
+TEST_CASE("what a passing test prints is shown on request") {
+    const Folder folder;
+    const char* const tests = R"lua(
+test("good", function(t) print("seen", 1) end)
+test("bad", function(t) print("here") error("wrong", 0) end)
+test("quiet", function(t) end)
+)lua";
+    const Outcome usual = run_tests(folder, tests);
+    INFO(usual.out);
+    CHECK(contains(usual.out, "ok    tests/ball.lua: good\nFAIL  tests/ball.lua: bad\n"));
+    CHECK(contains(usual.out, "      it printed\n        here\n"));
+    const Outcome all = run_tests(folder, tests, {"--output"});
+    INFO(all.out);
+    CHECK(
+        contains(all.out, "ok    tests/ball.lua: good\n      it printed\n        seen\t1\nFAIL "));
+    CHECK(contains(all.out, "      it printed\n        here\n"));
+    CHECK(contains(all.out, "ok    tests/ball.lua: quiet\n3 tests, 1 failed\n"));
+}
+
 TEST_CASE("a report for build servers names the failed tests") {
     const Folder folder;
     const Outcome run = run_tests(folder, R"lua(

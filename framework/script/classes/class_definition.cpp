@@ -11,7 +11,6 @@
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <objects/hints.h>
 #include <reference/language.h>
 #include <text/foreign_classes.h>
 #include <text/words.h>
@@ -239,7 +238,6 @@ int define_class(lua_State* L) {
     check_documented(definition, docs);
     const std::string first_state = states ? first_state_of(definition) : std::string();
     const Class& made = machine.classes.define(std::move(definition));
-    machine.hints.class_defined(made.name());
     for (const std::string& function : functions) {
         push_text(L, function);
         lua_rawget(L, 1);
@@ -276,7 +274,7 @@ int class_function(lua_State* L) {
         throw Error(ErrorKind::bad_structure, name + ": no class can derive from " + base->name() +
                                                   "; " + why_not_creatable(machine.tree, *base));
     luaL_where(L, 1);
-    machine.hints.class_begun(name, string_at(L, -1));
+    machine.classes.begin(name, string_at(L, -1));
     lua_pop(L, 1);
     // The result is callable. If a script uses it like a class, its error explains that the table
     // is missing.

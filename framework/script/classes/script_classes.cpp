@@ -159,6 +159,7 @@ void ScriptClasses::connect(const Class& of, const std::string& name) {
 }
 
 void ScriptClasses::forget_functions() {
+    unfinished_.clear();
     lua_State* L = machine_.lua.main;
     for (auto& [of, own] : infos_) {
         if (own.functions != LUA_NOREF) luaL_unref(L, LUA_REGISTRYINDEX, own.functions);
@@ -246,6 +247,7 @@ std::string difference(const Class& first, const std::vector<Property>& second) 
 }  // namespace
 
 const Class& ScriptClasses::define(Definition definition) {
+    unfinished_.erase(definition.name);
     const Class* existing = machine_.tree.find_class(definition.name);
     if (existing) {
         if (!scripted(*existing))
@@ -410,6 +412,12 @@ bool ScriptClasses::draw(Handle instance, int pen) {
         push_registry(L, pen);
         lua_call(L, 2, 0);
     });
+}
+
+std::string hint_of_unfinished_class(const ScriptClasses& classes, std::string_view name) {
+    if (!classes.unfinished().contains(name)) return {};
+    return ", because its class has no table" +
+           hint_to_write("class(\"" + std::string(name) + "\", Body) { }");
 }
 
 }  // namespace fettle::script

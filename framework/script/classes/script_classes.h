@@ -3,6 +3,7 @@
 // `class` defines new classes, whose functions are methods, callbacks and event handlers.
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -37,6 +38,14 @@ class ScriptClasses {
     std::vector<std::string> own_functions(const property::Class& of) const;
     /// Pops the function at the top of the stack and adds it to the class.
     void set_function(lua_State* L, const property::Class& of, const std::string& name);
+
+    /// To be called by `class(name, base)`, which is not complete before its table follows. `place`
+    /// is that of the call: "main.lua:3: ".
+    void begin(const std::string& name, const std::string& place) { unfinished_[name] = place; }
+    /// Name and place of each class whose table has not followed.
+    const std::map<std::string, std::string, std::less<>>& unfinished() const {
+        return unfinished_;
+    }
 
     struct Definition {
         std::string name;
@@ -156,6 +165,7 @@ class ScriptClasses {
     std::unordered_map<const property::Class*, Info> infos_;
     std::unordered_map<const property::Class*, std::vector<int>> chains_;
     std::unordered_map<const property::Class*, Earlier> earlier_;
+    std::map<std::string, std::string, std::less<>> unfinished_;
     bool any_functions_ = false;
     bool any_states_ = false;
     int changing_states_ = 0;                  // changes of states in progress
@@ -168,5 +178,8 @@ class ScriptClasses {
     std::pair<std::uint64_t, std::size_t> last_check_;
     std::vector<Waiting> waiting_;
 };
+
+/// The end of a message about a name that is a class without its table, or "".
+std::string hint_of_unfinished_class(const ScriptClasses& classes, std::string_view name);
 
 }  // namespace fettle::script

@@ -141,7 +141,8 @@ std::string hint_for(lua_State* L, Machine& machine, std::string_view name) {
     if (std::string hint = machine.hints.of_command(name);
         !hint.empty() && machine.hints.path_of_instance(name).empty())
         return hint;
-    if (std::string hint = machine.hints.of_unfinished_class(name); !hint.empty()) return hint;
+    if (std::string hint = hint_of_unfinished_class(machine.classes, name); !hint.empty())
+        return hint;
     const std::string line = reading_line(L);
     if (std::string hint = bare_word_hint(machine.tree, line, name); !hint.empty()) return hint;
     if (std::string hint = hint_for_color(line, find_word(line, name)); !hint.empty()) return hint;

@@ -38,7 +38,6 @@ void Hints::report(const std::string& about, const std::string& note) {
 void Hints::forget() {
     given_.clear();
     checked_.clear();
-    unfinished_classes_.clear();
 }
 
 // --- Properties

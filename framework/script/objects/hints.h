@@ -52,15 +52,6 @@ class Hints {
     /// To be called when a script assigns a new global variable: gives a note if the name is nearly
     /// that of a state whose value has the same type.
     void variable_added(std::string_view name, const property::Value& value);
-    /// To be called by `class(name, base)`, which is not complete before its table follows. `place`
-    /// is that of the call: "main.lua:3: ".
-    void class_begun(const std::string& name, const std::string& place) {
-        unfinished_classes_[name] = place;
-    }
-    /// To be called when the table of the class has followed.
-    void class_defined(const std::string& name) { unfinished_classes_.erase(name); }
-    /// The hint for a name of such a class that has no table yet, or "".
-    std::string of_unfinished_class(std::string_view name) const;
     /// To be called when `state` finds a value of another type.
     void stated(const std::string& name, const std::string& problem);
     /// To be called before a game is loaded: forgets all given notes.
@@ -84,8 +75,7 @@ class Hints {
 
     Machine& machine_;
     std::set<std::string> given_;
-    std::unordered_set<std::uint64_t> checked_;                           // class and name
-    std::map<std::string, std::string, std::less<>> unfinished_classes_;  // name and place
+    std::unordered_set<std::uint64_t> checked_;  // class and name
 };
 
 }  // namespace fettle::script

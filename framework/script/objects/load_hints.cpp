@@ -107,15 +107,10 @@ void Hints::check_globals() {
     }
 }
 
-std::string Hints::of_unfinished_class(std::string_view name) const {
-    if (!unfinished_classes_.contains(name)) return {};
-    return ", because its class has no table" +
-           hint_to_write("class(\"" + std::string(name) + "\", Body) { }");
-}
-
 void Hints::check_unfinished_classes() {
-    for (const auto& [name, place] : unfinished_classes_)
-        report("unfinished " + name, place + "no class " + name + of_unfinished_class(name));
+    for (const auto& [name, place] : machine_.classes.unfinished())
+        report("unfinished " + name,
+               place + "no class " + name + hint_of_unfinished_class(machine_.classes, name));
 }
 
 void Hints::check_classes() {
