@@ -159,10 +159,7 @@ void TimeBar::draw(ImVec2 corner, float width, float opacity, ImFont* bold) {
     ImGui::SameLine();
     step_ = play_back_ = record_ = {};
     // In a narrow window the track needs the room of the longer texts, and of buttons.
-    // The texts of the newest moment have the most digits, so the track keeps its width in the
-    // past.
-    const std::string seconds = seconds_text(static_cast<double>(now.newest) * now.dt);
-    const float em = ImGui::GetFontSize(), short_text = text_width(seconds + " now ") + 30;
+    const float em = ImGui::GetFontSize(), short_text = text_width("00000.00 s now ") + 30;
     const float button = play_.high.x - play_.low.x + ImGui::GetStyle().ItemSpacing.x;
     const auto is_room = [&] {
         return ImGui::GetContentRegionAvail().x - button >= short_text + 5 * em;
@@ -180,10 +177,13 @@ void TimeBar::draw(ImVec2 corner, float width, float opacity, ImFont* bold) {
         ImGui::SameLine();
     }
     const float room = ImGui::GetContentRegionAvail().x;
+    // The texts of the newest moment have the most digits, so the track keeps its width in the
+    // past.
+    const std::string seconds = seconds_text(static_cast<double>(now.newest) * now.dt);
     float text =
         text_width(seconds + "  step " + std::to_string(now.newest) + "  to the present") + 40;
     const bool narrow = room - text < std::max(8 * em, room / 2);
-    if (narrow) text = short_text;
+    if (narrow) text = text_width(seconds + " now ") + 30;
     draw_track(now, std::max(40.0f, room - text));
     ImGui::SameLine();
     draw_text(now, bold, narrow);

@@ -21,6 +21,7 @@ std::vector<Property> ScriptClasses::own_properties(const Class& of) const {
 }
 
 void ScriptClasses::begin_reload() {
+    unfinished_.clear();
     for (auto& [of, own] : infos_) {
         Earlier& earlier = earlier_[of];
         earlier.functions = std::exchange(own.functions, LUA_NOREF);
