@@ -220,8 +220,8 @@ void Listener::greet(Connection& connection, std::string_view line) {
     if (terminals() == limits_.terminals)
         return refuse(connection, "a game has at most " + std::to_string(limits_.terminals) +
                                       " terminals, and there are as many");
-    // The others are told, and not this one: a program that sends a command receives its answer
-    // alone.
+    // Before this terminal counts as greeted, so that the line goes to the others only: a program
+    // that attaches for one command receives nothing but the answer.
     callbacks_.note("a terminal is attached");
     connection.greeted = true;
     connection.out += welcome_text(place_.game.string());

@@ -1,6 +1,6 @@
 // Functions for hosts that store slots: the values that they read and write most. They do not check
-// that the body lives. Those that write refuse a slot that there is not, because the memory behind
-// the columns belongs to others.
+// that the body lives. Those that write refuse a slot beyond the last one: it would be in memory
+// that is not theirs.
 
 #include <fettle/physics/world.h>
 #include <geometry/bits.h>

@@ -285,7 +285,8 @@ class World {
         return {self(), id};
     }
 
-    // Unchecked access for hosts that store slots: `index` must be that of a live body. A reference
+    // Access for hosts that store slots: `index` must be that of a live body. Nothing checks this,
+    // except that functions that write refuse an index at which there never was a body. A reference
     // is valid until the next body is created.
     /// Pose and velocities.
     const BodyState& state(uint32_t index) const { return columns_->states[index]; }
