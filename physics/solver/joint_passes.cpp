@@ -188,25 +188,37 @@ struct JointLists {
         });
     }
 
-    /// Lists the joints that act, in the order of their nodes.
+    /// Lists the joints that act, in the order of their nodes. Most arrays are empty and stay so:
+    /// nothing is done for them, since a small world would need more time for that than for its
+    /// joints.
     void fill() {
-        for (JointArray& array : joints.joint_arrays) array.nodes.clear();
+        std::array<size_t, JointScratch::classes* joint_type_count> sizes = {};
         const auto array_of = [&](size_t type, uint8_t code) {
             return type + class_of(code) * joint_type_count;
         };
+        for_each([&](size_t type, uint32_t, uint8_t code) {
+            if (code != 0) ++sizes[array_of(type, code)];
+        });
+        joints.acting_in_class = {};
+        for (size_t i = 0; i < sizes.size(); ++i) {
+            JointArray& array = joints.joint_arrays[i];
+            joints.acting_in_class[i / joint_type_count] += sizes[i];
+            if (sizes[i] == 0 && array.nodes.size() == 0) continue;
+            array.nodes.clear();
+            array.joints.resize(sizes[i]);
+            array.drives.resize(sizes[i]);
+            array.open.assign(sizes[i], 0);
+            const bool shared = !shares.empty() && i / joint_type_count >= JointScratch::tuned;
+            array.shares.resize(shared ? sizes[i] : 0);
+        }
         for_each([&](size_t type, uint32_t, uint8_t code) {
             if (code != 0) joints.joint_arrays[array_of(type, code)].nodes.count(code & node_bits);
         });
         std::array<NodeRanges::Places, JointScratch::classes * joint_type_count> next;
         for (size_t i = 0; i < next.size(); ++i) {
-            JointArray& array = joints.joint_arrays[i];
-            array.nodes.sum_up();
-            next[i] = array.nodes.places();
-            array.joints.resize(array.nodes.size());
-            array.drives.resize(array.nodes.size());
-            array.open.assign(array.nodes.size(), 0);
-            const bool shared = !shares.empty() && i / joint_type_count >= JointScratch::tuned;
-            array.shares.resize(shared ? array.nodes.size() : 0);
+            if (sizes[i] == 0) continue;
+            joints.joint_arrays[i].nodes.sum_up();
+            next[i] = joints.joint_arrays[i].nodes.places();
         }
         joints.strains.clear();
         size_t number = 0;
@@ -306,6 +318,7 @@ int sweeps_of(size_t load, JointPass pass) {
 
 void sweep_joints(JointPass pass, size_t load, JointScratch& joints, std::span<SolverBody> bodies,
                   const JointStep& step, const StripNodes& nodes) {
+    if (joints.acting_in_class[load] == 0) return;
     if (load == 0 || load == JointScratch::crowded)
         return sweep(pass, load, joints, bodies, step, nodes);
     if (load == JointScratch::tuned) return sweep_tuned(pass, joints, bodies, step, nodes);

@@ -100,17 +100,19 @@ struct JointScratch {
     static constexpr size_t crowded = tuned + 1;
     static constexpr size_t classes = crowded + 1;
     std::array<JointArray, classes * joint_type_count> joint_arrays;  ///< by class, then by type
-    std::vector<uint8_t> joint_codes;  ///< of the awake joints, type by type
+    std::array<size_t, classes> acting_in_class = {};  ///< how many joints each class has
+    std::vector<uint8_t> joint_codes;                  ///< of the awake joints, type by type
     std::vector<Strain> strains;
 
     static JointType type_of(size_t array) { return JointType(array % joint_type_count); }
     size_t acting_joints() const {
         size_t count = 0;
-        for (const JointArray& array : joint_arrays) count += array.joints.size();
+        for (const size_t acting : acting_in_class) count += acting;
         return count;
     }
 
-    FETTLE_SCRATCH(JointScratch, s.joint_share, s.joint_arrays, s.joint_codes, s.strains)
+    FETTLE_SCRATCH(JointScratch, s.joint_share, s.joint_arrays, s.acting_in_class, s.joint_codes,
+                   s.strains)
 };
 
 /// Acting contacts that are computed one at a time.

@@ -201,3 +201,30 @@ TEST_CASE("a world whose memory was given back goes on as its copy does") {
     REQUIRE(world.hash() == other.hash());
     REQUIRE_FALSE(world.validate());
 }
+
+TEST_CASE("joints work after the memory of many more was given back") {
+    World world;
+    add_floor(world, 500.0f);
+    std::vector<Body> hung;
+    for (int i = 0; i < 200; ++i) {
+        hung.push_back(add_box(world, {1.5f * float(i), 20}));
+        world.create_distance_joint(
+            {.body_b = hung.back().id(), .anchor_a = {1.5f * float(i), 24}});
+    }
+    world.step(frame);
+    const std::size_t many = reserved(world, "step");
+    for (Body& body : hung) body.destroy();
+    world.step(frame);
+    REQUIRE(reserved(world, "step") < many / 4);
+    // One joint of another type, among many more contacts.
+    std::vector<Body> boxes;
+    for (int i = 0; i < 20; ++i) boxes.push_back(add_box(world, {1.5f * float(i), 0.5f}));
+    world.create_revolute_joint({.body_a = boxes[0].id(),
+                                 .body_b = boxes[1].id(),
+                                 .anchor_a = {0.75f, 0},
+                                 .anchor_b = {-0.75f, 0}});
+    run(world, 1.0f);
+    REQUIRE_FALSE(world.validate());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        REQUIRE(std::fabs(boxes[i].position().x - 1.5f * float(i)) < 0.05f);
+}

@@ -25,9 +25,12 @@ void WritesLog::next_chunk() {
 
 void WritesLog::mark_reported(Writer writer, std::uint64_t step, bool repeated) {
     const std::uint64_t count = ever();
-    if (runs_.empty() || runs_.back().writer != writer || runs_.back().step != step ||
-        runs_.back().lost != repeated || runs_.back().end == arrived_ ||
-        runs_.back().presence.between_steps != between_steps_) {
+    const bool both_lost = repeated && !runs_.empty() && runs_.back().lost;
+    if (both_lost) {
+        // Nobody asks for the writer of lost writes, so one run is enough for all of them.
+    } else if (runs_.empty() || runs_.back().writer != writer || runs_.back().step != step ||
+               runs_.back().lost != repeated || runs_.back().end == arrived_ ||
+               runs_.back().presence.between_steps != between_steps_) {
         while (!runs_.empty() && runs_.front().end + max_count <= count) runs_.pop_front();
         runs_.push_back({.end = reported_,
                          .step = step,
@@ -48,6 +51,15 @@ void WritesLog::take_back(PlainWrite& entry) {
     else if (&entry >= unreported_ && &entry < next_)
         // Later entries exist, so this entry stays and is marked as belonging to no instance.
         entry.instance = {};
+}
+
+// Going back step by step loses a run at each step. One run is enough for all of them, and each
+// step looks at the last runs.
+void WritesLog::join_lost_runs() {
+    while (runs_.size() > 1 && runs_.back().lost && runs_[runs_.size() - 2].lost) {
+        runs_[runs_.size() - 2].end = runs_.back().end;
+        runs_.pop_back();
+    }
 }
 
 void WritesLog::note_in_full(Handle instance, Symbol property, const Cause& cause, Value left) {
@@ -71,6 +83,7 @@ void WritesLog::note_jump(std::uint64_t from, std::uint64_t to) {
     if (latest_step_ > from) {
         for (Run& run : runs_)
             if (run.end > arrived_) run.lost = true;
+        join_lost_runs();
         std::erase_if(full_, [&](const auto& each) {
             const Presence& its = each.second.presence;
             return its.between_steps && its.from == from;
@@ -83,6 +96,7 @@ void WritesLog::begin_step(std::uint64_t step) {
     if (latest_step_ >= step && step != 0) {
         for (Run& run : runs_)
             if (run.presence.from >= step) run.lost = true;
+        join_lost_runs();
         std::erase_if(full_, [&](const auto& each) { return each.second.presence.from >= step; });
         latest_step_ = step - 1;
     }

@@ -133,6 +133,7 @@ class WritesLog {
     };
 
     void next_chunk();
+    void join_lost_runs();
     void set_end() { open_end_ = reasons_ == 0 ? end_ : nullptr; }
     const Run& run_of(std::uint64_t number) const;
     /// The last number of an entry of the cell that is at most `number`; 0 if there is none.
