@@ -151,7 +151,7 @@ TEST_CASE("the timeline keeps its memory limit in any game") {
     constexpr double allowed = 16;
     std::size_t number = 0;
     for (const auto& [name, script] : games) {
-        if (!is_tested(number++, 2)) continue;
+        if (!is_tested(number++, 3)) continue;
         INFO(name);
         const double more = worst_of_the_past(script, allowed, measured ? 700 : 150);
         INFO("MiB: " << more);
