@@ -11,7 +11,6 @@
 #include "catch.h"
 #include "runs/scene_run.h"
 #include "thorough.h"
-#include "thorough.h"
 
 namespace determinism_test {
 
