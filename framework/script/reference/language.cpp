@@ -104,7 +104,10 @@ const std::vector<GlobalDoc>& global_docs() {
          "`game` emits `restored`."},
         {"pin", "pin(what: string|fun(): any, ...: string|fun(): any)",
          "Adds a path or an expression to the watch list of the console: "
-         "pin(\"world.ball.mass\")."},
+         "pin(\"world.ball.mass\"). `pin` alone is `pins()`."},
+        {"pins", "pins(): table<string, any>",
+         "What is pinned, with the present values. In the console the parentheses may be left "
+         "out."},
         {"play_back", "play_back(seconds?: number)",
          "In the console: shows the last seconds once more, as they were; then the game goes on, "
          "unless it was paused before. Without seconds, or with more than is kept, it "

@@ -149,6 +149,7 @@ Tweaks::State::Entry* Tweaks::State::created_above(Handle instance) const {
 }
 
 void Tweaks::State::touch(Entry& entry) {
+    if (entry.left != nullptr && !entry.away) entry.left->state = RowState::dropped;
     entry.version = ++last_version;
     entry.row.state = RowState::open;
     entry.row.step = static_cast<std::int64_t>(tree.step());
