@@ -3246,7 +3246,7 @@ function quit(status) end
 ---@overload fun(from: number, to: number): number
 function random() end
 
----Makes the matching tweaks of earlier runs again.
+---Makes the matching tweaks of earlier runs again, and instances that were made, deleted or renamed later than this moment, before the game went back to it.
 ---@param pattern string
 function reapply_tweaks(pattern) end
 

@@ -167,6 +167,26 @@ TEST_CASE("an instance that is made later is made again at this moment or droppe
     CHECK(game.warnings.empty());
 }
 
+TEST_CASE("an edit of an instance takes its later deletion out of the list") {
+    const bool adds = GENERATE(false, true);
+    Tweaked game;
+    game.run(4);
+    game.person([&] { game.tree.destroy(game.at("world.wall")); });
+    game.run(5);
+    game.time().go_to(2);
+    CHECK(game.list() == Lines{"world.wall: a Body → deleted"});
+    if (adds)
+        game.person([&] {
+            game.tree.create(*game.tree.find_class("Circle"), game.at("world.wall"), "knob");
+        });
+    else
+        game.edit("world.wall.gravity_scale", 2);
+    CHECK(game.list() == Lines{adds ? "world.wall.knob: nothing → new Circle"
+                                    : "world.wall.gravity_scale: 1 → 2"});
+    CHECK(game.tweaks.keep("**").problems == Lines{});
+    CHECK(game.kept_file().find("deleted") == std::string::npos);
+}
+
 TEST_CASE("an instance that is made anew takes the place of one that was left behind") {
     Tweaked game;
     game.run(4);

@@ -103,6 +103,18 @@ void Tweaks::State::leave_behind(Entry& its) {
         its.left = &earlier.rows.emplace_back(std::move(row));
 }
 
+/// A person edits the instance, or adds to it: it is wanted at this moment, so deleting it or what
+/// it is in, at a later moment that was left, is not listed any more.
+void Tweaks::State::withdraw_left_deletions(Handle instance) {
+    if (deleted.empty()) return;
+    for (Handle at = instance; at; at = tree.parent(at)) {
+        const auto found = deleted.find(at.key());
+        if (found == deleted.end() || !is_left_behind(*found->second)) continue;
+        found->second->left->state = RowState::dropped;
+        add_to_dirty(*found->second);
+    }
+}
+
 /// The edit does not hold at this moment. An edited value stays in the list, so that it can be kept
 /// after going back. What a file contains is still true of the instance.
 void Tweaks::State::leave(Entry& its) {
