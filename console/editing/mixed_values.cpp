@@ -10,6 +10,7 @@ namespace fettle::console {
 using property::Handle;
 using property::Property;
 using property::Value;
+using property::Vec2;
 
 namespace {
 
@@ -37,10 +38,13 @@ std::string MixedValues::text(const property::Tree& tree, const Property& proper
                               const Value& value) {
     if (others_.empty()) return {};
     Comparison& row = rows_[&property];
-    const bool number = value.is_numeric();
+    const bool number = value.is_numeric(), vector = value.is(property::Type::vec2);
+    const auto parts = [&](const Value& of) {
+        return vector ? of.vec2() : number ? Vec2(of.as_double(), 0) : Vec2();
+    };
     if (row.next == 0) {
         row.differ = false;
-        row.low = row.high = number ? value.as_double() : 0;
+        row.low = row.high = parts(value);
     }
     const std::size_t end =
         std::min(row.next + (number ? numbers_in_a_frame : compared_in_a_frame), others_.size());
@@ -55,17 +59,19 @@ std::string MixedValues::text(const property::Tree& tree, const Property& proper
             row.found = found;
         }
         if (row.found == nullptr) continue;
-        double theirs = 0;
-        if (number && tree.read(other, *row.found, theirs)) {
-            row.differ = row.differ || theirs != value.as_double();
+        Vec2 theirs;
+        if (number && tree.read(other, *row.found, theirs.x)) {
+            row.differ = row.differ || theirs.x != value.as_double();
         } else {
             const Value read = tree.peek(other, *row.found);
             row.differ = row.differ || read != value;
-            if (!number || !read.is_numeric()) continue;
-            theirs = read.as_double();
+            const bool has_range =
+                vector ? read.is(property::Type::vec2) : number && read.is_numeric();
+            if (!has_range) continue;
+            theirs = parts(read);
         }
-        row.low = std::min(row.low, theirs);
-        row.high = std::max(row.high, theirs);
+        row.low = row.low.min(theirs);
+        row.high = row.high.max(theirs);
     }
     if (row.next == others_.size()) {
         row.next = 0;
@@ -74,9 +80,20 @@ std::string MixedValues::text(const property::Tree& tree, const Property& proper
         row.highest = row.high;
     }
     if (!row.differ && !row.differed) return {};
-    if (!number || !(row.lowest < row.highest)) return "mixed";
-    const std::string unit = property.unit.empty() ? "" : " " + property.unit;
-    return "mixed: " + short_number(row.lowest) + " to " + short_number(row.highest) + unit;
+    const std::string range = range_text(row, vector);
+    if (range.empty()) return "mixed";
+    return "mixed: " + range + (property.unit.empty() ? "" : " " + property.unit);
+}
+
+/// "1 to 5", or "x 1 to 5, y 3"; "" if all of them are equal.
+std::string MixedValues::range_text(const Comparison& row, bool vector) {
+    const auto text = [](double low, double high) {
+        return short_number(low) + (low < high ? " to " + short_number(high) : "");
+    };
+    const Vec2 &low = row.lowest, &high = row.highest;
+    if (!(low.x < high.x) && !(low.y < high.y)) return {};
+    if (!vector) return text(low.x, high.x);
+    return "x " + text(low.x, high.x) + ", y " + text(low.y, high.y);
 }
 
 }  // namespace fettle::console

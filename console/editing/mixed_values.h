@@ -32,8 +32,10 @@ class MixedValues {
         bool differ = false, differed = false;  // in this round; in the last complete one
         const property::Class* of = nullptr;    // of the last one, if it declares the property
         const property::Property* found = nullptr;
-        double low = 0, high = 0, lowest = 0, highest = 0;
+        // Of this round, and of the last complete one. The y of numbers is 0.
+        property::Vec2 low{}, high{}, lowest{}, highest{};
     };
+    static std::string range_text(const Comparison& row, bool vector);
 
     std::vector<property::Handle> others_;
     std::uint64_t revision_ = 0;

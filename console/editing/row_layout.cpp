@@ -16,7 +16,7 @@ namespace {
 constexpr float name_share = 0.40f, least_name_share = 0.30f;
 constexpr std::string_view longest_number = "-0.001235";  // of those with four digits
 // Texts and paths may have any length.
-constexpr std::string_view usual_text = "abcdefghij", usual_color = "#e9ecef80";
+constexpr std::string_view usual_text = "abcdefgh", usual_color = "#e9ecef80";
 constexpr std::string_view usual_bits = "bits 0, 2 to 5", usual_list = "1000 values";
 
 /// The width of a field with that text.
@@ -98,6 +98,7 @@ void RowLayout::fit(const std::vector<const Property*>& properties) {
     fitted_ = properties;
     size_ = ImGui::GetFontSize();
     widest_name_ = 0;
+    column_for_ = -1;
     needs_.clear();
     for (const Property* each : properties)
         if (!each->hidden) widest_name_ = std::max(widest_name_, needs(*each).name);
@@ -105,7 +106,7 @@ void RowLayout::fit(const std::vector<const Property*>& properties) {
 
 /// The width of the column of names: as wide as they need, but values get the room to show the two
 /// fields of a vector side by side, or at least one number.
-float RowLayout::column(float available) const {
+float RowLayout::usual_column(float available) const {
     const float room = available - button_width(), usual = available * name_share;
     const float two = 2 * component_width() + ImGui::GetStyle().ItemInnerSpacing.x;
     for (const float values : {two, component_width()})
@@ -114,15 +115,41 @@ float RowLayout::column(float available) const {
     return std::floor(usual);
 }
 
-/// A row whose name or value needs more than its column has its own border between both.
+/// The column that leaves room for name and value of the most rows, as near to the usual one as
+/// possible. The other rows have their names above their values.
+float RowLayout::column(float available) {
+    if (available == column_for_) return column_;
+    const float room = available - button_width(), usual = usual_column(available);
+    column_for_ = available;
+    column_ = usual;
+    int most = 0;
+    for (const Property* widest : fitted_) {
+        if (widest->hidden) continue;
+        const float name = needs(*widest).name;
+        float low = 0, high = room;
+        int count = 0;
+        for (const Property* each : fitted_) {
+            const Needs& need = needs(*each);
+            if (each->hidden || need.name > name || need.value > room - name) continue;
+            low = std::max(low, need.name);
+            high = std::min(high, room - need.value);
+            ++count;
+        }
+        if (count < most) continue;
+        const float at = std::floor(std::clamp(usual, low, high));
+        if (count > most || std::abs(at - usual) < std::abs(column_ - usual)) column_ = at;
+        most = count;
+    }
+    return column_;
+}
+
 RowLayout::Row RowLayout::row_of(const Property& property, float available) {
     const Needs& need = needs(property);
     const float room = available - button_width();
     Row row;
-    row.name_above = need.name + need.value > room;
-    row.value = row.name_above
-                    ? mark_width()
-                    : std::min(std::max(column(available), need.name), room - need.value);
+    const float values = column(available);
+    row.name_above = need.name > values || need.value > room - values;
+    row.value = row.name_above ? mark_width() : values;
     row.name = row.name_above ? std::min(need.name, available) : row.value;
     row.width = std::max(1.0f, room - row.value);
     const bool stacked = property.type == Type::vec2 && !fits_two(row.width);

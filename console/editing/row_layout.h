@@ -11,8 +11,8 @@ namespace fettle::console {
 
 class RowLayout {
   public:
-    /// A row in pixels. The value has `width`, beginning at `value`; the name has what is before
-    /// it, or a line of its own if there is no room for both.
+    /// A row in pixels. The value has `width`, beginning at `value`, which is one column of all
+    /// rows; the name has what is before it, or a line of its own if there is no room for both.
     struct Row {
         float name = 0, value = 0, width = 0;
         bool name_above = false;
@@ -42,10 +42,12 @@ class RowLayout {
         float name = 0, value = 0;
     };
     const Needs& needs(const property::Property& property);
-    float column(float available) const;
+    float column(float available);
+    float usual_column(float available) const;
 
     std::vector<const property::Property*> fitted_;  // whose names `widest_name_` is for
     float size_ = 0, widest_name_ = 0;
+    float column_ = 0, column_for_ = -1;  // the column of values in a row of that width
     std::unordered_map<const property::Property*, Needs> needs_;
 };
 

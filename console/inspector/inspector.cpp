@@ -401,13 +401,14 @@ bool Inspector::group(const std::string& title, bool open, ImFont* bold) {
     return unfolded;
 }
 
-std::vector<const Property*> grouped_by_class(std::vector<const Property*> properties) {
-    const auto place = [](const Property* property) {
+std::vector<const Property*> grouped_by_class(std::vector<const Property*> properties,
+                                              const OfGame& is_of_game) {
+    const auto place = [&](const Property* property) {
         if (property->binding.kind == property::BindingKind::ad_hoc || property->owner == nullptr)
             return std::numeric_limits<int>::max();
         int depth = 0;
         for (const property::Class* at = property->owner; at != nullptr; at = at->base()) ++depth;
-        return depth;
+        return is_of_game && is_of_game(*property->owner) ? -depth : depth;
     };
     std::ranges::stable_sort(properties, {}, place);
     const auto own =
@@ -421,7 +422,8 @@ void Inspector::draw_properties(ImFont* bold) {
     const property::Class* owner = nullptr;
     bool unfolded = true;
     Handle shown = selected();
-    const std::vector<const Property*> properties = grouped_by_class(tree_.properties(shown));
+    const std::vector<const Property*> properties =
+        grouped_by_class(tree_.properties(shown), is_of_game);
     editor_.fit_labels(properties);
     for (const Property* property : properties) {
         if (property->hidden || !all_have(*property)) continue;

@@ -15,15 +15,21 @@
 
 namespace fettle::console {
 
-/// The properties of each class together, base classes first: a class may have another default for
-/// a property of its base, and then owns it. Ad hoc properties are at the end, by name.
+/// Whether the game has defined the class.
+using OfGame = std::function<bool(const property::Class&)>;
+
+/// The properties of each class together: a class may have another default for a property of its
+/// base, and then owns it. First those of the game's own classes, the derived ones before their
+/// bases; then the others, base classes first. Ad hoc properties are at the end, by name.
 std::vector<const property::Property*> grouped_by_class(
-    std::vector<const property::Property*> properties);
+    std::vector<const property::Property*> properties, const OfGame& is_of_game = {});
 
 class Inspector {
   public:
     explicit Inspector(property::Tree& tree);
 
+    /// Optional; see `grouped_by_class`.
+    OfGame is_of_game;
     /// Called when the user chooses another instance in the inspector; a null handle: none.
     std::function<void(property::Handle)> chosen;
     /// Called with the name of a clicked method, to be inserted into the command.

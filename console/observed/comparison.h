@@ -59,6 +59,8 @@ class Comparison {
                         const ReviewBranch& other);
 
     /// Whether there is something to show.
+    /// Whether a request waits for `between_frames`.
+    bool waits() const { return change_request_.has_value() || branch_request_.has_value(); }
     bool shown() const { return !a_.empty() && !b_.empty(); }
     const std::vector<Moment>& a() const { return a_; }
     const std::vector<Moment>& b() const { return b_; }

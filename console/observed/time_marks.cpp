@@ -40,7 +40,8 @@ void TimeMarks::toggle_bookmark(std::int64_t step) {
         others_.push_back({TimeMark::Kind::bookmark, step, new_name()});
 }
 
-void TimeMarks::bookmark(const std::string& name, std::optional<std::int64_t> step) {
+std::pair<std::string, std::int64_t> TimeMarks::bookmark(const std::string& name,
+                                                         std::optional<std::int64_t> step) {
     constexpr std::size_t longest = 80;  // bytes
     if (name.size() > longest ||
         std::ranges::any_of(name, [](unsigned char c) { return c < 0x20; }))
@@ -56,6 +57,7 @@ void TimeMarks::bookmark(const std::string& name, std::optional<std::int64_t> st
                                   " bookmarks already; remove one with unbookmark");
     if (!name.empty()) unbookmark(name);
     others_.push_back({TimeMark::Kind::bookmark, at, name.empty() ? new_name() : name});
+    return {others_.back().text, at};
 }
 
 std::size_t TimeMarks::unbookmark(const std::string& name) {

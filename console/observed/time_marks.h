@@ -31,7 +31,8 @@ class TimeMarks {
     /// Sets a bookmark at a step; without one, at the present step. "" gets a new name; a bookmark
     /// with that name is moved. Throws Error(rejected) if there are too many, Error(bad_name) for a
     /// name of several lines or of more than 80 bytes, and Error(out_of_range) for a step before 0.
-    void bookmark(const std::string& name, std::optional<std::int64_t> step);
+    std::pair<std::string, std::int64_t> bookmark(const std::string& name,
+                                                  std::optional<std::int64_t> step);
     /// Returns how many were removed; "" is all of them.
     std::size_t unbookmark(const std::string& name);
     std::vector<std::pair<std::string, std::int64_t>> bookmarks() const;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
+#include <fettle/property/path.h>
 
 namespace fettle::console {
 
@@ -57,6 +59,16 @@ void Trace::take(std::int64_t step, bool past) {
     Sample sample{step, 0, 0};
     if (problem_.empty() && sample_of(value_, sample, vector_)) samples_.push_back(sample);
     if (samples_.size() > max_samples) samples_.pop_front();
+}
+
+std::string short_problem(const property::Tree& tree, const Trace& trace) {
+    const std::string& problem = trace.problem();
+    try {
+        if (!trace.what().path.empty()) property::resolve(tree, trace.what().path);
+    } catch (const property::Error&) {
+        return problem.empty() ? problem : "deleted";
+    }
+    return problem.substr(0, problem.find(';'));
 }
 
 double Trace::largest(std::size_t last) const {

@@ -5,6 +5,7 @@
 #include <deque>
 #include <string>
 
+#include <fettle/property/tree.h>
 #include <fettle/property/value.h>
 #include <fettle/script/observed.h>
 
@@ -50,6 +51,10 @@ class Trace {
     bool vector_ = false;
     int rest_ = 0;  // calls without computing, after an error
 };
+
+/// Why there is no value, in few words: "deleted" for the property of an instance that was there;
+/// otherwise the problem without its advice.
+std::string short_problem(const property::Tree& tree, const Trace& trace);
 
 /// As Lua: everything but nil and false.
 inline bool is_true(const property::Value& value) {

@@ -49,41 +49,7 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
             .tweak_list = TweakList(options.tweaks),
             .overlay_bar = OverlayBar(tree)} {
     connect();
-    if (interpreter.limit_memory)
-        interpreter.limit_memory(
-            [this] {
-                constexpr double megabyte = 1 << 20;
-                return static_cast<std::size_t>(
-                    static_cast<double>(settings.number("memory_limit")) * megabyte);
-            },
-            "console.memory_limit");
-    if (interpreter.serve_console) {
-        script::ConsoleFunctions functions = observing.functions();
-        functions.selection = [this] { return inspector.selection(); };
-        functions.select = [this](const std::vector<Handle>& all) { choose_all(all); };
-        functions.ab = [this](const std::string& path, const Value& value, double seconds) {
-            path.empty() ? comparison.end() : comparison.request_change(path, value, seconds);
-        };
-        functions.compare_branch = [this](const std::string& name) {
-            comparison.request_branch(name);
-        };
-        functions.bookmark = [this](const std::string& name, std::optional<std::int64_t> step) {
-            time_marks.bookmark(name, step);
-        };
-        functions.unbookmark = [this](const std::string& name) {
-            return time_marks.unbookmark(name);
-        };
-        functions.bookmarks = [this] { return time_marks.bookmarks(); };
-        functions.play_back = [this](double seconds) {
-            // A recording contains the steps to which it goes.
-            if (!options.replay) views.time_bar.play_back(seconds);
-        };
-        functions.share = options.share;
-        functions.record = options.record;
-        functions.restart = options.restart;
-        if (options.replay) functions.exec = {};
-        interpreter.serve_console(std::move(functions));
-    }
+    serve_scripts();
     if (std::string problem = history.consume_problem(); !problem.empty()) log.note(problem);
     take_settings(options.layout);
     if (!options.first_commands.empty())
@@ -112,6 +78,7 @@ void Console::State::connect_log() {
 }
 
 void Console::State::connect_inspector() {
+    inspector.is_of_game = interpreter.has_defined;
     inspector.chosen = [this](Handle instance) { instance ? choose(instance) : choose_all({}); };
     inspector.insert = [this](const std::string& text) { prompt.edit().insert(text); };
     inspector.run = [this](const std::string& command) { run(command); };
@@ -232,6 +199,7 @@ void Console::State::follow_settings() {
         log.note("any Lua · Tab completes · path? explains · click a body to edit it");
     }
     if (!opened && status.was_open) {
+        status.drawn = false;
         keep_layout();
         prompt.close_menu();
         ui.release_all();
@@ -423,7 +391,15 @@ void Console::draw(app::Surface& surface, double seconds) {
 script::Evaluation Console::evaluate(std::string_view command) {
     const State& s = *state_;
     if (!s.interpreter.evaluate) return {};
-    return s.interpreter.evaluate(s.prompt.expanded(std::string(command)));
+    return s.prompt.evaluate(std::string(command));
+}
+
+script::Evaluation Console::answer_terminal(std::string_view command, std::string_view who) {
+    return state_->answer_terminal(command, who);
+}
+
+bool Console::answers_later() const {
+    return state_->observing.waits() || state_->comparison.waits();
 }
 
 bool Console::is_open() const {

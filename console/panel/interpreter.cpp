@@ -22,6 +22,9 @@ Interpreter interpreter_of(script::Runtime& runtime) {
     interpreter.set_selected = [&runtime](property::Handle instance) {
         runtime.set_selected(instance);
     };
+    interpreter.has_defined = [&runtime](const property::Class& of) {
+        return runtime.has_defined(of);
+    };
     interpreter.limit_memory = [&runtime](std::function<std::size_t()> bytes,
                                           std::string property) {
         runtime.on_command_memory(std::move(bytes), std::move(property));

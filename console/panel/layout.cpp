@@ -75,6 +75,8 @@ void Console::State::frame(double seconds) {
         draw_part([&] { draw_inspector(screen.width - right, inspector_width()); });
     }
     draw_part([&] { draw_panel(screen.width - 2 * margin - right, panel_height(), cell); });
+    // Beside two runs, the inspector ends where the panel ends: what is below has all of the width.
+    if (comparison_height() > 0) right = 0;
     draw_part([&] { draw_time_bar(right); });
     draw_part([&] { draw_observed(right); });
     draw_part([&] { draw_frames(right); });
@@ -86,6 +88,7 @@ void Console::State::frame(double seconds) {
         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     ui.end_frame();
     ui.navigate_with_keys(screen.popup_open);
+    status.drawn = true;
     screen.building = false;
 }
 
@@ -271,6 +274,10 @@ void Console::State::draw_comparison(double seconds) {
     views.compare_view.draw({ImVec2(margin, top), ImVec2(screen.width - margin, low)}, tree,
                             comparison, seen(), ui.pictures(), seconds,
                             views.time_bar.available() ? views.time_bar.times().dt : 1.0 / 60);
+    // The windows would leave strips of the game visible between them.
+    if (!views.compare_view.rect().empty())
+        ImGui::GetBackgroundDrawList()->AddRectFilled(
+            ImVec2(0, 0), ImVec2(screen.width, screen.height), palette::well);
 }
 
 /// Draws the times of the last frames above the observed values.

@@ -30,16 +30,31 @@ constexpr double longest_reading = 2000;   // ms
 
 script::ConsoleFunctions Observing::functions() {
     script::ConsoleFunctions f;
-    f.pin = [this](script::Observed what) { pin(std::move(what)); };
-    f.unpin = [this](const std::string& text) { return unpin(text); };
-    f.plot = [this](std::vector<script::Observed> all) { plot(std::move(all)); };
+    f.pin = [this](script::Observed what) { return pin(std::move(what)); };
+    f.unpin = [this](const std::string& text) {
+        if (unpin(text) == 0) return std::string("nothing like that is pinned");
+        return unseen(text.empty() ? "nothing is pinned any more" : text + " is no longer pinned");
+    };
+    f.pins = [this] {
+        std::vector<std::pair<std::string, Value>> all;
+        for (Trace& pin : pins_) {
+            pin.sample();
+            all.emplace_back(pin.what().text, pin.problem().empty()
+                                                  ? pin.value()
+                                                  : Value("no value: " + pin.problem()));
+        }
+        return all;
+    };
+    f.plot = [this](std::vector<script::Observed> all) { return plot(std::move(all)); };
     f.break_when = [this](script::Observed condition) { return break_when(std::move(condition)); };
     f.unbreak = [this](const std::string& text) { return breaks_.remove(text); };
     f.breaks = [this] { return breaks_.texts(); };
     f.last_time = [this](script::Observed condition) { searched_ = std::move(condition); };
-    f.bind = [this](const std::string& key, const std::string& command) { bind(key, command); };
+    f.bind = [this](const std::string& key, const std::string& command) {
+        return bind(key, command);
+    };
     f.alias = [this](const std::string& word, const std::string& command) {
-        prompt_.alias(word, command);
+        return alias(word, command);
     };
     f.exec = [this](const std::string& file, const std::string& text) {
         if (executing_ && ++executed_ > most_executed)
@@ -59,7 +74,7 @@ script::ConsoleFunctions Observing::functions() {
 
 // --- Requests
 
-void Observing::pin(script::Observed what) {
+std::string Observing::pin(script::Observed what) {
     unpin(what.text);
     if (pins_.size() == max_pins)
         throw property::Error(
@@ -67,7 +82,8 @@ void Observing::pin(script::Observed what) {
             "pin: there are " + std::to_string(max_pins) + " pinned values already; unpin one");
     pins_.emplace_back(std::move(what));
     pins_.back().sample();
-    note_problem("pin", pins_.back().problem());
+    note_problem("pin", pins_.back());
+    return unseen(pins_.back().what().text + " is pinned; `pins` lists what is");
 }
 
 std::size_t Observing::unpin(const std::string& text) {
@@ -81,7 +97,7 @@ std::string Observing::pinned(const std::string& path) const {
     return pin == pins_.end() ? std::string() : pin->what().text;
 }
 
-void Observing::plot(std::vector<script::Observed> all) {
+std::string Observing::plot(std::vector<script::Observed> all) {
     if (all.size() > max_plots)
         throw property::Error(property::ErrorKind::rejected,
                               "plot: at most " + std::to_string(max_plots) + " values at once");
@@ -99,7 +115,14 @@ void Observing::plot(std::vector<script::Observed> all) {
                                   "plot: " + text + " is neither a number, a vector nor a boolean");
         }
     }
-    for (const Trace& trace : plots_) note_problem("plot", trace.problem());
+    std::string texts;
+    for (const Trace& trace : plots_) {
+        note_problem("plot", trace);
+        texts += (texts.empty() ? "" : ", ") + trace.what().text;
+    }
+    return unseen(plots_.empty() ? "nothing is plotted any more"
+                                 : "the window plots " + texts +
+                                       "; export_plot() writes the values into a file");
 }
 
 std::string Observing::break_when(script::Observed condition) {
@@ -111,11 +134,12 @@ std::string Observing::break_when(script::Observed condition) {
 }
 
 /// It may be a wrong name, or the name of something that the game has not made yet.
-void Observing::note_problem(const char* request, const std::string& problem) {
-    if (!problem.empty() && tells_problems) report(std::string(request) + ": " + problem);
+void Observing::note_problem(const char* request, const Trace& trace) {
+    if (trace.problem().empty() || !tells_problems) return;
+    report(std::string(request) + ": " + trace.problem() + "; it is shown when it has a value");
 }
 
-void Observing::bind(const std::string& key, const std::string& command) {
+std::string Observing::bind(const std::string& key, const std::string& command) {
     const auto names = app::key_names();
     if (std::find(names.begin(), names.end(), key) == names.end()) {
         const std::vector<std::string> all(names.begin(), names.end());
@@ -129,9 +153,17 @@ void Observing::bind(const std::string& key, const std::string& command) {
                                   " opens and closes the console; console.key chooses another key "
                                   "for that");
     if (command.empty())
-        keys_.erase(key);
-    else
-        keys_[key] = command;
+        return keys_.erase(key) == 0 ? key + " had no command" : key + " has no command any more";
+    keys_[key] = command;
+    return executing_ ? std::string() : key + " runs " + command;
+}
+
+std::string Observing::alias(const std::string& word, const std::string& command) {
+    const bool known = prompt_.aliases().contains(word);
+    prompt_.alias(word, command);
+    if (command.empty())
+        return known ? word + " is no alias any more" : "there is no alias " + word;
+    return executing_ ? std::string() : word + " stands for " + command;
 }
 
 std::string Observing::command_of_key(const std::string& key) const {

@@ -51,6 +51,15 @@ class Observing {
     std::function<std::string()> toggle_key{};
     /// Whether the log gets a note when a requested value cannot be computed now.
     bool tells_problems = true;
+    /// Whether the answer of the present command is read in a terminal, which does not show the
+    /// pins, the plot and the time bar.
+    bool in_terminal = false;
+    /// The answer where the person does not see what has happened, "" elsewhere.
+    std::string unseen(const std::string& answer) const {
+        return in_terminal ? answer : std::string();
+    }
+    /// Whether a search or commands wait for `between_frames`.
+    bool waits() const { return searched_.has_value() || !waiting_.empty() || !exports_.empty(); }
 
     /// The command of a key, "" if it has none.
     std::string command_of_key(const std::string& key) const;
@@ -69,12 +78,13 @@ class Observing {
     const Breaks& breaks() const { return breaks_; }
 
   private:
-    void pin(script::Observed what);
+    std::string pin(script::Observed what);
     std::size_t unpin(const std::string& text);
-    void plot(std::vector<script::Observed> all);
+    std::string plot(std::vector<script::Observed> all);
     std::string break_when(script::Observed condition);
-    void note_problem(const char* request, const std::string& problem);
-    void bind(const std::string& key, const std::string& command);
+    void note_problem(const char* request, const Trace& trace);
+    std::string bind(const std::string& key, const std::string& command);
+    std::string alias(const std::string& word, const std::string& command);
     void run_waiting();
     void run_commands(const Commands& commands);
     void follow_branch(std::int64_t next);

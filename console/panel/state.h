@@ -82,9 +82,10 @@ struct Input {
 struct Screen {
     float width = 0, height = 0;  // of the surface; 0 before the first draw
     Rect panel_rect, inspector_rect, filter_rect;
-    Rect height_edge, width_edge;  // of the panel and of the inspector, to be dragged
-    Rect plot_edge;                // the upper edge of the plot
-    Rect paused_sign;              // while the console is closed
+    Rect height_edge, width_edge;     // of the panel and of the inspector, to be dragged
+    Rect plot_edge;                   // the upper edge of the plot
+    Rect paused_sign;                 // while the console is closed
+    bool inspector_left_out = false;  // it is on, and has no room
     bool popup_open = false;
     bool building = false;     // a frame is being built; no other may begin inside it
     std::string part_problem;  // the last one in the log
@@ -94,6 +95,7 @@ struct Screen {
 struct Status {
     bool was_open = false;
     bool greeted = false;
+    bool drawn = false;  // since it was opened
     bool used =
         false;  // it was opened, a key has run a command, or the program has paused the game
     bool pausing = false;  // the console has paused the game's time
@@ -159,6 +161,9 @@ struct Console::State {
     /// it anew), that is selected.
     void find_selected_again();
     void connect();
+    // --- For scripts and terminals (serving.cpp)
+    void serve_scripts();
+    script::Evaluation answer_terminal(std::string_view command, std::string_view who);
     void connect_log();
     void connect_inspector();
     void connect_context_menu();

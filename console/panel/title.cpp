@@ -59,7 +59,20 @@ void Console::State::draw_title(float cell) {
     float content = ImGui::GetContentRegionAvail().x;
     float right = at.x + content;
     bool shown = settings.flag("inspector"), pauses = settings.flag("pauses");
-    if (title_button("inspector", shown, right)) settings.set("inspector", property::Value(!shown));
+    const float right_of_button = right;
+    screen.inspector_left_out = shown && status.drawn && screen.inspector_rect.empty();
+    if (title_button("inspector", shown && !screen.inspector_left_out, right))
+        settings.set("inspector", property::Value(!shown));
+    if (screen.inspector_left_out && right < right_of_button) {
+        // It is on, and struck out.
+        const Rect button = item_rect();
+        const float middle = std::round(button.middle().y);
+        ImGui::GetWindowDrawList()->AddLine(ImVec2(button.low.x + 2, middle),
+                                            ImVec2(button.high.x - 2, middle), palette::accent,
+                                            1.5f);
+        if (ImGui::IsItemHovered())
+            show_tip("the inspector has no room in this window: make it larger, or close a view");
+    }
     if (title_button("pause", pauses, right)) settings.set("pauses", property::Value(!pauses));
     if (views.overlay_bar.available()) {
         const int lit = views.overlay_bar.lit();

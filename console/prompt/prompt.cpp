@@ -367,18 +367,31 @@ void Prompt::alias(const std::string& word, const std::string& command) {
         aliases_[word] = command;
 }
 
-std::string Prompt::expanded(const std::string& command) const {
+std::size_t Prompt::alias_end(const std::string& command) const {
     const std::size_t begin = std::min(command.find_first_not_of(" \n"), command.size());
     std::size_t end = begin;
     while (end < command.size() && continues_name(static_cast<unsigned char>(command[end])) &&
            command[end] != '.' && command[end] != ':')
         ++end;
-    const auto found = aliases_.find(command.substr(begin, end - begin));
-    if (found == aliases_.end()) return command;
+    if (!aliases_.contains(command.substr(begin, end - begin))) return 0;
     // An assignment to a variable of that name is not replaced.
     const std::size_t next = std::min(command.find_first_not_of(' ', end), command.size());
-    if (next < command.size() && command[next] == '=') return command;
-    return found->second + command.substr(end);
+    return next < command.size() && command[next] == '=' ? 0 : end;
+}
+
+script::Evaluation Prompt::evaluate(const std::string& command) const {
+    const std::size_t end = alias_end(command);
+    if (end == 0) return interpreter_.evaluate(command);
+    const std::size_t begin = command.find_first_not_of(" \n");
+    const std::string word = command.substr(begin, end - begin);
+    const std::string& meant = aliases_.at(word);
+    script::Evaluation result = interpreter_.evaluate(meant + command.substr(end));
+    if (!result.incomplete || command.find_first_not_of(" \n", end) != std::string::npos)
+        return result;
+    result.incomplete = false;
+    result.error.emplace().message =
+        word + " stands for " + lua_string(meant) + ": it needs more after it, in the same line";
+    return result;
 }
 
 bool Prompt::run(const std::string& command, bool force, script::Evaluation* result) {
@@ -386,7 +399,7 @@ bool Prompt::run(const std::string& command, bool force, script::Evaluation* res
     script::Evaluation evaluation;
     const std::uint64_t before = log_.end();
     try {
-        evaluation = interpreter_.evaluate(expanded(command));
+        evaluation = evaluate(command);
     } catch (const std::exception& error) {
         evaluation.error.emplace();
         evaluation.error->message = property::exception_text(error);

@@ -43,8 +43,9 @@ class Prompt {
     void alias(const std::string& word, const std::string& command);
     const std::map<std::string, std::string>& aliases() const { return aliases_; }
     void take_aliases(std::map<std::string, std::string> aliases) { aliases_ = std::move(aliases); }
-    /// The command with an alias at its beginning replaced.
-    std::string expanded(const std::string& command) const;
+    /// Evaluates the command, with an alias at its beginning replaced. An alias alone whose command
+    /// needs more after it is an error and not incomplete: the next line is another command.
+    script::Evaluation evaluate(const std::string& command) const;
     /// The log is emptied when the running command has ended.
     void clear_log_afterwards() { clears_ = true; }
 
@@ -96,6 +97,9 @@ class Prompt {
     std::string before_search_;
     std::size_t search_at_ = 0;
     bool search_failed_ = false;
+
+    /// The end of the word at the beginning of the command, if it is an alias; 0 otherwise.
+    std::size_t alias_end(const std::string& command) const;
 
     std::map<std::string, std::string> aliases_;
     bool clears_ = false;

@@ -103,13 +103,21 @@ void Log::command(std::string_view text) {
 }
 
 void Log::command(std::string_view text, std::uint64_t before) {
+    add(LineKind::command, text, false, before);
+}
+
+void Log::note(std::string_view text, std::uint64_t before) {
+    add(LineKind::note, text, true, before);
+}
+
+void Log::add(LineKind kind, std::string_view text, bool short_numbers, std::uint64_t before) {
     const std::uint64_t kept = std::max(before, dropped_) - dropped_;
-    if (kept >= lines_.size()) return command(text);
+    if (kept >= lines_.size()) return add(kind, text, short_numbers);
     const auto first = std::next(lines_.begin(), static_cast<std::ptrdiff_t>(kept));
     std::deque<LogLine> caused(std::make_move_iterator(first),
                                std::make_move_iterator(lines_.end()));
     lines_.erase(first, lines_.end());
-    command(text);
+    add(kind, text, short_numbers);
     for (LogLine& line : caused) push(std::move(line));
     ++rearranged_;
 }

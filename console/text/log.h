@@ -72,6 +72,8 @@ class Log {
     /// The output of a command.
     void output(const script::Evaluation& result);
     void note(std::string_view text) { add(LineKind::note, text, true); }
+    /// Adds a note in front of the lines from this number on, which its subject has caused.
+    void note(std::string_view text, std::uint64_t before);
     /// A note that ends with the path of a file.
     void file(std::string_view text, const std::string& file);
     /// Adds the message, the source line with carets below the error, and the traceback if it
@@ -99,6 +101,7 @@ class Log {
 
   private:
     void add(LineKind kind, std::string_view text, bool short_numbers = false);
+    void add(LineKind kind, std::string_view text, bool short_numbers, std::uint64_t before);
     void push(LineKind kind, std::string text, bool short_numbers = false);
     void push(LogLine line);
     /// Hides the lines from that index on below one with the text.

@@ -17,14 +17,15 @@ constexpr int plot_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMo
                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
                            ImGuiWindowFlags_NoFocusOnAppearing;
 constexpr double rows_wanted = 4;  // lines of the grid
+constexpr float row_apart = 1.2f;  // at least, in heights of a line
 
 float legend_line() {
     return ImGui::GetTextLineHeight() + 3;
 }
 
-/// 1, 2 or 5 times a power of ten, at least `span / rows_wanted`.
-double spacing_for(double span) {
-    const double raw = span / rows_wanted;
+/// 1, 2 or 5 times a power of ten, at least `span / rows`.
+double spacing_for(double span, double rows = rows_wanted) {
+    const double raw = span / rows;
     const double power = std::pow(10, std::floor(std::log10(raw)));
     for (const double factor : {1.0, 2.0, 5.0})
         if (factor * power >= raw) return factor * power;
@@ -53,6 +54,11 @@ bool follows(const Trace::Sample& before, const Trace::Sample& after) {
 }
 
 }  // namespace
+
+double value_between_labels(double span, float tall, float line) {
+    const double rows = tall / (row_apart * line);
+    return spacing_for(span, std::clamp(rows, 1.0, rows_wanted));
+}
 
 double seconds_between_labels(double seconds) {
     const double usual = spacing_for(seconds);
@@ -96,7 +102,8 @@ ImVec2 PlotView::point(const Scale& scale, std::int64_t step, double value) cons
 void PlotView::draw_grid(const Scale& scale, const Times& times) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetTextLineHeight();
-    const double apart = spacing_for(scale.high - scale.low);
+    const double apart =
+        value_between_labels(scale.high - scale.low, area_.high.y - area_.low.y, line);
     for (double v = std::ceil(scale.low / apart) * apart; v <= scale.high; v += apart) {
         const float y = point(scale, scale.first, v).y;
         list.AddLine(ImVec2(area_.low.x, y), ImVec2(area_.high.x, y),
@@ -187,6 +194,7 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
                     : shown.is(property::Type::boolean) ? property::Value(s->x != 0)
                                                         : property::Value(s->x);
         const bool fails = !trace.problem().empty();
+        const std::string problem = short_problem(tree, trace);
         const float y = at.y + static_cast<float>(i) * legend_line();
         float x = at.x;
         list.AddRectFilled(ImVec2(x, y + em * 0.5f), ImVec2(x + em * 0.8f, y + em * 0.7f),
@@ -196,7 +204,7 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
                                color_of(plots, i, true));
         x += em * 1.1f;
         const ObservedText value =
-            fails ? ObservedText{trace.problem()}
+            fails ? ObservedText{problem}
                   : observed_text_in(tree, shown, trace.what().unit, trace.largest(),
                                      right - x - em - text_width(trace.what().text), right - x);
         // A long error leaves half of the line for the name.

@@ -20,6 +20,9 @@ namespace fettle::console {
 /// The time between two labels below curves that are `seconds` long. There are at least two labels,
 /// because a single one does not show the scale.
 double seconds_between_labels(double seconds);
+/// The difference of the values of two labels beside curves of that span and height, which do not
+/// touch: a label is `line` high.
+double value_between_labels(double span, float tall, float line);
 
 class PlotView {
   public:

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include <look/imgui_compat.h>
 #include <look/theme.h>
@@ -379,6 +380,13 @@ const TimeMark* TimeBar::mark_at(const Times& now, float x) const {
 void TimeBar::draw_marks(const Times& now) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float low = track_.middle().y - 5, high = track_.low.y;
+    // Where an edit is, another mark covers the upper half of its stroke only.
+    std::vector<bool> edited(
+        static_cast<std::size_t>(std::max(1.0f, track_.high.x - track_.low.x)));
+    const auto column = [&](float x) {
+        return std::min(static_cast<std::size_t>(std::max(0.0f, x - track_.low.x)),
+                        edited.size() - 1);
+    };
     for (const auto* marks : {&marks_.edits(), &marks_.others()})
         for (const TimeMark& mark : *marks) {
             if (mark.step < now.oldest || mark.step > now.newest) continue;
@@ -387,7 +395,16 @@ void TimeBar::draw_marks(const Times& now) const {
                                 : mark.kind == TimeMark::Kind::stop ? palette::number
                                 : mark.kind == TimeMark::Kind::edit ? palette::path
                                                                     : palette::text;
-            list.AddRectFilled(ImVec2(x - 1, high), ImVec2(x + 1, low), color);
+            const std::size_t at = column(x);
+            const auto begin =
+                edited.begin() + static_cast<std::ptrdiff_t>(at - std::min<std::size_t>(at, 2));
+            const auto end =
+                edited.begin() + static_cast<std::ptrdiff_t>(std::min(at + 3, edited.size()));
+            const bool edit = mark.kind == TimeMark::Kind::edit;
+            const bool covers = !edit && std::find(begin, end, true) != end;
+            if (edit) edited[at] = true;
+            const float bottom = covers ? std::floor((high + low) / 2) : low;
+            list.AddRectFilled(ImVec2(x - 1, high), ImVec2(x + 1, bottom), color);
             if (mark.kind == TimeMark::Kind::bookmark)
                 list.AddTriangleFilled(ImVec2(x + 1, high), ImVec2(x + 7, high + 3),
                                        ImVec2(x + 1, high + 6), color);

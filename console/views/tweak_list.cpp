@@ -103,7 +103,7 @@ void TweakList::draw_header() {
     if (small_button(-1, "keep all", "Write them into the files they came from")) act("keep", "**");
     if (earlier) {
         ImGui::SameLine();
-        if (small_button(-1, "make all again", "Set what earlier runs left, as one edit"))
+        if (small_button(-1, "make all again", "Make these edits again, as one edit"))
             act("reapply_tweaks", "**");
     }
     ImGui::SameLine();

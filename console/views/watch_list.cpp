@@ -89,8 +89,12 @@ void draw_sparkline(ImDrawList& list, const Rect& rect, const Trace& trace) {
         }
         list.AddPolyline(points.data(), static_cast<int>(points.size()), color, 0, 1.5f);
     };
-    stroke(&Trace::Sample::x, trace.is_vector() ? palette::axis_x : palette::note);
-    if (trace.is_vector()) stroke(&Trace::Sample::y, palette::axis_y);
+    // The curve of a value that is gone is grey.
+    const auto color = [&](ImU32 living) {
+        return trace.problem().empty() ? living : palette::faint;
+    };
+    stroke(&Trace::Sample::x, color(trace.is_vector() ? palette::axis_x : palette::note));
+    if (trace.is_vector()) stroke(&Trace::Sample::y, color(palette::axis_y));
 }
 
 namespace {
@@ -138,7 +142,7 @@ WatchList::Row WatchList::row_of(const property::Tree& tree, const Trace& pin, f
     const auto value_in = [&](float room, float most) {
         return pin.problem().empty()
                    ? observed_text_in(tree, pin.value(), pin.what().unit, largest, room, most)
-                   : ObservedText{pin.problem()};
+                   : ObservedText{short_problem(tree, pin)};
     };
     row.value = value_in(row.room - em - name_width, widest);
     row.value_width = std::min(row.value.place(), widest);

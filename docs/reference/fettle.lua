@@ -3213,10 +3213,14 @@ function last_time(condition) end
 ---@param slot string
 function load_game(slot) end
 
----Adds a path or an expression to the watch list of the console: pin("world.ball.mass").
+---Adds a path or an expression to the watch list of the console: pin("world.ball.mass"). `pin` alone is `pins()`.
 ---@param what string|fun(): any
 ---@param ... string|fun(): any
 function pin(what, ...) end
+
+---What is pinned, with the present values. In the console the parentheses may be left out.
+---@return table<string, any>
+function pins() end
 
 ---In the console: shows the last seconds once more, as they were; then the game goes on, unless it was paused before. Without seconds, or with more than is kept, it begins with the oldest step that is kept. After going back it shows what followed.
 ---@param seconds? number
@@ -3242,7 +3246,7 @@ function quit(status) end
 ---@overload fun(from: number, to: number): number
 function random() end
 
----Makes the matching tweaks of earlier runs again.
+---Makes the matching tweaks of earlier runs again, and instances that were made, deleted or renamed later than this moment, before the game went back to it.
 ---@param pattern string
 function reapply_tweaks(pattern) end
 

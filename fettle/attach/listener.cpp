@@ -22,6 +22,10 @@ namespace {
 
 constexpr int backlog = 16;
 
+std::string name_of(int terminal) {
+    return "terminal " + std::to_string(terminal);
+}
+
 /// Whether the process at the other end belongs to this user.
 bool is_own(int socket) {
     ucred other{};
@@ -91,6 +95,7 @@ void Listener::frame() {
     began_ = now();
     accept_connections();
     if (connections_.empty()) return;
+    for (Connection& each : connections_) each.out += std::exchange(each.answer, {});
     receive_all();
     answer();
     send_all();
@@ -222,9 +227,18 @@ void Listener::greet(Connection& connection, std::string_view line) {
                                       " terminals, and there are as many");
     // Before this terminal counts as greeted, so that the line goes to the others only: a program
     // that attaches for one command receives nothing but the answer.
-    callbacks_.note("a terminal is attached");
+    const int number = free_number();
+    callbacks_.note(name_of(number) + " is attached");
+    connection.number = number;
     connection.greeted = true;
     connection.out += welcome_text(place_.game.string());
+}
+
+/// The smallest number that no terminal has.
+int Listener::free_number() const {
+    int number = 1;
+    while (std::ranges::count(connections_, number, &Connection::number) > 0) ++number;
+    return number;
 }
 
 /// Answers the requests of this frame. All terminals take turns. In the next frame, another one is
@@ -270,14 +284,19 @@ bool Listener::answer_next(Connection& to, Turn& turn) {
         refuse(to, "expected a line with {\"run\": …} or {\"complete\": …, \"cursor\": …}");
         return true;
     }
-    const std::string answer = answer_to(*request, turn);
-    to.out += answer;
+    std::string answer = answer_to(*request, to, turn);
     turn.bytes += answer.size();
+    // Its results come before the next command, also in a replay.
+    const bool later = request->kind == Request::Kind::run && callbacks_.answers_later &&
+                       callbacks_.answers_later();
+    turn.ends = turn.ends || later;
+    (later ? to.answer : to.out) += answer;
     return true;
 }
 
-std::string Listener::answer_to(const Request& request, Turn& turn) {
-    if (request.kind == Request::Kind::run) return answer_text(callbacks_.evaluate(request.text));
+std::string Listener::answer_to(const Request& request, const Connection& from, Turn& turn) {
+    if (request.kind == Request::Kind::run)
+        return answer_text(callbacks_.evaluate(request.text, name_of(from.number)));
     // A completion takes longer than its few bytes suggest, and no person types faster than one
     // completion a frame.
     turn.ends = true;

@@ -40,11 +40,16 @@ struct ListenLimits {
 class Listener {
   public:
     struct Callbacks {
-        std::function<script::Evaluation(std::string_view command)> evaluate;
+        /// `who`: the name of the terminal.
+        std::function<script::Evaluation(std::string_view command, std::string_view who)> evaluate;
         std::function<std::vector<script::Completion>(std::string_view input, std::size_t cursor)>
             complete;
-        /// A terminal has attached, or is gone.
+        /// A terminal has attached.
         std::function<void(const std::string& what)> note;
+        /// Whether the last command has begun something whose results are printed before the next
+        /// frame, such as a search of the past. Its answer is sent then, after the results. May be
+        /// missing.
+        std::function<bool()> answers_later{};
         /// The present time in seconds, from any origin. Without it, the clock of the system is
         /// read.
         std::function<double()> now{};
@@ -75,7 +80,9 @@ class Listener {
         bool greeted = false;
         bool ending = false;  // when everything is sent
         bool gone = false;
+        int number = 0;  // of the terminal, from 1; 0 before it is greeted
         std::string in{}, out{};
+        std::string answer{};  // of a command whose results are not printed yet
         std::size_t lost = 0;  // lines of the game since the last that was sent
     };
 
@@ -98,7 +105,8 @@ class Listener {
     void greet(Connection& connection, std::string_view line);
     void answer();
     bool answer_next(Connection& to, Turn& turn);
-    std::string answer_to(const Request& request, Turn& turn);
+    std::string answer_to(const Request& request, const Connection& from, Turn& turn);
+    int free_number() const;
     void report_lost(Connection& to);
     void send_all();
     void send(Connection& to);

@@ -22,6 +22,8 @@ struct Session::ConsoleLayer {
     void output(std::string_view) {}
     void note(std::string_view) {}
     void report(const script::ScriptError&) {}
+    script::Evaluation evaluate(std::string_view) { return {}; }
+    script::Evaluation answer_terminal(std::string_view, std::string_view) { return {}; }
     void show_pause() {}
     void select(const std::vector<property::Handle>&) {}
     std::vector<property::Handle> selection() const { return {}; }

@@ -29,12 +29,14 @@ void Session::listen() {
 }
 
 Listener::Callbacks Session::answers_of_terminals() {
-    return {.evaluate = [this](std::string_view command) { return evaluate(command); },
+    return {.evaluate = [this](std::string_view command,
+                               std::string_view who) { return evaluate(command, who); },
             .complete =
                 [this](std::string_view input, std::size_t cursor) {
                     return runtime_->complete(input, cursor, most_candidates);
                 },
-            .note = [this](const std::string& what) { note(what); }};
+            .note = [this](const std::string& what) { note(what); },
+            .answers_later = [this] { return console_ && console_->answers_later(); }};
 }
 
 void Session::begin_to_listen() {

@@ -365,10 +365,8 @@ void Session::select(const std::vector<property::Handle>& instances) {
         runtime_->set_selected(instances.back());
 }
 
-script::Evaluation Session::evaluate(std::string_view command) {
-#ifdef FETTLE_WITH_CONSOLE
-    if (console_) return console_->evaluate(command);
-#endif
+script::Evaluation Session::evaluate(std::string_view command, std::string_view who) {
+    if (console_) return console_->answer_terminal(command, who);
     return runtime_->evaluate(command);
 }
 
@@ -454,7 +452,9 @@ void Session::run_due_commands() {
     for (const auto& [when, command] : options_.console) {
         if (when <= before || when > next || loop_->stopped()) continue;
         print_from_option("› " + command);
-        for (const std::string& line : lines_of(evaluate(command))) print_from_option(line);
+        const script::Evaluation said =
+            console_ ? console_->evaluate(command) : runtime_->evaluate(command);
+        for (const std::string& line : lines_of(said)) print_from_option(line);
     }
     // The output must not be lost if the run crashes.
     if (!options_.console.empty()) std::fflush(stdout);

@@ -75,8 +75,9 @@ class Session {
     std::unique_ptr<Listener> release_listener();
     /// To be called before `start`. Does nothing for null, or without a console.
     void continue_listening(std::unique_ptr<Listener> earlier);
-    /// Evaluates a command of a terminal, as the console does.
-    script::Evaluation evaluate(std::string_view command);
+    /// Evaluates a command of a terminal, as the console does. `who`: the name of the terminal, for
+    /// the console's log; "": the log gets nothing.
+    script::Evaluation evaluate(std::string_view command, std::string_view who = {});
     /// Selects instances in the console; the last one becomes `it`.
     void select(const std::vector<property::Handle>& instances);
     /// The test, if the run is one; null otherwise.

@@ -99,6 +99,18 @@ TEST_CASE("a rewind without a past is reported once") {
     CHECK_THAT(notes[0], contains("rewind does nothing: time.rewind_limit is 0"));
 }
 
+TEST_CASE("a rewind that is typed without a past is answered each time") {
+    Game game;
+    const auto said = [&](const char* command) {
+        const std::vector<std::string> lines = game.runtime.evaluate(command).lines;
+        return lines.empty() ? std::string() : lines.front();
+    };
+    for (int i = 0; i < 2; ++i)
+        CHECK(said("rewind(1)") == "rewind does nothing: no step was made yet");
+    game.runtime.run("time.rewind_limit = 0", "test");
+    CHECK_THAT(said("rewind(1)"), contains("rewind does nothing: time.rewind_limit is 0"));
+}
+
 TEST_CASE("width and corners follow the height and the size of the screen") {
     Game game;
     CHECK(game.get("view.width").number() == 32);

@@ -87,8 +87,9 @@ class Game {
         listener_ = std::make_unique<Listener>(
             folder_.path / "drop",
             Listener::Callbacks{.evaluate =
-                                    [this](std::string_view command) {
+                                    [this](std::string_view command, std::string_view who) {
                                         commands.emplace_back(command);
+                                        asked.emplace_back(who);
                                         return script::Evaluation{
                                             .ok = true,
                                             .lines = std::vector<std::string>(
@@ -106,6 +107,7 @@ class Game {
                                                 .doc = {}});
                                     },
                                 .note = [this](const std::string& what) { notes.push_back(what); },
+                                .answers_later = [this] { return later; },
                                 .now = [this] { return clock += tick; }},
             limits);
     }
@@ -133,7 +135,8 @@ class Game {
     }
     void stop() { listener_.reset(); }
 
-    std::vector<std::string> commands, notes;
+    std::vector<std::string> commands, notes, asked;  // asked: the terminals, by their names
+    bool later = false;                               // whether answers come in the next frame
     std::size_t completions = 0, lines_of_answer = 1;
     // A test must not depend on the time that the machine needs, so each look at the clock takes
     // the same time.

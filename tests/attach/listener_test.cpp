@@ -43,12 +43,44 @@ TEST_CASE("several terminals send commands and receive what the game prints") {
     game.frames();
     CHECK(one.receive().at(0).text == "a line");
     CHECK(two.receive().at(0).text == "a line");
-    CHECK(game.notes == std::vector<std::string>(2, "a terminal is attached"));
+    CHECK(game.notes ==
+          std::vector<std::string>{"terminal 1 is attached", "terminal 2 is attached"});
+    CHECK(game.asked == std::vector<std::string>{"terminal 1", "terminal 2"});
     { const Client goes = std::move(one); }
     game.frames();
     CHECK(game.listener().connections() == 1);
     // Each terminal that attaches is noted; the end of one is not.
     CHECK(game.notes.size() == 2);
+}
+
+TEST_CASE("a terminal gets the smallest number that no other has") {
+    Game game;
+    auto one = std::make_unique<Client>(game.terminal());
+    Client two = game.terminal();
+    one.reset();
+    game.frames();
+    Client next = game.terminal();
+    answer_to(game, next, "1");
+    answer_to(game, two, "2");
+    CHECK(game.asked == std::vector<std::string>{"terminal 1", "terminal 2"});
+}
+
+TEST_CASE("what a command finds later comes before its answer and before the next command") {
+    Game game;
+    Client client = game.terminal();
+    game.later = true;
+    client.send(text_of({.text = "ab"}) + text_of({.text = "next"}));
+    game.frames();
+    CHECK(game.commands == std::vector<std::string>{"ab"});
+    CHECK(client.receive().empty());
+    game.listener().print("it is found");
+    game.later = false;
+    game.frames();
+    const auto messages = client.receive();
+    REQUIRE(messages.size() == 3);
+    CHECK(messages[0].text == "it is found");
+    CHECK(messages[1].lines == std::vector<std::string>{"  said ab"});
+    CHECK(messages[2].lines == std::vector<std::string>{"  said next"});
 }
 
 TEST_CASE("only this user can read the token and enter the folder") {

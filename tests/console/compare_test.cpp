@@ -8,6 +8,7 @@
 #include <fettle/property/picture.h>
 
 #include <look/pen.h>
+#include <look/theme.h>
 
 namespace compare_test {
 
@@ -194,6 +195,16 @@ TEST_CASE_METHOD(CompareRig, "both runs are shown side by side and played in a l
     const auto& view = state().views.compare_view;
     REQUIRE_FALSE(view.rect().empty());
     CHECK(view.shown() == 60);  // the end first
+    // Nothing of the game is visible between the windows.
+    surface.clear();
+    draw();
+    const auto pixel = [&](float x, float y) {
+        return surface
+            .pixels()[static_cast<std::size_t>(y) * static_cast<std::size_t>(surface.width()) +
+                      static_cast<std::size_t>(x)];
+    };
+    CHECK(pixel(3, 400) == console::test::pixel_of(console::palette::well));
+    CHECK(pixel(640, view.rect().low.y - 4) == console::test::pixel_of(console::palette::well));
     draw(80);
     CHECK(view.shown() < 60);
     const console::Rect track = view.track();
@@ -256,6 +267,8 @@ TEST_CASE_METHOD(CompareRig, "the pictures of two runs have room beside plots") 
     CHECK(later.high.y == both.high.y);
     const console::Rect curves = state().views.plot_view.area();
     if (plots > 0) CHECK(curves.high.y - curves.low.y >= 60);
+    // The inspector is not beside what is below both runs.
+    if (plots > 0) CHECK(state().views.plot_view.rect().high.x == both.high.x);
     runs().end();
     for (int i = 0; i < 3; ++i) console.draw(window, 1.0 / 60);
     CHECK(state().screen.panel_rect.high.y == before);

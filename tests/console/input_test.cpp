@@ -119,7 +119,7 @@ TEST_CASE("another key can be set to open the console") {
 TEST_CASE("a name that is not a key is refused as the key of the console") {
     Rig rig;
     CHECK_THROWS_WITH(property::set(rig.tree, "console.key", Value("esc")),
-                      contains("console.key: expected one of"));
+                      contains("console.key: expected one of \"insert\", ") && contains("\"f15\""));
     CHECK_THROWS_WITH(property::set(rig.tree, "console.key", Value("f_1")),
                       contains("(did you mean \"f1\"?)"));
     CHECK(rig.key("grave"));

@@ -235,6 +235,11 @@ TEST_CASE("an alias stands for a command with what follows it") {
     CHECK(rig.value("world.ball.mass") == Value(12.0));
     rig.run("heavy = 3");  // a variable
     CHECK(rig.value("world.ball.mass") == Value(12.0));
+    // Alone it is an error: the next line is another command.
+    const script::Evaluation alone = rig.lua.evaluate("heavy");
+    CHECK_FALSE(alone.incomplete);
+    REQUIRE(alone.error);
+    CHECK(alone.error->message.starts_with("heavy stands for \"world.ball.mass =\": it needs"));
     rig.run("alias('heavy')");
     rig.run("heavy 13");
     CHECK(rig.value("world.ball.mass") == Value(12.0));

@@ -20,6 +20,16 @@ TEST_CASE("the time below a plot has from two to five labels") {
     }
 }
 
+TEST_CASE("the labels of values beside a plot do not touch") {
+    for (const float tall : {20.0f, 45.0f, 60.0f, 200.0f, 1000.0f})
+        for (double span = 0.01; span < 1e4; span *= 1.37) {
+            CAPTURE(tall, span);
+            const double apart = console::value_between_labels(span, tall, 18);
+            if (apart < span) CHECK(apart / span * static_cast<double>(tall) > 18);
+        }
+    CHECK(console::value_between_labels(8, 1000, 18) == Approx(2));
+}
+
 TEST_CASE("a long error leaves room for the name in the legend and is whole in the tooltip") {
     ObservingRig rig;
     rig.step(10);

@@ -1,5 +1,9 @@
 // Rows of the inspector: their order, marks that reset a value, texts of several lines.
 
+#include <cmath>
+#include <set>
+#include <string>
+
 #include "catch.h"
 #include "rig.h"
 
@@ -9,6 +13,14 @@ using namespace fettle;
 using console::test::Rig;
 using property::Handle;
 using property::Value;
+
+namespace {
+
+Handle in_world(const Rig& rig, const char* name) {
+    return rig.tree.child(rig.tree.child(rig.tree.root(), "world"), name);
+}
+
+}  // namespace
 
 TEST_CASE("the properties of a class stay together where a derived class has other defaults") {
     property::Tree tree;
@@ -31,6 +43,57 @@ TEST_CASE("the properties of a class stay together where a derived class has oth
         owner = each->owner;
     }
     CHECK(titles == "Object Base Derived ");
+}
+
+TEST_CASE("the properties of the game's own classes come first") {
+    property::Tree tree;
+    const auto define = [&](const char* name, const char* base) {
+        property::ClassDescriptor made;
+        made.name = name;
+        made.base = base;
+        made.properties.push_back({.name = std::string("of_") + name,
+                                   .type = property::Type::number,
+                                   .default_value = Value(1.0)});
+        return &tree.define(std::move(made));
+    };
+    define("Solid", "Object");
+    const property::Class* const enemy = define("Enemy", "Solid");
+    const property::Class* const boss = define("Boss", "Enemy");
+    const Handle one = tree.create(*boss, tree.root(), "one");
+    tree.set_or_add(one, "mark", Value(1));
+    std::string titles;
+    const property::Class* owner = nullptr;
+    for (const property::Property* each : console::grouped_by_class(
+             tree.properties(one),
+             [&](const property::Class& of) { return &of == enemy || &of == boss; })) {
+        const bool added = each->binding.kind == property::BindingKind::ad_hoc;
+        if (!added && each->owner != owner) titles += each->owner->name() + " ";
+        if (added) titles += each->name;
+        owner = added ? nullptr : each->owner;
+    }
+    CHECK(titles == "Boss Enemy Object Solid mark");
+}
+
+TEST_CASE("the values of all rows begin at one column or below their names") {
+    for (const double scale : {1.0, 1.5, 2.0})
+        for (const double width : {230.0, 280.0, 330.0, 380.0, 450.0}) {
+            INFO("scale " << scale << ", width " << width);
+            Rig rig;
+            rig.key("grave");
+            rig.state().settings.set("scale", Value(scale));
+            rig.state().settings.set("inspector_width", Value(width));
+            console::test::RasterSurface window(1900, 2600);
+            const Handle ball = in_world(rig, "ball");
+            rig.console.select(ball);
+            for (int i = 0; i < 4; ++i) rig.console.draw(window, 1.0 / 60);
+            std::set<int> columns;
+            for (const property::Property* each : rig.tree.properties(ball)) {
+                const console::Rect at = rig.state().inspector.editor().widget_rect(*each);
+                if (!at.empty()) columns.insert(static_cast<int>(std::round(at.low.x)));
+            }
+            CHECK(!columns.empty());
+            CHECK(columns.size() <= 2);
+        }
 }
 
 TEST_CASE("numbers in names of added properties count as numbers in the inspector") {

@@ -15,6 +15,12 @@ namespace fettle::console::test {
 
 using Pixel = std::array<std::uint8_t, 3>;
 
+/// The pixel of an opaque color of the palette.
+inline Pixel pixel_of(std::uint32_t color) {
+    return {static_cast<std::uint8_t>(color), static_cast<std::uint8_t>(color >> 8),
+            static_cast<std::uint8_t>(color >> 16)};
+}
+
 class RasterSurface : public app::Surface {
   public:
     RasterSurface(unsigned width, unsigned height, Pixel background = {52, 64, 82});

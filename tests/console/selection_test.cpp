@@ -174,6 +174,12 @@ TEST_CASE("different values are shown as mixed") {
     CHECK(mixed.text(tree, mass, tree.get(ball, mass)).empty());
     tree.set(crate, "mass", Value(5.0));
     CHECK(mixed.text(tree, mass, tree.get(ball, mass)) == "mixed: 1 to 5 kg");
+    const property::Property& position = tree.property(ball, "position");
+    tree.set(ball, position, Value(Vec2(1, -4)));
+    tree.set(crate, "position", Value(Vec2(5, -4)));
+    CHECK(mixed.text(tree, position, tree.get(ball, position)) == "mixed: x 1 to 5, y -4 m");
+    tree.set(crate, "position", Value(Vec2(1, 8)));
+    CHECK(mixed.text(tree, position, tree.get(ball, position)) == "mixed: x 1, y -4 to 8 m");
     const property::Property& label = tree.property(ball, "label");
     tree.set(crate, "label", Value("x"));
     CHECK(mixed.text(tree, label, tree.get(ball, label)) == "mixed");

@@ -100,6 +100,17 @@ TEST_CASE("a command typed in a terminal runs in a running game") {
     CHECK(contains(none.err, "no game listens"));
 }
 
+TEST_CASE("a piped command ends with what it finds after its answer") {
+    Listening running({"--listen"});
+    REQUIRE(running.ready());
+    attached(running.folder, "world.gravity = vec(0, -2)\n");
+    const Outcome outcome =
+        attached(running.folder, "ab('world.ball.mass', 9, 0.5)\nlast_time world.nothing\n");
+    INFO(outcome.out << outcome.err);
+    CHECK(contains(outcome.out, "  ab world.ball.mass = 9 since step "));
+    CHECK(contains(outcome.out, "✗ last_time world.nothing: world.nothing: no such name"));
+}
+
 TEST_CASE("a property of the console opens and closes the connection for terminals") {
     Listening running({"--eval", "console.listen = true"});
     REQUIRE(running.ready());

@@ -72,6 +72,12 @@ std::string joined(const std::vector<std::string>& parts) {
 
 }  // namespace
 
+TEST_CASE("a name after a dot in letters of another language is answered with what to write") {
+    const std::string message = message_of([] { parse_path("world.日本語"); });
+    CHECK(message.find("write [\"日本語\"]: a name after a dot has the letters a to z") !=
+          std::string::npos);
+}
+
 TEST_CASE("a path consists of names and indices") {
     using Names = std::vector<std::string>;
     CHECK(names(parse_path("world.ball.velocity.x")) == Names{"world", "ball", "velocity", "x"});

@@ -1,4 +1,4 @@
-// The column of an error, to which the caret below its source line points.
+// The column of an error, to which the caret below its source line points, and its traceback.
 
 #include <fettle/script/runtime.h>
 
@@ -11,6 +11,14 @@ namespace caret_test {
 
 using fettle::script::Evaluation;
 using stage::Stage;
+
+TEST_CASE("a traceback names the callbacks of a game and no functions of Fettle") {
+    Stage s;
+    s.run("function update(dt) local x = world.nothing.x end");
+    CHECK_FALSE(s.runtime->call("update", {fettle::property::Value(0.1)}));
+    REQUIRE(!s.errors.empty());
+    CHECK(s.errors.back().traceback == "  main.lua:1: in function update\n");
+}
 
 TEST_CASE("the caret of a syntax error is at the token that the message names") {
     const auto [text, column] = GENERATE(table<std::string, int>({{"local t = { a = 1 b = 2 }", 19},

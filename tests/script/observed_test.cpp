@@ -32,18 +32,31 @@ struct Served : TwoBodies {
 
     Served() {
         script::ConsoleFunctions f;
-        f.pin = [this](script::Observed what) { pinned.push_back(std::move(what)); };
+        f.pin = [this](script::Observed what) {
+            pinned.push_back(std::move(what));
+            return std::string();
+        };
+        f.pins = [this] {
+            std::vector<std::pair<std::string, Value>> all;
+            for (const script::Observed& each : pinned) all.emplace_back(each.text, each.value());
+            return all;
+        };
         f.unpin = [this](const std::string& text) {
             texts.push_back("unpin " + text);
-            return std::size_t{text == "world.ball.mass" ? 1u : 0u};
+            return std::string(text == "world.ball.mass" ? "" : "nothing like that is pinned");
         };
-        f.plot = [this](std::vector<script::Observed> all) { plotted = std::move(all); };
+        f.plot = [this](std::vector<script::Observed> all) {
+            plotted = std::move(all);
+            return std::to_string(plotted.size()) + " plotted";
+        };
         f.last_time = [this](script::Observed what) { searched.push_back(std::move(what)); };
         f.bind = [this](const std::string& key, const std::string& command) {
             texts.push_back(key + ": " + command);
+            return std::string();
         };
         f.alias = [this](const std::string& word, const std::string& command) {
             texts.push_back(word + " = " + command);
+            return std::string();
         };
         runtime->serve_console(std::move(f));
     }
@@ -233,6 +246,26 @@ TEST_CASE("several values are plotted by words with commas") {
     CHECK(s.plotted[2].unit == "m");
     s.console("plot()");
     CHECK(s.plotted.empty());
+}
+
+TEST_CASE("a command is answered by the console and a script is not") {
+    Served s;
+    CHECK_THAT(s.console("plot it.mass, it.mass > 1"), contains("2 plotted"));
+    std::vector<std::string> printed;
+    s.runtime->on_print([&](std::string_view text) { printed.emplace_back(text); });
+    s.run("plot('world.ball.mass') unpin('nothing')");
+    CHECK(s.plotted.size() == 1);
+    CHECK(printed.empty());
+}
+
+TEST_CASE("pin alone lists what is pinned unless the game has a variable of that name") {
+    Served s;
+    s.console("pin world.ball.mass");
+    CHECK_THAT(s.console("pin"), contains("world.ball.mass") && contains("2"));
+    CHECK_THAT(s.console("pins"), contains("world.ball.mass"));
+    CHECK_THAT(s.console("pins()[\"world.ball.mass\"] * 2"), contains("4"));
+    s.run("pin = 7");
+    CHECK_THAT(s.console("pin"), contains("7"));
 }
 
 TEST_CASE("an observed expression cannot change the game") {

@@ -1,6 +1,8 @@
 // The list of tweaks at every moment: the edits by persons that hold there, in the branch that the
 // game is on, and those of values that have no other edit there.
 
+#include <algorithm>
+
 #include "catch.h"
 #include "tweaked.h"
 
@@ -101,7 +103,7 @@ TEST_CASE("a tweak from before the kept one starts from the value in the file") 
     CHECK(game.kept_file().find("\"world.a.gravity_scale\": null") != std::string::npos);
 }
 
-TEST_CASE("made and deleted and renamed instances are listed where they are so") {
+TEST_CASE("instances that are made and deleted and renamed later can still be kept") {
     Tweaked game;
     game.run(4);
     game.person([&] { game.make("lamp"); });
@@ -114,19 +116,86 @@ TEST_CASE("made and deleted and renamed instances are listed where they are so")
     const Lines all{"world.lamp: nothing → new Body", "world.wall: a Body → deleted",
                     "world.c: world.c → moved to world.last"};
     CHECK(game.list() == all);
-    game.time().go_to(12);
-    CHECK(game.list() == Lines(all.begin(), all.begin() + 2));
-    game.time().go_to(7);
-    CHECK(game.list() == Lines(all.begin(), all.begin() + 1));
-    game.time().go_to(2);
-    CHECK(game.list().empty());
+    const auto sorted = [](Lines lines) {
+        std::sort(lines.begin(), lines.end());
+        return lines;
+    };
+    for (const std::int64_t step : {12, 7, 2, 20, 3, 12, 2}) {
+        game.time().go_to(step);
+        CHECK(sorted(game.list()) == sorted(all));
+        // What does not hold at this step is listed as an edit of an earlier run is.
+        std::int64_t earlier = 0;
+        for (const Tweak& each : game.tweaks.list()) earlier += each.earlier ? 1 : 0;
+        CHECK(earlier == (step < 5 ? 3 : step < 10 ? 2 : step < 15 ? 1 : 0));
+    }
+    CHECK(game.tweaks.keep("world.lamp").count == 1);
+    CHECK(game.tweaks.keep("world.wall").count == 1);
+    // As at the moment of the edit.
+    const Lines problems = game.tweaks.keep("**").problems;
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].starts_with("world.c: a name or parent that a script gives cannot be kept"));
+    CHECK(game.list() == Lines(all.begin() + 2, all.end()));
+    const std::string file = game.kept_file();
+    INFO(file);
+    CHECK(file.find("\"world.lamp\": {") != std::string::npos);
+    CHECK(file.find("\"gravity_scale\": 2") != std::string::npos);
+    CHECK(file.find("\"world.wall\"") != std::string::npos);
+    // Back where they hold, they are kept there.
     game.time().go_to(20);
-    CHECK(game.list() == all);
-    game.time().go_to(7);
+    CHECK(sorted(game.list()) == sorted({all[0] + ", kept", all[1] + ", kept", all[2]}));
+    CHECK(game.warnings.empty());
+}
+
+TEST_CASE("an instance that is made later is made again at this moment or dropped") {
+    Tweaked game;
+    game.run(4);
+    game.person([&] { game.make("lamp"); });
+    game.person([&] { game.make("shade"); });
+    game.run(5);
+    game.time().go_to(2);
+    CHECK(game.list().size() == 2);
+    CHECK(game.tweaks.reapply("world.lamp").count == 1);
+    CHECK(game.at("world.lamp"));
+    CHECK(game.tweaks.drop("world.shade").count == 1);
+    CHECK(game.list() == Lines{"world.lamp: nothing → new Body"});
+    game.run(3);
     CHECK(game.tweaks.keep("**").count == 1);
-    CHECK(game.kept_file().find("gravity_scale") == std::string::npos);  // edited later
-    CHECK(game.kept_file().find("lamp") != std::string::npos);
-    CHECK(game.kept_file().find("wall") == std::string::npos);
+    CHECK(game.kept_file().find("world.lamp") != std::string::npos);
+    CHECK(game.kept_file().find("shade") == std::string::npos);
+    game.time().switch_to("1");
+    CHECK(game.at("world.shade"));
+    CHECK(game.warnings.empty());
+}
+
+TEST_CASE("an edit of an instance takes its later deletion out of the list") {
+    const bool adds = GENERATE(false, true);
+    Tweaked game;
+    game.run(4);
+    game.person([&] { game.tree.destroy(game.at("world.wall")); });
+    game.run(5);
+    game.time().go_to(2);
+    CHECK(game.list() == Lines{"world.wall: a Body → deleted"});
+    if (adds)
+        game.person([&] {
+            game.tree.create(*game.tree.find_class("Circle"), game.at("world.wall"), "knob");
+        });
+    else
+        game.edit("world.wall.gravity_scale", 2);
+    CHECK(game.list() == Lines{adds ? "world.wall.knob: nothing → new Circle"
+                                    : "world.wall.gravity_scale: 1 → 2"});
+    CHECK(game.tweaks.keep("**").problems == Lines{});
+    CHECK(game.kept_file().find("deleted") == std::string::npos);
+}
+
+TEST_CASE("an instance that is made anew takes the place of one that was left behind") {
+    Tweaked game;
+    game.run(4);
+    game.person([&] { game.make("lamp"); });
+    game.run(5);
+    game.time().go_to(2);
+    game.person([&] { game.make("lamp"); });
+    CHECK(game.list() == Lines{"world.lamp: nothing → new Body"});
+    CHECK(game.tweaks.keep("**").count == 1);
 }
 
 TEST_CASE("a deletion that was kept is not listed before it and can be kept again") {

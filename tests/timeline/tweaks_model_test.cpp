@@ -29,7 +29,7 @@ struct Model {
         std::map<std::string, int> last;       // the number of the last change of each cell
         std::map<std::string, double> edited;  // by that change
         std::vector<Change> done, undone;
-        std::set<std::string> made;
+        std::set<std::string> made, unmade;  // unmade: those whose making is undone
         bool operator==(const State&) const = delete;
     };
     struct Branch {
@@ -43,6 +43,7 @@ struct Model {
     // Listed edits of cells that `now` has no edit of: numbers and values.
     std::map<std::string, int> left_last;
     std::map<std::string, double> left_edited;
+    std::set<std::string> left_made;
     std::string name = "1";
     std::map<std::string, Branch> branches;
     std::map<std::string, double> in_file;
@@ -66,6 +67,9 @@ struct Model {
             left_edited[cell] = before.edited.at(cell);
         }
         for (const auto& [cell, last] : now.last) forget(cell);
+        left_made.insert(before.made.begin(), before.made.end());
+        for (const auto* known : {&now.made, &now.unmade})
+            for (const std::string& instance : *known) left_made.erase(instance);
     }
     void forget(const std::string& cell) {
         left_last.erase(cell);
@@ -117,7 +121,8 @@ struct Model {
             if (value != (file == in_file.end() ? 1 : file->second) && is_open(cell, last))
                 all.push_back(cell + " " + std::to_string(static_cast<int>(value)));
         }
-        for (const std::string& instance : now.made) all.push_back(instance + " made");
+        for (const auto* made : {&now.made, &left_made})
+            for (const std::string& instance : *made) all.push_back(instance + " made");
         std::sort(all.begin(), all.end());
         return all;
     }
@@ -166,12 +171,13 @@ void Session::undo(bool back) {
     const Model::Change change = from.back();
     from.pop_back();
     (back ? model.now.undone : model.now.done).push_back(change);
-    if (change.cell.find(".gravity") != std::string::npos)
+    if (change.cell.find(".gravity") != std::string::npos) {
         model.change(change.cell, back ? change.before : change.after);
-    else if (back)
-        model.now.made.erase(change.cell);
-    else
-        model.now.made.insert(change.cell);
+    } else {
+        (back ? model.now.made : model.now.unmade).erase(change.cell);
+        (back ? model.now.unmade : model.now.made).insert(change.cell);
+        model.left_made.erase(change.cell);
+    }
 }
 
 void Session::restore() {

@@ -52,6 +52,19 @@ TEST_CASE_METHOD(Writing, "after going back the last writer is that of the momen
     CHECK(who("world.ball.mass").text() == "script, step 60");
 }
 
+TEST_CASE_METHOD(Writing, "a value that its owner computes until it is set has no writer") {
+    run(10);
+    CHECK(who("world.ball.velocity").writer == Writer::simulation);
+    const property::Place speed = property::resolve(tree, "world.ball.sleep_speed");
+    CHECK_FALSE(tree.last_writer(speed.instance, *speed.property).known);
+    {
+        const property::Tree::CauseScope cause(tree, Writer::console);
+        property::set(tree, "world.ball.sleep_speed", Value(1.0));
+    }
+    run(2);
+    CHECK(who("world.ball.sleep_speed").writer == Writer::console);
+}
+
 TEST_CASE_METHOD(Writing, "edits by people keep their writer when the past is repeated") {
     run(10);
     {

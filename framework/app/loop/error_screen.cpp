@@ -67,9 +67,10 @@ struct ErrorScreen::Line {
     float size = 15;  // px
     SurfaceColor color = white;
     Face face = Face::plain;
-    float above = 0;     // px, space above the line
-    bool boxed = false;  // code, on a darker background
-    int caret = -1;      // the character that a caret below the line points to
+    float above = 0;         // px, space above the line
+    bool boxed = false;      // code, on a darker background
+    int caret = -1;          // the character that a caret below the line points to
+    std::size_t indent = 0;  // of the rows after the first one, in characters
 };
 
 std::string error_text(const script::ScriptError& error) {
@@ -129,7 +130,8 @@ void add_source(std::vector<Line>& lines, const script::ScriptError& e) {
                      .face = Face::monospace,
                      .above = 6,
                      .boxed = true,
-                     .caret = e.column > 0 ? static_cast<int>(prefix.size()) + e.column - 1 : -1});
+                     .caret = e.column > 0 ? static_cast<int>(prefix.size()) + e.column - 1 : -1,
+                     .indent = prefix.size()});
 }
 
 /// How many bytes of the text are in its first row: as many as there is room for, but no part of a
@@ -151,14 +153,19 @@ std::vector<Line> broken(Surface& surface, const std::vector<Line>& lines, float
         std::string_view rest = line.text;
         do {
             Line piece = line;
-            piece.text = rest.substr(0, first_row(surface, rest, room, line));
-            rest.remove_prefix(piece.text.size());
+            const std::string indent(begin > 0 ? line.indent : 0, ' ');
+            const float inside =
+                room - surface.text(0, 0, indent, line.size, {0, 0, 0, 0}, line.face);
+            const std::string_view part = rest.substr(0, first_row(surface, rest, inside, line));
+            rest.remove_prefix(part.size());
+            piece.text = indent + std::string(part);
             if (begin > 0) piece.above = 0;
-            const int end = begin + static_cast<int>(property::code_point_count(piece.text));
+            const int end = begin + static_cast<int>(property::code_point_count(part));
             pieces.push_back(std::move(piece));
             if (line.caret >= begin && (line.caret < end || rest.empty())) {
                 Line caret = line;
-                caret.text = std::string(static_cast<std::size_t>(line.caret - begin), ' ') + "^";
+                caret.text =
+                    indent + std::string(static_cast<std::size_t>(line.caret - begin), ' ') + "^";
                 caret.color = red;
                 caret.above = 0;
                 pieces.push_back(std::move(caret));

@@ -74,8 +74,8 @@ std::string expectation_in(const Property& property, Type type, const Range& ran
             return "a value";
     }
     if (property.enumerators.empty()) return "a text" + nil;
-    // Enumerations may be long (names of keys). Then the message lists only the nearest name.
-    constexpr std::size_t max_listed = 16;
+    // Enumerations may be long (names of keys). Then the message lists only two of them.
+    constexpr std::size_t max_listed = 30;
     if (property.enumerators.size() > max_listed)
         return "one of " + std::to_string(property.enumerators.size()) + " texts like \"" +
                property.enumerators.front() + "\" and \"" + property.enumerators.back() + "\"" +

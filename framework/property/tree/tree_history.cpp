@@ -71,7 +71,10 @@ Provenance Tree::last_writer(Handle instance, const Property& property) const {
     state_->changes.report_plain_writes();
     const WritesLog& writes = state_->changes.writes;
     Provenance written = writes.find(instance, property.symbol, step());
-    if (!property.simulated || !property.derives_from.empty()) return written;
+    // Until it is set, its owner takes it from elsewhere, and no step writes it.
+    const bool unset = property.binding.reset != nullptr &&
+                       property.binding.overridden != nullptr && !overridden(instance, property);
+    if (!property.simulated || !property.derives_from.empty() || unset) return written;
     if (written.known) {
         // Later steps may have changed the value, which nothing reports. The step that follows the
         // write still shows the written value, so a break at it names the writer.

@@ -63,9 +63,20 @@ class PathParser {
                                              std::to_string(at_ + 1) + ": " + reason);
     }
 
+    /// Other letters are in names, too, but not after a dot.
+    std::string name_expected() const {
+        std::size_t end = at_;
+        while (end < text_.size() && (in_name(text_[end]) || (text_[end] & 0x80) != 0)) ++end;
+        std::string expected = "a name was expected";
+        if (end > at_)
+            expected += " (write [\"" + std::string(text_.substr(at_, end - at_)) +
+                        "\"]: a name after a dot has the letters a to z)";
+        return expected;
+    }
+
     Segment name() {
         const std::size_t from = at_;
-        if (at_ >= text_.size() || !starts_name(text_[at_])) fail("a name was expected");
+        if (at_ >= text_.size() || !starts_name(text_[at_])) fail(name_expected());
         while (at_ < text_.size() && in_name(text_[at_])) ++at_;
         return {std::string(text_.substr(from, at_ - from))};
     }

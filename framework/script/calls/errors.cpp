@@ -27,13 +27,32 @@ constexpr int max_frames = 40;
 constexpr int max_locals = 40;
 constexpr std::size_t longest_local = 400;  // characters; a path has up to a million
 
-std::string frame_name(const lua_Debug& frame) {
+/// The name of the global variable that holds the function of the frame, such as `update`; "" if
+/// there is none.
+std::string global_name(lua_State* L, lua_Debug& frame) {
+    std::string name;
+    if (!lua_checkstack(L, 6)) return name;
+    lua_getinfo(L, "f", &frame);
+    push_registry(L, machine_of(L).globals.table);
+    lua_pushnil(L);
+    while (lua_next(L, -2) != 0) {
+        const bool found = lua_type(L, -2) == LUA_TSTRING && lua_rawequal(L, -1, -4) != 0;
+        if (found) name = string_at(L, -2);
+        lua_pop(L, found ? 2 : 1);
+        if (found) break;
+    }
+    lua_pop(L, 2);
+    return name;
+}
+
+std::string frame_name(lua_State* L, lua_Debug& frame) {
     if (frame.name && *frame.name) {
         const std::string name = frame.name;
         if (std::string_view(frame.namewhat) == "metamethod") return "metamethod " + name;
         return "function " + name;
     }
     if (frame.what[0] == 'm') return "main chunk";
+    if (const std::string name = global_name(L, frame); !name.empty()) return "function " + name;
     return "function at line " + std::to_string(frame.linedefined);
 }
 
@@ -43,8 +62,11 @@ std::string traceback_of(lua_State* L, int level) {
     int shown = 0;
     for (; lua_getstack(L, level, &frame); ++level) {
         lua_getinfo(L, "Slnt", &frame);
-        // The C function through which the host calls Lua.
-        if (frame.what[0] == 'C' && (!frame.name || !*frame.name)) continue;
+        // The C function through which the host calls Lua, and those that read and write
+        // properties.
+        const bool of_host =
+            !frame.name || !*frame.name || std::string_view(frame.namewhat) == "metamethod";
+        if (frame.what[0] == 'C' && of_host) continue;
         if (is_library(frame)) continue;
         if (++shown > max_frames) {
             text += "  ...\n";
@@ -53,7 +75,7 @@ std::string traceback_of(lua_State* L, int level) {
         text += "  ";
         if (frame.currentline > 0)
             text += std::string(frame.short_src) + ":" + std::to_string(frame.currentline) + ": ";
-        text += "in " + frame_name(frame) + "\n";
+        text += "in " + frame_name(L, frame) + "\n";
         if (frame.istailcall) text += "  (tail calls)\n";
     }
     return text;

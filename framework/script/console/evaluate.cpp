@@ -241,9 +241,16 @@ bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluati
     return true;
 }
 
-/// Functions whose results are printed, that may be typed without parentheses.
-bool is_bare_question(std::string_view command) {
-    return command == "breaks" || command == "bookmarks";
+/// The call of a function whose result is printed and that may be typed without parentheses; ""
+/// for another command. `pin` is the name of many things in games.
+std::string bare_question(lua_State* L, std::string_view command) {
+    if (command == "breaks" || command == "bookmarks" || command == "pins")
+        return std::string(command) + "()";
+    if (command != "pin") return {};
+    lua_getglobal(L, "pin");
+    const bool own = lua_iscfunction(L, -1) != 0;
+    lua_pop(L, 1);
+    return own ? "pins()" : "";
 }
 
 /// Functions without arguments that may be typed without parentheses.
@@ -357,8 +364,8 @@ void take_lines(Machine& machine, Evaluation& evaluation) {
 
 void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
     if (command == "?") command = "help";
-    std::string call;
-    if (is_bare_question(command)) command = call = std::string(command) + "()";
+    const std::string call = bare_question(L, command);
+    if (!call.empty()) command = call;
     if (add_help(L, machine, command, evaluation)) return;
     if (is_bare_command(command)) {
         lua_getglobal(L, std::string(command).c_str());

@@ -142,7 +142,7 @@ void define_formula(lua_State* L, Machine& machine, int index, Handle instance,
                   {ScriptFormula(machine, function), source, not_saved, holds});
 }
 
-property::Formula compile_formula(Machine& machine, const std::string& source) {
+property::Formula compile_formula(Machine& machine, const std::string& source, const char* what) {
     if (one_line(source).empty()) throw Error(ErrorKind::formula, "the formula has no text");
     const RuntimeLifetime::Use use(machine.life);
     const std::string chunk = "return " + source;
@@ -166,9 +166,12 @@ property::Formula compile_formula(Machine& machine, const std::string& source) {
         false);
     if (!ok) wrong = machine.errors.caught ? machine.errors.caught->message : "failed";
     machine.errors.caught.reset();
-    if (!wrong.empty())
+    if (!wrong.empty()) {
+        const bool early = wrong.ends_with("near <eof>");
         throw Error(ErrorKind::formula,
-                    "the formula does not compile: " + without_chunk(std::move(wrong)));
+                    std::string(what) + " does not compile: " +
+                        (early ? "it ends too early" : without_chunk(std::move(wrong))));
+    }
     return {ScriptFormula(machine, function), source};
 }
 

@@ -24,7 +24,8 @@ void define_formula(lua_State* L, Machine& machine, int index, property::Handle 
 void push_formula(lua_State* L, const FunctionSource& source);
 /// Compiles the text of a formula: an expression, or a function that returns the value. Throws
 /// Error(formula) with the reason if it is not valid.
-property::Formula compile_formula(Machine& machine, const std::string& source);
+property::Formula compile_formula(Machine& machine, const std::string& source,
+                                  const char* what = "the formula");
 /// An error message of such a text without the name of its chunk, which is always the same; the
 /// number of the line if it is not the first one.
 std::string without_chunk(std::string message);

@@ -102,7 +102,7 @@ Observed observed(Machine& machine, std::string text, property::Formula formula)
 
 Observed observe(Machine& machine, std::string_view expression) {
     const std::string source = with_selected(machine, trimmed(expression));
-    Observed result = observed(machine, source, compile_formula(machine, source));
+    Observed result = observed(machine, source, compile_formula(machine, source, "the expression"));
     try {
         const property::Place place = property::resolve(machine.tree, source);
         if (place.property != nullptr) {

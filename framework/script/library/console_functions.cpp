@@ -1,5 +1,5 @@
 // Functions that need a console:
-//   pin(...)  unpin(text)  plot(...)  break_when(condition)  unbreak(text)  breaks()
+//   pin(...)  unpin(text)  pins()  plot(...)  break_when(condition)  unbreak(text)  breaks()
 //   last_time(condition)
 //   selection(instances)  bind(key, command)  alias(word, command)  exec(file)  clear()
 //   export_plot(kind)  ab(path, value)  share(file)  record(on)  restart()
@@ -51,6 +51,16 @@ void call_console(lua_State* L, const char* what, Arguments&&... arguments) {
         (*function)(std::forward<Arguments>(arguments)...);
 }
 
+/// Calls that function, if there is one, and prints its answer. A script gets no answer.
+template <auto member, class... Arguments>
+void ask_console(lua_State* L, const char* what, Arguments&&... arguments) {
+    Machine& machine = machine_of(L);
+    if (const auto* function = served(machine, member, what))
+        if (const std::string answer = (*function)(std::forward<Arguments>(arguments)...);
+            !answer.empty() && machine.recording.active)
+            print_line(machine, answer);
+}
+
 /// The text at `index`, which may be left out; `needs` is the error for another value.
 std::string text_or_nothing(lua_State* L, int index, std::string_view needs) {
     return lua_isnoneornil(L, index) ? std::string() : check_text(L, index, needs);
@@ -59,24 +69,33 @@ std::string text_or_nothing(lua_State* L, int index, std::string_view needs) {
 int pin(lua_State* L) {
     if (lua_gettop(L) == 0) refuse_type(L, 1, "pin: needs a path or an expression as text");
     for (int i = 1; i <= lua_gettop(L); ++i)
-        call_console<&ConsoleFunctions::pin>(L, "pin", observe(L, i, "pin"));
+        ask_console<&ConsoleFunctions::pin>(L, "pin", observe(L, i, "pin"));
     return 0;
 }
 
 int unpin(lua_State* L) {
-    Machine& machine = machine_of(L);
     const std::string text = text_or_nothing(L, 1, "unpin: needs the text that was pinned");
-    const auto* function = served(machine, &ConsoleFunctions::unpin, "unpin");
-    if (function == nullptr) return 0;
-    if ((*function)(text.empty() ? text : with_selected(machine, text)) == 0)
-        print_line(machine, "nothing like that is pinned");
+    ask_console<&ConsoleFunctions::unpin>(L, "unpin",
+                                          text.empty() ? text : with_selected(machine_of(L), text));
     return 0;
+}
+
+int pins(lua_State* L) {
+    const auto* function = served(machine_of(L), &ConsoleFunctions::pins, "pins");
+    lua_newtable(L);
+    if (function == nullptr) return 1;
+    for (const auto& [text, value] : (*function)()) {
+        push_text(L, text);
+        push_value(L, value);
+        lua_rawset(L, -3);
+    }
+    return 1;
 }
 
 int plot(lua_State* L) {
     std::vector<Observed> all;
     for (int i = 1; i <= lua_gettop(L); ++i) all.push_back(observe(L, i, "plot"));
-    call_console<&ConsoleFunctions::plot>(L, "plot", std::move(all));
+    ask_console<&ConsoleFunctions::plot>(L, "plot", std::move(all));
     return 0;
 }
 
@@ -156,18 +175,13 @@ int bookmark(lua_State* L) {
                         "bookmark: a step is a whole number, not " + short_text(L, 2));
         if (whole == 0) refuse_type(L, 2, "bookmark: expected the number of a step");
     }
-    call_console<&ConsoleFunctions::bookmark>(L, "bookmark", name, step);
+    ask_console<&ConsoleFunctions::bookmark>(L, "bookmark", name, step);
     return 0;
 }
 
 int unbookmark(lua_State* L) {
-    Machine& machine = machine_of(L);
-    const std::string name = text_or_nothing(L, 1, "unbookmark: needs the name of a bookmark");
-    const auto* function = served(machine, &ConsoleFunctions::unbookmark, "unbookmark");
-    if (function != nullptr && (*function)(name) == 0)
-        print_line(machine, name.empty()
-                                ? "there is no bookmark"
-                                : property::message_text("there is no bookmark \"" + name + "\""));
+    ask_console<&ConsoleFunctions::unbookmark>(
+        L, "unbookmark", text_or_nothing(L, 1, "unbookmark: needs the name of a bookmark"));
     return 0;
 }
 
@@ -217,8 +231,8 @@ int restart(lua_State* L) {
 
 int bind(lua_State* L) {
     const std::string key = check_text(L, 1, "bind: needs the name of a key like \"f5\"");
-    call_console<&ConsoleFunctions::bind>(L, "bind", key,
-                                          text_or_nothing(L, 2, "bind: the command is a text"));
+    ask_console<&ConsoleFunctions::bind>(L, "bind", key,
+                                         text_or_nothing(L, 2, "bind: the command is a text"));
     return 0;
 }
 
@@ -230,7 +244,7 @@ int alias(lua_State* L) {
         throw Error(ErrorKind::bad_name,
                     "alias: \"" + word + "\" is not a word of letters, digits and underscores");
     const std::string command = text_or_nothing(L, 2, "alias: the command is a text");
-    call_console<&ConsoleFunctions::alias>(L, "alias", word, command);
+    ask_console<&ConsoleFunctions::alias>(L, "alias", word, command);
     if (!command.empty() && global_doc(word) != nullptr)
         print_line(machine_of(L), "alias: typed commands that begin with " + word +
                                       " run the alias now; alias(\"" + word + "\") ends that");
@@ -311,6 +325,7 @@ void assign_it(lua_State* L, int index) {
 void open_console_functions(lua_State* L) {
     add_function<pin>(L, "pin");
     add_function<unpin>(L, "unpin");
+    add_function<pins>(L, "pins");
     add_function<plot>(L, "plot");
     add_function<break_when>(L, "break_when");
     add_function<unbreak>(L, "unbreak");

@@ -171,11 +171,21 @@ void Hints::property_added(Handle instance, std::string_view name) {
 
 void Hints::rewinding() {
     const Handle time = machine_.tree.child(machine_.tree.root(), "time");
-    const property::Property* const limit =
-        time ? machine_.tree.find(time, "rewind_limit") : nullptr;
-    if (limit == nullptr || machine_.tree.peek(time, *limit).as_double() > 0) return;
-    report("rewind", position(machine_.lua.running) +
-                         "rewind does nothing: time.rewind_limit is 0, so no past is kept");
+    const auto number = [&](const char* name) {
+        const property::Property* const found = time ? machine_.tree.find(time, name) : nullptr;
+        return found == nullptr ? -1 : machine_.tree.peek(time, *found).as_double();
+    };
+    std::string reason;
+    if (number("rewind_limit") == 0)
+        reason = "time.rewind_limit is 0, so no past is kept";
+    else if (machine_.recording.active && number("step") == 0)
+        reason = "no step was made yet";
+    else if (machine_.recording.active && number("step") == number("oldest"))
+        reason = "this is the oldest step that is kept";
+    if (reason.empty()) return;
+    reason = "rewind does nothing: " + reason;
+    if (machine_.recording.active) return machine_.recording.lines.push_back(reason);
+    report("rewind", position(machine_.lua.running) + reason);
 }
 
 // --- Variables

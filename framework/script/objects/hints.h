@@ -47,7 +47,8 @@ class Hints {
     /// has replaced by values, instances that it has made and dropped, and bodies that it has made
     /// where none is in the tree.
     void game_loaded();
-    /// To be called when a script rewinds: gives a note if no past is kept.
+    /// To be called when a script rewinds: gives a note if no past is kept. A command is answered
+    /// each time, also where no step was made yet.
     void rewinding();
     /// To be called when a script assigns a new global variable: gives a note if the name is nearly
     /// that of a state whose value has the same type.

@@ -104,7 +104,10 @@ const std::vector<GlobalDoc>& global_docs() {
          "`game` emits `restored`."},
         {"pin", "pin(what: string|fun(): any, ...: string|fun(): any)",
          "Adds a path or an expression to the watch list of the console: "
-         "pin(\"world.ball.mass\")."},
+         "pin(\"world.ball.mass\"). `pin` alone is `pins()`."},
+        {"pins", "pins(): table<string, any>",
+         "What is pinned, with the present values. In the console the parentheses may be left "
+         "out."},
         {"play_back", "play_back(seconds?: number)",
          "In the console: shows the last seconds once more, as they were; then the game goes on, "
          "unless it was paused before. Without seconds, or with more than is kept, it "
@@ -131,7 +134,9 @@ const std::vector<GlobalDoc>& global_docs() {
          "an x that is not an integer is between 0 and x; random(0) is any integer, as in Lua. "
          "The same seed gives the same numbers."},
         {"reapply_tweaks", "reapply_tweaks(pattern: string)",
-         "Makes the matching tweaks of earlier runs again."},
+         "Makes the matching tweaks of earlier runs again, and instances that were made, deleted "
+         "or "
+         "renamed later than this moment, before the game went back to it."},
         {"record", "record(on?: boolean)",
          "A command of the console, and the red button of the time bar: writes a recording of the "
          "run, from its first step to the present one and then all that follows, until "

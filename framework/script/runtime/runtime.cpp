@@ -333,6 +333,10 @@ bool Runtime::draw(property::Painter& painter) {
     return ok;
 }
 
+bool Runtime::has_defined(const property::Class& of) const {
+    return live().classes.scripted(of);
+}
+
 bool Runtime::draws() const {
     Machine& machine = live();
     if (defines("draw") || defines("draw_behind")) return true;

@@ -146,6 +146,13 @@ class Console : public app::Layer {
     /// Evaluates a command that was not typed here, for example in a terminal. Its first word may
     /// be an alias, as in a command that is typed. Nothing is added to the log.
     script::Evaluation evaluate(std::string_view command);
+    /// The same for a command of a terminal, which does not show the views of the console: the
+    /// answer says what `pin`, `plot` and others have done. `who` is the name of the terminal, for
+    /// the log, which then gets the command and the beginning of its answer; "": it gets nothing.
+    script::Evaluation answer_terminal(std::string_view command, std::string_view who = {});
+    /// Whether a command has begun something, such as a search of the past, whose result comes in
+    /// the next call of `between_frames`.
+    bool answers_later() const;
 
     bool is_open() const;         ///< whether the player sees it
     void open(bool open = true);  ///< opens or closes it

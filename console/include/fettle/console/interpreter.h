@@ -22,6 +22,7 @@ struct Interpreter {
     std::function<std::vector<script::Completion>(std::string_view input, std::size_t cursor)>
         complete{};
     std::function<void(property::Handle instance)> set_selected{};
+    std::function<bool(const property::Class& of)> has_defined{};
     std::function<void(std::function<std::size_t()> bytes, std::string property)> limit_memory{};
     std::function<void(script::ConsoleFunctions functions)> serve_console{};
 };

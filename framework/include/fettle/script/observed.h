@@ -33,12 +33,15 @@ struct Observed {
 };
 
 /// Called in the middle of a command or of a script; must not throw. Missing functions are refused.
+/// Those that return a text answer a command with it; "" if the person sees what has happened.
 struct ConsoleFunctions {
-    std::function<void(Observed)> pin{};
-    /// Returns how many were pinned; "" is all of them.
-    std::function<std::size_t(const std::string& text)> unpin{};
+    std::function<std::string(Observed)> pin{};
+    /// The text "" is all of them.
+    std::function<std::string(const std::string& text)> unpin{};
+    /// The texts of what is pinned, and the present values.
+    std::function<std::vector<std::pair<std::string, property::Value>>()> pins{};
     /// Shows the values over time; an empty list ends it.
-    std::function<void(std::vector<Observed>)> plot{};
+    std::function<std::string(std::vector<Observed>)> plot{};
     /// Pauses the game after the step in which the condition becomes true. Without a condition:
     /// forgets all of them. Returns a message: what it waits for, and the present value.
     std::function<std::string(Observed)> break_when{};
@@ -55,9 +58,10 @@ struct ConsoleFunctions {
     /// branch that was left last.
     std::function<void(const std::string& branch)> compare_branch{};
     /// Marks a step on the time bar, the present one if there is none; "" gets a name.
-    std::function<void(const std::string& name, std::optional<std::int64_t> step)> bookmark{};
-    /// Returns how many were removed; "" is all of them.
-    std::function<std::size_t(const std::string& name)> unbookmark{};
+    std::function<std::string(const std::string& name, std::optional<std::int64_t> step)>
+        bookmark{};
+    /// The name "" is all of them.
+    std::function<std::string(const std::string& name)> unbookmark{};
     /// The names with their steps.
     std::function<std::vector<std::pair<std::string, std::int64_t>>()> bookmarks{};
     /// Shows these seconds of the past once more, as they were.
@@ -69,9 +73,9 @@ struct ConsoleFunctions {
     /// Begins the game again.
     std::function<void()> restart{};
     /// Runs the command when the key goes down; an empty command ends it.
-    std::function<void(const std::string& key, const std::string& command)> bind{};
+    std::function<std::string(const std::string& key, const std::string& command)> bind{};
     /// The word stands for the command; an empty command ends it.
-    std::function<void(const std::string& word, const std::string& command)> alias{};
+    std::function<std::string(const std::string& word, const std::string& command)> alias{};
     /// Runs the commands of a text after the present one, as if they were typed. Errors name the
     /// file.
     std::function<void(const std::string& file, const std::string& text)> exec{};

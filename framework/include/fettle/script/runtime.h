@@ -205,6 +205,8 @@ class Runtime {
     /// Whether scripts draw by themselves: in `draw`, in `draw_behind`, or in the `draw` of a
     /// class.
     bool draws() const;
+    /// Whether scripts have defined the class.
+    bool has_defined(const property::Class& of) const;
     /// A frame, `seconds` of real time after the last one: a transition of go_to_scene goes on, and
     /// tweens and timers in real time do. The scene is replaced at the barrier that follows.
     void advance(double seconds);

@@ -290,7 +290,13 @@ void Tweaks::State::reopen_undone_rows() {
         const bool undone = entry->row.state == RowState::open && !visible(*entry) &&
                             entry->deletion == nullptr;  // otherwise it is a part of another tweak
         const RowState state = undone ? RowState::open : RowState::dropped;
-        if (row->state != state) set_state(*row, state);
+        if (row->state == state) continue;
+        if (row->run != JournalRow::left_behind) {
+            set_state(*row, state);
+            continue;
+        }
+        row->state = state;  // the edit itself still holds in its branch
+        add_to_dirty(entry_of(*row));
     }
 }
 

@@ -241,7 +241,7 @@ std::vector<JournalRow> Journal::earlier() {
     return rows;
 }
 
-void Journal::refresh(std::vector<JournalRow>& rows) {
+void Journal::refresh(std::deque<JournalRow>& rows) {
     if (!database_) return;
     try {
         Statement query = database_->statement(
@@ -249,7 +249,7 @@ void Journal::refresh(std::vector<JournalRow>& rows) {
             "tweaks "
             "WHERE run = ? AND number = ?");
         for (JournalRow& row : rows) {
-            if (row.run == JournalRow::elsewhere || row.state != JournalRow::State::open) continue;
+            if (row.run < 0 || row.state != JournalRow::State::open) continue;
             query.bind(1, row.run).bind(2, row.number);
             JournalRow now = row;
             if (query.step()) {

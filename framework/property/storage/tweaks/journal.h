@@ -5,6 +5,7 @@
 // write-ahead log.
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -24,6 +25,8 @@ struct JournalRow {
     enum class State : std::uint8_t { open, kept, dropped };
 
     static constexpr std::int64_t elsewhere = -1;  // value of `run` for rows of a read-only journal
+    // Of a row of this run (`number`) whose edit the game has left behind by going back in time.
+    static constexpr std::int64_t left_behind = -2;
     std::int64_t run = 0;
     std::int64_t number = 0;
     Kind kind = Kind::value;
@@ -59,7 +62,7 @@ class Journal {
 
     /// Reads the states of these rows of earlier runs again, because other running programs may
     /// have changed them.
-    void refresh(std::vector<JournalRow>& rows);
+    void refresh(std::deque<JournalRow>& rows);
 
     struct Changes {
         std::vector<const JournalRow*> put;      // new or changed rows of this run

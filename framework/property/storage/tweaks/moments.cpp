@@ -80,6 +80,7 @@ void Tweaks::State::settle() {
 void Tweaks::State::put(Entry& its, const std::shared_ptr<const SavedEntry>& saved) {
     if (its.saved == saved && !its.away) return;
     its.away = false;
+    if (its.left != nullptr) its.left->state = RowState::dropped;
     std::string kept_in = std::move(its.row.kept_in);
     static_cast<EntryState&>(its) = saved->state;
     its.row.kept_in = std::move(kept_in);
@@ -90,10 +91,37 @@ void Tweaks::State::put(Entry& its, const std::shared_ptr<const SavedEntry>& sav
     add_to_dirty(its);
 }
 
+/// An instance that is made, deleted or moved later is listed as one of an earlier run is: the edit
+/// can be kept, or made again at this moment.
+void Tweaks::State::leave_behind(Entry& its) {
+    if (its.dirty) refresh(its);
+    JournalRow row = its.row;
+    row.run = JournalRow::left_behind;
+    if (its.left != nullptr)
+        *its.left = std::move(row);
+    else
+        its.left = &earlier.rows.emplace_back(std::move(row));
+}
+
+/// A person edits the instance, or adds to it: it is wanted at this moment, so deleting it or what
+/// it is in, at a later moment that was left, is not listed any more.
+void Tweaks::State::withdraw_left_deletions(Handle instance) {
+    if (deleted.empty()) return;
+    for (Handle at = instance; at; at = tree.parent(at)) {
+        const auto found = deleted.find(at.key());
+        if (found == deleted.end() || !is_left_behind(*found->second)) continue;
+        found->second->left->state = RowState::dropped;
+        add_to_dirty(*found->second);
+    }
+}
+
 /// The edit does not hold at this moment. An edited value stays in the list, so that it can be kept
 /// after going back. What a file contains is still true of the instance.
 void Tweaks::State::leave(Entry& its) {
     if (its.away) return;
+    const bool of_instance = its.row.kind == Kind::created || its.row.kind == Kind::deleted ||
+                             its.row.kind == Kind::moved;
+    if (of_instance && its.row.state == RowState::open && visible(its)) leave_behind(its);
     its.away = true;
     if (its.row.kind == Kind::value && tree.alive(its.handle)) return;
     const bool in_file = its.kept_version > 0 && tree.alive(its.handle) && attached(its.handle);

@@ -33,13 +33,14 @@ void Tweaks::State::set_state(JournalRow& row, RowState state) {
     row.state = state;
     barriers_to_retry = 0;
     if (row.run == JournalRow::elsewhere) return;
-    if (row.run != 0) return earlier.changed.push_back(&row);
+    if (row.run > 0) return earlier.changed.push_back(&row);
     Entry& its = entry_of(row);
     index(its);
     add_to_dirty(its);
     if (state == RowState::dropped) its.dropped_version = last_version;
     if (state != RowState::kept) return;
     its.kept_version = its.version;
+    if (row.run == JournalRow::left_behind) return;
     if (row.kind == Kind::value) its.in_file = its.now;
     // A file that has lost an instance does not describe it any more, whoever had made it.
     if (const auto made = created.find(its.handle.key());

@@ -149,6 +149,7 @@ Tweaks::State::Entry* Tweaks::State::created_above(Handle instance) const {
 }
 
 void Tweaks::State::touch(Entry& entry) {
+    if (entry.left != nullptr && !entry.away) entry.left->state = RowState::dropped;
     entry.version = ++last_version;
     entry.row.state = RowState::open;
     entry.row.step = static_cast<std::int64_t>(tree.step());
@@ -202,6 +203,7 @@ void Tweaks::State::update_restored_values(Handle instance, const Property& prop
 /// An edited instance cannot be deleted: the game went back in time or loaded a save. So its
 /// deletion is undone.
 void Tweaks::State::undelete_above(Handle instance) {
+    withdraw_left_deletions(instance);
     for (Handle at = instance; at; at = tree.parent(at)) {
         const auto found = deleted.find(at.key());
         if (found == deleted.end() || found->second->gone) continue;
@@ -229,6 +231,7 @@ void Tweaks::State::name_deleted(Image& image, const Value& value) const {
 void Tweaks::State::instance_created(Handle instance) {
     settle();
     if (attached(instance)) rename_mentions(path_of_deleted(instance), tree.path(instance));
+    withdraw_left_deletions(instance);
     if (is_in_fresh.insert(instance.key()).second) fresh.push_back(instance);
     barriers_to_retry = 0;
 }

@@ -85,6 +85,9 @@ void Tweaks::State::make_fresh_entry(Handle instance) {
     }
     for (const std::string& warning : warnings) warn(warning);
     Entry& its = known != created.end() ? *known->second : add_entry(Kind::created, path, instance);
+    for (JournalRow& row : earlier.rows)  // it takes the place of one that was left behind
+        if (row.run == JournalRow::left_behind && row.kind == Kind::created && row.instance == path)
+            row.state = RowState::dropped;
     its.row.instance = path;
     its.scene = std::move(fresh_one.scene);
     its.values = std::move(fresh_one.values);
@@ -231,7 +234,7 @@ void Tweaks::State::commit() {
     if (journal && journal->vanished()) {
         for (const auto& each : entries) {
             each->committed = false;
-            if (visible(*each) && !each->dirty) {
+            if ((visible(*each) || is_left_behind(*each)) && !each->dirty) {
                 each->dirty = true;
                 dirty.push_back(each.get());
             }
@@ -241,7 +244,7 @@ void Tweaks::State::commit() {
     for (Entry* entry : dirty) {
         for (const auto text : {&JournalRow::was_text, &JournalRow::now_text})
             entry->row.*text = shortened(entry->row.*text, longest_shown);
-        if (visible(*entry))
+        if (visible(*entry) || is_left_behind(*entry))
             changes.put.push_back(&entry->row);
         else if (entry->committed)
             changes.withdrawn.push_back(entry->row.number);
@@ -265,7 +268,7 @@ void Tweaks::State::commit() {
     }
     for (Entry* entry : dirty) {
         entry->dirty = false;
-        entry->committed = visible(*entry);
+        entry->committed = visible(*entry) || is_left_behind(*entry);
     }
     dirty.clear();
     earlier.changed.clear();

@@ -149,8 +149,7 @@ void Tweaks::State::homes_changed(const NewPath& now_at) {
 }
 
 void Tweaks::State::renamed_earlier(JournalRow& row) {
-    if (row.state == RowState::open && row.run != JournalRow::elsewhere)
-        earlier.renamed.push_back(&row);
+    if (row.state == RowState::open && row.run > 0) earlier.renamed.push_back(&row);
 }
 
 void Tweaks::State::steps_renamed(const std::filesystem::path& file,

@@ -1,6 +1,7 @@
 #pragma once
 // State of the tweaks while a game runs; shared by the files that implement it.
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <string>
@@ -61,6 +62,7 @@ struct Tweaks::State : EditObserver {
         std::optional<Image> in_file;  // for a value: what this run has written into its file
         std::string taken_out;         // for a kept deletion: the text removed from the file
         std::string found_at;          // the path in `by_path`; "" if it is not in it
+        JournalRow* left = nullptr;    // in `earlier`: its row while it is left behind, if it was
         std::shared_ptr<const SavedEntry> saved;  // null: it has changed since it was saved
     };
     /// All tweaks of this run that are known at a moment.
@@ -69,9 +71,9 @@ struct Tweaks::State : EditObserver {
         std::vector<std::shared_ptr<const SavedEntry>> entries;
     };
 
-    /// Rows that earlier runs left in the journal.
+    /// Rows that earlier runs left in the journal, and those that are left behind.
     struct EarlierRows {
-        std::vector<JournalRow> rows;
+        std::deque<JournalRow> rows;       // others point to them
         std::vector<JournalRow*> changed;  // of `rows`: to be written again
         std::vector<JournalRow*> renamed;  // of `rows`: with other names or places in files
         /// Rows that were applied again, and the tweaks of this run that they became.
@@ -119,6 +121,11 @@ struct Tweaks::State : EditObserver {
     void settle();
     void put(Entry& its, const std::shared_ptr<const SavedEntry>& saved);
     void leave(Entry& its);
+    void leave_behind(Entry& its);
+    void withdraw_left_deletions(Handle instance);
+    static bool is_left_behind(const Entry& its) {
+        return its.left != nullptr && its.left->state == RowState::open;
+    }
     static RowState state_now(const Entry& its);
     void add_to_dirty(Entry& its);
     /// Files got other names of instances: changes all entries, also those that are restored later.

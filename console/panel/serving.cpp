@@ -1,0 +1,81 @@
+// What the console does for scripts and for terminals: the functions that scripts call, and the
+// answers to commands that were not typed here.
+
+#include <algorithm>
+
+#include <fettle/property/error.h>
+
+#include <panel/state.h>
+
+namespace fettle::console {
+
+using property::Handle;
+using property::Value;
+
+/// Gives the interpreter the functions of the console and the limit of memory.
+void Console::State::serve_scripts() {
+    if (interpreter.limit_memory)
+        interpreter.limit_memory(
+            [this] {
+                constexpr double megabyte = 1 << 20;
+                return static_cast<std::size_t>(
+                    static_cast<double>(settings.number("memory_limit")) * megabyte);
+            },
+            "console.memory_limit");
+    if (interpreter.serve_console) {
+        script::ConsoleFunctions functions = observing.functions();
+        functions.selection = [this] { return inspector.selection(); };
+        functions.select = [this](const std::vector<Handle>& all) { choose_all(all); };
+        functions.ab = [this](const std::string& path, const Value& value, double seconds) {
+            path.empty() ? comparison.end() : comparison.request_change(path, value, seconds);
+        };
+        functions.compare_branch = [this](const std::string& name) {
+            comparison.request_branch(name);
+        };
+        functions.bookmark = [this](const std::string& name, std::optional<std::int64_t> step) {
+            const auto [marked, at] = time_marks.bookmark(name, step);
+            return observing.unseen("bookmark \"" + marked + "\" is at step " + std::to_string(at));
+        };
+        functions.unbookmark = [this](const std::string& name) {
+            if (time_marks.unbookmark(name) > 0)
+                return observing.unseen(name.empty() ? "all bookmarks are removed"
+                                                     : "bookmark \"" + name + "\" is removed");
+            return name.empty() ? std::string("there is no bookmark")
+                                : property::message_text("there is no bookmark \"" + name + "\"");
+        };
+        functions.bookmarks = [this] { return time_marks.bookmarks(); };
+        functions.play_back = [this](double seconds) {
+            // A recording contains the steps to which it goes.
+            if (!options.replay) views.time_bar.play_back(seconds);
+        };
+        functions.share = options.share;
+        functions.record = options.record;
+        functions.restart = options.restart;
+        if (options.replay) functions.exec = {};
+        interpreter.serve_console(std::move(functions));
+    }
+}
+
+script::Evaluation Console::State::answer_terminal(std::string_view command, std::string_view who) {
+    constexpr std::size_t longest = 200;  // bytes of a command in the log
+    constexpr std::size_t most_lines = 8;
+    if (!interpreter.evaluate) return {};
+    const std::uint64_t before = log.end();
+    observing.in_terminal = true;
+    script::Evaluation result = prompt.evaluate(std::string(command));
+    observing.in_terminal = false;
+    if (who.empty() || result.incomplete) return result;
+    std::string typed(command.substr(0, command.find('\n')));
+    if (typed.size() > longest) typed.resize(code_point_boundary(typed, longest));
+    if (typed.size() < command.size()) typed += " …";
+    log.note(std::string(who) + "› " + typed, before);
+    const std::size_t shown = std::min(result.lines.size(), most_lines);
+    for (std::size_t i = 0; i < shown; ++i) log.output(result.lines[i]);
+    if (shown < result.lines.size())
+        log.note("… " + std::to_string(result.lines.size() - shown) +
+                 " more lines in the terminal");
+    if (result.error) log.error(*result.error);
+    return result;
+}
+
+}  // namespace fettle::console
