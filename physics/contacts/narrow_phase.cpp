@@ -3,6 +3,7 @@
 #include <contacts/moving_point.h>
 #include <contacts/narrow_phase.h>
 #include <contacts/pairs.h>
+#include <contacts/wedged_bodies.h>
 #include <geometry/make_room.h>
 #include <state/active_lists.h>
 #include <state/limits.h>
@@ -165,6 +166,7 @@ class Collision {
         if (c.sensor) return active != c.touching;
         if (!active)
             return c.touching || c.rolling_impulse != 0.0f || c.skipped == Skipped::crushed;
+        if (may_be_wedged(c.manifold)) return true;
         return in_.objects.island_slots.count > 0 &&
                (in_.objects.bodies[c.body_a].asleep() || in_.objects.bodies[c.body_b].asleep());
     }
@@ -195,6 +197,7 @@ void process_pair(const NarrowPhaseInput& in, uint32_t slot) {
     } else if (bodies[c.body_b].asleep() && in_motion(in.objects, in.columns, c.body_a)) {
         wake_body(in.activity, c.body_b);
     }
+    if (!c.sensor && active && may_be_wedged(c.manifold)) part_wedged(in.list.touching, slot);
 }
 
 /// Marks that all pairs of the fat boxes of these shapes are known.

@@ -261,7 +261,8 @@ inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
 enum class Skipped : uint8_t {
     no,
     by_callback,  ///< in this step
-    /// Until the shapes part: contacts/crushed_bodies.h, contacts/held_open.h.
+    /// Until the shapes part: contacts/crushed_bodies.h, contacts/held_open.h,
+    /// contacts/wedged_bodies.h.
     crushed
 };
 
