@@ -165,8 +165,8 @@ class Collision {
         const bool active = c.manifold.count > 0;
         if (c.sensor) return active != c.touching;
         if (!active)
-            return c.touching || c.rolling_impulse != 0.0f || c.skipped == Skipped::crushed;
-        if (may_be_wedged(c.manifold)) return true;
+            return c.touching || c.rolling_impulse != 0.0f || c.skipped != Skipped::no;
+        if (may_be_wedged(c)) return true;
         return in_.objects.island_slots.count > 0 &&
                (in_.objects.bodies[c.body_a].asleep() || in_.objects.bodies[c.body_b].asleep());
     }
@@ -197,7 +197,7 @@ void process_pair(const NarrowPhaseInput& in, uint32_t slot) {
     } else if (bodies[c.body_b].asleep() && in_motion(in.objects, in.columns, c.body_a)) {
         wake_body(in.activity, c.body_b);
     }
-    if (!c.sensor && active && may_be_wedged(c.manifold)) part_wedged(in.list.touching, slot);
+    if (!c.sensor && active && may_be_wedged(c)) part_wedged(in.list.touching, slot);
 }
 
 /// Marks that all pairs of the fat boxes of these shapes are known.

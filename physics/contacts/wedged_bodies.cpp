@@ -25,6 +25,7 @@ void part_wedged(const Touching& touching, uint32_t contact) {
     ObjectState& objects = touching.objects;
     ContactRecord& c = objects.contacts[contact];
     const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];
+    if (c.skipped == Skipped::wedged) c.skipped = Skipped::no;
     if (!c.acts() || a.mobility != Mobility::dynamic || b.mobility != Mobility::dynamic) return;
     const bool a_has_fewer = a.lists.contact_count < b.lists.contact_count;
     const uint32_t body = a_has_fewer ? c.body_a : c.body_b;
@@ -46,7 +47,7 @@ void part_wedged(const Touching& touching, uint32_t contact) {
         skipped = opposing_depth > depth ? i : contact;
         return true;
     });
-    if (skipped != none) skip_contact(touching, skipped, Skipped::crushed);
+    if (skipped != none) skip_contact(touching, skipped, Skipped::wedged);
 }
 
 }  // namespace fettle::physics::detail

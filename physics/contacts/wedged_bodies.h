@@ -12,10 +12,12 @@
 
 namespace fettle::physics::detail {
 
-/// True if a contact is deep enough to be compared with others.
-inline bool may_be_wedged(const Manifold& m) {
+/// True if a contact is deep enough to be compared with others, or was skipped in the last step.
+inline bool may_be_wedged(const ContactRecord& c) {
     constexpr float least = -0.02f;  // m
-    return m.points[0].separation < least || (m.count == 2 && m.points[1].separation < least);
+    const Manifold& m = c.manifold;
+    return m.points[0].separation < least || (m.count == 2 && m.points[1].separation < least) ||
+           c.skipped == Skipped::wedged;
 }
 
 /// Skips the contact, or one that opposes it, if its two bodies are wedged.
