@@ -7,8 +7,9 @@
 // Each pass adds to the impulses of both, and they turn the bodies as soon as the two do not lie on
 // one line: an ellipse in the opening of a U gained five times its energy in three steps. No load
 // of a stack needs these impulses, since they act between the same two bodies. So the deeper one of
-// the two contacts does not act until its shapes have parted, and the other one pushes the bodies
-// apart.
+// the two contacts does not act while the other one opposes it, which pushes the bodies apart.
+// Welded bodies count as one: a ball between two of them is wedged in the same way. No velocity
+// meets a contact between two welded bodies either, so it does not act if it is deep.
 
 namespace fettle::physics::detail {
 
@@ -20,7 +21,7 @@ inline bool may_be_wedged(const ContactRecord& c) {
            c.skipped == Skipped::wedged;
 }
 
-/// Skips the contact, or one that opposes it, if its two bodies are wedged.
+/// Skips the contact, or one that opposes it, if its two bodies are wedged; for this step.
 void part_wedged(const Touching& touching, uint32_t contact);
 
 }  // namespace fettle::physics::detail
