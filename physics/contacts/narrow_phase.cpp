@@ -164,8 +164,7 @@ class Collision {
     bool needs_more(const ContactRecord& c) const {
         const bool active = c.manifold.count > 0;
         if (c.sensor) return active != c.touching;
-        if (!active)
-            return c.touching || c.rolling_impulse != 0.0f || c.skipped != Skipped::no;
+        if (!active) return c.touching || c.rolling_impulse != 0.0f || c.skipped != Skipped::no;
         if (may_be_wedged(c)) return true;
         return in_.objects.island_slots.count > 0 &&
                (in_.objects.bodies[c.body_a].asleep() || in_.objects.bodies[c.body_b].asleep());
@@ -197,7 +196,10 @@ void process_pair(const NarrowPhaseInput& in, uint32_t slot) {
     } else if (bodies[c.body_b].asleep() && in_motion(in.objects, in.columns, c.body_a)) {
         wake_body(in.activity, c.body_b);
     }
-    if (!c.sensor && active && may_be_wedged(c)) part_wedged(in.list.touching, slot);
+    if (!c.sensor && active && may_be_wedged(c)) {
+        part_wedged(in.list.touching, slot);
+        if (is_pinned(in.objects, c)) in.scratch.pinned.push_back(slot);
+    }
 }
 
 /// Marks that all pairs of the fat boxes of these shapes are known.
@@ -291,6 +293,7 @@ void narrow_phase(const NarrowPhaseInput& in) {
     std::vector<uint32_t>& awake = in.active.awake_contacts;
     std::vector<CollidedPiece>& collided = in.scratch.collided;
     size_t collided_contacts = awake.size(), processed = 0;
+    in.scratch.pinned.clear();
     size_t pieces = collide_and_create(in);
     wake_for_sensors(in);
     collide_resting(in);

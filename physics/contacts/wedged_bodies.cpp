@@ -10,9 +10,9 @@ namespace {
 /// Bodies are wedged if two opposing overlaps add up to this part of the smaller width. A pin that
 /// is a little too wide for its slot stays in it.
 constexpr float wedged_share = 0.25f;
-/// A contact between welded bodies does not act if the overlap is more than this part of the
-/// smaller width. No load presses bodies together that much.
-constexpr float welded_share = 0.125f;
+/// Joints have priority over contacts in which the overlap is more than this part of the smaller
+/// width. No load presses bodies together that much.
+constexpr float held_share = 0.125f;
 /// The maximum of the cosine of the angle between the normals of two opposing contacts.
 constexpr float opposed = -0.5f;
 /// Maximum number of bodies through which welds are followed.
@@ -72,7 +72,32 @@ uint32_t opposing_contact(const ObjectState& objects, uint32_t contact, uint32_t
     return found;
 }
 
+/// True if the overlap is more than this part of the smaller width.
+bool is_deep(const ObjectState& objects, const ContactRecord& c, float share) {
+    const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];
+    return overlap_of(c.manifold) > share * 2.0f * min(a.thickness, b.thickness);
+}
+
+/// True if a rigid joint connects the body with one that is not dynamic, or with the world.
+bool is_held(const ObjectState& objects, uint32_t body) {
+    bool held = false;
+    objects.for_each_joint(body, [&](uint32_t slot, uint32_t side) {
+        const JointRecord& joint = objects.joints[slot];
+        const auto holds = joint_kind(joint.type).holds;
+        held = held || (joint.acts() && holds != nullptr && holds(joint) &&
+                        objects.bodies[joint.bodies[1 - side]].mobility != Mobility::dynamic);
+    });
+    return held;
+}
+
 }  // namespace
+
+bool is_pinned(const ObjectState& objects, const ContactRecord& c) {
+    const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];
+    return c.acts() && a.mobility == Mobility::dynamic && b.mobility == Mobility::dynamic &&
+           is_deep(objects, c, held_share) && is_held(objects, c.body_a) &&
+           is_held(objects, c.body_b);
+}
 
 void part_wedged(const Touching& touching, uint32_t contact) {
     ObjectState& objects = touching.objects;
@@ -81,8 +106,7 @@ void part_wedged(const Touching& touching, uint32_t contact) {
     const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];
     if (!c.acts() || a.mobility != Mobility::dynamic || b.mobility != Mobility::dynamic) return;
     const bool jointed = a.lists.first_joint != none && b.lists.first_joint != none;
-    if (jointed && overlap_of(c.manifold) > welded_share * 2.0f * min(a.thickness, b.thickness) &&
-        are_welded(objects, c.body_a, c.body_b)) {
+    if (jointed && is_deep(objects, c, held_share) && are_welded(objects, c.body_a, c.body_b)) {
         skip_contact(touching, contact, Skipped::wedged);
         return;
     }
