@@ -54,19 +54,22 @@ class Pressure {
         return false;
     }
 
-    /// True if the presser moves away from the body of the contact, or the body goes ahead of it at
-    /// its speed, and no other contact presses the body against it any more.
+    /// True if the presser moves away from the body of the contact, and no other contact presses
+    /// the body against it any more; or if the body goes ahead of it at its speed, and touches
+    /// nothing else.
     bool releases(uint32_t presser, uint32_t contact) const {
         const ContactRecord& c = objects_.contacts[contact];
         const uint32_t body = objects_.other_body(contact, presser);
         if (objects_.bodies[body].mobility != Mobility::dynamic || c.manifold.count == 0)
             return false;
         const float speed = speed_towards(body, presser, c);
-        if (!(speed < 0.0f || speed + speed_towards(presser, body, c) < keeping_up)) return false;
+        const bool moves_away = speed < 0.0f;
+        if (!moves_away && !(speed + speed_towards(presser, body, c) < keeping_up)) return false;
         const Vec2 push = normal_towards(body, c);
         const uint32_t first = objects_.bodies[body].lists.first_contact;
         return !objects_.any_contact(first, none, [&](uint32_t other) {
-            return opposes(body, objects_.contacts[other], push);
+            const ContactRecord& o = objects_.contacts[other];
+            return moves_away ? opposes(body, o, push) : o.acts();
         });
     }
 
