@@ -18,6 +18,9 @@ constexpr float opposite = -0.5f;
 /// Maximum number of bodies through which the pressure is followed.
 constexpr size_t most_crushed_bodies = 64;
 
+/// A body goes ahead of the presser if it is slower by less than this, m/s.
+constexpr float keeping_up = 0.5f;
+
 /// Bodies that overlap by more than this part of the smaller width are pressed together. Bodies in
 /// a stack overlap by less.
 constexpr float pressed_share = 0.02f;
@@ -52,17 +55,21 @@ class Pressure {
     }
 
     /// True if the presser moves away from the body of the contact, and no other contact presses
-    /// the body against it any more.
+    /// the body against it any more; or if the body goes ahead of it at its speed, and touches
+    /// nothing else.
     bool releases(uint32_t presser, uint32_t contact) const {
         const ContactRecord& c = objects_.contacts[contact];
         const uint32_t body = objects_.other_body(contact, presser);
-        if (objects_.bodies[body].mobility != Mobility::dynamic || c.manifold.count == 0 ||
-            !(speed_towards(body, presser, c) < 0.0f))
+        if (objects_.bodies[body].mobility != Mobility::dynamic || c.manifold.count == 0)
             return false;
+        const float speed = speed_towards(body, presser, c);
+        const bool moves_away = speed < 0.0f;
+        if (!moves_away && !(speed + speed_towards(presser, body, c) < keeping_up)) return false;
         const Vec2 push = normal_towards(body, c);
         const uint32_t first = objects_.bodies[body].lists.first_contact;
         return !objects_.any_contact(first, none, [&](uint32_t other) {
-            return opposes(body, objects_.contacts[other], push);
+            const ContactRecord& o = objects_.contacts[other];
+            return moves_away ? opposes(body, o, push) : o.acts();
         });
     }
 
@@ -89,6 +96,7 @@ class Pressure {
     static bool opposes(uint32_t body, const ContactRecord& c, Vec2 push) {
         return c.acts() && dot(normal_towards(body, c), push) < opposite;
     }
+    /// The speed of a body of the contact, at its first point, towards the other one, `body`.
     float speed_towards(uint32_t body, uint32_t presser, const ContactRecord& c) const {
         const BodyState& state = columns_.states[presser];
         const ManifoldPoint& point = c.manifold.points[0];

@@ -3,6 +3,7 @@
 #include <contacts/moving_point.h>
 #include <contacts/narrow_phase.h>
 #include <contacts/pairs.h>
+#include <contacts/wedged_bodies.h>
 #include <geometry/make_room.h>
 #include <state/active_lists.h>
 #include <state/limits.h>
@@ -163,8 +164,8 @@ class Collision {
     bool needs_more(const ContactRecord& c) const {
         const bool active = c.manifold.count > 0;
         if (c.sensor) return active != c.touching;
-        if (!active)
-            return c.touching || c.rolling_impulse != 0.0f || c.skipped == Skipped::crushed;
+        if (!active) return c.touching || c.rolling_impulse != 0.0f || c.skipped != Skipped::no;
+        if (may_be_wedged(c)) return true;
         return in_.objects.island_slots.count > 0 &&
                (in_.objects.bodies[c.body_a].asleep() || in_.objects.bodies[c.body_b].asleep());
     }
@@ -194,6 +195,10 @@ void process_pair(const NarrowPhaseInput& in, uint32_t slot) {
         wake_body(in.activity, c.body_a);
     } else if (bodies[c.body_b].asleep() && in_motion(in.objects, in.columns, c.body_a)) {
         wake_body(in.activity, c.body_b);
+    }
+    if (!c.sensor && active && may_be_wedged(c)) {
+        part_wedged(in.list.touching, slot);
+        if (is_pinned(in.objects, c)) in.scratch.pinned.push_back(slot);
     }
 }
 
@@ -288,6 +293,7 @@ void narrow_phase(const NarrowPhaseInput& in) {
     std::vector<uint32_t>& awake = in.active.awake_contacts;
     std::vector<CollidedPiece>& collided = in.scratch.collided;
     size_t collided_contacts = awake.size(), processed = 0;
+    in.scratch.pinned.clear();
     size_t pieces = collide_and_create(in);
     wake_for_sensors(in);
     collide_resting(in);

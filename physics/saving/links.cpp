@@ -229,7 +229,7 @@ void check_contacts(const WorldState& w, Findings& findings) {
                          "a contact");
         findings.require(optional_index(c.awake_index, w.awake_contacts.size()) &&
                              c.manifold.count >= 0 && c.manifold.count <= 2 &&
-                             (!c.kept || c.manifold.count > 0) && c.skipped <= Skipped::crushed,
+                             (!c.kept || c.manifold.count > 0) && c.skipped <= Skipped::wedged,
                          "a contact");
     }
     for (const ContactLinks& links : w.contact_links)

@@ -4,6 +4,12 @@
 // a push in a crowd makes no body faster than the push speed and than the bodies that it meets.
 // Momentum is not kept there. Only worlds with crowded shapes need this
 // (contacts/crowded_shapes.h).
+//
+// The same bound shows which contacts joints cannot resolve. Two bodies that hang on joints and are
+// made to overlap may be unable to part in the direction of the push. Then the contact and the
+// joints press against each other with hundreds of weights, and the bodies slip aside faster and
+// faster. A push explains no more than the push speed, so such a contact does not act until the
+// shapes have parted: the joints have priority (contacts/held_open.h).
 
 #include <solver/free_motion.h>
 
@@ -113,6 +119,15 @@ void limit_pushes(const SolverInput& input, const Columns& columns) {
             c.clear_impulses();  // those of a body that was too fast are too large
         });
     }
+}
+
+void find_jammed(const SolverInput& input, const Columns& columns, std::vector<uint32_t>& pinned) {
+    const OverlapLimits limits = {input, columns};
+    std::erase_if(pinned, [&](uint32_t contact) {
+        const ContactRecord& c = input.objects.contacts[contact];
+        const bool a_was_fast = limits.limit(c.body_a), b_was_fast = limits.limit(c.body_b);
+        return !a_was_fast && !b_was_fast;
+    });
 }
 
 }  // namespace fettle::physics::detail

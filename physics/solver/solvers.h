@@ -33,6 +33,9 @@ void solve(const SolverInput& input, const JointStep& joint_step, const ContactS
 /// Must be called after the contacts were solved with soft constraints. Limits the speeds of bodies
 /// in a crowd that is pushed apart.
 void limit_pushes(const SolverInput& input, const Columns& columns);
+/// Limits in the same way the bodies of deep contacts between bodies that joints hold at something
+/// fixed, and removes from the list the contacts of which no body was too fast.
+void find_jammed(const SolverInput& input, const Columns& columns, std::vector<uint32_t>& pinned);
 /// Must be called after the constraints were solved. Limits the speeds of bodies that are squeezed
 /// between bodies that do not yield.
 void limit_squeezed(const SolverInput& input, const Columns& columns, float dt);

@@ -41,9 +41,12 @@ struct PairScratch {
     std::vector<Tree::NodePair> parts_of_walk;
     std::vector<CollidedPiece> collided;
     std::vector<ContactRecord> parted;  ///< last touches of parts of outlines that ended
+    /// Deep contacts between bodies that joints hold at something fixed (contacts/wedged_bodies.h);
+    /// after the solver, those in which the joints have priority.
+    std::vector<uint32_t> pinned;
 
     FETTLE_SCRATCH(PairScratch, s.relocated, s.new_pairs, s.spare_pairs, s.found_pairs, s.finds,
-                   s.crowded, s.still_crowded, s.parts_of_walk, s.collided, s.parted)
+                   s.crowded, s.still_crowded, s.parts_of_walk, s.collided, s.parted, s.pinned)
 };
 
 /// The bodies of the solver. Their index is the index in the list of awake bodies plus 1; 0 is the

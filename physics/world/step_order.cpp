@@ -194,6 +194,10 @@ void WorldData::solve_constraints(const SubSteps& sub, const JointStep& joint_st
     begin_sums(input, columns(), steps, sub.h);
     solve(input, joint_step, sub.stiffness, kernels, statistics);
     if (groups && crowded_shapes > 0) limit_pushes(input, columns());
+    if (groups)
+        find_jammed(input, columns(), pair_scratch().pinned);
+    else
+        pair_scratch().pinned.clear();
     limit_squeezed(input, columns(), sub.h * float(sub.settings.substeps));
     end_sums(input, columns());
 }
@@ -205,6 +209,8 @@ void WorldData::store_results(const SubSteps& sub, const JointStep& joint_step, 
     break_joints(editing(), joint_scratch(), joint_step.inverse_h / float(sub.settings.substeps));
     store_contacts(contact_scratch(), touching(), settings.hit_threshold, threads);
     release_held_open(touching(), joint_scratch(), joint_step.h);
+    for (const uint32_t contact : pair_scratch().pinned)
+        skip_contact(touching(), contact, Skipped::crushed);
     if (settings.persist_events)
         report_persisting(objects(), columns(), active(), uint32_t(steps), sub.settings.substeps,
                           events);

@@ -157,6 +157,78 @@ TEST_CASE("the invariant of energy allows a push to move what is joined to its b
     }
 }
 
+TEST_CASE("the invariant of energy allows more speed to a body far up in a row that overlaps") {
+    struct Row {
+        bool overlaps, stands;
+        float speed;  // of the third body, m/s
+        bool found;
+    };
+    for (const Row& row : {Row{false, true, 8, true},
+                           {true, true, 8, false},
+                           {true, false, 8, true},
+                           Row{true, true, 11, true}}) {
+        CAPTURE(row.overlaps, row.stands, row.speed);
+        WorldPlan plan;
+        plan.def.gravity = {};
+        plan.bodies.push_back({.def = {.type = BodyType::static_body}, .shapes = {{Box{}}}});
+        for (int i = 1; i <= 3; ++i)
+            plan.bodies.push_back({.def = {.position = {0, 0.9f * float(i)}}, .shapes = {{Box{}}}});
+        HandMade world("energy", plan);
+        for (std::size_t i = 1; i <= 3; ++i) {
+            world.bodies[i].deepest = row.overlaps ? 0.1f : 0;
+            if (i > 1 || row.stands) world.bodies[i].touched.push_back(int(i) - 1);
+            if (i < 3) world.bodies[i].touched.push_back(int(i) + 1);
+            world.bodies[i].mass = i < 3 ? 1e-3f : 1;
+        }
+        const Vec2 place = world.bodies[3].position;
+        CHECK(world.finds_on_way(3, place + Vec2(0, row.speed * dt)) == row.found);
+    }
+}
+
+TEST_CASE("the invariant of energy knows a joint at a wrong angle as a spring") {
+    for (const float angle : {0.0f, 0.1f}) {
+        CAPTURE(angle);
+        HandMade world("energy", two_boxes(JointType::weld));
+        world.bodies[1].angle = angle;
+        world.bodies[1].position = Vec2(0.5f, 5) + 0.5f * Vec2(std::cos(angle), std::sin(angle));
+        world.bodies[1].center = world.bodies[1].position;
+        CHECK_FALSE(world.finds_within(0.1f));
+        world.bodies[1].angular_velocity = 4;
+        CHECK(world.finds_within(0.1f) == (angle == 0));
+    }
+}
+
+TEST_CASE("the invariant of energy does not judge what a body without inertia turns") {
+    for (const float rate : {0.0f, 1.0f}) {
+        CAPTURE(rate);
+        HandMade world("energy", two_boxes(JointType::revolute));
+        world.bodies[0].inertia = 0;
+        world.bodies[0].angular_velocity = rate;
+        CHECK_FALSE(world.finds_within(0.1f));
+        world.bodies[1].velocity = {5, 0};
+        CHECK(world.finds_within(0.1f) == (rate == 0));
+    }
+}
+
+TEST_CASE("a bullet that takes a body along round its tip does not pass through it") {
+    // The paddle turns by a radian. Seen from it, the body moves round the tip: the chord between
+    // its places is beyond the tip, and the way at constant speed goes through the paddle.
+    for (const bool bullet : {false, true}) {
+        CAPTURE(bullet);
+        WorldPlan plan;
+        plan.bodies.push_back(
+            {.def = {.type = bullet ? BodyType::dynamic_body : BodyType::kinematic_body,
+                     .bullet = bullet},
+             .shapes = {{Box{.width = 2, .height = 0.1f}}}});
+        plan.bodies.push_back(
+            {.def = {.position = {0.97f, -0.2f}}, .shapes = {{Circle{.radius = 0.05f}}}});
+        HandMade world(bullet ? "bullets" : "through", plan);
+        world.bodies[0].angle = 1;
+        const Vec2 beyond = 1.2f * Vec2(std::cos(1.05f), std::sin(1.05f));
+        CHECK_FALSE(world.finds_on_way(1, beyond));
+    }
+}
+
 TEST_CASE("the time in which a world comes to rest begins again when a tower falls over") {
     for (const bool falls : {false, true}) {
         CAPTURE(falls);

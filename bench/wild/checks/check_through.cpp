@@ -76,7 +76,7 @@ class Through : public Check {
         // The body leaves a solid on the side opposite to the one where it entered. A kinematic
         // body may carry it in one step against a body that is held, before the two have a contact.
         if (passage.kind == Outline::Kind::solid && !is_crushed(passage, moment) &&
-            passage.normal.dot(entry.passage.normal) < -0.3f)
+            passage.normal.dot(entry.passage.normal) < Passage::opposite)
             return words(" passes through body ", passage, entry.step);
         return {};
     }

@@ -23,6 +23,12 @@ int chords(float lever, float turn, float depth) {
                       32);
 }
 
+/// True if the body enters a solid on one side and leaves it on the opposite one.
+bool leaves_opposite(const std::vector<Passage>& way) {
+    return way.size() > 1 && way.front().sense > 0 &&
+           way.back().normal.dot(way.front().normal) < Passage::opposite;
+}
+
 /// The share of the step after which an impact stopped a body: it keeps the speed of its arrival,
 /// but has not moved as far.
 float end_of_motion(const BodyNow& before, const BodyNow& after, float dt) {
@@ -183,10 +189,15 @@ void Passages::add_passages(const Pair& pair, const Moment& moment,
     }
     // How a body slid along an obstacle that carried it or struck it is not known: between the ends
     // of the step its way may be an arc, or straight as seen from the obstacle. A body that passed
-    // through it crosses it on each.
+    // through it crosses it on each. A bullet and what it meets keep their places beside each other
+    // after an impact as well.
     cross(first, last, straight);
-    const bool commanded = o1.type == BodyType::kinematic_body;
-    const auto& way = commanded && straight.size() < on_way.size() ? straight : on_way;
+    const bool unknown = o1.type == BodyType::kinematic_body ||
+                         moment.plan.bodies[std::size_t(pair.obstacle)].def.bullet ||
+                         moment.plan.bodies[std::size_t(pair.body)].def.bullet;
+    const bool harmless =
+        straight.size() < on_way.size() || (leaves_opposite(on_way) && !leaves_opposite(straight));
+    const auto& way = unknown && harmless ? straight : on_way;
     found.insert(found.end(), way.begin(), way.end());
 }
 

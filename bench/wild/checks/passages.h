@@ -19,6 +19,8 @@ struct Passage {
     Vec2 normal = {};             // of the edge, to its front; in coordinates of the obstacle
     Outline::Kind kind{};
 
+    /// The cosine of the angle between the normals of two opposite sides is smaller.
+    static constexpr float opposite = -0.3f;
     auto pair() const { return std::tuple(body, core, obstacle, shape); }
 };
 

@@ -274,6 +274,26 @@ TEST_CASE("crates that a press held are not thrown when it disappears") {
     CHECK(thrown <= int(seeds + 19) / 20);
 }
 
+TEST_CASE("a ram takes along what it crushed as soon as nothing holds it") {
+    World world({.gravity = {}});
+    Body ram = world.create_body({.type = BodyType::kinematic_body, .velocity = {10, 0}});
+    ram.add(Box{.width = 0.1f, .height = 2});
+    Body ball = world.create_body({.position = {1, 0}});
+    ball.add(Circle{.radius = 0.15f});
+    Body wall = world.create_body({.type = BodyType::static_body, .position = {1.65f, 0}});
+    wall.add(Box{.height = 2});
+    const auto ahead = [&] { return float(ball.position().x - ram.position().x); };
+    for (int i = 0; i < 60 && ahead() > 0.1f; ++i) world.step(1 / 240.0f);
+    CHECK(ahead() > 0);
+    CHECK(ball.position().x < 1.15f);
+    wall.destroy();
+    ball.set_velocity({9.9f, 0});  // nearly as fast as the ram
+    for (int i = 0; i < 240; ++i) world.step(1 / 240.0f);
+    CHECK(ahead() > 0);
+    CHECK(world.is_touching(ContactId::of(ball.shapes()[0].id(), ram.shapes()[0].id())));
+    CHECK(ball.velocity().x >= 9.99f);
+}
+
 TEST_CASE("the touch of a crushed body ends and begins again when the two bodies have parted") {
     World world;
     world.create_body({.type = BodyType::static_body})
