@@ -16,6 +16,9 @@ TEST_CASE("a visitor allocates nothing") {
     const Aabb all = {{-30, -5}, {30, 20}};
     const Position left = {-30, 0.5f}, right = {30, 0.9f};
     int finds = 0;
+    const Form probe = Box{60, 2}, corner = Concave{angle};
+    const Shape moved = world.shapes()[3];
+    const ShapeId other = world.shapes()[5].id();
     const auto query = [&] {
         const auto count = [&finds, &world](const Shape& shape) {
             finds += &shape.world() == &world;
@@ -25,6 +28,16 @@ TEST_CASE("a visitor allocates nothing") {
         world.visit_ray(left, right, [&](const RayHit& hit) { finds += hit.fraction < 1; });
         finds += world.cast_ray(left, right).has_value();
         finds += world.closest({0, 9}).has_value();
+        // A query inside a visitor needs memory of its own.
+        world.visit_overlap(probe, {{0, 1}, 0.1f}, [&](const Shape& found) {
+            world.visit_overlap(found, count);
+            world.visit_overlap(corner, {found.world_center(), 0}, count);
+        });
+        finds += world.cast_shape(corner, {{-20, 1}, 1}, {40, 0}).has_value();
+        finds += world.cast_shape(moved, {40, 0}).has_value();
+        finds += distance(moved, world.shape(other)).distance > 0.0f;
+        finds += distance(probe, {}, corner, {{0, 9}, 1}).distance > 0.0f;
+        finds += time_of_impact(probe, {{}, {{0, 9}, 0}}, corner, {{{0, 9}, 0}, {}}).has_value();
     };
     query();  // the memory of the thread for outlines
     const int once = finds;
