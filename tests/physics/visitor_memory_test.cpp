@@ -1,3 +1,6 @@
+#include <new>
+#include <thread>
+
 #include "catch.h"
 #include "memory_end.h"
 #include "scenes.h"
@@ -47,6 +50,53 @@ TEST_CASE("a visitor allocates nothing") {
     }
     CHECK(finds == 2 * once);
     CHECK(once > 25);
+}
+
+namespace {
+
+/// Asks a world when the thread has freed what it kept for queries.
+struct Late {
+    const World* world = nullptr;
+    bool allocates = false;
+    int finds = 0;
+
+    int ask() const {
+        int found = 0;
+        const auto count = [&found](const Shape&) { ++found; };
+        world->visit_overlap(Circle{9}, {}, count);
+        world->visit_overlap(world->shapes()[0], count);
+        return found;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a query works when the thread has ended what it keeps") {
+    World world;
+    for (int i = 0; i < 3; ++i) add_ball(world, {2.0f * float(i), 0});
+    Late late{&world};
+    const int found = late.ask();
+    REQUIRE(found == 3);
+    std::thread([&late] {
+        struct AtTheEnd {
+            Late* late = nullptr;
+            ~AtTheEnd() {
+                const Form probe = Circle{9};
+                try {
+                    const MemoryEnd end(0);
+                    late->world->visit_overlap(probe, {}, [](const Shape&) {});
+                } catch (const std::bad_alloc&) {
+                    late->allocates = true;  // the memory of the thread is not used any more
+                }
+                late->finds = late->ask();
+            }
+        };
+        thread_local AtTheEnd end;  // made before what a query keeps, and so destroyed after it
+        end.late = &late;
+        late.ask();
+    }).join();
+    CHECK(late.allocates);
+    CHECK(late.finds == found);
 }
 
 }  // namespace visitor_memory_test
