@@ -111,9 +111,21 @@ const Position& check_coordinates(const char* what, const Position& value) {
     return value;
 }
 
+namespace {
+
+/// "what.member", without a std::string, which could allocate in every query.
+struct MemberName {
+    char text[64];
+    MemberName(const char* what, const char* member) {
+        std::snprintf(text, sizeof text, "%s.%s", what, member);
+    }
+};
+
+}  // namespace
+
 const Pose& check_pose(const char* what, const Pose& value) {
-    check_coordinates((std::string(what) + ".position").c_str(), value.position);
-    check_range((std::string(what) + ".angle").c_str(), value.angle, -1e8f, 1e8f);
+    check_coordinates(MemberName(what, "position").text, value.position);
+    check_range(MemberName(what, "angle").text, value.angle, -1e8f, 1e8f);
     return value;
 }
 
@@ -127,8 +139,8 @@ std::optional<float> check_inertial(const char* what, std::optional<float> value
 }
 
 const Aabb& check_box(const char* what, const Aabb& value) {
-    check_coordinates((std::string(what) + ".min").c_str(), value.min);
-    check_coordinates((std::string(what) + ".max").c_str(), value.max);
+    check_coordinates(MemberName(what, "min").text, value.min);
+    check_coordinates(MemberName(what, "max").text, value.max);
     if (!(value.min.x < value.max.x && value.min.y < value.max.y)) {
         refuse(what, text(value.min) + " to " + text(value.max),
                "a lower left and an upper right corner");

@@ -81,32 +81,34 @@ PosedForm::PosedForm(const FormData& form, const Pose& pose, Vec2 center) {
     const Rotation q = rotation_of(pose.angle);
     center_ = pose.position + rotate(q, center);
     const size_t size = form.vertices.size();
-    vertices_.resize(size);
-    normals_.resize(size);
-    offsets_.resize(size);
-    solids_.reserve(form.parts.size());
+    std::vector<Vec2>&vertices = *vertices_, &normals = *normals_;
+    std::vector<float>& offsets = *offsets_;
+    vertices.resize(size);
+    normals.resize(size);
+    offsets.resize(size);
+    solids_->reserve(form.parts.size());
     for (const FormPart& part : form.parts) {
         // A large polygon is not rotated: collision/large_polygon.h.
         const Rotation turn = part.kind == FormKind::large ? Rotation() : q;
         for (size_t i = part.begin; i < part.begin + part.count; ++i) {
             const Vec2 vertex = form.vertices[i] - center;
-            vertices_[i] = rotate(turn, vertex);
-            normals_[i] = rotate(turn, form.normals[i]);
-            offsets_[i] = dot(form.normals[i], vertex);
+            vertices[i] = rotate(turn, vertex);
+            normals[i] = rotate(turn, form.normals[i]);
+            offsets[i] = dot(form.normals[i], vertex);
         }
-        if (part.kind == FormKind::ellipse) vertices_[1] = form.vertices[1];
-        solids_.push_back({.form = {&vertices_[part.begin], &normals_[part.begin],
-                                    &offsets_[part.begin], int(part.count), form.radius},
-                           .kind = part.kind,
-                           .rotation = q,
-                           .limits = &form.vertices[part.begin] + part.count,
-                           .normals = &form.normals[part.begin]});
+        if (part.kind == FormKind::ellipse) vertices[1] = form.vertices[1];
+        solids_->push_back({.form = {&vertices[part.begin], &normals[part.begin],
+                                     &offsets[part.begin], int(part.count), form.radius},
+                            .kind = part.kind,
+                            .rotation = q,
+                            .limits = &form.vertices[part.begin] + part.count,
+                            .normals = &form.normals[part.begin]});
     }
 }
 
 float PosedForm::extent() const {
     float farthest = 0.0f;
-    for (const Solid& solid : solids_) {
+    for (const Solid& solid : *solids_) {
         if (solid.kind == FormKind::ellipse) {
             const Vec2 radii = solid.form.vertices[1];
             farthest = max(farthest, length(solid.form.vertices[0]) + max(radii.x, radii.y));

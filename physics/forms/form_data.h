@@ -2,6 +2,7 @@
 
 #include <collision/solid.h>
 #include <fettle/physics/definitions.h>
+#include <geometry/kept_list.h>
 #include <geometry/mass.h>
 
 #include <span>
@@ -31,7 +32,8 @@ struct FormData {
 /// The geometry must be valid: checks/arguments.h.
 FormData form_of(const Geometry& geometry);
 
-/// A form that is rotated, and whose vertices are relative to a point of its own.
+/// A form that is rotated, and whose vertices are relative to a point of its own; for the time of a
+/// call, in memory that the thread keeps.
 class PosedForm {
   public:
     /// `center`: the point, body coordinates. `form` must outlive the result.
@@ -39,15 +41,15 @@ class PosedForm {
     PosedForm(const PosedForm&) = delete;
     PosedForm& operator=(const PosedForm&) = delete;
 
-    std::span<const Solid> solids() const { return solids_; }
+    std::span<const Solid> solids() const { return *solids_; }
     Position center() const { return center_; }  ///< the point in the world, m
     float extent() const;                        ///< distance of the farthest point from it, m
 
   private:
     Position center_;
-    std::vector<Solid> solids_;
-    std::vector<Vec2> vertices_, normals_;
-    std::vector<float> offsets_;
+    KeptList<Solid> solids_;
+    KeptList<Vec2> vertices_, normals_;
+    KeptList<float> offsets_;
 };
 
 }  // namespace fettle::physics::detail

@@ -37,7 +37,7 @@ void detail::refuse_border_body(const char* function) {
                                 "World::set_bounds");
 }
 
-bool Body::is_valid() const {
+bool Body::is_valid() const noexcept {
     return link_ != nullptr && link_->data != nullptr && link_->data->is_valid(id_);
 }
 

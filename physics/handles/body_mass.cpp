@@ -70,20 +70,4 @@ Aabb Body::aabb() const {
     return all;
 }
 
-namespace {
-
-[[gnu::noinline]] float edited_mass(WorldData& data, uint32_t index) {
-    data.read_mass(index);
-    return data.bodies[index].mass;
-}
-
-}  // namespace
-
-float World::mass(uint32_t index) const {
-    const BodyRecord& record = data_->bodies[index];
-    if (record.listed) [[unlikely]]
-        return edited_mass(*data_, index);
-    return record.mass;
-}
-
 }  // namespace fettle::physics

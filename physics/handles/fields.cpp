@@ -73,7 +73,7 @@ std::vector<Field> World::fields() const {
     return all;
 }
 
-bool Field::is_valid() const {
+bool Field::is_valid() const noexcept {
     return link_ != nullptr && link_->data != nullptr && lives(*link_->data, id_);
 }
 

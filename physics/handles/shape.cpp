@@ -52,7 +52,7 @@ void detail::surface_changed(WorldData& data, uint32_t shape) {
     data.change<wake_for_edit>(data.forms[shape].body);
 }
 
-bool Shape::is_valid() const {
+bool Shape::is_valid() const noexcept {
     return link_ != nullptr && link_->data != nullptr && link_->data->is_valid(id_);
 }
 

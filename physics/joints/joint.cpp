@@ -95,7 +95,7 @@ float translation_along(const Joint& joint, const Vec2& direction) {
 
 }  // namespace detail
 
-bool Joint::is_valid() const {
+bool Joint::is_valid() const noexcept {
     return link_ != nullptr && link_->data != nullptr && link_->data->is_valid(id_);
 }
 

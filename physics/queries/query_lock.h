@@ -2,6 +2,7 @@
 
 #include <distance/distance.h>
 #include <fettle/physics/query.h>
+#include <geometry/kept_list.h>
 #include <world/world_data.h>
 
 #include <algorithm>
@@ -49,28 +50,18 @@ inline auto to_list(std::vector<Shape>& list) {
     };
 }
 
-/// The shapes that a query has found, since parts of one may be found several times. They lie in
-/// memory of the thread, above those of the query whose visitor makes this one.
+/// The shapes that a query has found, since parts of one may be found several times.
 class FoundShapes {
   public:
-    FoundShapes() : begin_(ids().size()) {}
-    ~FoundShapes() { ids().resize(begin_); }
-    FoundShapes(const FoundShapes&) = delete;
-    FoundShapes& operator=(const FoundShapes&) = delete;
     /// False if the shape was found before.
     bool add(ShapeId id) {
-        std::vector<ShapeId>& all = ids();
-        if (std::find(all.begin() + ptrdiff_t(begin_), all.end(), id) != all.end()) return false;
-        all.push_back(id);
+        if (std::find(ids_->begin(), ids_->end(), id) != ids_->end()) return false;
+        ids_->push_back(id);
         return true;
     }
 
   private:
-    static std::vector<ShapeId>& ids() {
-        thread_local std::vector<ShapeId> all;
-        return all;
-    }
-    size_t begin_;
+    KeptList<ShapeId> ids_;
 };
 
 /// A point as a shape.

@@ -2,6 +2,7 @@
 #include <contacts/border.h>
 #include <distance/distance.h>
 #include <forms/form_access.h>
+#include <geometry/kept_list.h>
 #include <queries/query_lock.h>
 #include <world/world_data.h>
 
@@ -24,48 +25,32 @@ struct Placed {
     Box4 box;
 };
 
-/// The shape itself, or its parts.
-std::vector<Placed> placed(WorldData& data, uint32_t shape) {
+/// Adds the shape itself, or its parts.
+void add_placed(WorldData& data, uint32_t shape, std::vector<Placed>& all) {
     data.read_all();
     if (data.forms[shape].kind == FormKind::border)
         throw std::invalid_argument("expected a shape of a body, got the bounds of a world");
     const uint32_t body = data.forms[shape].body;
     const Position center = body == none ? Position{} : data.bodies[body].center;
-    std::vector<Placed> all;
     data.for_each_solid(shape, [&](uint32_t solid) {
         all.push_back({data.solid(solid), center, data.boxes[solid]});
     });
-    return all;
 }
 
 /// Locks one world while the other is refreshed: a callback of the user must neither edit nor
 /// destroy it.
 template <class Read>
-auto with_other_locked(const WorldData& read, const WorldData& other, Read read_it) {
+void with_other_locked(const WorldData& read, const WorldData& other, Read read_it) {
     std::optional<WorldLock> lock;
     if (&read != &other) lock.emplace(other.self, WorldLock::During::query, in_refresh);
-    auto result = read_it();
+    read_it();
     if (lock) lock->finish();
-    return result;
 }
 
-/// The parts of the query shape. Updates the queried world as well.
-std::vector<Placed> probes_for(WorldData& queried, WorldData& from, uint32_t shape) {
-    std::vector<Placed> probes =
-        with_other_locked(from, queried, [&] { return placed(from, shape); });
-    with_other_locked(queried, from, [&] {
-        queried.read_all();
-        return true;
-    });
-    return probes;
-}
-
-/// The parts of a geometry that is in no world. They point into `at`.
-std::vector<Placed> probes_of(const PosedForm& at) {
-    std::vector<Placed> all;
-    for (const Solid& solid : at.solids())
-        all.push_back({solid, at.center(), box_around(at.center(), box_of(solid))});
-    return all;
+/// Adds the parts of the query shape. Updates the queried world as well.
+void add_probes(WorldData& queried, WorldData& from, uint32_t shape, std::vector<Placed>& probes) {
+    with_other_locked(from, queried, [&] { add_placed(from, shape, probes); });
+    with_other_locked(queried, from, [&] { queried.read_all(); });
 }
 
 /// The fraction of its motion after which a moving shape meets the border.
@@ -102,10 +87,11 @@ Separation distance(const Shape& a, const Shape& b) {
     nearest.distance = infinity;
     WorldData &of_a = a.live(), &of_b = b.live();
     const uint32_t shape_a = a.index(), shape_b = b.index();
-    const auto parts_a = with_other_locked(of_a, of_b, [&] { return placed(of_a, shape_a); });
-    const auto parts_b = with_other_locked(of_b, of_a, [&] { return placed(of_b, shape_b); });
-    for (const Placed& pa : parts_a) {
-        for (const Placed& pb : parts_b) {
+    KeptList<Placed> parts_a, parts_b;
+    with_other_locked(of_a, of_b, [&] { add_placed(of_a, shape_a, *parts_a); });
+    with_other_locked(of_b, of_a, [&] { add_placed(of_b, shape_b, *parts_b); });
+    for (const Placed& pa : *parts_a) {
+        for (const Placed& pb : *parts_b) {
             const Nearest found = nearest_points(pa.form, pb.form, pb.center - pa.center);
             if (found.distance >= nearest.distance) continue;
             nearest = {found.distance, pa.center + found.on_a, pa.center + found.on_b,
@@ -127,9 +113,10 @@ struct Sought {
 template <class Search>
 void search_for(WorldData& data, WorldData& from, uint32_t shape, const QueryFilter& filter,
                 bool visits, Search search) {
-    const std::vector<Placed> parts = probes_for(data, from, shape);
+    KeptList<Placed> parts;
+    add_probes(data, from, shape, *parts);
     QueryLock lock(from, filter, visits);
-    search(Sought{parts, &from == &data ? data.forms[shape].body : none});
+    search(Sought{*parts, &from == &data ? data.forms[shape].body : none});
     lock.finish();
 }
 
@@ -138,7 +125,10 @@ template <class Search>
 void search_for(WorldData& data, const Form& form, const Pose& pose, Search search) {
     const PosedForm at(FormAccess::data(form), check_pose("pose", pose));
     data.read_all();
-    search(Sought{probes_of(at)});
+    KeptList<Placed> parts;
+    for (const Solid& solid : at.solids())
+        parts->push_back({solid, at.center(), box_around(at.center(), box_of(solid))});
+    search(Sought{*parts});
 }
 
 /// Calls `report(shape)` for each shape that overlaps another one, once, until it returns false.

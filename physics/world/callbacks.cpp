@@ -387,11 +387,8 @@ void World::set_parallel_callbacks(bool parallel) {
 bool World::parallel_callbacks() const {
     return data_->self.parallel_callbacks;
 }
-void World::on_refresh(RefreshCallback callback) {
-    std::swap(edit(__func__).self.refresh, callback);
-}
-void World::refresh(const Refresh& wanted) {
-    edit(__func__).refresh(wanted);
+void World::refresh() {
+    edit(__func__).refresh({});
 }
 void World::set_before_solve(ContactCallback callback) {
     WorldData& data = edit(__func__);

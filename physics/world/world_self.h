@@ -1,6 +1,7 @@
 #pragma once
 
 #include <fettle/physics/callbacks.h>
+#include <fettle/physics/host_access.h>
 #include <fettle/physics/owner.h>
 #include <state/velocity_sums.h>
 #include <threads/pool.h>
@@ -22,7 +23,7 @@ inline constexpr const char in_before_solve[] =
     "the before-solve callback (World::set_before_solve)";
 inline constexpr const char in_accept[] = "QueryFilter::accept";
 inline constexpr const char in_visitor[] = "the visitor of a query";
-inline constexpr const char in_refresh[] = "the refresh callback (World::on_refresh)";
+inline constexpr const char in_refresh[] = "the refresh callback (HostAccess::on_refresh)";
 inline constexpr const char in_draw[] = "a function of the DebugDraw (World::draw)";
 inline constexpr const char in_velocity[] =
     "the velocity function of a body (Body::set_velocity_function)";

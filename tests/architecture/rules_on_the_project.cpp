@@ -94,6 +94,7 @@ TEST_CASE("physics uses only what every standard library has") {
 
 TEST_CASE("no part needs a header of Linux") {
     CHECK(listed(headers_of_linux(project())) == "");
+    CHECK(listed(words_of_one_compiler(project())) == "");
 }
 
 TEST_CASE("public headers of physics include only what compiles fast") {

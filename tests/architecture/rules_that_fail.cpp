@@ -176,6 +176,16 @@ TEST_CASE("a header that only Linux has is reported") {
     CHECK(of(headers_of_linux, "framework/module/plugin.cpp", "#include <sys/wait.h>\n").empty());
 }
 
+TEST_CASE("a word of one compiler in a public header is reported unless the header asks for it") {
+    const char* path = "physics/include/fettle/physics/export.h";
+    const std::string word = "#define HIDDEN __attribute__((visibility(\"hidden\")))\n";
+    CHECK(of(words_of_one_compiler, path, word).size() == 1);
+    CHECK(of(words_of_one_compiler, path, "[[gnu::cold]] void f();\n").size() == 1);
+    const std::string guarded = "#if defined(X) || defined(__GNUC__)\n" + word + "#endif\n";
+    CHECK(of(words_of_one_compiler, path, guarded).empty());
+    CHECK(of(words_of_one_compiler, "physics/state/records.h", word).empty());
+}
+
 TEST_CASE("a public header of physics that includes what compiles slowly is reported") {
     const char* path = "physics/include/fettle/physics/world.h";
     CHECK(of(heavy_headers, path, "#include <functional>\n#include <vector>\n").size() == 1);

@@ -2,6 +2,7 @@
 // does not grow. With FETTLE_SOAK=10, each scene runs ten times as long as in the benchmark;
 // without it the runs are short.
 
+#include <fettle/physics/host_access.h>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -50,9 +51,9 @@ class Watch {
     void look(const World& world) {
         if (++steps_ % 20 != 0) return;
         int outside = 0;
-        for (uint32_t slot = 1; slot < world.body_slots(); ++slot) {
-            if (world.body_generation(slot) == 0) continue;
-            const BodyState& s = world.state(slot);
+        for (uint32_t slot = 1; slot < HostAccess::body_slots(world); ++slot) {
+            if (HostAccess::body_generation(world, slot) == 0) continue;
+            const BodyState& s = HostAccess::state(world, slot);
             finite = finite && s.position.is_finite() && s.velocity.is_finite() &&
                      std::isfinite(s.angle) && std::isfinite(s.angular_velocity);
             const Aabb& box = pen_.box;

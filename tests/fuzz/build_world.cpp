@@ -401,7 +401,7 @@ class Builder {
             finite &= hit->point.is_finite() && hit->fraction >= 0.0f && hit->fraction <= 1.0f;
         if (const auto near = world_.closest(from, choose_.size()))
             finite &= near->point.is_finite() && std::isfinite(near->distance);
-        world_.query_point(from);
+        (void)world_.query_point(from);
         const auto bodies = world_.bodies();
         if (!bodies.empty()) {
             const auto shapes = pick(bodies).shapes(), others = pick(bodies).shapes();
@@ -410,7 +410,7 @@ class Builder {
                 finite &= std::isfinite(distance(shape, pick(others)).distance);
                 if (const auto hit = world_.cast_shape(shape, to))
                     finite &= hit->point.is_finite() && std::isfinite(hit->fraction);
-                world_.query_overlap(shape);
+                (void)world_.query_overlap(shape);
             }
         }
         if (finite) return;

@@ -1,3 +1,4 @@
+#include <fettle/physics/host_access.h>
 #include <algorithm>
 
 #include "catch.h"
@@ -403,7 +404,7 @@ TEST_CASE("an edit of a filter changes nothing if a refresh callback throws") {
     REQUIRE(ball.is_touching());
     world.set_filter([](const Shape&, const Shape&) { return true; });
     bool throwing = true;
-    world.on_refresh([&](const Refresh&) {
+    HostAccess::on_refresh(world, [&](const Refresh&) {
         if (throwing) throw std::runtime_error("not now");
     });
     shape.set_density(2);  // values are out of date: reading them calls the callback first

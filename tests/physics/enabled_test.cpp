@@ -1,3 +1,5 @@
+#include <fettle/physics/host_access.h>
+
 #include "catch.h"
 #include "saved_worlds.h"
 #include "scenes.h"
@@ -70,7 +72,7 @@ TEST_CASE("a disabled body keeps the velocity that it has or gets") {
     REQUIRE(body.velocity() == Vec2(2, 0));
     REQUIRE(body.position() == Vec2{});
     body.set_velocity({4, 0});
-    REQUIRE(world.set_velocity(late.index(), {0, 2}));
+    REQUIRE(HostAccess::set_velocity(world, late.index(), {0, 2}));
     body.apply_impulse({100, 0});
     body.apply_force({100, 0});
     body.set_enabled(true);

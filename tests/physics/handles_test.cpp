@@ -1,3 +1,4 @@
+#include <fettle/physics/host_access.h>
 #include <memory>
 
 #include "catch.h"
@@ -282,7 +283,7 @@ TEST_CASE("a mouse joint requires a body in every function that sets its bodies"
     Joint mouse = things.mouse;
     REQUIRE_THROWS_WITH(mouse.set_body_a(things.third), contains("body_a: a mouse joint"));
     REQUIRE_THROWS_WITH(mouse.set_body_b(Body()), contains("body: a mouse joint drags a body"));
-    REQUIRE_THROWS_WITH(mouse.set_body_b(world.body({0, world.body_generation(0)})),
+    REQUIRE_THROWS_WITH(mouse.set_body_b(world.body({0, HostAccess::body_generation(world, 0)})),
                         contains("bounds of the world"));
     mouse.set_body_b(things.third);
     REQUIRE(things.mouse.body() == things.third);
@@ -296,16 +297,57 @@ TEST_CASE("writing to a slot that there is not is refused and writes nowhere") {
     const uint64_t before = world.hash();
     // Far behind the columns, so that a write there ends the program at once.
     for (const uint32_t slot : {1u << 28, ~0u}) {
-        CHECK_FALSE(world.set_velocity(slot, {1, 1}));
-        CHECK(world.write_velocity(slot, {1, 1}) == Written::refused);
-        CHECK(world.write<BodyNumber::angular_velocity>(slot, 1) == Written::refused);
-        CHECK(world.write<BodyNumber::torque>(slot, 1) == Written::refused);
-        CHECK(world.write<BodyNumber::gravity_scale>(slot, 2) == Written::refused);
-        CHECK(world.write<BodyNumber::linear_damping>(slot, 1) == Written::refused);
-        CHECK(world.write<BodyNumber::angular_damping>(slot, 1) == Written::refused);
+        CHECK_FALSE(HostAccess::set_velocity(world, slot, {1, 1}));
+        CHECK(HostAccess::write_velocity(world, slot, {1, 1}) == Written::refused);
+        CHECK(HostAccess::write<BodyNumber::angular_velocity>(world, slot, 1) == Written::refused);
+        CHECK(HostAccess::write<BodyNumber::torque>(world, slot, 1) == Written::refused);
+        CHECK(HostAccess::write<BodyNumber::gravity_scale>(world, slot, 2) == Written::refused);
+        CHECK(HostAccess::write<BodyNumber::linear_damping>(world, slot, 1) == Written::refused);
+        CHECK(HostAccess::write<BodyNumber::angular_damping>(world, slot, 1) == Written::refused);
     }
     CHECK(world.hash() == before);
-    CHECK(world.write_velocity(body.index(), {1, 1}) == Written::done);
+    CHECK(HostAccess::write_velocity(world, body.index(), {1, 1}) == Written::done);
+}
+
+TEST_CASE("reading a slot that there is not is an error") {
+    World world;
+    Body body = world.create_body({.position = {3, 4}});
+    body.add(Circle{});
+    const uint32_t slots = HostAccess::body_slots(world);
+    CHECK(HostAccess::states(world).size() == slots);
+    CHECK(HostAccess::previous_poses(world).size() == slots);
+    CHECK(HostAccess::state(world, slots - 1).position == Position(3, 4));
+    const auto message = contains("expected less than " + std::to_string(slots));
+    for (const uint32_t slot : {slots, 1u << 28, ~0u}) {
+        CHECK_THROWS_WITH(HostAccess::state(world, slot), message);
+        CHECK_THROWS_WITH(HostAccess::previous(world, slot), message);
+        CHECK_THROWS_WITH(HostAccess::mass(world, slot), message);
+        CHECK_THROWS_WITH(HostAccess::velocity(world, slot), message);
+        CHECK(HostAccess::body_generation(world, slot) == 0);
+        CHECK(HostAccess::joint_generation(world, slot) == 0);
+    }
+    for (const uint32_t slot : {HostAccess::shape_slots(world), 1u << 28, ~0u})
+        CHECK(HostAccess::shape_generation(world, slot) == 0);
+}
+
+TEST_CASE("a free slot can be read, and is not written") {
+    World world;
+    Body body = world.create_body(), other = world.create_body();
+    for (Body each : {body, other}) each.add(Circle{});
+    world.step(0.01f);
+    const uint32_t slot = body.index();
+    body.destroy();
+    for (const bool stepped : {false, true}) {
+        INFO(stepped);
+        if (stepped) world.step(0.01f);
+        CHECK(HostAccess::body_generation(world, slot) == 0);
+        CHECK_FALSE(HostAccess::set_velocity(world, slot, {1, 1}));
+        CHECK(HostAccess::write_velocity(world, slot, {1, 1}) == Written::refused);
+        CHECK(HostAccess::write<BodyNumber::torque>(world, slot, 1) == Written::refused);
+        CHECK_NOTHROW(HostAccess::mass(world, slot));
+        CHECK_NOTHROW(HostAccess::velocity(world, slot));
+        CHECK_FALSE(world.validate());
+    }
 }
 
 TEST_CASE("messages contain counts as whole numbers") {

@@ -1,3 +1,4 @@
+#include <fettle/physics/host_access.h>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -370,11 +371,11 @@ TEST_CASE("reading a shape may compute the parts of other shapes") {
         body.add(Concave{star});
         CHECK(box.contains({1.2f, 0.3f}));
         Shape other = body.add(Concave{star});
-        world.on_refresh([&](const Refresh&) { CHECK(other.area() > 0.0f); });
+        HostAccess::on_refresh(world, [&](const Refresh&) { CHECK(other.area() > 0.0f); });
         box.set_width(1.0f + float(i));
         REQUIRE(box.vertices().size() == 4);
         CHECK(box.vertices()[1].x == Approx(0.5f + 0.5f * float(i)));
-        world.on_refresh({});
+        HostAccess::on_refresh(world, {});
     }
     CHECK_FALSE(world.validate());
 }
@@ -389,9 +390,8 @@ TEST_CASE("a query reports that a refresh callback has destroyed its other world
             second->step(1 / 60.0f);
             circle.set_radius(2);
             box.set_width(3);
-            (queried ? second : first)->on_refresh([&](const Refresh&) {
-                (queried ? first : second).reset();
-            });
+            HostAccess::on_refresh(*(queried ? second : first),
+                                   [&](const Refresh&) { (queried ? first : second).reset(); });
             World* const asked = first.get();
             const auto query = [&] {
                 if (which == 0)

@@ -1,3 +1,5 @@
+#include <fettle/physics/host_access.h>
+
 #include "catch.h"
 #include "scenes.h"
 
@@ -187,10 +189,10 @@ TEST_CASE("the columns show the same as the handles") {
     World world;
     Body ball = add_ball(world, {1, 2});
     run(world, 0.3f);
-    REQUIRE(world.state(ball.index()).position == ball.position());
-    REQUIRE(world.states()[ball.index()].velocity == ball.velocity());
-    REQUIRE(world.body_generation(ball.index()) == ball.id().generation);
-    REQUIRE(world.previous(ball.index()).position == ball.previous_pose().position);
+    REQUIRE(HostAccess::state(world, ball.index()).position == ball.position());
+    REQUIRE(HostAccess::states(world)[ball.index()].velocity == ball.velocity());
+    REQUIRE(HostAccess::body_generation(world, ball.index()) == ball.id().generation);
+    REQUIRE(HostAccess::previous(world, ball.index()).position == ball.previous_pose().position);
 }
 
 TEST_CASE("a change of the number of substeps or of the time step keeps a stack standing") {

@@ -1,3 +1,4 @@
+#include <fettle/physics/host_access.h>
 #include <memory>
 #include <set>
 #include <string>
@@ -109,13 +110,13 @@ TEST_CASE("a callback that has the last reference to its world may be replaced")
         if (which == 0) of.set_filter([world](const Shape&, const Shape&) { return true; });
         if (which == 1) of.set_mixing([world](ContactEdit&) {});
         if (which == 2) of.set_before_solve([world](ContactEdit&) {});
-        if (which == 3) of.on_refresh([world](const Refresh&) {});
+        if (which == 3) HostAccess::on_refresh(of, [world](const Refresh&) {});
         world.reset();
         REQUIRE_FALSE(life.expired());
         if (which == 0) of.set_filter({});
         if (which == 1) of.set_mixing({});
         if (which == 2) of.set_before_solve({});
-        if (which == 3) of.on_refresh({});
+        if (which == 3) HostAccess::on_refresh(of, {});
         CHECK(life.expired());
         CHECK_FALSE(body.is_valid());
     }

@@ -1,4 +1,5 @@
 #include <fettle/physics/hooks.h>
+#include <fettle/physics/host_access.h>
 #include <fettle/physics/recording.h>
 #include <recording/chunks.h>
 
@@ -227,7 +228,7 @@ TEST_CASE("a replay names the calls before each step and its world can be read")
     for (int i = 0; i < 3; ++i) ball.set_velocity({1, float(i)});
     world.create_body();
     world.step(frame);
-    world.write_velocity(ball.index(), {4, 4});
+    HostAccess::write_velocity(world, ball.index(), {4, 4});
     world.step(2 * frame);
     Replay replay(bytes);
     REQUIRE(replay.steps() == 3);
@@ -240,7 +241,7 @@ TEST_CASE("a replay names the calls before each step and its world can be read")
     const auto third = replay.step();
     REQUIRE(third->calls.empty());  // written by slot: the effect is recorded, and no name
     REQUIRE(third->dt == 2 * frame);
-    REQUIRE(replay.world().state(ball.index()).velocity.x == 4.0f);
+    REQUIRE(HostAccess::state(replay.world(), ball.index()).velocity.x == 4.0f);
     REQUIRE_FALSE(replay.step());
     World copy = replay.world().clone();
     copy.step(frame);

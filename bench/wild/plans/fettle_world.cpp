@@ -1,5 +1,6 @@
 #include "wild/plans/fettle_world.h"
 
+#include <fettle/physics/host_access.h>
 #include <algorithm>
 
 #include "wild/plans/setters.h"
@@ -105,12 +106,12 @@ void FettleWorld::prepare(int step) {
     time_ += plan_.length_of(step);
     // The moment of this update is part of the history, so it is the same in all runs, though only
     // some of them are read.
-    world_.refresh({});
+    world_.refresh();
 }
 
 void FettleWorld::read(std::vector<BodyNow>& bodies) const {
     bodies.assign(plan_.bodies.size(), {});
-    std::vector<int> index_of(world_.body_slots(), the_world);
+    std::vector<int> index_of(HostAccess::body_slots(world_), the_world);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (!world_.is_valid(ids_of_bodies_[i])) continue;
         const Body body = world_.body(ids_of_bodies_[i]);

@@ -43,8 +43,10 @@ class Retired {
   private:
     static constexpr std::size_t most = 1000;
 
+    /// Never destroyed, because a program may destroy its objects in a function of `atexit`, or in
+    /// the destructor of a global variable.
     static Retired& all() {
-        static Retired known;
+        static Retired& known = *new Retired;
         return known;
     }
 

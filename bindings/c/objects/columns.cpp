@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include <calls/calls.h>
+#include <fettle/physics/host_access.h>
 
 namespace fettle::physics_c {
 
@@ -34,7 +35,7 @@ ContactId former_contact(fettle_id shape_a, fettle_id shape_b) {
 }
 
 uint32_t body_slot(const World& world, uint32_t slot) {
-    if (slot >= world.body_slots() || world.body_generation(slot) == 0)
+    if (HostAccess::body_generation(world, slot) == 0)
         throw Failure{FETTLE_STALE,
                       "slot = " + std::to_string(slot) + ": expected the slot of a live body"};
     return slot;
@@ -49,22 +50,19 @@ Written written(World& world, uint32_t slot, BodyNumber number, float value) {
     };
     switch (number) {
         case BodyNumber::angular_velocity:
-            return world.write<BodyNumber::angular_velocity>(slot, checked(Finite{"value", value}));
+            return HostAccess::write<BodyNumber::angular_velocity>(world, slot,
+                                                                   checked(Finite{"value", value}));
         case BodyNumber::torque:
-            return world.write<BodyNumber::torque>(slot, checked(Finite{"value", value}));
+            return HostAccess::write<BodyNumber::torque>(world, slot,
+                                                         checked(Finite{"value", value}));
         case BodyNumber::gravity_scale:
-            return world.write<BodyNumber::gravity_scale>(slot, checked(Finite{"value", value}));
+            return HostAccess::write<BodyNumber::gravity_scale>(world, slot,
+                                                                checked(Finite{"value", value}));
         case BodyNumber::linear_damping:
-            return world.write<BodyNumber::linear_damping>(slot, not_negative());
+            return HostAccess::write<BodyNumber::linear_damping>(world, slot, not_negative());
         default:
-            return world.write<BodyNumber::angular_damping>(slot, not_negative());
+            return HostAccess::write<BodyNumber::angular_damping>(world, slot, not_negative());
     }
-}
-
-template <class Id>
-fettle_id id_in(uint32_t slot, uint32_t slots, uint32_t (World::*generation)(uint32_t) const,
-                const World& world) {
-    return slot < slots ? converted(Id{slot, (world.*generation)(slot)}) : 0;
 }
 
 /// `worlds` and `bodies` of a function for many worlds, all checked.
@@ -92,10 +90,10 @@ fettle_code fettle_world_columns(const fettle_world* world, fettle_columns* colu
     return guarded(__func__, [&] {
         fettle_columns& result = needed("columns", columns);
         const World& of = live(world);
-        const std::span<const BodyState> states = of.states();
+        const auto states = HostAccess::states(of);
+        const auto previous = HostAccess::previous_poses(of);
         result.states = reinterpret_cast<const fettle_body_state*>(states.data());
-        result.previous =
-            states.empty() ? nullptr : reinterpret_cast<const fettle_pose*>(&of.previous(0));
+        result.previous = reinterpret_cast<const fettle_pose*>(previous.data());
         result.body_slots = uint32_t(states.size());
     });
 }
@@ -150,14 +148,14 @@ fettle_code fettle_world_set_contact_data(fettle_world* world, fettle_id shape_a
 fettle_code fettle_world_state(const fettle_world* world, uint32_t slot, fettle_body_state* state) {
     return guarded(__func__, [&] {
         const World& of = live(world);
-        needed("state", state) = converted(of.state(body_slot(of, slot)));
+        needed("state", state) = converted(HostAccess::state(of, body_slot(of, slot)));
     });
 }
 
 fettle_code fettle_world_previous(const fettle_world* world, uint32_t slot, fettle_pose* pose) {
     return guarded(__func__, [&] {
         const World& of = live(world);
-        needed("pose", pose) = converted(of.previous(body_slot(of, slot)));
+        needed("pose", pose) = converted(HostAccess::previous(of, body_slot(of, slot)));
     });
 }
 
@@ -165,38 +163,40 @@ fettle_code fettle_world_mass(const fettle_world* world, uint32_t slot, float* m
     return guarded(__func__, [&] {
         const World& of = live(world);
         float& result = needed("mass", mass);
-        result = of.mass(body_slot(of, slot));
+        result = HostAccess::mass(of, body_slot(of, slot));
     });
 }
 
 fettle_code fettle_world_velocity(const fettle_world* world, uint32_t slot, fettle_vec2* velocity) {
     return guarded(__func__, [&] {
         const World& of = live(world);
-        needed("velocity", velocity) = converted(of.velocity(body_slot(of, slot)));
+        needed("velocity", velocity) = converted(HostAccess::velocity(of, body_slot(of, slot)));
     });
 }
 
 fettle_code fettle_world_body_in(const fettle_world* world, uint32_t slot, fettle_id* body) {
     return guarded(__func__, [&] {
         const World& of = live(world);
-        needed("body", body) = id_in<BodyId>(slot, of.body_slots(), &World::body_generation, of);
+        needed("body", body) = converted(BodyId{slot, HostAccess::body_generation(of, slot)});
     });
 }
 
 fettle_code fettle_world_shape_in(const fettle_world* world, uint32_t slot, fettle_id* shape) {
     return guarded(__func__, [&] {
         const World& of = live(world);
-        needed("shape", shape) =
-            id_in<ShapeId>(slot, of.shape_slots(), &World::shape_generation, of);
+        needed("shape", shape) = converted(ShapeId{slot, HostAccess::shape_generation(of, slot)});
     });
 }
 
 fettle_code fettle_world_body_slots(const fettle_world* world, uint32_t* body_slots) {
-    return read<&World::body_slots>(__func__, world, body_slots);
+    return guarded(__func__,
+                   [&] { needed("body_slots", body_slots) = HostAccess::body_slots(live(world)); });
 }
 
 fettle_code fettle_world_shape_slots(const fettle_world* world, uint32_t* shape_slots) {
-    return read<&World::shape_slots>(__func__, world, shape_slots);
+    return guarded(__func__, [&] {
+        needed("shape_slots", shape_slots) = HostAccess::shape_slots(live(world));
+    });
 }
 
 fettle_code fettle_world_write(fettle_world* world, uint32_t slot, int32_t number, float value,
@@ -214,7 +214,8 @@ fettle_code fettle_world_write_velocity(fettle_world* world, uint32_t slot, floa
     return guarded(__func__, [&] {
         World& to = editable(world);
         int32_t& result = needed("written", written);
-        result = int32_t(to.write_velocity(body_slot(to, slot), checked(FiniteVector{x, y})));
+        result = int32_t(
+            HostAccess::write_velocity(to, body_slot(to, slot), checked(FiniteVector{x, y})));
     });
 }
 
@@ -223,7 +224,7 @@ fettle_code fettle_world_set_velocity(fettle_world* world, uint32_t slot, float 
     return guarded(__func__, [&] {
         World& to = editable(world);
         bool& result = needed("moves", moves);
-        result = to.set_velocity(body_slot(to, slot), checked(FiniteVector{x, y}));
+        result = HostAccess::set_velocity(to, body_slot(to, slot), checked(FiniteVector{x, y}));
     });
 }
 
@@ -247,7 +248,7 @@ fettle_code fettle_worlds_read_states(const fettle_world* const* worlds, uint32_
         const auto found = checked_bodies(worlds, world_count, bodies, body_count);
         if (!found.empty()) needed("states", states);
         for (size_t i = 0; i < found.size(); ++i)
-            states[i] = converted(found[i].world().state(found[i].index()));
+            states[i] = converted(HostAccess::state(found[i].world(), found[i].index()));
     });
 }
 

@@ -5,6 +5,7 @@
 
 #include <calls/calls.h>
 #include <calls/retired.h>
+#include <fettle/physics/host_access.h>
 
 namespace fettle::physics_c {
 
@@ -125,14 +126,15 @@ fettle_code fettle_body_set_position_function(fettle_world* world, fettle_id bod
 
 fettle_code fettle_world_on_refresh(fettle_world* world, fettle_refresh_callback function,
                                     void* user) {
-    return edit<&World::on_refresh>(__func__, world, refresh_callback(world, function, user));
+    return guarded(__func__, [&] {
+        HostAccess::on_refresh(editable(world), refresh_callback(world, function, user));
+    });
 }
 
 fettle_code fettle_world_refresh(fettle_world* world, int32_t of, uint32_t slot) {
     return guarded(__func__, [&] {
         using fettle::physics::Refresh;
-        World& refreshed = editable(world);
-        refreshed.refresh({enumerator("of", of, Refresh::Of::shape), slot});
+        HostAccess::refresh(editable(world), {enumerator("of", of, Refresh::Of::shape), slot});
     });
 }
 

@@ -12,6 +12,7 @@
 #include <fettle/property/tree.h>
 
 #include "../../property/classes/class_registry.h"
+#include "../../property/values/process_data.h"
 #include "../c_values.h"
 
 namespace fettle::module {
@@ -46,6 +47,7 @@ struct GuestEvent {
 namespace fettle::property {
 
 struct Tree::State {
+    CountedTree counted;
     Tree* self = nullptr;
     const fettle_host* host = nullptr;
     ClassRegistry classes;

@@ -7,6 +7,8 @@
 #include <set>
 #include <tuple>
 
+#include <values/process_data.h>
+
 namespace fettle::property {
 namespace {
 
@@ -29,12 +31,14 @@ struct Order {
 struct Lists {
     std::mutex mutex;  // each tree has a thread of its own
     std::set<std::vector<Field>, Order> lists;
+
+    void free() { lists.clear(); }
 };
 
 }  // namespace
 
 const std::vector<Field>& lasting(const std::vector<Field>& fields) {
-    static Lists all;
+    Lists& all = process_data<Lists>();
     const std::scoped_lock lock(all.mutex);
     return *all.lists.insert(fields).first;
 }

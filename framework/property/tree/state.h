@@ -11,6 +11,7 @@
 #include <fettle/property/explaining.h>
 
 #include <history/history.h>
+#include <values/process_data.h>
 
 namespace fettle::property {
 
@@ -36,6 +37,7 @@ struct SnapshotState {
 struct Tree::State {
     explicit State(Tree& owner) : tree(owner) {}
 
+    CountedTree counted;
     Tree& tree;
     const std::uint64_t number = next_number();  // unique in the process
     Lifetime lifetime{tree};

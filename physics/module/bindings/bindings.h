@@ -86,7 +86,7 @@ void put_by_slot(Binding& binding) {
     binding.number.plain = true;
     binding.number.put = [](const Binding& self, Row row, double value) {
         const auto [in, slot] = static_cast<Hosting*>(self.context)->at(row);
-        return put(in.world.write<number>(slot, static_cast<float>(value)));
+        return put(physics::HostAccess::write<number>(in.world, slot, static_cast<float>(value)));
     };
 }
 

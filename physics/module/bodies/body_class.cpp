@@ -73,7 +73,7 @@ Binding velocity(Hosting& hosting) {
         // Outside of a world, the velocity is kept until the body is in a world.
         if (world_number(row) == limbo) return property::WriteResult::declined;
         const auto [in, slot] = static_cast<Hosting*>(self.context)->at(row);
-        return put(in.world.write_velocity(slot, narrow(value)));
+        return put(physics::HostAccess::write_velocity(in.world, slot, narrow(value)));
     };
     return binding;
 }
@@ -179,7 +179,7 @@ Binding mass(Hosting& hosting) {
     binding.number.get = [](const Binding& self, Row row) -> double {
         auto& h = *static_cast<Hosting*>(self.context);
         const auto [in, slot] = h.at(row);
-        return static_cast<double>(in.world.mass(slot));
+        return static_cast<double>(physics::HostAccess::mass(in.world, slot));
     };
     return binding;
 }

@@ -80,7 +80,7 @@ class Motion {
     }
 
     Lines position() {
-        const physics::Pose before = world_.previous(slot_of(row_));
+        const physics::Pose before = physics::HostAccess::previous(world_, slot_of(row_));
         const physics::Vec2 moved = body_.position() - before.position;
         const auto dt = static_cast<float>(hosting_.last_dt);
         const physics::Vec2 by_velocity = dt * body_.velocity();
@@ -100,7 +100,7 @@ class Motion {
     }
 
     Lines angle() {
-        const float before = world_.previous(slot_of(row_)).angle;
+        const float before = physics::HostAccess::previous(world_, slot_of(row_)).angle;
         const float turned = body_.angle() - before;
         const float by_velocity = static_cast<float>(hosting_.last_dt) * body_.angular_velocity();
         if (turned == 0 && by_velocity != 0) return {"it was put here after the last step"};

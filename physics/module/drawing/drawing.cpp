@@ -36,10 +36,11 @@ bool sees(const Painter& painter, const physics::Aabb& box, const Vec2& reach) {
 /// How far a body is drawn from where it is, at most. The box of a shape is that of its current
 /// pose; at an interpolated pose the shape may extend beyond the box by this distance.
 Vec2 reach_of(const HostedWorld& in, std::uint32_t body, double alpha) {
-    const auto& now = in.world.state(body).position;
+    const auto& now = physics::HostAccess::state(in.world, body).position;
     if (const auto written = in.written_poses.drawn(in.world, body, alpha))
         return (widen(now) - written->position).abs();
-    return widen(physics::Vec2((now - in.world.previous(body).position).abs()));
+    return widen(
+        physics::Vec2((now - physics::HostAccess::previous(in.world, body).position).abs()));
 }
 
 /// The drawn position of a point of contact. It moves with the body that moves; if both move, it is

@@ -21,8 +21,8 @@ class Frame {
             turn_to(written->angle);
             return;
         }
-        const physics::Pose& from = in.world.previous(body);
-        const physics::BodyState& to = in.world.state(body);
+        const physics::Pose& from = physics::HostAccess::previous(in.world, body);
+        const physics::BodyState& to = physics::HostAccess::state(in.world, body);
         position_ = widen(from.position) + alpha * (widen(to.position) - widen(from.position));
         const double start = from.angle, turn = static_cast<double>(to.angle) - start;
         turn_to(start + alpha * turn);

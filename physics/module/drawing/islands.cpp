@@ -17,7 +17,7 @@ using property::Vec2;
 /// Sets of bodies by slot, joined one connection at a time.
 class Islands {
   public:
-    explicit Islands(physics::World& world) : above_(world.body_slots()) {
+    explicit Islands(physics::World& world) : above_(physics::HostAccess::body_slots(world)) {
         std::iota(above_.begin(), above_.end(), 0u);
         const auto moves = [&](physics::BodyId id) {
             return world.is_valid(id) && world.body(id).type() == physics::BodyType::dynamic_body;

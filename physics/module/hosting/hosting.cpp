@@ -52,7 +52,7 @@ Handle Hosting::body_above(Handle instance) const {
 std::unique_ptr<HostedWorld> Hosting::make_world(std::uint32_t number) {
     auto made = std::make_unique<HostedWorld>(property::noted_steps(tree));
     made->world.set_owner(&owner_);
-    made->world.on_refresh([this, number](const physics::Refresh& wanted) {
+    physics::HostAccess::on_refresh(made->world, [this, number](const physics::Refresh& wanted) {
         if (edit_depth_ == 0) tree.refreshing(part_, refresh_code(number, wanted));
     });
     return made;
@@ -61,8 +61,9 @@ std::unique_ptr<HostedWorld> Hosting::make_world(std::uint32_t number) {
 void Hosting::refresh(std::uint64_t what) {
     const std::uint64_t number = what >> 40;
     if (number >= max_worlds || worlds_[number] == nullptr) return;
-    worlds_[number]->world.refresh({.of = static_cast<physics::Refresh::Of>(what >> 32 & 0xff),
-                                    .slot = static_cast<std::uint32_t>(what)});
+    physics::HostAccess::refresh(worlds_[number]->world,
+                                 {.of = static_cast<physics::Refresh::Of>(what >> 32 & 0xff),
+                                  .slot = static_cast<std::uint32_t>(what)});
 }
 
 void Hosting::weigh_contacts(std::int64_t contacts) {

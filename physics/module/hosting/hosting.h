@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include <fettle/physics/host_access.h>
 #include <fettle/physics/world.h>
 #include <fettle/property/error.h>
 #include <fettle/property/snapshot.h>
@@ -131,28 +132,29 @@ class Hosting {
     physics::World& world(Row row) { return hosted(row).world; }
     const physics::BodyState& state(Row row) {
         const auto [in, slot] = at(row);
-        return in.world.state(slot);
+        return physics::HostAccess::state(in.world, slot);
     }
     physics::Body body(Row row) {
         const auto [in, slot] = at(row);
-        return in.world.body({slot, in.world.body_generation(slot)});
+        return in.world.body({slot, physics::HostAccess::body_generation(in.world, slot)});
     }
     physics::Shape shape(Row row) {
         const auto [in, slot] = at(row);
-        return in.world.shape({slot, in.world.shape_generation(slot)});
+        return in.world.shape({slot, physics::HostAccess::shape_generation(in.world, slot)});
     }
     physics::Field field(Row row);
     /// Velocity of the center of mass.
     physics::Vec2 velocity(Row row) {
         const auto [in, slot] = at(row);
         if (world_number(row) == limbo)
-            if (const auto written = in.velocities.get(slot)) in.world.set_velocity(slot, *written);
-        return in.world.velocity(slot);
+            if (const auto written = in.velocities.get(slot))
+                physics::HostAccess::set_velocity(in.world, slot, *written);
+        return physics::HostAccess::velocity(in.world, slot);
     }
     /// False when the body does not move by itself.
     bool set_velocity(Row row, const physics::Vec2& velocity) {
         const auto [in, slot] = at(row);
-        const bool moves = in.world.set_velocity(slot, velocity);
+        const bool moves = physics::HostAccess::set_velocity(in.world, slot, velocity);
         if (world_number(row) == limbo) in.velocities.set(slot, velocity);
         return moves;
     }

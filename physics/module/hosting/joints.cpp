@@ -35,7 +35,7 @@ void Joints::destroy(Row row) {
 
 std::pair<physics::World*, physics::JointId> Joints::object_of(Row row) const {
     const auto [in, slot] = hosting_.at(row);
-    return {&in.world, {slot, in.world.joint_generation(slot)}};
+    return {&in.world, {slot, physics::HostAccess::joint_generation(in.world, slot)}};
 }
 
 Ties Joints::ties(Row row) const {

@@ -1,11 +1,13 @@
 #include <hosting/written_poses.h>
 
+#include <fettle/physics/host_access.h>
+
 namespace fettle::physics_module {
 
 namespace {
 
 property::Placement placement_of(const physics::World& world, std::uint32_t body) {
-    const physics::BodyState& state = world.state(body);
+    const physics::BodyState& state = physics::HostAccess::state(world, body);
     return {
         .position = {static_cast<double>(state.position.x), static_cast<double>(state.position.y)},
         .angle = static_cast<double>(state.angle)};

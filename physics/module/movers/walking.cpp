@@ -106,8 +106,7 @@ std::vector<std::uint32_t> slots_of(const HostedWorld& in) {
     std::vector<std::uint32_t> slots;
     for (const MoverRecord& record : in.movers.all()) {
         const auto slot = static_cast<std::uint32_t>(record.slot);
-        if (slot < in.world.body_slots() && in.world.body_generation(slot) != 0)
-            slots.push_back(slot);
+        if (physics::HostAccess::body_generation(in.world, slot) != 0) slots.push_back(slot);
     }
     return slots;
 }
@@ -122,7 +121,8 @@ void leave_ground(MoverResult& result) {
 }
 
 void move_one(HostedWorld& in, std::uint32_t slot, float dt) {
-    physics::Body body = in.world.body({slot, in.world.body_generation(slot)});
+    physics::Body body =
+        in.world.body({slot, physics::HostAccess::body_generation(in.world, slot)});
     if (body.type() != physics::BodyType::kinematic_body || !body.enabled()) {
         MoverRecord record = in.movers.get(slot);
         record.result.on_ground = record.result.on_wall = record.result.on_ceiling =
@@ -181,7 +181,8 @@ std::pair<Handle, Handle> instances_of(Hosting& hosting, HostedWorld& hosted, ph
 }  // namespace
 
 void adapt_capsule(HostedWorld& hosted, std::uint32_t slot) {
-    physics::Body body = hosted.world.body({slot, hosted.world.body_generation(slot)});
+    physics::Body body =
+        hosted.world.body({slot, physics::HostAccess::body_generation(hosted.world, slot)});
     physics::Shape shape = capsule_of(body);
     if (!shape) return;
     MoverRecord record = hosted.movers.get(slot);
@@ -216,7 +217,8 @@ void report_movers(Hosting& hosting, HostedWorld& hosted) {
     for (const std::uint32_t slot : slots_of(hosted)) {
         MoverRecord record = hosted.movers.get(slot);
         if (record.events.happened == 0) continue;
-        const physics::Body body = hosted.world.body({slot, hosted.world.body_generation(slot)});
+        const physics::Body body =
+            hosted.world.body({slot, physics::HostAccess::body_generation(hosted.world, slot)});
         all.push_back({hosting.instance_of(body.user_data()), record});
         record.events.happened = 0;
         hosted.movers.set(slot, record);

@@ -57,12 +57,13 @@ property::Result ghosts(Hosting& hosting, std::uint32_t number, double seconds) 
     for (int i = 0; i < steps && work < most_work; ++i) {
         copy.step(static_cast<float>(hosting.last_dt));
         work += copy.statistics().awake_bodies + 1;
-        for (Path& path : paths) path.points.push_back(copy.state(path.body).position);
+        for (Path& path : paths)
+            path.points.push_back(physics::HostAccess::state(copy, path.body).position);
     }
     std::vector<Record> records;
     for (const Path& path : paths) {
-        const auto angle = static_cast<double>(copy.state(path.body).angle);
-        const physics::BodyId id{path.body, copy.body_generation(path.body)};
+        const auto angle = static_cast<double>(physics::HostAccess::state(copy, path.body).angle);
+        const physics::BodyId id{path.body, physics::HostAccess::body_generation(copy, path.body)};
         const Handle instance = hosting.instance_of(hosted.world.body(id).user_data());
         if (!instance || !moves(path, angle)) continue;
         property::List points;

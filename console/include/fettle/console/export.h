@@ -3,7 +3,7 @@
 // public headers. Everything is compiled with hidden visibility. A static library needs no marks
 // and defines FETTLE_CONSOLE_STATIC.
 
-#ifdef FETTLE_CONSOLE_STATIC
+#if defined(FETTLE_CONSOLE_STATIC) || !defined(__GNUC__)
 #define FETTLE_CONSOLE_BEGIN
 #define FETTLE_CONSOLE_END
 #define FETTLE_CONSOLE_PRIVATE

@@ -3,7 +3,7 @@
 // visibility; only declarations between BEGIN and END in public headers are exported. A static
 // library defines FETTLE_APP_STATIC and needs no macros.
 
-#ifdef FETTLE_APP_STATIC
+#if defined(FETTLE_APP_STATIC) || !defined(__GNUC__)
 #define FETTLE_APP_BEGIN
 #define FETTLE_APP_END
 #define FETTLE_APP_PRIVATE

@@ -3,7 +3,7 @@
 // visibility; only declarations between BEGIN and END in public headers are exported. A static
 // library defines FETTLE_INTERFACE_STATIC and needs no macros.
 
-#ifdef FETTLE_INTERFACE_STATIC
+#if defined(FETTLE_INTERFACE_STATIC) || !defined(__GNUC__)
 #define FETTLE_INTERFACE_BEGIN
 #define FETTLE_INTERFACE_END
 #define FETTLE_INTERFACE_PRIVATE

@@ -3,7 +3,7 @@
 // public headers. Everything is compiled with hidden visibility. A static library needs no marks
 // and defines FETTLE_MAPS_STATIC.
 
-#ifdef FETTLE_MAPS_STATIC
+#if defined(FETTLE_MAPS_STATIC) || !defined(__GNUC__)
 #define FETTLE_MAPS_BEGIN
 #define FETTLE_MAPS_END
 #else

@@ -3,7 +3,7 @@
 // visibility; only declarations between BEGIN and END in public headers are exported. A static
 // library defines FETTLE_MODULE_STATIC and needs no macros.
 
-#ifdef FETTLE_MODULE_STATIC
+#if defined(FETTLE_MODULE_STATIC) || !defined(__GNUC__)
 #define FETTLE_MODULE_BEGIN
 #define FETTLE_MODULE_END
 #define FETTLE_MODULE_PRIVATE

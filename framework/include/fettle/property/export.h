@@ -3,7 +3,7 @@
 // public headers. Everything is compiled with hidden visibility. A static library needs no marks
 // and defines FETTLE_PROPERTY_STATIC.
 
-#ifdef FETTLE_PROPERTY_STATIC
+#if defined(FETTLE_PROPERTY_STATIC) || !defined(__GNUC__)
 #define FETTLE_PROPERTY_BEGIN
 #define FETTLE_PROPERTY_END
 #define FETTLE_PROPERTY_PRIVATE

@@ -3,7 +3,7 @@
 // visibility; only declarations between BEGIN and END in public headers are exported. A static
 // library defines FETTLE_SCRIPT_STATIC and needs no macros.
 
-#ifdef FETTLE_SCRIPT_STATIC
+#if defined(FETTLE_SCRIPT_STATIC) || !defined(__GNUC__)
 #define FETTLE_SCRIPT_BEGIN
 #define FETTLE_SCRIPT_END
 #define FETTLE_SCRIPT_PRIVATE

@@ -3,7 +3,7 @@
 // visibility; only declarations between BEGIN and END in public headers are exported. A static
 // library defines FETTLE_VISUALS_STATIC and needs no macros.
 
-#ifdef FETTLE_VISUALS_STATIC
+#if defined(FETTLE_VISUALS_STATIC) || !defined(__GNUC__)
 #define FETTLE_VISUALS_BEGIN
 #define FETTLE_VISUALS_END
 #else

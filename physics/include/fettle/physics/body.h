@@ -41,11 +41,11 @@ class Body {
     Body() = default;                      ///< empty: it refers to no body
     inline Body(World* world, BodyId id);  ///< the body with this id
 
-    bool is_valid() const;                                 ///< whether its world and its body exist
-    explicit operator bool() const { return is_valid(); }  ///< as `is_valid`
-    BodyId id() const { return id_; }                      ///< empty for an empty handle
-    uint32_t index() const { return id_.index; }           ///< its slot: `BodyId::index`
-    World& world() const;                                  ///< the world that it is in
+    bool is_valid() const noexcept;  ///< whether its world and its body exist
+    explicit operator bool() const noexcept { return is_valid(); }  ///< as `is_valid`
+    BodyId id() const noexcept { return id_; }                      ///< empty for an empty handle
+    uint32_t index() const noexcept { return id_.index; }           ///< its slot: `BodyId::index`
+    World& world() const;                                           ///< the world that it is in
     friend bool operator==(const Body&, const Body&) = default;
     void destroy();  ///< with its shapes and the joints on it
 

@@ -12,7 +12,7 @@
 // called inside an edit that requires it. `VelocityFunction` is called after them, and
 // `PositionFunction` at the end of the step, for one body after the other in slot order.
 // `QueryFilter::accept` and a `Visitor` (query.h) are called inside a query, `RefreshCallback`
-// inside a read. All run on the caller's thread, one after the other, unless
+// (host_access.h) inside a read. All run on the caller's thread, one after the other, unless
 // `World::set_parallel_callbacks` says otherwise. One of the shapes that they get may belong to the
 // world's border.
 //
@@ -95,16 +95,6 @@ using PairFilter = Function<bool(const Shape& a, const Shape& b)>;
 /// and the sum of the impulses of all parts in the step before. A value that it sets is used for
 /// all parts; otherwise each part keeps its mixed value.
 using ContactCallback = Function<void(ContactEdit&)>;
-
-/// The data that a read updates: all edited data, or the derived data of one body or shape.
-struct Refresh {
-    /// The data that is updated.
-    enum class Of : uint8_t { everything, body, shape };
-    Of of = Of::everything;  ///< what is updated
-    uint32_t slot = 0;       ///< of the body or shape
-};
-/// Called before a read updates edited data: `World::on_refresh`.
-using RefreshCallback = Function<void(const Refresh&)>;
 
 /// Takes the next bytes of a recording: `World::start_recording`. The bytes live for the call.
 using RecordingSink = Function<void(std::span<const std::byte>)>;

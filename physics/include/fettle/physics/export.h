@@ -3,7 +3,7 @@
 // public headers. Everything is compiled with hidden visibility. A static library needs no marks
 // and defines FETTLE_PHYSICS_STATIC.
 
-#ifdef FETTLE_PHYSICS_STATIC
+#if defined(FETTLE_PHYSICS_STATIC) || !defined(__GNUC__)
 #define FETTLE_PHYSICS_BEGIN
 #define FETTLE_PHYSICS_END
 #define FETTLE_PHYSICS_PRIVATE

@@ -76,10 +76,10 @@ class Field {
     Field() = default;                       ///< empty: it refers to no field
     inline Field(World* world, FieldId id);  ///< the field with this id
 
-    bool is_valid() const;  ///< whether its world and its field exist
-    explicit operator bool() const { return is_valid(); }  ///< as `is_valid`
-    FieldId id() const { return id_; }                     ///< empty for an empty handle
-    World& world() const;                                  ///< the world that it is in
+    bool is_valid() const noexcept;  ///< whether its world and its field exist
+    explicit operator bool() const noexcept { return is_valid(); }  ///< as `is_valid`
+    FieldId id() const noexcept { return id_; }                     ///< empty for an empty handle
+    World& world() const;                                           ///< the world that it is in
     friend bool operator==(const Field&, const Field&) = default;
     void destroy();  ///< ends its force
 

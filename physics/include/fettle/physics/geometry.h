@@ -64,14 +64,14 @@ struct MassProperties {
     float inertia = 0.0f;  ///< kg m², about the centroid
 };
 /// `density`: kg/m², at least 0.
-MassProperties mass_properties(const Form& form, float density = 1.0f);
+[[nodiscard]] MassProperties mass_properties(const Form& form, float density = 1.0f);
 
 /// The smallest box around a geometry.
-Aabb bounding_box(const Form& form, const Pose& pose = {});
+[[nodiscard]] Aabb bounding_box(const Form& form, const Pose& pose = {});
 
 /// Whether a point is in the geometry or on its edge. A chain, and a segment without rounding,
 /// contain only the points on them.
-bool contains(const Form& form, const Pose& pose, const Position& point);
+[[nodiscard]] bool contains(const Form& form, const Pose& pose, const Position& point);
 
 /// The point where a ray enters a geometry.
 struct SurfaceHit {
@@ -81,11 +81,12 @@ struct SurfaceHit {
 };
 /// Nothing if the ray misses, or begins inside and does not enter again, as it may enter a concave
 /// polygon. A chain is met only from its solid side.
-std::optional<SurfaceHit> cast_ray(const Form& form, const Pose& pose, const Position& from,
-                                   const Position& to);
+[[nodiscard]] std::optional<SurfaceHit> cast_ray(const Form& form, const Pose& pose,
+                                                 const Position& from, const Position& to);
 
 /// Distance and nearest points of two geometries. A chain counts on both sides.
-Separation distance(const Form& a, const Pose& pose_a, const Form& b, const Pose& pose_b);
+[[nodiscard]] Separation distance(const Form& a, const Pose& pose_a, const Form& b,
+                                  const Pose& pose_b);
 
 /// The contact points of two convex parts.
 struct ContactManifold {
@@ -96,8 +97,9 @@ struct ContactManifold {
 /// Contact points of two geometries that overlap, or are nearer than `margin` (m, at least 0). One
 /// manifold for each pair of convex parts that touch: at most one if neither geometry is concave or
 /// a chain.
-std::vector<ContactManifold> contact_manifolds(const Form& a, const Pose& pose_a, const Form& b,
-                                               const Pose& pose_b, float margin = 0.0f);
+[[nodiscard]] std::vector<ContactManifold> contact_manifolds(const Form& a, const Pose& pose_a,
+                                                             const Form& b, const Pose& pose_b,
+                                                             float margin = 0.0f);
 
 /// A uniform motion from one pose to another.
 struct Movement {
@@ -109,13 +111,13 @@ struct Movement {
 /// The fraction of two motions, 0 … 1, at which the geometries first come within 0.1 mm of each
 /// other; 0 if they touch at the start, nothing if they pass each other. A chain counts on both
 /// sides.
-std::optional<float> time_of_impact(const Form& a, const Movement& movement_a, const Form& b,
-                                    const Movement& movement_b);
+[[nodiscard]] std::optional<float> time_of_impact(const Form& a, const Movement& movement_a,
+                                                  const Form& b, const Movement& movement_b);
 
 /// Divides a simple polygon of any orientation into few convex pieces with at most sixteen vertices
 /// each, counter-clockwise. No vertex is added. Throws std::invalid_argument if the outline crosses
 /// or touches itself; the message has the place.
-std::vector<std::vector<Vec2>> convex_pieces(std::span<const Vec2> outline);
+[[nodiscard]] std::vector<std::vector<Vec2>> convex_pieces(std::span<const Vec2> outline);
 
 }  // namespace fettle::physics
 

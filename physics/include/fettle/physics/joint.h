@@ -20,10 +20,10 @@ class Joint {
     inline Joint(World* world,
                  JointId id);  ///< the joint with this id; its type is not checked
 
-    bool is_valid() const;  ///< whether its world and its joint exist
-    explicit operator bool() const { return is_valid(); }  ///< as `is_valid`
-    JointId id() const { return id_; }                     ///< empty for an empty handle
-    World& world() const;                                  ///< the world that it is in
+    bool is_valid() const noexcept;  ///< whether its world and its joint exist
+    explicit operator bool() const noexcept { return is_valid(); }  ///< as `is_valid`
+    JointId id() const noexcept { return id_; }                     ///< empty for an empty handle
+    World& world() const;                                           ///< the world that it is in
     friend bool operator==(const Joint&, const Joint&) = default;
     void destroy();  ///< its bodies stay and wake
 

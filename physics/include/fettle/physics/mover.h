@@ -116,11 +116,11 @@ class Mover {
     /// It falls through the ledge or the chain on which it stands. False if it stands on none.
     bool drop(const World& world);
     /// True if a mover of this height (m) has room at its position.
-    bool fits(const World& world, float height) const;
+    [[nodiscard]] bool fits(const World& world, float height) const;
     /// Changes the height if there is room for it; otherwise returns false and changes nothing.
     bool set_height(const World& world, float height);
     /// The planes of all obstacles within `distance` (m), nearest first.
-    std::vector<MoverPlane> planes(const World& world, float distance) const;
+    [[nodiscard]] std::vector<MoverPlane> planes(const World& world, float distance) const;
 
   private:
     bool overlaps_dropped(const World& world) const;
@@ -131,9 +131,10 @@ class Mover {
 
 /// The motion nearest to `motion` after which all planes are at least `distance` (m) away; if there
 /// is none, one that divides the overlap among them.
-Vec2 solve_planes(const Vec2& motion, std::span<const MoverPlane> planes, float distance = 0.0f);
+[[nodiscard]] Vec2 solve_planes(const Vec2& motion, std::span<const MoverPlane> planes,
+                                float distance = 0.0f);
 /// The velocity without the parts that go into the planes.
-Vec2 clip_velocity(const Vec2& velocity, std::span<const MoverPlane> planes);
+[[nodiscard]] Vec2 clip_velocity(const Vec2& velocity, std::span<const MoverPlane> planes);
 
 /// Throws std::invalid_argument for a value out of its range.
 void check(const MoverDef& def);

@@ -33,13 +33,13 @@ struct JoinOptions {
 /// line, then the earlier line. A line with less than two points, or a closed chain with less than
 /// three, is dropped. Throws std::invalid_argument for a negative or infinite option, and for
 /// coordinates beyond ±1e6 m.
-std::vector<Chain> join_lines(std::span<const std::vector<Vec2>> lines,
-                              const JoinOptions& options = {});
+[[nodiscard]] std::vector<Chain> join_lines(std::span<const std::vector<Vec2>> lines,
+                                            const JoinOptions& options = {});
 
 /// Drops points of a line that are at most `straight` (m) from the line through the points that
 /// remain (the algorithm of Douglas and Peucker). Both ends of an open line remain.
-std::vector<Vec2> without_straight_points(std::span<const Vec2> points, bool closed,
-                                          float straight);
+[[nodiscard]] std::vector<Vec2> without_straight_points(std::span<const Vec2> points, bool closed,
+                                                        float straight);
 
 /// Where the samples of a grid are: sample (column, row) at `origin` + `cell` · (column, row).
 struct GridLayout {
@@ -56,11 +56,12 @@ struct GridLayout {
 /// area. Where two areas meet at a corner, the mean of the four samples decides. Points on a
 /// straight line are dropped as `join_lines` does. Throws std::invalid_argument if the number of
 /// values is not columns · rows (at most 2^24), or if a value is not finite.
-std::vector<Chain> grid_outlines(std::span<const float> values, const GridLayout& layout,
-                                 float threshold = 0.5f, float straight = 0.0f);
+[[nodiscard]] std::vector<Chain> grid_outlines(std::span<const float> values,
+                                               const GridLayout& layout, float threshold = 0.5f,
+                                               float straight = 0.0f);
 /// The same for cells that are filled or not.
-std::vector<Chain> grid_outlines(std::span<const bool> filled, const GridLayout& layout,
-                                 float straight = 0.0f);
+[[nodiscard]] std::vector<Chain> grid_outlines(std::span<const bool> filled,
+                                               const GridLayout& layout, float straight = 0.0f);
 
 }  // namespace fettle::physics
 

@@ -93,7 +93,7 @@ struct Separation {
 };
 /// Distance and nearest points of two shapes, which may be of different worlds. The coordinates of
 /// a detached shape are used as world coordinates.
-Separation distance(const Shape& a, const Shape& b);
+[[nodiscard]] Separation distance(const Shape& a, const Shape& b);
 
 }  // namespace fettle::physics
 

@@ -23,11 +23,11 @@ class Shape {
     Shape() = default;                       ///< empty: it refers to no shape
     inline Shape(World* world, ShapeId id);  ///< the shape with this id
 
-    bool is_valid() const;  ///< whether its world and its shape exist
-    explicit operator bool() const { return is_valid(); }  ///< as `is_valid`
-    ShapeId id() const { return id_; }                     ///< empty for an empty handle
-    uint32_t index() const { return id_.index; }           ///< its slot: `ShapeId::index`
-    World& world() const;                                  ///< the world that it is in
+    bool is_valid() const noexcept;  ///< whether its world and its shape exist
+    explicit operator bool() const noexcept { return is_valid(); }  ///< as `is_valid`
+    ShapeId id() const noexcept { return id_; }                     ///< empty for an empty handle
+    uint32_t index() const noexcept { return id_.index; }           ///< its slot: `ShapeId::index`
+    World& world() const;                                           ///< the world that it is in
     friend bool operator==(const Shape&, const Shape&) = default;
     void destroy();  ///< its body stays, with less mass
 

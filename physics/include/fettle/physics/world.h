@@ -3,6 +3,7 @@
 #include <fettle/physics/account.h>
 #include <fettle/physics/body.h>
 #include <fettle/physics/callbacks.h>
+#include <fettle/physics/columns.h>
 #include <fettle/physics/coupling_joints.h>
 #include <fettle/physics/damaged.h>
 #include <fettle/physics/debug_draw.h>
@@ -19,7 +20,6 @@
 #include <fettle/physics/scheduler.h>
 #include <fettle/physics/shape.h>
 #include <fettle/physics/sliding_joints.h>
-#include <fettle/physics/slots.h>
 #include <fettle/physics/statistics.h>
 
 #include <cstddef>
@@ -55,7 +55,7 @@ struct Capacity {
 /// Different worlds are independent, also in several threads. Only one thread at a time may use a
 /// world; but several threads may call `const` methods at once, except `after_step` and `validate`,
 /// while no other method of the world or of its objects runs, if nothing was edited since the last
-/// step or since `refresh({})`.
+/// step or since `refresh`.
 ///
 /// Methods that are not `const` throw `Locked` inside a function that the world is calling. So do
 /// copying, saving and `validate` inside a step: callbacks.h describes what such a function may do.
@@ -211,13 +211,9 @@ class World {
     void set_parallel_callbacks(bool parallel);
     bool parallel_callbacks() const;  ///< whether they may run so
 
-    /// Called before a read updates edited data. The moment of this update affects all later
-    /// results, to the last bit: to repeat edits exactly, repeat the same updates between them with
-    /// `refresh`. Reads inside a step or inside the callback do not call it.
-    void on_refresh(RefreshCallback callback);
-    /// Makes the update that a read would make; does nothing if nothing is out of date or the slot
-    /// is free.
-    void refresh(const Refresh& wanted);
+    /// Updates what edits have left out of date, as the next read of it would; does nothing if
+    /// nothing is.
+    void refresh();
 
     /// Sets the owner, which alone may create and destroy objects in the world; null: every caller
     /// may. Like callbacks, it is not part of the state: copying, saving and restoring do not
@@ -272,9 +268,9 @@ class World {
     void clear();                       ///< destroys every body, shape, joint and field
 
     /// Whether the object exists in this world.
-    bool is_valid(BodyId id) const { return columns_->is_valid(id); }
-    bool is_valid(ShapeId id) const { return columns_->is_valid(id); }
-    bool is_valid(JointId id) const { return columns_->is_valid(id); }
+    bool is_valid(BodyId id) const noexcept { return columns_->is_valid(id); }
+    bool is_valid(ShapeId id) const noexcept { return columns_->is_valid(id); }
+    bool is_valid(JointId id) const noexcept { return columns_->is_valid(id); }
     /// The body with this id; its functions throw if there is none.
     Body body(BodyId id) const { return {self(), id}; }
     /// The shape with this id; its functions throw if there is none.
@@ -284,38 +280,6 @@ class World {
     Any joint(JointId id) const {
         return {self(), id};
     }
-
-    // Access for hosts that store slots: `index` must be that of a live body. Nothing checks this,
-    // except that functions that write refuse an index at which there never was a body. A reference
-    // is valid until the next body is created.
-    /// Pose and velocities.
-    const BodyState& state(uint32_t index) const { return columns_->states[index]; }
-    /// kg.
-    float mass(uint32_t index) const;
-    /// Of the center of mass, m/s.
-    Vec2 velocity(uint32_t index) const;
-    /// Returns false and does nothing if the body does not move by itself.
-    bool set_velocity(uint32_t index, const Vec2& velocity);
-    /// Writes a number, if that is possible without the setter of `Body`: see `Written`.
-    template <BodyNumber number>
-    Written write(uint32_t index, float value);
-    /// Writes the velocity of the center of mass, m/s.
-    Written write_velocity(uint32_t index, const Vec2& velocity);
-    /// Pose before the last step.
-    const Pose& previous(uint32_t index) const { return columns_->previous[index]; }
-    /// The states of all slots.
-    std::span<const BodyState> states() const { return columns_->states; }
-    /// Generation of the object in a slot, 0 for a free slot. Slots 0 … `body_slots()`-1; slot 0
-    /// belongs to the world.
-    uint32_t body_generation(uint32_t index) const { return columns_->body_generations[index]; }
-    /// As `body_generation`, for shapes.
-    uint32_t shape_generation(uint32_t index) const { return columns_->shape_generations[index]; }
-    /// As `body_generation`, for joints.
-    uint32_t joint_generation(uint32_t index) const { return columns_->joint_generations[index]; }
-    /// Number of slots, free ones included.
-    uint32_t body_slots() const { return uint32_t(columns_->body_generations.size()); }
-    /// Number of slots, free ones included.
-    uint32_t shape_slots() const { return uint32_t(columns_->shape_generations.size()); }
 
     // All live objects, in slot order, without the border of the world.
     std::vector<Body> bodies() const;       ///< in slot order, without the border of the world
@@ -365,38 +329,44 @@ class World {
     std::vector<MemoryShare> memory() const;
     /// Hash of position, angle and velocities of all bodies, in slot order. Equal histories have
     /// equal hashes.
-    uint64_t hash() const;
+    [[nodiscard]] uint64_t hash() const;
 
     // Queries include every edit made before them. The order of the found shapes is repeatable. An
     // exception of `QueryFilter::accept` ends the query at once; the world does not change.
     /// Shapes that contain a point (m).
-    std::vector<Shape> query_point(const Position& point, const QueryFilter& filter = {}) const;
+    [[nodiscard]] std::vector<Shape> query_point(const Position& point,
+                                                 const QueryFilter& filter = {}) const;
     /// Shapes that overlap the box, whose corners may be any two opposite ones.
-    std::vector<Shape> query_aabb(const Aabb& box, const QueryFilter& filter = {}) const;
+    [[nodiscard]] std::vector<Shape> query_aabb(const Aabb& box,
+                                                const QueryFilter& filter = {}) const;
     /// The first shape that a ray from one point to another (m) meets from outside.
-    std::optional<RayHit> cast_ray(const Position& from, const Position& to,
-                                   const QueryFilter& filter = {}) const;
+    [[nodiscard]] std::optional<RayHit> cast_ray(const Position& from, const Position& to,
+                                                 const QueryFilter& filter = {}) const;
     /// All shapes that a ray meets from outside.
-    std::vector<RayHit> cast_ray_all(const Position& from, const Position& to,
-                                     const QueryFilter& filter = {}) const;  ///< nearest first
+    [[nodiscard]] std::vector<RayHit> cast_ray_all(
+        const Position& from, const Position& to,
+        const QueryFilter& filter = {}) const;  ///< nearest first
     /// Shapes that overlap `shape`, which may be of another world; shapes of its own body are
     /// ignored.
-    std::vector<Shape> query_overlap(const Shape& shape, const QueryFilter& filter = {}) const;
+    [[nodiscard]] std::vector<Shape> query_overlap(const Shape& shape,
+                                                   const QueryFilter& filter = {}) const;
     /// The same for a geometry that is in no world; a `Form` that is used again saves work.
-    std::vector<Shape> query_overlap(const Form& form, const Pose& pose = {},
-                                     const QueryFilter& filter = {}) const;
+    [[nodiscard]] std::vector<Shape> query_overlap(const Form& form, const Pose& pose = {},
+                                                   const QueryFilter& filter = {}) const;
     /// The first shape that `shape` meets along `motion`; at fraction 0 if they overlap at the
     /// start.
-    std::optional<RayHit> cast_shape(const Shape& shape, const Vec2& motion,
-                                     const QueryFilter& filter = {}) const;
-    std::optional<RayHit> cast_shape(const Form& form, const Pose& pose, const Vec2& motion,
-                                     const QueryFilter& filter = {}) const;
+    [[nodiscard]] std::optional<RayHit> cast_shape(const Shape& shape, const Vec2& motion,
+                                                   const QueryFilter& filter = {}) const;
+    [[nodiscard]] std::optional<RayHit> cast_shape(const Form& form, const Pose& pose,
+                                                   const Vec2& motion,
+                                                   const QueryFilter& filter = {}) const;
     /// The shape nearest to a point, at most `reach` (m) away. The border is ignored.
-    std::optional<PointHit> closest(const Position& point, float reach = infinity,
-                                    const QueryFilter& filter = {}) const;
+    [[nodiscard]] std::optional<PointHit> closest(const Position& point, float reach = infinity,
+                                                  const QueryFilter& filter = {}) const;
     // The same for a visitor, which is called with each result at once, in no particular order, and
-    // ends the query by false. No memory is allocated for the results; `visit_overlap` allocates
-    // for its shape.
+    // ends the query by false. Like `cast_ray`, `cast_shape` and `closest`, they allocate nothing,
+    // once the thread has made such a query. A geometry that is not a `Form`, or has more than a
+    // thousand parts or some thousand vertices, costs allocations in each query.
     /// As `query_point`.
     void visit_point(const Position& point, Visitor<Shape> visitor,
                      const QueryFilter& filter = {}) const;
@@ -426,7 +396,7 @@ class World {
 
     /// Checks that the broad phase, contacts, islands and lists are consistent. Returns a
     /// description of the first error, or nullopt. For tests and debugging: slow.
-    std::optional<std::string> validate() const;
+    [[nodiscard]] std::optional<std::string> validate() const;
 
   private:
     friend class Body;
@@ -434,6 +404,7 @@ class World {
     friend class Joint;
     friend class Field;
     friend class Replay;
+    friend class HostAccess;  // host_access.h
     friend struct detail::WorldInside;
     friend struct detail::MoverWorld;
     World(const World& other);
@@ -458,17 +429,6 @@ inline Joint::Joint(World* world, JointId id)
     : link_(world != nullptr ? world->link_ : nullptr), id_(id) {}
 inline Field::Field(World* world, FieldId id)
     : link_(world != nullptr ? world->link_ : nullptr), id_(id) {}
-
-template <>
-Written World::write<BodyNumber::angular_velocity>(uint32_t index, float value);
-template <>
-Written World::write<BodyNumber::torque>(uint32_t index, float value);
-template <>
-Written World::write<BodyNumber::gravity_scale>(uint32_t index, float value);
-template <>
-Written World::write<BodyNumber::linear_damping>(uint32_t index, float value);
-template <>
-Written World::write<BodyNumber::angular_damping>(uint32_t index, float value);
 
 }  // namespace fettle::physics
 

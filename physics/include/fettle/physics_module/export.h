@@ -3,7 +3,7 @@
 // in its public headers. Everything is compiled with hidden visibility. A static library needs no
 // marks and defines FETTLE_PHYSICS_MODULE_STATIC.
 
-#ifdef FETTLE_PHYSICS_MODULE_STATIC
+#if defined(FETTLE_PHYSICS_MODULE_STATIC) || !defined(__GNUC__)
 #define FETTLE_PHYSICS_MODULE_BEGIN
 #define FETTLE_PHYSICS_MODULE_END
 #define FETTLE_PHYSICS_MODULE_PRIVATE

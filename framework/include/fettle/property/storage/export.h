@@ -3,7 +3,7 @@
 // public headers. Everything is compiled with hidden visibility. A static library needs no marks
 // and defines FETTLE_STORAGE_STATIC.
 
-#ifdef FETTLE_STORAGE_STATIC
+#if defined(FETTLE_STORAGE_STATIC) || !defined(__GNUC__)
 #define FETTLE_STORAGE_BEGIN
 #define FETTLE_STORAGE_END
 #define FETTLE_STORAGE_PRIVATE
