@@ -154,6 +154,9 @@ class Canvas : public property::Painter, public Surface {
     /// `texture`: null for figures without one, which are drawn with the white texels of any atlas.
     CanvasVertex* start_strip(std::size_t count, sf::Vector2f first,
                               const sf::Texture* texture = nullptr);
+    /// Adds a part of a texture. The corners are top left, top right, bottom left, bottom right.
+    void add_quad(const CanvasVertex (&corners)[4], const sf::Texture& texture);
+    void begin_quads();
     void add_quad(sf::Vector2f lower, sf::Vector2f upper, const Patch& patch, sf::Color color);
 
     sf::RenderTarget& target_;
@@ -169,6 +172,8 @@ class Canvas : public property::Painter, public Surface {
     mutable bool has_to_pixels_ = false;
     const sf::Texture* source_ = nullptr;  // texture of strip_
     std::vector<CanvasVertex> strip_{};    // one strip; degenerate triangles join the figures
+    std::vector<CanvasVertex> quads_{};    // instead of a strip; four corners each, in a circle
+    std::size_t last_quads_ = 0;           // at the end of strip_, with nothing between them
     Outline outline_{};
     std::vector<sf::Vector2f> corners_{};
     /// The type of the straight sides of corners_. `touching`: no gap may show between this figure

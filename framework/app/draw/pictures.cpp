@@ -210,12 +210,9 @@ void Canvas::picture(const Picture& picture, const PictureArea& area, const Vec2
                             u,
                             v};
     };
-    CanvasVertex* out = start_strip(
-        4, {static_cast<float>(corners[0].x), static_cast<float>(corners[0].y)}, place.texture);
-    out[0] = vertex(corners[0], left, high);
-    out[1] = vertex(corners[1], right, high);
-    out[2] = vertex(corners[2], left, low);
-    out[3] = vertex(corners[3], right, low);
+    add_quad({vertex(corners[0], left, high), vertex(corners[1], right, high),
+              vertex(corners[2], left, low), vertex(corners[3], right, low)},
+             *place.texture);
 }
 
 }  // namespace fettle::app
