@@ -33,6 +33,7 @@ void Canvas::begin(Color background) {
     last_quads_ = 0;
     source_ = nullptr;
     collected_.parts.clear();
+    polyline_.points.clear();
     reset_state();
     pictures_.begin_frame();
     whole_ = 0;

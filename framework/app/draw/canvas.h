@@ -146,6 +146,11 @@ class Canvas : public property::Painter, public Surface {
     void draw_joined(const BorderRings& rim);
     void draw_parts();
 
+    // --- In polylines.cpp
+    /// Adds a line to the polyline of its whole. `width`: px, at least 1.
+    void add_to_polyline(sf::Vector2f from, sf::Vector2f to, sf::Color color, float width);
+    void draw_polyline();
+
     // --- In lettering.cpp
     bool lay_out(Line& line, float size, Face face);
     void draw_line_of_text(const Line& line, sf::Vector2f baseline, sf::Color color);
@@ -192,6 +197,14 @@ class Canvas : public property::Painter, public Surface {
         property::Paint paint{};
     };
     Collected collected_{};
+    /// Lines of one whole, each of which begins where the one before it ends.
+    struct Polyline {
+        std::vector<sf::Vector2f> points{};
+        sf::Color color{};
+        float width = 0;  // px
+        std::uint64_t whole = 0;
+    };
+    Polyline polyline_{};
     std::unordered_map<Texture, std::unique_ptr<sf::Texture>> textures_{};
     Texture next_texture_ = 1;
     std::vector<CanvasVertex> layer_{};
